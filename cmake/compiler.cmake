@@ -1,0 +1,32 @@
+# Flags of the project's own code; what it exports carries none of them.
+add_library(csgsim_flags INTERFACE)
+set(CSGSIM_SANITIZED 0)
+if(CSGSIM_SANITIZE)
+  set(CSGSIM_SANITIZED 1)
+endif()
+target_compile_options(csgsim_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum -Wnon-virtual-dtor -Werror
+  # GCC 12 sees overlapping copies in std::string where there are none (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # With sanitizers it takes moved-from variants for uninitialised.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CSGSIM_SANITIZED}>>:-Wno-maybe-uninitialized>
+  # The same doubles on every machine and at every optimisation level.
+  -ffp-contract=off)
+if(CSGSIM_SANITIZE)
+  add_compile_options(-fsanitize=${CSGSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${CSGSIM_SANITIZE})
+endif()
+
+# csgsim_room(NAME SOURCES... [LINK LIBS...]): a library of one folder, included from the top as "folder/file.h".
+function(csgsim_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(csgsim_${name} STATIC ${ROOM_SOURCES})
+  add_library(csgsim::${name} ALIAS csgsim_${name})
+  set_target_properties(csgsim_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(csgsim_${name} PUBLIC cxx_std_20)
+  target_include_directories(csgsim_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/csgsim>)
+  target_link_libraries(csgsim_${name} PUBLIC ${ROOM_LINK} PRIVATE $<BUILD_INTERFACE:csgsim_flags> ${ROOM_PRIVATE_LINK})
+  set_property(GLOBAL APPEND PROPERTY CSGSIM_ROOMS csgsim_${name})
+endfunction()

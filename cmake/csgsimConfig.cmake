@@ -1,0 +1,12 @@
+# find_package(csgsim) gives a library a room, for instance csgsim::functional or csgsim::emit; each brings what it needs.
+include(CMakeFindDependencyMacro)
+foreach(package IN ITEMS glm pegtl tomlplusplus nlohmann_json fmt hwy Boost Threads PkgConfig)
+  find_dependency(${package})
+endforeach()
+pkg_check_modules(OpenImageIO QUIET IMPORTED_TARGET GLOBAL OpenImageIO)
+if(NOT OpenImageIO_FOUND)
+  set(csgsim_FOUND FALSE)
+  set(csgsim_NOT_FOUND_MESSAGE "csgsim needs OpenImageIO (libopenimageio-dev)")
+  return()
+endif()
+include(${CMAKE_CURRENT_LIST_DIR}/csgsimTargets.cmake)

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/csg/locate.h"
+#include "host/csg/positive_tree.h"
+#include "host/facet/scene.h"
+#include "host/view/projection.h"
+
+namespace csgsim::csg {
+
+/// A node of an active tree. Children precede their parents; the deepest operand stands first, so that evaluating from
+/// left to right holds the fewest results at a time.
+struct ActiveNode {
+  bool is_leaf = false;
+  bool complemented = false;
+  PositiveOperator op = PositiveOperator::unite;
+  std::uint32_t primitive = model::no_index;
+  std::uint32_t bits = 0;  ///< results to hold while this node is worked out into one of them; 0 for a leaf
+  std::vector<std::uint32_t> children;
+};
+
+/// What is left of a primitive's I-tree (thesis 6.2) over its block: the intersection of `operands`. The primitive's
+/// surface is visible where it is in all of them. Without operands it is visible everywhere in the block.
+struct ActiveTree {
+  bool nothing = false;  ///< the surface is out everywhere in the block
+  std::vector<ActiveNode> nodes;
+  std::vector<std::uint32_t> operands;  ///< indices into nodes
+
+  /// Results to hold besides the one that stands for the primitive itself.
+  [[nodiscard]] std::uint32_t bits() const;
+};
+
+/// Prunes I-trees for one region of the picture. Keeps references to its arguments.
+class Pruner {
+ public:
+  Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const view::PixelRect& region);
+
+  /// The part of the region and the depths that the primitive's surface can be in; its pixels are empty if there are
+  /// none.
+  [[nodiscard]] Block block_of(std::uint32_t primitive) const;
+
+  /// Pruned by boxes in space and in the picture, and by half-spaces that hold the block on one side.
+  [[nodiscard]] ActiveTree active_tree(std::uint32_t primitive) const;
+
+ private:
+  struct Subtree {
+    bool in_elsewhere = false;  ///< what the subtree is where none of its primitives is
+    view::PixelRect pixels;     ///< where any of its primitives can be
+    std::int64_t z_low = 0;
+    std::int64_t z_high = -1;
+    facet::Box box;
+  };
+
+  struct Pruned;
+  [[nodiscard]] bool apart(const Subtree& subtree, const Block& block, const facet::Box& box) const;
+  [[nodiscard]] Pruned prune(std::uint32_t node, const Block& block, const facet::Box& box, ActiveTree& into) const;
+
+  const facet::Scene& scene_;
+  const view::View& view_;
+  const PositiveTree& tree_;
+  view::PixelRect region_;
+  double clearance_;  ///< model units between boxes that are surely apart, whatever rounding does
+  std::vector<Subtree> subtrees_;
+};
+
+}  // namespace csgsim::csg

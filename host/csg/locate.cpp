@@ -1,0 +1,80 @@
+#include "host/csg/locate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace csgsim::csg {
+
+namespace {
+
+/// A bound beyond every value the machine uses, for planes whose coefficients fit no width.
+constexpr double beyond = 1e15;
+
+std::int64_t clamp_to_integer(double value) { return static_cast<std::int64_t>(std::clamp(value, -beyond, beyond)); }
+
+/// The range of an unrounded plane, a step wider at both ends than it can be after any rounding.
+view::Range real_range(const view::View& view, const view::RealLinear& linear, const view::PixelRect& pixels) {
+  const double cx = (view.sampling.width - 1.0) / 2.0;
+  const double cy = (view.sampling.height - 1.0) / 2.0;
+  double low = linear.at_centre;
+  double high = linear.at_centre;
+  const auto widen = [&](double slope, double first, double last) {
+    low += std::min(slope * first, slope * last);
+    high += std::max(slope * first, slope * last);
+  };
+  widen(linear.a, pixels.x0 - cx, pixels.x1 - cx);
+  widen(linear.b, pixels.y0 - cy, pixels.y1 - cy);
+  const double slack = 1.0 + 1e-9 * std::max(std::abs(low), std::abs(high));
+  return {clamp_to_integer(std::floor(low - slack)), clamp_to_integer(std::ceil(high + slack))};
+}
+
+}  // namespace
+
+view::Range depth_range(const view::ScreenPlane& plane, unsigned fraction_bits, const view::PixelRect& pixels) {
+  const view::Range exact = view::range_over(plane.linear, pixels);
+  return {exact.low >> fraction_bits, exact.high >> fraction_bits};
+}
+
+view::Range edge_range(const view::ScreenPlane& plane, const view::PixelRect& pixels) {
+  return view::range_over(plane.linear, pixels);
+}
+
+Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block) {
+  const view::ScreenPlane& plane = view.planes[halfspace.plane];
+  const auto range = [&] {
+    if (!plane.representable) return real_range(view, plane.real, block.pixels);
+    return plane.kind == view::PlaneKind::edge ? edge_range(plane, block.pixels)
+                                               : depth_range(plane, view.sampling.fraction_bits, block.pixels);
+  }();
+  switch (view::side_of(plane, halfspace)) {
+    case view::Side::front:
+      if (range.high <= block.z_low) return Known::in;
+      return range.low > block.z_high ? Known::out : Known::depends;
+    case view::Side::back:
+      if (range.low > block.z_high) return Known::in;
+      return range.high <= block.z_low ? Known::out : Known::depends;
+    case view::Side::edge_positive:
+      if (range.low >= 0) return Known::in;
+      return range.high < 0 ? Known::out : Known::depends;
+    case view::Side::edge_negative:
+      if (range.high < 0) return Known::in;
+      return range.low >= 0 ? Known::out : Known::depends;
+  }
+  return Known::depends;
+}
+
+Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block) {
+  const view::Extent& extent = view.extents[primitive];
+  const view::PixelRect shared = common(extent.pixels, block.pixels);
+  if (extent.empty() || shared.empty() || extent.z_low > block.z_high || extent.z_high < block.z_low) return Known::out;
+  bool inside = shared == block.pixels;
+  const Block part{shared, block.z_low, block.z_high};
+  for (const facet::Halfspace& halfspace : scene.solids[primitive].halfspaces) {
+    const Known known = locate(view, halfspace, part);
+    if (known == Known::out) return Known::out;
+    inside = inside && known == Known::in;
+  }
+  return inside ? Known::in : Known::depends;
+}
+
+}  // namespace csgsim::csg

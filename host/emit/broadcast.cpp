@@ -1,0 +1,72 @@
+#include "host/emit/broadcast.h"
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+
+namespace csgsim::emit {
+
+namespace {
+
+/// Bits of the shortest two's complement number that holds every value of the range.
+unsigned signed_width(const view::Range& range) {
+  const auto width = [](std::int64_t value) {
+    return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value))) + 1;
+  };
+  return std::max(width(range.low), width(range.high));
+}
+
+/// Low zero bits that A and B share, at most `limit`. Dropping them, and as many of C with floor, changes no floor of
+/// the sum and no sign of it.
+unsigned shared_zeros(const view::FixedLinear& plane, unsigned limit) {
+  const std::uint64_t both = static_cast<std::uint64_t>(plane.a) | static_cast<std::uint64_t>(plane.b);
+  return std::min(limit, static_cast<unsigned>(std::countr_zero(both)));
+}
+
+}  // namespace
+
+Broadcast::Broadcast(isa::Segment& segment, const view::Sampling& sampling)
+    : segment_(segment), fraction_bits_(sampling.fraction_bits) {}
+
+void Broadcast::plain(isa::Opcode opcode, isa::Field first, isa::Field second, std::uint64_t constant) {
+  segment_.instructions.push_back({opcode, {first, second, {}}, {}, constant, origin});
+}
+
+void Broadcast::linear(isa::Opcode opcode, isa::Field field, view::FixedLinear plane, unsigned shift,
+                       const view::PixelRect& pixels) {
+  const unsigned needed =
+      std::max(signed_width(view::range_over(plane, pixels)), field.width > 0 ? shift + field.width + 1 : 1);
+  if (needed > isa::max_linear_width)
+    throw std::logic_error("a linear expression wider than the evaluator was not caught");
+  const std::int64_t corner = plane.c + plane.a * segment_.region.x + plane.b * segment_.region.y;
+  const isa::Linear expression{plane.a, plane.b, corner, static_cast<std::uint16_t>(needed),
+                               static_cast<std::uint16_t>(shift)};
+  segment_.instructions.push_back({opcode, {field, {}, {}}, expression, 0, origin});
+}
+
+void Broadcast::surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane,
+                        const view::PixelRect& pixels) {
+  const unsigned drop = shared_zeros(plane, fraction_bits_);
+  linear(opcode, field, {plane.a >> drop, plane.b >> drop, plane.c >> drop}, fraction_bits_ - drop, pixels);
+}
+
+void Broadcast::edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels) {
+  const unsigned drop = shared_zeros(line, isa::max_linear_width);
+  linear(opcode, {}, {line.a >> drop, line.b >> drop, line.c >> drop}, 0, pixels);
+}
+
+void Broadcast::clip(const view::PixelRect& inner, const view::PixelRect& outer) {
+  view::PixelRect left = outer;
+  const auto side = [&](bool cuts, const view::FixedLinear& line) {
+    if (!cuts) return;
+    edge(isa::Opcode::edge_not_negative, line, left);
+    left = view::common(left, {line.a > 0 ? inner.x0 : left.x0, line.b > 0 ? inner.y0 : left.y0,
+                               line.a < 0 ? inner.x1 : left.x1, line.b < 0 ? inner.y1 : left.y1});
+  };
+  side(inner.x0 > outer.x0, {1, 0, -inner.x0});
+  side(inner.x1 < outer.x1, {-1, 0, inner.x1});
+  side(inner.y0 > outer.y0, {0, 1, -inner.y0});
+  side(inner.y1 < outer.y1, {0, -1, inner.y1});
+}
+
+}  // namespace csgsim::emit

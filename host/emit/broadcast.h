@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/view/fixed_point.h"
+#include "host/view/projection.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::emit {
+
+/// Appends instructions to a segment. `origin` goes with every instruction appended.
+class Broadcast {
+ public:
+  Broadcast(isa::Segment& segment, const view::Sampling& sampling);
+
+  isa::Origin origin;
+
+  /// An instruction without a linear expression.
+  void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
+
+  /// A surface plane against a depth field, as wide as its values over `pixels` ask; E has to be 0 outside `pixels`.
+  void surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane, const view::PixelRect& pixels);
+
+  /// E stays 1 where the line is not negative (or is negative); E has to be 0 outside `pixels`.
+  void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
+
+  /// E stays 1 inside `inner` only; E has to be 0 outside `outer`. Sides that do not cut `outer` cost nothing.
+  void clip(const view::PixelRect& inner, const view::PixelRect& outer);
+
+ private:
+  void linear(isa::Opcode opcode, isa::Field field, view::FixedLinear plane, unsigned shift,
+              const view::PixelRect& pixels);
+
+  isa::Segment& segment_;
+  unsigned fraction_bits_;
+};
+
+}  // namespace csgsim::emit

@@ -1,0 +1,23 @@
+#include "host/facet/faceting.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "host/facet/fragments.h"
+#include "hw/isa/error.h"
+
+namespace csgsim::facet {
+
+std::uint32_t fragments_within(double radius, double tolerance) {
+  if (tolerance >= radius / 2.0) return 3;  // a triangle's sides come half the radius near the centre
+  // 1 - cos(a) = 2 sin^2(a / 2), which is exact for small angles too.
+  const double angle = 2.0 * std::asin(std::sqrt(tolerance / (2.0 * radius)));
+  const double count = std::ceil(std::numbers::pi / angle * (1.0 - 1e-12));
+  if (!(count <= max_fragments)) {
+    throw InputError("a circle needs more than " + std::to_string(max_fragments) + " fragments; raise the tolerance");
+  }
+  return static_cast<std::uint32_t>(count);
+}
+
+}  // namespace csgsim::facet

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace csgsim::facet {
+
+/// How curved solids become half-spaces: as OpenSCAD facets them, or as the caller says.
+struct Faceting {
+  /// Facets stay within this distance of the true surface, model units, with as few half-spaces as that allows.
+  std::optional<double> tolerance;
+  /// OpenSCAD's $fn for every curved solid, whatever the model says. Ignored where there is a tolerance.
+  std::optional<double> fragments;
+};
+
+/// Corners of a regular polygon inside a circle whose sides stay within `tolerance` of it (the sagitta): the least n
+/// with radius (1 - cos(180 / n)) <= tolerance, at least 3. Throws InputError past max_fragments.
+std::uint32_t fragments_within(double radius, double tolerance);
+
+}  // namespace csgsim::facet

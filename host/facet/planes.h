@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "host/facet/solid.h"
+
+namespace csgsim::facet {
+
+/// One side of a canonical plane: normal . p + offset <= 0 if `positive`, >= 0 if not.
+struct Halfspace {
+  std::uint32_t plane = 0;  ///< index into PlaneTable::planes()
+  bool positive = true;
+
+  bool operator==(const Halfspace&) const = default;
+};
+
+/// Planes closer than this to each other are one plane: components of the normals, and offsets relative to the model's
+/// diagonal. Chains of transforms in double precision err by some 1e-15; walls thinner than this vanish.
+inline constexpr double coincidence_tolerance = 1e-11;
+
+/// The planes of a model without repetition: planes that coincide share an entry, whichever primitive or orientation
+/// they come from, so that whatever is computed from them is equal exactly. The first plane seen of a kind stands for
+/// all.
+class PlaneTable {
+ public:
+  /// Offsets are compared relative to `diagonal`, the size of the model, about `centre`, so that a model far from the
+  /// origin loses nothing.
+  PlaneTable(const glm::dvec3& centre, double diagonal);
+  ~PlaneTable();
+  PlaneTable(PlaneTable&&) noexcept;
+  PlaneTable& operator=(PlaneTable&&) noexcept;
+
+  /// The canonical half-space of a plane in model space.
+  Halfspace add(const Plane& plane);
+
+  /// Canonical planes: normals whose first component that is not 0 is positive, offsets relative to `centre()`.
+  [[nodiscard]] const std::vector<Plane>& planes() const { return planes_; }
+  [[nodiscard]] const glm::dvec3& centre() const { return centre_; }
+
+ private:
+  struct Index;
+  glm::dvec3 centre_;
+  double diagonal_;
+  std::vector<Plane> planes_;
+  std::unique_ptr<Index> index_;
+};
+
+}  // namespace csgsim::facet

@@ -1,0 +1,116 @@
+#include "host/facet/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "hw/isa/error.h"
+
+namespace csgsim::facet {
+
+namespace {
+
+std::vector<std::array<std::uint32_t, 2>> edges_of(const Solid& solid) {
+  std::vector<std::array<std::uint32_t, 2>> edges = solid.edges;
+  for (const Face& face : solid.faces) {
+    for (std::size_t i = 0; i < face.corners.size(); ++i) {
+      const auto [low, high] = std::minmax(face.corners[i], face.corners[(i + 1) % face.corners.size()]);
+      if (low != high) edges.push_back({low, high});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+Box box_of(const std::vector<glm::dvec3>& points) {
+  Box box;
+  for (const glm::dvec3& point : points) box = hull(box, point);
+  return box;
+}
+
+Convex make_convex(const Solid& solid, PlaneTable& planes) {
+  Convex convex;
+  std::set<std::pair<std::uint32_t, bool>> seen;
+  for (const Face& face : solid.faces) {
+    const Halfspace halfspace = planes.add(face.plane);
+    if (seen.emplace(halfspace.plane, halfspace.positive).second) convex.halfspaces.push_back(halfspace);
+  }
+  convex.vertices = solid.vertices;
+  convex.edges = edges_of(solid);
+  convex.box = box_of(solid.vertices);
+  return convex;
+}
+
+Solid make_solid_at(const model::Tree& tree, const model::Primitive& primitive, const Faceting& faceting) {
+  try {
+    return make_solid(primitive, faceting);
+  } catch (const InputError& error) {
+    throw InputError(tree.file + ":" + std::to_string(primitive.location.line) + ":" +
+                     std::to_string(primitive.location.column) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Box hull(const Box& a, const Box& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+Box hull(const Box& box, const glm::dvec3& point) { return hull(box, Box{point, point}); }
+
+Box common(const Box& a, const Box& b) {
+  if (a.empty() || b.empty()) return {};
+  return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
+}
+
+Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes) {
+  if (tree.root == model::no_index) return {};
+  std::vector<Box> folded(tree.nodes.size());
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const model::Node& node = tree.nodes[i];
+    if (node.is_leaf) {
+      folded[i] = boxes[node.primitive];
+      continue;
+    }
+    folded[i] = folded[node.children.front()];
+    for (std::size_t child = 1; child < node.children.size(); ++child) {
+      const Box& other = folded[node.children[child]];
+      switch (node.op) {
+        case model::Operator::unite: folded[i] = hull(folded[i], other); break;
+        case model::Operator::intersect: folded[i] = common(folded[i], other); break;
+        case model::Operator::subtract: break;
+      }
+    }
+  }
+  return folded[tree.root];
+}
+
+Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
+  if (faceting.tolerance && !(*faceting.tolerance > 0.0 && std::isfinite(*faceting.tolerance))) {
+    throw InputError("the faceting tolerance has to be a finite length above 0");
+  }
+  std::vector<Solid> solids;
+  std::vector<Box> boxes;
+  Box all;
+  for (const model::Primitive& primitive : tree.primitives) {
+    solids.push_back(make_solid_at(tree, primitive, faceting));
+    boxes.push_back(box_of(solids.back().vertices));
+    all = hull(all, boxes.back());
+  }
+  Scene scene{
+      {},
+      PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : glm::length(all.high - all.low)),
+      {}};
+  for (const Solid& solid : solids) scene.solids.push_back(make_convex(solid, scene.planes));
+  scene.box = fold_boxes(tree, boxes);
+  return scene;
+}
+
+}  // namespace csgsim::facet

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/facet/planes.h"
+#include "host/facet/solid.h"
+#include "host/model/tree.h"
+
+namespace csgsim::facet {
+
+/// An axis-aligned box; empty if a low is above its high.
+struct Box {
+  glm::dvec3 low{1};
+  glm::dvec3 high{0};
+
+  [[nodiscard]] bool empty() const { return low.x > high.x || low.y > high.y || low.z > high.z; }
+  [[nodiscard]] glm::dvec3 centre() const { return low + (high - low) / 2.0; }
+};
+
+Box hull(const Box& a, const Box& b);
+Box hull(const Box& box, const glm::dvec3& point);
+Box common(const Box& a, const Box& b);
+
+/// A primitive as an intersection of canonical half-spaces.
+struct Convex {
+  std::vector<Halfspace> halfspaces;                ///< in the order of the faces, none twice
+  std::vector<glm::dvec3> vertices;                 ///< model space
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< pairs of vertices, each edge once
+  Box box;                                          ///< of the vertices
+};
+
+/// A model ready for any view.
+struct Scene {
+  std::vector<Convex> solids;  ///< one a primitive of the tree
+  PlaneTable planes;
+  Box box;  ///< holds what the tree leaves of its primitives
+};
+
+/// Facets every primitive. Throws InputError, naming the primitive's place in the file, where one cannot be faceted.
+Scene make_scene(const model::Tree& tree, const Faceting& faceting = {});
+
+/// Folds boxes of the primitives over the tree: unions span, intersections clip, differences keep their first operand.
+Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes);
+
+}  // namespace csgsim::facet

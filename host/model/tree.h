@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace csgsim::model {
+
+/// How round things are faceted, as OpenSCAD's special variables say.
+struct FacetControl {
+  double fn = 0;   ///< $fn: fragments of a circle; 0 leaves it to fa and fs
+  double fa = 12;  ///< $fa: least angle of a fragment, degrees
+  double fs = 2;   ///< $fs: least length of a fragment, model units
+
+  bool operator==(const FacetControl&) const = default;
+};
+
+struct Cube {
+  glm::dvec3 size{1};
+  bool center = false;
+};
+
+struct Sphere {
+  double radius = 1;
+  FacetControl facets;
+};
+
+/// A cylinder, cone or frustum about the z axis. r1 is at the lower end.
+struct Cylinder {
+  double height = 1;
+  double r1 = 1;
+  double r2 = 1;
+  bool center = false;
+  FacetControl facets;
+};
+
+/// A closed convex polyhedron; `faces` index `points`, in either consistent orientation.
+struct Polyhedron {
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+};
+
+using Shape = std::variant<Cube, Sphere, Cylinder, Polyhedron>;
+
+/// A place in the source file; line and column count from 1.
+struct Location {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+/// A solid of the model, in place.
+struct Primitive {
+  Shape shape;
+  glm::dmat4 transform{1};           ///< object to model space; the last row is 0 0 0 1
+  std::optional<glm::dvec3> colour;  ///< red, green, blue in [0, 1], if the model says one
+  Location location;
+};
+
+enum class Operator : std::uint8_t { unite, subtract, intersect };
+
+inline constexpr std::uint32_t no_index = 0xffffffffU;
+
+/// A node of the tree: a leaf that names a primitive, or an operator over at least two children.
+/// `subtract` takes all further children from the first.
+struct Node {
+  bool is_leaf = false;
+  Operator op = Operator::unite;
+  std::uint32_t primitive = no_index;   ///< leaf: index into Tree::primitives
+  std::vector<std::uint32_t> children;  ///< operator: indices into Tree::nodes, each smaller than the node's own
+};
+
+/// A CSG tree. Children precede their parents in `nodes`, so a single pass in order is a postorder traversal and no
+/// tree is too deep. Primitives are in tree order (left to right). An empty model has no nodes and root == no_index.
+struct Tree {
+  std::string file;
+  std::vector<Primitive> primitives;
+  std::vector<Node> nodes;
+  std::uint32_t root = no_index;
+};
+
+/// Numbers of binary operators: an operator over k children counts k - 1.
+struct Counts {
+  std::uint64_t primitives = 0;
+  std::uint64_t unions = 0;
+  std::uint64_t differences = 0;
+  std::uint64_t intersections = 0;
+};
+
+Counts count(const Tree& tree);
+
+}  // namespace csgsim::model

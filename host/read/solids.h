@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "host/model/tree.h"
+#include "host/read/arguments.h"
+#include "host/read/nodes.h"
+
+namespace csgsim::read {
+
+/// The solid of a `cube`, `sphere`, `cylinder` or `polyhedron` node; nothing if it is empty.
+std::optional<model::Shape> read_solid(NodeKind kind, const Arguments& arguments);
+
+}  // namespace csgsim::read

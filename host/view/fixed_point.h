@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace csgsim::view {
+
+/// The nearest integer to value * 2^fraction_bits, halves away from zero; nothing if the value is not finite or the
+/// integer would not fit 62 bits. The only way from double to coefficient: off by at most 2^-(fraction_bits + 1).
+std::optional<std::int64_t> to_fixed(double value, unsigned fraction_bits);
+
+/// A linear function of the pixel's column and row, in double precision: at_centre + a (x - cx) + b (y - cy), where
+/// (cx, cy) is the middle of the picture.
+struct RealLinear {
+  double a = 0;
+  double b = 0;
+  double at_centre = 0;
+};
+
+/// A*x + B*y + C with `fraction_bits` fraction bits.
+struct FixedLinear {
+  std::int64_t a = 0;
+  std::int64_t b = 0;
+  std::int64_t c = 0;
+};
+
+/// Rounds each coefficient once. C is chosen after A and B, so that the function is off by at most 2^-(fraction_bits+1)
+/// at the middle of the picture and by 2^-(fraction_bits+1) more for each pixel away from it along x or y. Nothing if a
+/// coefficient does not fit.
+std::optional<FixedLinear> to_fixed(const RealLinear& linear, unsigned fraction_bits, std::uint32_t width,
+                                    std::uint32_t height);
+
+/// Least and greatest value of a linear function over a rectangle of pixels, exact.
+struct Range {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+
+/// Pixels [x0, x1] x [y0, y1].
+struct PixelRect {
+  std::int32_t x0 = 0;
+  std::int32_t y0 = 0;
+  std::int32_t x1 = -1;
+  std::int32_t y1 = -1;
+
+  [[nodiscard]] bool empty() const { return x0 > x1 || y0 > y1; }
+  bool operator==(const PixelRect&) const = default;
+};
+
+PixelRect common(const PixelRect& a, const PixelRect& b);
+PixelRect hull(const PixelRect& a, const PixelRect& b);
+Range range_over(const FixedLinear& linear, const PixelRect& rect);
+
+}  // namespace csgsim::view

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/facet/scene.h"
+#include "host/model/tree.h"
+#include "host/view/camera.h"
+#include "host/view/fixed_point.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::view {
+
+/// How the picture is sampled.
+struct Sampling {
+  std::uint32_t width = 512;            ///< pixels
+  std::uint32_t height = 512;           ///< pixels
+  unsigned z_bits = 20;                 ///< of the depth field
+  unsigned fraction_bits = 12;          ///< of the coefficients of surfaces, below one depth step
+  double edge_on_fraction = 1.0 / 256;  ///< of a pixel: steeper planes become edge tests
+  std::optional<double> near;           ///< distance of the near plane in a perspective view, model units
+};
+
+/// Fraction bits of an edge test, whose unit is about one pixel: finer than those of surfaces, since no slope magnifies
+/// it.
+constexpr unsigned edge_fraction_bits(const Sampling& sampling) { return sampling.fraction_bits + 8; }
+
+/// What a canonical plane is in the picture.
+enum class PlaneKind : std::uint8_t {
+  surface,  ///< z = (Ax + By + C) >> fraction_bits, floor
+  edge,     ///< edge-on: Ax + By + C >= 0 is one side of it
+};
+
+/// A canonical plane in the picture: the same integers for every half-space that lies on it.
+struct ScreenPlane {
+  PlaneKind kind = PlaneKind::surface;
+  FixedLinear linear;
+  /// Surface: the positive half-space (normal . p + offset <= 0) is the side away from the eye, that is, faces forward.
+  /// Edge: the positive half-space is where Ax + By + C >= 0; else where it is < 0.
+  bool positive = true;
+  bool representable = true;  ///< the coefficients fit; if not, the plane may only be used where it decides nothing
+  RealLinear real;            ///< the plane before rounding, to decide it where it is not representable
+};
+
+enum class Side : std::uint8_t {
+  front,          ///< in is z >= F
+  back,           ///< in is z < F
+  edge_positive,  ///< in is Ax + By + C >= 0
+  edge_negative,  ///< in is Ax + By + C < 0
+};
+
+Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace);
+
+/// What a primitive can touch: pixels, and depth steps of its surface, with room for rounding. A primitive is nowhere
+/// outside its rectangle of pixels, whatever its rounded planes say there.
+struct Extent {
+  PixelRect pixels;
+  std::int64_t z_low = 0;   ///< at least 0
+  std::int64_t z_high = 0;  ///< at most 2^n - 1
+
+  [[nodiscard]] bool empty() const { return pixels.empty() || z_low > z_high; }
+};
+
+/// Depth steps added to both ends of an extent for what rounding may do to a surface: each plane is off by a step and
+/// what its coefficients lose on the way to the corner of the picture, and where planes meet at a slant, several times
+/// that.
+std::int64_t depth_margin(const Sampling& sampling);
+
+/// A scene as one camera sees it.
+struct View {
+  Camera camera;
+  Sampling sampling;
+  isa::DepthScale depth;
+  std::vector<ScreenPlane> planes;  ///< one a canonical plane
+  std::vector<Extent> extents;      ///< one a primitive
+  double depth_step = 0;            ///< model units of a depth step where it is coarsest
+};
+
+/// Transforms planes and extents. Throws InputError for a camera or sampling that cannot be.
+///
+/// Perspective: near is at the nearest point of the model, but no nearer than far / 256 unless `sampling.near` says so;
+/// solids that reach nearer are capped there. Orthographic views show what lies behind the eye too, as OpenSCAD does.
+View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling);
+
+}  // namespace csgsim::view

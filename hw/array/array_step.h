@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace csgsim::array {
+
+/// What the one-bit ALU of every pixel does in one clock. In the meanings E is the enable bit, K the carry bit, L the
+/// operand latch, P whether the pixel is part of the region, M[w] the memory bit written; x and y are the operands and
+/// maj(a, b, c) the carry of a full adder. Columns: function, reads x, reads y, writes memory, meaning.
+// clang-format off
+#define CSGSIM_ALU_FUNCTIONS(F)                                                                          \
+  F(idle,               false, false, false, "nothing")                                                  \
+  F(latch_x,            true,  false, false, "L := x")                                                   \
+  F(enable_all,         false, false, false, "E := P")                                                   \
+  F(enable_invert,      false, false, false, "E := P and not E")                                         \
+  F(enable_load,        true,  false, false, "E := x")                                                   \
+  F(enable_and,         true,  false, false, "E := E and x")                                             \
+  F(enable_and_not,     true,  false, false, "E := E and not x")                                         \
+  F(enable_or,          true,  false, false, "E := E or x")                                              \
+  F(enable_xor,         true,  false, false, "E := E xor x")                                             \
+  F(enable_equal,       true,  true,  false, "E := E and not (x xor y)")                                 \
+  F(compare_from_0,     true,  true,  false, "K := maj(x, not y, 0): first bit of x > y")                \
+  F(compare_from_1,     true,  true,  false, "K := maj(x, not y, 1): first bit of x >= y")               \
+  F(compare,            true,  true,  false, "K := maj(x, not y, K)")                                    \
+  F(compare_with_0,     true,  false, false, "K := maj(x, 1, K): x is longer than y")                    \
+  F(less_from_0,        true,  true,  false, "K := maj(x, not y, 0), E := E and not K")                  \
+  F(less_from_1,        true,  true,  false, "K := maj(x, not y, 1), E := E and not K")                  \
+  F(less,               true,  true,  false, "K := maj(x, not y, K), E := E and not K")                  \
+  F(sign_enable,        true,  false, false, "K := maj(not x, 0, K), E := E and K: x is the sign")       \
+  F(sign_enable_not,    true,  false, false, "K := maj(not x, 0, K), E := E and not K: x is the sign")   \
+  F(sign_select,        true,  false, false, "K := E and maj(not x, 0, K): x is the sign")               \
+  F(sign_select_not,    true,  false, false, "K := E and not maj(not x, 0, K): x is the sign")           \
+  F(enable_fits,        true,  false, false, "E := E and not (K and x): a bit beyond the field")         \
+  F(store_x,            true,  false, true,  "M[w] := x where E")                                        \
+  F(store_x_selected,   true,  false, true,  "M[w] := x where E and K")                                  \
+  F(store_not_x,        true,  false, true,  "M[w] := not x where E")                                    \
+  F(store_0,            false, false, true,  "M[w] := 0 where E")                                        \
+  F(store_1,            false, false, true,  "M[w] := 1 where E")                                        \
+  F(store_and,          true,  true,  true,  "M[w] := x and y where E")                                  \
+  F(store_or,           true,  true,  true,  "M[w] := x or y where E")                                   \
+  F(store_xor,          true,  true,  true,  "M[w] := x xor y where E")                                  \
+  F(store_and_not,      true,  true,  true,  "M[w] := x and not y where E")                              \
+  F(store_enable,       false, false, true,  "M[w] := E at every pixel")                                 \
+  F(answer,             false, false, false, "the wired OR of E goes to the controller")
+// clang-format on
+
+enum class AluFunction : std::uint8_t {
+#define CSGSIM_ALU_ENUMERATOR(name, ...) name,
+  CSGSIM_ALU_FUNCTIONS(CSGSIM_ALU_ENUMERATOR)
+#undef CSGSIM_ALU_ENUMERATOR
+};
+
+struct AluInfo {
+  std::string_view name;
+  bool reads_x;
+  bool reads_y;
+  bool writes;
+  std::string_view meaning;
+};
+
+inline constexpr AluInfo alu_table[] = {
+#define CSGSIM_ALU_ROW(name, reads_x, reads_y, writes, meaning) AluInfo{#name, reads_x, reads_y, writes, meaning},
+    CSGSIM_ALU_FUNCTIONS(CSGSIM_ALU_ROW)
+#undef CSGSIM_ALU_ROW
+};
+
+constexpr const AluInfo& info(AluFunction function) { return alu_table[static_cast<std::size_t>(function)]; }
+
+/// Where the ALU's operand x comes from. Operand y is always read from pixel memory.
+enum class OperandSource : std::uint8_t {
+  tree,    ///< this pixel's leaf of the multiplier trees
+  latch,   ///< the operand latch
+  memory,  ///< the memory bit at address `x`
+};
+
+/// The control word that every pixel obeys in one clock.
+struct ArrayStep {
+  AluFunction function = AluFunction::idle;
+  OperandSource source = OperandSource::tree;  ///< of operand x
+  std::uint16_t x = 0;                         ///< address of operand x, if it comes from memory
+  std::uint16_t y = 0;                         ///< address of operand y
+  std::uint16_t write = 0;                     ///< address written
+
+  constexpr bool operator==(const ArrayStep&) const = default;
+};
+
+/// Read ports of pixel memory that a step occupies.
+constexpr unsigned memory_reads(const ArrayStep& step) {
+  const AluInfo& row = info(step.function);
+  return (row.reads_x && step.source == OperandSource::memory ? 1U : 0U) + (row.reads_y ? 1U : 0U);
+}
+
+}  // namespace csgsim::array

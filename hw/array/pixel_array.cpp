@@ -1,0 +1,74 @@
+#include "hw/array/pixel_array.h"
+
+#include <algorithm>
+
+#include "hw/array/kernels.h"
+
+namespace csgsim::array {
+
+PixelArray::PixelArray(const isa::ArrayShape& shape)
+    : shape_{shape.width, shape.height},
+      memory_(shape.memory_bits, Words(shape_.padded_words())),
+      enable_(shape_.padded_words()),
+      carry_(shape_.padded_words()),
+      latch_(shape_.padded_words()),
+      present_(shape_.padded_words()) {
+  reset(shape.width, shape.height);
+}
+
+void PixelArray::reset(std::uint32_t width, std::uint32_t height) {
+  for (Words& plane : memory_) std::fill(plane.begin(), plane.end(), 0);
+  for (Words* plane : {&enable_, &carry_, &latch_, &present_}) std::fill(plane->begin(), plane->end(), 0);
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; x += word_bits) present_[shape_.word_of(x, y)] = low_bits(width - x);
+  }
+}
+
+void PixelArray::step(const ArrayStep& step, std::span<const std::uint64_t> tree) {
+  if (step.function == AluFunction::idle || step.function == AluFunction::answer) return;
+  const AluInfo& row = info(step.function);
+  const auto operand_x = [&]() -> const std::uint64_t* {
+    if (!row.reads_x) return nullptr;
+    switch (step.source) {
+      case OperandSource::tree: return tree.data();
+      case OperandSource::latch: return latch_.data();
+      case OperandSource::memory: return memory_[step.x].data();
+    }
+    return nullptr;
+  };
+  kernels::alu_step(step.function, {.x = operand_x(),
+                                    .y = row.reads_y ? memory_[step.y].data() : nullptr,
+                                    .present = present_.data(),
+                                    .enable = enable_.data(),
+                                    .carry = carry_.data(),
+                                    .latch = latch_.data(),
+                                    .write = row.writes ? memory_[step.write].data() : nullptr,
+                                    .words = shape_.padded_words()});
+}
+
+bool PixelArray::any_enabled() const { return kernels::any_ones(enable_.data(), enable_.size()); }
+
+std::uint64_t PixelArray::count_enabled() const { return kernels::count_ones(enable_.data(), enable_.size()); }
+
+void PixelArray::read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
+                            std::span<std::uint32_t> values) const {
+  std::fill(values.begin(), values.end(), 0U);
+  for (std::uint32_t bit = 0; bit < field.width; ++bit) {
+    const Words& plane = memory_[field.base + bit];
+    for (std::uint32_t y = 0; y < height; ++y) {
+      for (std::uint32_t x = 0; x < width; ++x) {
+        const auto value = static_cast<std::uint32_t>(plane[shape_.word_of(x, y)] >> (x % word_bits)) & 1U;
+        values[std::size_t{y} * width + x] |= value << bit;
+      }
+    }
+  }
+}
+
+PixelProbe PixelArray::probe(std::uint32_t x, std::uint32_t y, std::span<const std::uint64_t> tree) const {
+  return {.tree = bit_of(tree, shape_, x, y),
+          .carry = bit_of(carry_, shape_, x, y),
+          .enable = bit_of(enable_, shape_, x, y),
+          .latch = bit_of(latch_, shape_, x, y)};
+}
+
+}  // namespace csgsim::array

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/array/array_step.h"
+#include "hw/array/plane.h"
+#include "hw/isa/instruction.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::array {
+
+/// The state of one pixel processor besides its memory.
+struct PixelProbe {
+  bool tree = false;
+  bool carry = false;
+  bool enable = false;
+  bool latch = false;
+};
+
+/// The pixel processors and memories of the whole array: each register and each memory bit is a plane.
+class PixelArray {
+ public:
+  explicit PixelArray(const isa::ArrayShape& shape);
+
+  [[nodiscard]] const PlaneShape& shape() const { return shape_; }
+  [[nodiscard]] std::uint32_t memory_bits() const { return static_cast<std::uint32_t>(memory_.size()); }
+
+  /// Clears memory and registers. Pixels right of `width` or below `height` take no part until the next reset: their
+  /// enable bits stay 0.
+  void reset(std::uint32_t width, std::uint32_t height);
+
+  /// One clock of all pixels; `tree` are the leaves of the multiplier trees (shape().padded_words() words).
+  void step(const ArrayStep& step, std::span<const std::uint64_t> tree);
+
+  [[nodiscard]] bool any_enabled() const;
+  [[nodiscard]] std::uint64_t count_enabled() const;
+
+  [[nodiscard]] std::span<const std::uint64_t> enable() const { return enable_; }
+  [[nodiscard]] std::span<const std::uint64_t> memory(std::uint32_t address) const { return memory_[address]; }
+
+  /// One memory bit of one row.
+  [[nodiscard]] std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const {
+    return std::span<const std::uint64_t>(memory_[address]).subspan(row * shape_.row_words(), shape_.row_words());
+  }
+
+  /// The field's values in a `width` x `height` corner of the array, in row order.
+  void read_field(isa::Field field, std::uint32_t width, std::uint32_t height, std::span<std::uint32_t> values) const;
+
+  /// `tree`: as in step.
+  [[nodiscard]] PixelProbe probe(std::uint32_t x, std::uint32_t y, std::span<const std::uint64_t> tree) const;
+  [[nodiscard]] bool memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const {
+    return bit_of(memory_[address], shape_, x, y);
+  }
+
+ private:
+  PlaneShape shape_;
+  std::vector<Words> memory_;
+  Words enable_;
+  Words carry_;
+  Words latch_;
+  Words present_;
+};
+
+}  // namespace csgsim::array

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+#include <vector>
+
+namespace csgsim::array {
+
+inline constexpr std::size_t word_bits = 64;        ///< pixels a word
+inline constexpr std::size_t plane_alignment = 64;  ///< bytes; planes are padded to it, so kernels need no remainder
+
+/// Allocates on cache line boundaries.
+template <class T>
+struct AlignedAllocator {
+  using value_type = T;
+
+  AlignedAllocator() = default;
+  template <class U>
+  explicit AlignedAllocator(const AlignedAllocator<U>& /*other*/) {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{plane_alignment}));
+  }
+  void deallocate(T* pointer, std::size_t /*count*/) { ::operator delete (pointer, std::align_val_t{plane_alignment}); }
+  bool operator==(const AlignedAllocator&) const = default;
+};
+
+using Words = std::vector<std::uint64_t, AlignedAllocator<std::uint64_t>>;
+
+constexpr std::size_t round_up(std::size_t value, std::size_t step) { return (value + step - 1) / step * step; }
+
+/// How one bit of every pixel lies in words: pixel x of a row is bit x % 64 of word x / 64, rows padded to whole words,
+/// the plane padded to whole cache lines.
+struct PlaneShape {
+  std::uint32_t width = 0;   ///< pixels
+  std::uint32_t height = 0;  ///< pixels
+
+  [[nodiscard]] constexpr std::size_t row_words() const { return (width + word_bits - 1) / word_bits; }
+  [[nodiscard]] constexpr std::size_t words() const { return row_words() * height; }
+  [[nodiscard]] constexpr std::size_t padded_words() const {
+    return round_up(words(), plane_alignment / sizeof(std::uint64_t));
+  }
+  [[nodiscard]] constexpr std::size_t word_of(std::uint32_t x, std::uint32_t y) const {
+    return y * row_words() + x / word_bits;
+  }
+  constexpr bool operator==(const PlaneShape&) const = default;
+};
+
+inline bool bit_of(std::span<const std::uint64_t> plane, PlaneShape shape, std::uint32_t x, std::uint32_t y) {
+  return ((plane[shape.word_of(x, y)] >> (x % word_bits)) & 1U) != 0;
+}
+
+/// The low `bits` bits of a word are 1; `bits` is 0 to 64.
+constexpr std::uint64_t low_bits(std::size_t bits) {
+  return bits >= word_bits ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
+}  // namespace csgsim::array

@@ -1,0 +1,177 @@
+#include "hw/array/sequencer.h"
+
+namespace csgsim::array {
+
+namespace {
+
+using isa::Opcode;
+
+bool coefficient_bit(std::int64_t coefficient, std::uint32_t bit) { return ((coefficient >> bit) & 1) != 0; }
+
+}  // namespace
+
+void Sequencer::begin(const isa::Instruction& instruction) {
+  instruction_ = instruction;
+  busy_ = true;
+  bit_ = 0;
+  pass_ = 0;
+}
+
+BitStep Sequencer::issue() {
+  using enum AluFunction;
+  const isa::Instruction& i = instruction_;
+  switch (i.opcode) {
+    case Opcode::enable_all: return once({.function = enable_all});
+    case Opcode::enable_invert: return once({.function = enable_invert});
+    case Opcode::enable_load: return once(enable_from_memory(enable_load));
+    case Opcode::enable_and: return once(enable_from_memory(enable_and));
+    case Opcode::enable_and_not: return once(enable_from_memory(enable_and_not));
+    case Opcode::enable_or: return once(enable_from_memory(enable_or));
+    case Opcode::enable_xor: return once(enable_from_memory(enable_xor));
+    case Opcode::enable_store: return once({.function = store_enable, .write = i.fields[0].base});
+    case Opcode::edge_not_negative: return stream_bit(edge_step(enable_and_not), 1);
+    case Opcode::edge_negative: return stream_bit(edge_step(enable_and), 1);
+    case Opcode::linear_ge: return stream_bit(compare_step(compare_from_1, sign_enable), 1);
+    case Opcode::linear_gt: return stream_bit(compare_step(compare_from_0, sign_enable), 1);
+    case Opcode::linear_le: return stream_bit(compare_step(compare_from_0, sign_enable_not), 1);
+    case Opcode::linear_lt: return stream_bit(compare_step(compare_from_1, sign_enable_not), 1);
+    case Opcode::linear_eq: return stream_bit(equal_step(), 1);
+    case Opcode::load_linear: return stream_bit(load_step(store_x, enable_and_not), 1);
+    case Opcode::keep_max: return stream_bit(keep_step(compare_from_0, sign_select), 2);
+    case Opcode::keep_min: return stream_bit(keep_step(compare_from_1, sign_select_not), 2);
+    case Opcode::set_constant:
+      return field_bit(store_step(((i.constant >> bit_) & 1U) != 0 ? store_1 : store_0), i.fields[0].width);
+    case Opcode::copy: return field_bit(store_step(store_x), i.fields[0].width);
+    case Opcode::field_lt: return two_operand_bit(less_step(compare_from_1, less_from_1));
+    case Opcode::field_le: return two_operand_bit(less_step(compare_from_0, less_from_0));
+    case Opcode::field_eq:
+      return two_operand_bit({.function = enable_equal, .x = field_address(0), .y = field_address(1)});
+    case Opcode::bit_and: return two_operand_bit(store_step(store_and));
+    case Opcode::bit_or: return two_operand_bit(store_step(store_or));
+    case Opcode::bit_xor: return two_operand_bit(store_step(store_xor));
+    case Opcode::bit_and_not: return two_operand_bit(store_step(store_and_not));
+    case Opcode::bit_not: return field_bit(store_step(store_not_x), i.fields[0].width);
+    case Opcode::global_or: return once({.function = answer});
+  }
+  busy_ = false;
+  return {};
+}
+
+BitStep Sequencer::once(ArrayStep step) {
+  busy_ = false;
+  return {.root = {}, .pixels = step, .last = true};
+}
+
+/// One bit of the linear expression, which is streamed `passes` times.
+BitStep Sequencer::stream_bit(ArrayStep step, unsigned passes) {
+  const isa::Linear& linear = instruction_.linear;
+  const RootBits root{.token = {.bit = static_cast<std::int16_t>(bit_)},
+                      .a = coefficient_bit(linear.a, bit_),
+                      .b = coefficient_bit(linear.b, bit_),
+                      .c = coefficient_bit(linear.c, bit_)};
+  if (++bit_ == linear.width) {
+    bit_ = 0;
+    ++pass_;
+  }
+  busy_ = pass_ < passes;
+  return {.root = root, .pixels = step, .last = !busy_};
+}
+
+BitStep Sequencer::field_bit(ArrayStep step, unsigned width) {
+  busy_ = ++bit_ < width;
+  return {.root = {}, .pixels = step, .last = !busy_};
+}
+
+/// One bit of an instruction with two source operands x and y. With one read port x is read into the operand latch in
+/// the clock before.
+BitStep Sequencer::two_operand_bit(ArrayStep step) {
+  if (!two_ports_ && pass_ == 0) {
+    pass_ = 1;
+    return {.root = {}, .pixels = {.function = AluFunction::latch_x, .source = OperandSource::memory, .x = step.x}};
+  }
+  step.source = two_ports_ ? OperandSource::memory : OperandSource::latch;
+  if (!two_ports_) step.x = 0;
+  pass_ = 0;
+  return field_bit(step, instruction_.fields[1].width);
+}
+
+Sequencer::Place Sequencer::place() const {
+  const isa::Linear& linear = instruction_.linear;
+  if (bit_ + 1U == linear.width) return Place::sign;
+  if (bit_ < linear.shift) return Place::fraction;
+  return bit_ - linear.shift < instruction_.fields[0].width ? Place::field : Place::beyond;
+}
+
+/// The address of the current bit of an operand's field; of a linear instruction's field, the bit that meets F.
+std::uint16_t Sequencer::field_address(unsigned operand) const {
+  return static_cast<std::uint16_t>(instruction_.fields[operand].base + bit_ - instruction_.linear.shift);
+}
+
+ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
+  return {.function = function, .source = OperandSource::memory, .x = instruction_.fields[0].base};
+}
+
+ArrayStep Sequencer::edge_step(AluFunction on_sign) const {
+  if (place() != Place::sign) return {};
+  return {.function = on_sign};
+}
+
+/// F - s by its carry, s being 0 beyond the field; the sign decides.
+ArrayStep Sequencer::compare_step(AluFunction first, AluFunction on_sign) const {
+  switch (place()) {
+    case Place::fraction: return {};
+    case Place::field:
+      return {.function = bit_ == instruction_.linear.shift ? first : AluFunction::compare, .y = field_address(0)};
+    case Place::beyond: return {.function = AluFunction::compare_with_0};
+    case Place::sign: return {.function = on_sign};
+  }
+  return {};
+}
+
+ArrayStep Sequencer::equal_step() const {
+  switch (place()) {
+    case Place::fraction: return {};
+    case Place::field: return {.function = AluFunction::enable_equal, .y = field_address(0)};
+    case Place::beyond:
+    case Place::sign: return {.function = AluFunction::enable_and_not};
+  }
+  return {};
+}
+
+/// Writes the bits of F within the field; those beyond are checked to be 0.
+ArrayStep Sequencer::load_step(AluFunction write, AluFunction check) const {
+  switch (place()) {
+    case Place::fraction: return {};
+    case Place::field: return {.function = write, .write = field_address(0)};
+    case Place::beyond:
+    case Place::sign: return {.function = check};
+  }
+  return {};
+}
+
+/// The first pass compares, the second writes where F was chosen.
+ArrayStep Sequencer::keep_step(AluFunction first, AluFunction on_sign) const {
+  return pass_ == 0 ? compare_step(first, on_sign) : load_step(AluFunction::store_x_selected, AluFunction::enable_fits);
+}
+
+/// Writes the target, operand 0; the sources are operands 1 and 2.
+ArrayStep Sequencer::store_step(AluFunction function) const {
+  const AluInfo& row = info(function);
+  const auto address = [&](unsigned operand) { return field_address(operand); };
+  return {.function = function,
+          .source = row.reads_x ? OperandSource::memory : OperandSource::tree,
+          .x = row.reads_x ? address(1) : std::uint16_t{0},
+          .y = row.reads_y ? address(2) : std::uint16_t{0},
+          .write = address(0)};
+}
+
+/// s - r by its carry; the last bit decides.
+ArrayStep Sequencer::less_step(AluFunction compare_first, AluFunction decide_first) const {
+  const bool first = bit_ == 0;
+  const bool last = bit_ + 1U == instruction_.fields[0].width;
+  const AluFunction compare = first ? compare_first : AluFunction::compare;
+  const AluFunction decide = first ? decide_first : AluFunction::less;
+  return {.function = last ? decide : compare, .x = field_address(0), .y = field_address(1)};
+}
+
+}  // namespace csgsim::array

@@ -1,0 +1,177 @@
+#include "hw/isa/binary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/crc.hpp>
+#include <limits>
+#include <string>
+
+#include "hw/isa/bytes.h"
+#include "hw/isa/error.h"
+#include "hw/isa/metadata.h"
+#include "hw/isa/operands.h"
+
+namespace csgsim::isa {
+
+namespace {
+
+constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
+constexpr std::uint8_t version = 1;
+constexpr std::size_t checksum_size = 4;
+constexpr std::uint8_t same_origin = 0x80;
+static_assert(opcode_table.size() <= same_origin);
+static_assert(no_primitive + 1 == 0 && no_node + 1 == 0);
+
+std::uint32_t checksum(std::span<const std::byte> bytes) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
+}
+
+void write_origin(ByteWriter& out, const Origin& origin) {
+  out.byte(static_cast<std::uint8_t>(origin.purpose));
+  out.varint(origin.primitive + 1U);
+  out.varint(origin.node + 1U);
+}
+
+Origin read_origin(ByteReader& in) {
+  constexpr auto most = std::numeric_limits<std::uint32_t>::max();
+  Origin origin;
+  origin.purpose = static_cast<Purpose>(in.byte());
+  origin.primitive = in.varint_to<std::uint32_t>(most) - 1U;
+  origin.node = in.varint_to<std::uint32_t>(most) - 1U;
+  return origin;
+}
+
+std::uint16_t read_short(ByteReader& in) {
+  return in.varint_to<std::uint16_t>(std::numeric_limits<std::uint16_t>::max());
+}
+
+void write_operand(ByteWriter& out, const Instruction& instruction, std::size_t operand) {
+  const Linear& linear = instruction.linear;
+  switch (info(instruction.opcode).operands[operand]) {
+    case OperandKind::none: break;
+    case OperandKind::target:
+    case OperandKind::source:
+      out.varint(instruction.fields[operand].base);
+      out.varint(instruction.fields[operand].width);
+      break;
+    case OperandKind::linear:
+      for (const std::int64_t coefficient : {linear.a, linear.b, linear.c}) out.varint(zigzag(coefficient));
+      out.varint(linear.width);
+      out.varint(linear.shift);
+      break;
+    case OperandKind::constant: out.varint(instruction.constant); break;
+  }
+}
+
+void read_operand(ByteReader& in, Instruction& instruction, std::size_t operand) {
+  Linear& linear = instruction.linear;
+  switch (info(instruction.opcode).operands[operand]) {
+    case OperandKind::none: break;
+    case OperandKind::target:
+    case OperandKind::source:
+      instruction.fields[operand].base = read_short(in);
+      instruction.fields[operand].width = read_short(in);
+      break;
+    case OperandKind::linear:
+      for (std::int64_t* coefficient : {&linear.a, &linear.b, &linear.c}) *coefficient = unzigzag(in.varint());
+      linear.width = read_short(in);
+      linear.shift = read_short(in);
+      break;
+    case OperandKind::constant: instruction.constant = in.varint(); break;
+  }
+}
+
+void write_instruction(ByteWriter& out, const Instruction& instruction, Origin& before) {
+  const auto opcode = static_cast<std::uint8_t>(instruction.opcode);
+  if (instruction.origin == before) {
+    out.byte(opcode | same_origin);
+  } else {
+    out.byte(opcode);
+    write_origin(out, instruction.origin);
+    before = instruction.origin;
+  }
+  for (std::size_t i = 0; i < max_operands; ++i) write_operand(out, instruction, i);
+}
+
+Instruction read_instruction(ByteReader& in, Origin& before) {
+  const std::uint8_t code = in.byte();
+  Instruction instruction;
+  instruction.opcode = static_cast<Opcode>(code & ~same_origin);
+  if (!in_table(instruction.opcode))
+    throw MalformedBytes(fmt::format("holds the undefined opcode {}", code & ~same_origin));
+  if ((code & same_origin) == 0) before = read_origin(in);
+  instruction.origin = before;
+  for (std::size_t i = 0; i < max_operands; ++i) read_operand(in, instruction, i);
+  return instruction;
+}
+
+/// What stands between the magic and the checksum, after a check of both.
+std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
+  if (!is_binary(bytes)) throw MalformedBytes("does not begin with CSGT");
+  if (bytes.size() < magic.size() + 1 + checksum_size) throw MalformedBytes("ends too soon");
+  const auto found_version = std::to_integer<unsigned>(bytes[magic.size()]);
+  if (found_version != version)
+    throw MalformedBytes(fmt::format("has format version {}, and this csgsim reads {}", found_version, version));
+  const auto summed = bytes.first(bytes.size() - checksum_size);
+  std::uint32_t expected = 0;
+  for (std::size_t i = 0; i < checksum_size; ++i)
+    expected |= std::to_integer<std::uint32_t>(bytes[summed.size() + i]) << 8U * i;
+  if (checksum(summed) != expected) throw MalformedBytes("is damaged: its checksum does not match");
+  return summed.subspan(magic.size() + 1);
+}
+
+Program decode_body(std::span<const std::byte> body) {
+  ByteReader in(body);
+  auto [program, counts] = decode_metadata(in.block(in.varint()));
+  Origin before;
+  for (std::size_t s = 0; s < counts.size(); ++s) {
+    // An instruction takes a byte at least: a count beyond the bytes is a lie, and nothing is reserved for it.
+    if (counts[s] > in.left()) throw MalformedBytes("ends too soon");
+    auto& instructions = program.segments[s].instructions;
+    instructions.reserve(static_cast<std::size_t>(counts[s]));
+    for (std::uint64_t i = 0; i < counts[s]; ++i) instructions.push_back(read_instruction(in, before));
+  }
+  if (in.left() != 0) throw MalformedBytes(fmt::format("has {} bytes left over", in.left()));
+  return std::move(program);
+}
+
+}  // namespace
+
+bool is_binary(std::span<const std::byte> bytes) {
+  return bytes.size() >= magic.size() &&
+         std::equal(magic.begin(), magic.end(), bytes.begin(),
+                    [](std::uint8_t expected, std::byte found) { return std::byte{expected} == found; });
+}
+
+std::vector<std::byte> encode(const Program& program) {
+  ByteWriter out;
+  out.block(magic);
+  out.byte(version);
+  const std::vector<std::uint8_t> metadata = encode_metadata(program);
+  out.varint(metadata.size());
+  out.block(metadata);
+  Origin before;
+  for (const Segment& segment : program.segments)
+    for (const Instruction& instruction : segment.instructions) write_instruction(out, instruction, before);
+  const std::uint32_t sum = checksum(out.written());
+  for (std::size_t i = 0; i < checksum_size; ++i) out.byte(static_cast<std::uint8_t>(sum >> 8U * i));
+  return out.take();
+}
+
+Program decode(std::span<const std::byte> bytes, std::string_view name) {
+  try {
+    Program program = decode_body(checked_body(bytes));
+    validate(program);
+    return program;
+  } catch (const MalformedBytes& error) {
+    throw InputError(fmt::format("{}: {}; compile the model again", name, error.what()));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace csgsim::isa

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "hw/isa/program.h"
+
+namespace csgsim::isa {
+
+/// Depth steps between the near and the far plane of a depth field of that many bits.
+inline double depth_steps(unsigned bits) { return std::ldexp(1.0, static_cast<int>(bits)) - 4.0; }
+
+/// The depth of a distance from the eye, before rounding; see DepthScale.
+inline double depth_of(const DepthScale& scale, unsigned bits, double distance) {
+  const double part = scale.perspective ? (1.0 / scale.near - 1.0 / distance) / (1.0 / scale.near - 1.0 / scale.far)
+                                        : (distance - scale.near) / (scale.far - scale.near);
+  return 1.0 + part * depth_steps(bits);
+}
+
+/// The distance from the eye along the view axis, in model units, of a depth step; infinite for "nothing" (all ones).
+inline double distance_of(const DepthScale& scale, unsigned bits, std::uint32_t step) {
+  if (step == (1ULL << bits) - 1) return std::numeric_limits<double>::infinity();
+  const double part = (static_cast<double>(step) - 1.0) / depth_steps(bits);
+  if (!scale.perspective) return scale.near + part * (scale.far - scale.near);
+  return 1.0 / (1.0 / scale.near - part * (1.0 / scale.near - 1.0 / scale.far));
+}
+
+}  // namespace csgsim::isa

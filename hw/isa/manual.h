@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace csgsim::isa {
+
+/// The manual of the instruction set, in Markdown, made from the tables that the code uses: docs/instruction-set.md.
+std::string instruction_set_page();
+
+}  // namespace csgsim::isa

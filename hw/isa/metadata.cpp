@@ -1,0 +1,172 @@
+#include "hw/isa/metadata.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
+
+#include "hw/isa/bytes.h"
+#include "hw/isa/describe.h"
+
+namespace csgsim::isa {
+
+namespace {
+
+using nlohmann::json;
+
+template <class Record>
+json members_by_name(const Record& record) {
+  json object = json::object();
+  describe(record, [&](const char* key, const auto& member) { object[key] = member; });
+  return object;
+}
+
+json field_row(const NamedField& named) {
+  return json::array({named.name, named.field.base, named.field.width, name_of(named.role)});
+}
+
+json segment_row(const Segment& segment) {
+  json row = json::array();
+  describe(segment, [&](const char*, const auto& member) { row.push_back(member); });
+  row.push_back(segment.instructions.size());
+  return row;
+}
+
+[[noreturn]] void malformed(std::string_view what, std::string_view expected) {
+  throw MalformedBytes(fmt::format("has metadata whose {} is not {}", what, expected));
+}
+
+template <class Unsigned>
+requires std::unsigned_integral<Unsigned>
+void read(const json& value, std::string_view what, Unsigned& member) {
+  const auto most = std::numeric_limits<Unsigned>::max();
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most)
+    malformed(what, fmt::format("a number of 0 to {}", most));
+  member = value.get<Unsigned>();
+}
+
+void read(const json& value, std::string_view what, bool& member) {
+  if (!value.is_boolean()) malformed(what, "true or false");
+  member = value.get<bool>();
+}
+
+void read(const json& value, std::string_view what, double& member) {
+  if (!value.is_number()) malformed(what, "a number");
+  member = value.get<double>();
+}
+
+void read(const json& value, std::string_view what, std::string& member) {
+  if (!value.is_string()) malformed(what, "a string");
+  member = value.get<std::string>();
+}
+
+void read(const json& value, std::string_view what, FieldRole& member) {
+  std::string name;
+  read(value, what, name);
+  const auto found = std::find(field_role_names.begin(), field_role_names.end(), name);
+  if (found == field_role_names.end()) malformed(what, "a field role");
+  member = static_cast<FieldRole>(found - field_role_names.begin());
+}
+
+const json& member_of(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw MalformedBytes(fmt::format("has metadata without {}", key));
+  return *found;
+}
+
+/// The elements of an array of exactly so many.
+const json& row_of(const json& value, std::string_view what, std::size_t size) {
+  if (!value.is_array() || value.size() != size) malformed(what, fmt::format("a list of {}", size));
+  return value;
+}
+
+void read(const json& value, std::string_view what, NamedField& named) {
+  const json& row = row_of(value, what, 4);
+  read(row[0], what, named.name);
+  read(row[1], what, named.field.base);
+  read(row[2], what, named.field.width);
+  read(row[3], what, named.role);
+}
+
+template <class Element>
+void read(const json& value, std::string_view what, std::vector<Element>& member) {
+  if (!value.is_array()) malformed(what, "a list");
+  for (const json& element : value) read(element, what, member.emplace_back());
+}
+
+void read_segment(const json& value, Segment& segment, std::uint64_t& count) {
+  std::size_t members = 0;
+  describe(segment, [&](const char*, auto&) { ++members; });
+  const json& row = row_of(value, "segments", members + 1);
+  std::size_t column = 0;
+  describe(segment, [&](const char* key, auto& member) { read(row[column++], key, member); });
+  read(row[column], "instruction count", count);
+}
+
+/// Refuses nesting deeper than encode_metadata makes, which bounds the recursion of the reader of CBOR.
+class DepthGuard : public nlohmann::json_sax<json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return false; }
+  bool key(string_t&) override { return true; }
+  bool start_object(std::size_t) override { return ++depth_ <= deepest; }
+  bool end_object() override { return depth_-- > 0; }
+  bool start_array(std::size_t) override { return ++depth_ <= deepest; }
+  bool end_array() override { return depth_-- > 0; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+ private:
+  static constexpr int deepest = 3;
+  int depth_ = 0;
+};
+
+json parse_cbor(std::span<const std::byte> cbor) {
+  const auto* begin = reinterpret_cast<const std::uint8_t*>(cbor.data());
+  const auto* end = begin + cbor.size();
+  DepthGuard guard;
+  if (!json::sax_parse(begin, end, &guard, json::input_format_t::cbor))
+    throw MalformedBytes("has metadata that is not CBOR as csgsim writes it");
+  json parsed = json::from_cbor(begin, end, true, false);
+  if (!parsed.is_object()) throw MalformedBytes("has metadata that is not a map");
+  return parsed;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_metadata(const Program& program) {
+  json root = json::object();
+  describe_header(program, [&](const char* name, const auto& record) { root[name] = members_by_name(record); });
+  root["primitives"] = program.primitives;
+  json& fields = root["fields"] = json::array();
+  for (const NamedField& named : program.fields) fields.push_back(field_row(named));
+  json& segments = root["segments"] = json::array();
+  for (const Segment& segment : program.segments) segments.push_back(segment_row(segment));
+  return json::to_cbor(root);
+}
+
+Metadata decode_metadata(std::span<const std::byte> cbor) {
+  const json root = parse_cbor(cbor);
+  Metadata metadata;
+  Program& program = metadata.program;
+  describe_header(program, [&](const char* name, auto& record) {
+    const json& object = member_of(root, name);
+    if (!object.is_object()) malformed(name, "a map");
+    describe(record, [&](const char* key, auto& member) { read(member_of(object, key), key, member); });
+  });
+  read(member_of(root, "primitives"), "primitives", program.primitives);
+  read(member_of(root, "fields"), "fields", program.fields);
+  const json& segments = member_of(root, "segments");
+  if (!segments.is_array()) malformed("segments", "a list");
+  for (const json& row : segments)
+    read_segment(row, program.segments.emplace_back(), metadata.instruction_counts.emplace_back());
+  return metadata;
+}
+
+}  // namespace csgsim::isa

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/isa/program.h"
+
+namespace csgsim::isa {
+
+/// All of a Program but its instructions, with the number of them in each segment, as CBOR.
+std::vector<std::uint8_t> encode_metadata(const Program& program);
+
+struct Metadata {
+  Program program;                                ///< its segments have no instructions yet
+  std::vector<std::uint64_t> instruction_counts;  ///< of each segment; as claimed, not checked
+};
+
+/// Throws MalformedBytes.
+Metadata decode_metadata(std::span<const std::byte> cbor);
+
+}  // namespace csgsim::isa

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/isa/instruction.h"
+
+namespace csgsim::isa {
+
+/// A rectangle of pixels of the picture; row 0 is at the top.
+struct Region {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+
+  constexpr bool operator==(const Region&) const = default;
+};
+
+/// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel.
+struct Segment {
+  Region region;
+  std::vector<Instruction> instructions;
+  std::uint32_t primitives = 0;  ///< primitives active in the region
+  std::uint32_t halfspaces = 0;  ///< half-spaces of those primitives
+
+  bool operator==(const Segment&) const = default;
+};
+
+/// What a field of pixel memory holds, for pictures, stats and waves.
+#define CSGSIM_FIELD_ROLES(R) R(scratch) R(candidate_depth) R(depth) R(colour) R(mask) R(stack)
+
+enum class FieldRole : std::uint8_t {
+#define CSGSIM_FIELD_ROLE_ENUMERATOR(name) name,
+  CSGSIM_FIELD_ROLES(CSGSIM_FIELD_ROLE_ENUMERATOR)
+#undef CSGSIM_FIELD_ROLE_ENUMERATOR
+};
+
+inline constexpr auto field_role_names = std::to_array<std::string_view>({
+#define CSGSIM_FIELD_ROLE_NAME(name) #name,
+    CSGSIM_FIELD_ROLES(CSGSIM_FIELD_ROLE_NAME)
+#undef CSGSIM_FIELD_ROLE_NAME
+});
+
+constexpr std::string_view name_of(FieldRole role) { return field_role_names[static_cast<std::size_t>(role)]; }
+
+struct NamedField {
+  std::string name;
+  Field field;
+  FieldRole role = FieldRole::scratch;
+
+  bool operator==(const NamedField&) const = default;
+};
+
+/// How the integers of the depth field stand for distances from the eye along the view axis, in model units.
+/// Orthographic: z = 1 + (d - near) * (2^n - 4) / (far - near).
+/// Perspective:  z = 1 + (1/near - 1/d) * (2^n - 4) / (1/near - 1/far).
+/// 0 is the near cap, 2^n - 1 is "nothing".
+struct DepthScale {
+  bool perspective = false;
+  double near = 0;  ///< model units
+  double far = 1;   ///< model units
+
+  bool operator==(const DepthScale&) const = default;
+};
+
+/// What the host knows of the model and tells in the stats.
+struct ModelFacts {
+  std::string file;
+  std::uint64_t primitives = 0;
+  std::uint64_t unions = 0;
+  std::uint64_t differences = 0;
+  std::uint64_t intersections = 0;
+  std::uint64_t halfspaces = 0;
+
+  bool operator==(const ModelFacts&) const = default;
+};
+
+/// How the host compiled.
+struct CompileFacts {
+  std::string strategy;
+  std::uint32_t z_bits = 0;
+  std::uint32_t fraction_bits = 0;
+  double edge_on_fraction = 0;    ///< of a pixel
+  std::uint32_t stack_bits = 0;   ///< bits of pixel memory that the classification uses
+  std::uint64_t rendered = 0;     ///< scan-conversions: primitives whose surface goes into Z1
+  std::uint64_t classified = 0;   ///< scan-conversions: primitives of active trees compared with Z1
+  std::uint64_t depth_tests = 0;  ///< comparisons of Z1 with Z2
+  std::vector<std::string> effects;
+
+  bool operator==(const CompileFacts&) const = default;
+};
+
+/// The array that a Program is made for.
+struct ArrayShape {
+  std::uint32_t width = 0;        ///< pixels
+  std::uint32_t height = 0;       ///< pixels
+  std::uint32_t memory_bits = 0;  ///< a pixel
+
+  constexpr bool operator==(const ArrayShape&) const = default;
+};
+
+/// All that crosses from host to machine.
+struct Program {
+  ArrayShape shape;
+  std::vector<NamedField> fields;
+  std::vector<Segment> segments;
+  std::vector<std::string> primitives;  ///< a name for each primitive index that origins use
+  DepthScale depth_scale;
+  ModelFacts model;
+  CompileFacts compile;
+
+  bool operator==(const Program&) const = default;
+};
+
+/// The field with that role, or one of width 0 if there is none.
+Field field_of(const Program& program, FieldRole role);
+
+/// Throws InputError unless the instruction can run on an array of that memory: opcode in the table, fields inside the
+/// memory and of the widths the opcode asks for, fields of one instruction disjoint (single bits may coincide), linear
+/// width and shift in range and wide enough for the field it meets, constant no wider than its target, unused operands
+/// zero.
+void validate(const Instruction& instruction, std::uint32_t memory_bits);
+
+/// Throws InputError unless every part of the Program is sound; says which segment and instruction is not.
+void validate(const Program& program);
+
+}  // namespace csgsim::isa

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "hw/isa/error.h"
+#include "hw/isa/text.h"
+#include "hw/isa/text_grammar.h"
+#include "hw/isa/words.h"
+
+namespace csgsim::isa {
+
+namespace {
+
+template <typename Rule>
+struct Action : tao::pegtl::nothing<Rule> {};
+
+/// An action that calls Does::apply(text, reading), and puts the place before an InputError.
+template <class Does>
+struct Located {
+  template <typename ActionInput>
+  static void apply(const ActionInput& in, Reading& reading) {
+    try {
+      Does::read(in.string_view(), reading);
+    } catch (const InputError& error) {
+      throw tao::pegtl::parse_error(error.what(), in);
+    }
+  }
+};
+
+#define CSGSIM_WHEN(rule)                                                          \
+  template <>                                                                      \
+  struct Action<grammar::rule> : Located<Action<grammar::rule>> {                  \
+    static void read([[maybe_unused]] std::string_view matched, Reading& reading); \
+  };                                                                               \
+  void Action<grammar::rule>::read([[maybe_unused]] std::string_view matched, Reading& reading)
+
+CSGSIM_WHEN(word) { reading.text = matched; }
+CSGSIM_WHEN(string_body) { reading.text = unescaped(matched); }
+
+CSGSIM_WHEN(field_base) { reading.field = Field{Reading::number<std::uint16_t>(matched), 1}; }
+CSGSIM_WHEN(field_width) { reading.field.width = Reading::number<std::uint16_t>(matched); }
+CSGSIM_WHEN(field_name) { reading.refer_to_field(reading.text); }
+
+CSGSIM_WHEN(minus_sign) { reading.set_negative(); }
+CSGSIM_WHEN(magnitude) { reading.set_magnitude(Reading::number<std::uint64_t>(matched)); }
+CSGSIM_WHEN(variable) { reading.set_variable(matched.front()); }
+CSGSIM_WHEN(term) { reading.end_term(); }
+CSGSIM_WHEN(linear_width) { reading.instruction.linear.width = Reading::number<std::uint16_t>(matched); }
+CSGSIM_WHEN(linear_shift) { reading.instruction.linear.shift = Reading::number<std::uint16_t>(matched); }
+
+CSGSIM_WHEN(hexadecimal) { reading.instruction.constant = Reading::number<std::uint64_t>(matched, 16); }
+CSGSIM_WHEN(decimal) { reading.instruction.constant = Reading::number<std::uint64_t>(matched); }
+
+CSGSIM_WHEN(mnemonic) { reading.begin_instruction(matched); }
+CSGSIM_WHEN(purpose) { reading.set_purpose(matched); }
+CSGSIM_WHEN(primitive) { reading.instruction.origin.primitive = Reading::index(matched); }
+CSGSIM_WHEN(node) { reading.instruction.origin.node = Reading::index(matched); }
+CSGSIM_WHEN(instruction) { reading.end_instruction(); }
+
+CSGSIM_WHEN(directive_name) { reading.begin_directive(std::string(matched)); }
+CSGSIM_WHEN(key) { reading.key = matched; }
+CSGSIM_WHEN(string_value) { reading.value = reading.text; }
+CSGSIM_WHEN(bare_value) { reading.value = Bare{std::string(matched)}; }
+CSGSIM_WHEN(list_begin) { reading.value = std::vector<std::string>{}; }
+CSGSIM_WHEN(list_item) { std::get<std::vector<std::string>>(reading.value).push_back(reading.text); }
+CSGSIM_WHEN(pair) { reading.set_value(); }
+CSGSIM_WHEN(new_field_name) { reading.name_field(); }
+CSGSIM_WHEN(role) { reading.set_role(matched); }
+CSGSIM_WHEN(directive) { reading.end_directive(); }
+
+#undef CSGSIM_WHEN
+
+}  // namespace
+
+Program parse(std::string_view text, std::string_view name) {
+  tao::pegtl::memory_input<> in(text.data(), text.size(), std::string(name));
+  Reading reading;
+  try {
+    tao::pegtl::parse<grammar::file, Action, grammar::Control>(in, reading);
+    return reading.finish();
+  } catch (const tao::pegtl::parse_error& error) {
+    throw InputError(error.what());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace csgsim::isa

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <ostream>
+#include <string>
+
+#include "hw/isa/describe.h"
+#include "hw/isa/operands.h"
+#include "hw/isa/text.h"
+#include "hw/isa/words.h"
+
+namespace csgsim::isa {
+
+namespace {
+
+constexpr std::size_t origin_column = 56;
+
+using Buffer = fmt::memory_buffer;
+
+template <class... Args>
+void put(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+
+template <class Number>
+std::string show(const Number& number) {
+  return fmt::format("{}", number);
+}
+
+std::string show(const std::string& text) { return quoted(text); }
+
+std::string show(const std::vector<std::string>& list) {
+  std::string out;
+  for (const std::string& element : list) out += (out.empty() ? "" : ", ") + quoted(element);
+  return '[' + out + ']';
+}
+
+template <class Record>
+void put_record(Buffer& out, std::string_view name, const Record& record) {
+  put(out, ".{}", name);
+  describe(record, [&](std::string_view key, const auto& value) { put(out, " {}={}", key, show(value)); });
+  put(out, "\n");
+}
+
+void put_place(Buffer& out, Field field) {
+  if (field.width == 1) {
+    put(out, "[{}]", field.base);
+  } else {
+    put(out, "[{}+:{}]", field.base, field.width);
+  }
+}
+
+void put_field(Buffer& out, Field field, const Program& program) {
+  const auto named = std::ranges::find(program.fields, field, &NamedField::field);
+  if (named == program.fields.end()) {
+    put_place(out, field);
+  } else {
+    put(out, "{}", word_or_quoted(named->name));
+  }
+}
+
+void put_linear(Buffer& out, const Linear& linear) {
+  bool first = true;
+  const auto put_term = [&](std::int64_t coefficient, std::string_view variable) {
+    if (coefficient == 0) return;
+    const bool negative = coefficient < 0;
+    const auto bits = static_cast<std::uint64_t>(coefficient);
+    const std::uint64_t magnitude = negative ? 0U - bits : bits;
+    put(out, "{}", first ? (negative ? "-" : "") : (negative ? " - " : " + "));
+    if (variable.empty()) {
+      put(out, "{}", magnitude);
+    } else if (magnitude == 1) {
+      put(out, "{}", variable);
+    } else {
+      put(out, "{}*{}", magnitude, variable);
+    }
+    first = false;
+  };
+  put_term(linear.a, "x");
+  put_term(linear.b, "y");
+  put_term(linear.c, "");
+  put(out, "{} (w{}", first ? "0" : "", linear.width);
+  if (linear.shift > 0) put(out, " >> {}", linear.shift);
+  put(out, ")");
+}
+
+void put_operand(Buffer& out, const Instruction& instruction, std::size_t operand, const Program& program) {
+  const OperandKind kind = info(instruction.opcode).operands[operand];
+  if (kind != OperandKind::none) put(out, "{}", operand == 0 ? " " : ", ");
+  switch (kind) {
+    case OperandKind::none: break;
+    case OperandKind::target:
+    case OperandKind::source: put_field(out, instruction.fields[operand], program); break;
+    case OperandKind::linear: put_linear(out, instruction.linear); break;
+    case OperandKind::constant: put(out, "{}", instruction.constant); break;
+  }
+}
+
+void put_origin(Buffer& out, const Origin& origin) {
+  put(out, "; {}", info(origin.purpose).name);
+  if (origin.primitive != no_primitive) put(out, " p{}", origin.primitive);
+  if (origin.node != no_node) put(out, " against p{}", origin.node);
+}
+
+void put_instruction(Buffer& out, const Instruction& instruction, const Program& program) {
+  const std::size_t begin = out.size();
+  put(out, "  {}", info(instruction.opcode).name);
+  for (std::size_t i = 0; i < max_operands; ++i) put_operand(out, instruction, i, program);
+  const std::size_t length = out.size() - begin;
+  put(out, "{:{}}", "", length < origin_column ? origin_column - length : 2);
+  put_origin(out, instruction.origin);
+  put(out, "\n");
+}
+
+void put_header(Buffer& out, const Program& program) {
+  put(out, "# csgsim program\n");
+  describe_header(program, [&](std::string_view name, const auto& record) { put_record(out, name, record); });
+  for (const NamedField& named : program.fields) {
+    put(out, ".field {} ", word_or_quoted(named.name));
+    put_place(out, named.field);
+    put(out, " {}\n", name_of(named.role));
+  }
+  for (std::size_t i = 0; i < program.primitives.size(); ++i)
+    put(out, ".primitive {}  # p{}\n", quoted(program.primitives[i]), i);
+}
+
+void flush(Buffer& buffer, std::ostream& out) {
+  out.write(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+  buffer.clear();
+}
+
+}  // namespace
+
+void print(std::ostream& out, const Program& program) {
+  Buffer buffer;
+  put_header(buffer, program);
+  for (const Segment& segment : program.segments) {
+    put(buffer, "\n");
+    put_record(buffer, "segment", segment);
+    for (const Instruction& instruction : segment.instructions) put_instruction(buffer, instruction, program);
+    flush(buffer, out);
+  }
+  flush(buffer, out);
+}
+
+}  // namespace csgsim::isa

@@ -1,0 +1,199 @@
+#include "hw/isa/text_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <ranges>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "hw/isa/describe.h"
+#include "hw/isa/error.h"
+#include "hw/isa/nearest.h"
+#include "hw/isa/validate.h"
+#include "hw/isa/words.h"
+
+namespace csgsim::isa {
+
+namespace {
+
+constexpr std::string_view field_directive = "field";
+constexpr std::string_view primitive_directive = "primitive";
+constexpr std::string_view segment_directive = "segment";
+
+template <class... Args>
+[[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
+  throw InputError(fmt::format(format, std::forward<Args>(args)...));
+}
+
+[[noreturn]] void refuse_word(std::string_view what, std::string_view word, std::span<const std::string_view> known) {
+  if (known.empty()) refuse("unknown {} '{}'; there is none yet", what, word);
+  refuse("unknown {} '{}'; the nearest is '{}'", what, word, nearest(word, known));
+}
+
+/// The index in a table of the row with that name.
+template <class Table>
+std::size_t index_in(const Table& table, std::string_view what, std::string_view word) {
+  std::vector<std::string_view> names;
+  for (const auto& row : table) {
+    if constexpr (std::is_convertible_v<decltype(row), std::string_view>) {
+      names.push_back(row);
+    } else {
+      names.push_back(row.name);
+    }
+  }
+  const auto found = std::ranges::find(names, word);
+  if (found == names.end()) refuse_word(what, word, names);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+std::vector<std::string_view> directive_names(Program& program) {
+  std::vector<std::string_view> names{field_directive, primitive_directive, segment_directive};
+  describe_header(program, [&](std::string_view name, auto&) { names.push_back(name); });
+  return names;
+}
+
+const std::string& bare(const Value& value, std::string_view key, std::string_view expected) {
+  const Bare* found = std::get_if<Bare>(&value);
+  if (found == nullptr) refuse("{} takes {}; write it without quotes or brackets", key, expected);
+  return found->text;
+}
+
+template <class Number>
+void assign(const Value& value, std::string_view key, Number& member) {
+  const std::string& text = bare(value, key, "a number");
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), member);
+  if (error == std::errc{} && end == text.data() + text.size()) return;
+  if constexpr (std::is_floating_point_v<Number>) {
+    refuse("{} takes a number that a double holds, not '{}'", key, text);
+  } else {
+    refuse("{} takes a whole number of 0 to {}, not '{}'", key, std::numeric_limits<Number>::max(), text);
+  }
+}
+
+void assign(const Value& value, std::string_view key, bool& member) {
+  const std::string& text = bare(value, key, "true or false");
+  if (text != "true" && text != "false") refuse("{} takes true or false, not '{}'", key, text);
+  member = text == "true";
+}
+
+void assign(const Value& value, std::string_view key, std::string& member) {
+  const auto* found = std::get_if<std::string>(&value);
+  if (found == nullptr) refuse("{} takes a string; write it in double quotes", key);
+  member = *found;
+}
+
+void assign(const Value& value, std::string_view key, std::vector<std::string>& member) {
+  const auto* found = std::get_if<std::vector<std::string>>(&value);
+  if (found == nullptr) refuse("{} takes a list of strings; write it in brackets", key);
+  member = *found;
+}
+
+template <class Record>
+void assign_member(Record& record, const std::string& key, const Value& value) {
+  std::vector<std::string_view> keys;
+  bool known = false;
+  describe(record, [&](std::string_view name, auto& member) {
+    keys.push_back(name);
+    if (name != key) return;
+    assign(value, key, member);
+    known = true;
+  });
+  if (!known) refuse_word("key", key, keys);
+}
+
+}  // namespace
+
+void Reading::refuse_number(std::string_view digits) {
+  refuse("{} is out of range here; use a smaller number", digits);
+}
+
+void Reading::begin_directive(const std::string& name) {
+  const std::vector<std::string_view> names = directive_names(program_);
+  if (std::ranges::find(names, name) == names.end()) refuse_word("directive", name, names);
+  name_ = name;
+  keys_seen_.clear();
+  directive = name == field_directive       ? Directive::field
+              : name == primitive_directive ? Directive::primitive
+              : name == segment_directive   ? Directive::segment
+                                            : Directive::record;
+  if (records_seen_.empty() && name != "array") refuse(".{} comes before .array; begin with .array", name);
+  if (directive == Directive::segment) {
+    program_.segments.emplace_back();
+  } else if (!program_.segments.empty()) {
+    refuse(".{} comes after a .segment; put it before the first", name);
+  }
+  if (directive == Directive::record && !records_seen_.insert(name).second)
+    refuse(".{} stands twice; keep one of them", name);
+}
+
+void Reading::set_value() {
+  if (!keys_seen_.insert(key).second) refuse("{} is given twice; keep one of them", key);
+  if (directive == Directive::segment) return assign_member(program_.segments.back(), key, value);
+  describe_header(program_, [&](std::string_view name, auto& record) {
+    if (name == name_) assign_member(record, key, value);
+  });
+}
+
+void Reading::set_role(std::string_view name) {
+  named_.role = static_cast<FieldRole>(index_in(field_role_names, "field role", name));
+}
+
+void Reading::end_directive() {
+  switch (directive) {
+    case Directive::record: return validate_header(program_);
+    case Directive::primitive: program_.primitives.push_back(text); return;
+    case Directive::segment: return validate_region(program_.segments.back().region, program_.shape);
+    case Directive::field:
+      named_.field = field;
+      validate_field(named_, program_.shape);
+      if (std::ranges::find(program_.fields, named_.name, &NamedField::name) != program_.fields.end())
+        refuse("field {} is named twice; give each field a name of its own", quoted(named_.name));
+      program_.fields.push_back(named_);
+      return;
+  }
+}
+
+void Reading::begin_instruction(std::string_view mnemonic) {
+  instruction = Instruction{};
+  terms_seen_.clear();
+  instruction.opcode = static_cast<Opcode>(index_in(opcode_table, "instruction", mnemonic));
+  if (program_.segments.empty()) refuse("the instruction is in no segment; put a .segment before it");
+}
+
+void Reading::refer_to_field(std::string_view name) {
+  field = program_.fields[index_in(program_.fields, "field", name)].field;
+}
+
+void Reading::set_purpose(std::string_view name) {
+  instruction.origin.purpose = static_cast<Purpose>(index_in(purpose_table, "purpose", name));
+}
+
+void Reading::end_term() {
+  const Term term = std::exchange(term_, Term{});
+  if (terms_seen_.find(term.variable) != std::string::npos)
+    refuse("two terms of one kind; add their coefficients, A*x + B*y + C has each once");
+  terms_seen_ += term.variable;
+  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (term.magnitude > most) refuse("coefficient {} is out of range; keep it below 2^62", term.magnitude);
+  const auto magnitude = static_cast<std::int64_t>(term.magnitude);
+  Linear& linear = instruction.linear;
+  (term.variable == 'x'   ? linear.a
+   : term.variable == 'y' ? linear.b
+                          : linear.c) = term.negative ? -magnitude : magnitude;
+}
+
+void Reading::end_instruction() {
+  Segment& segment = program_.segments.back();
+  validate_placed(instruction, segment.region, program_);
+  segment.instructions.push_back(instruction);
+}
+
+Program Reading::finish() {
+  if (records_seen_.empty()) refuse("there is no .array; begin with .array width=... height=... memory_bits=...");
+  return std::move(program_);
+}
+
+}  // namespace csgsim::isa

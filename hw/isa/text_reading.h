@@ -1,0 +1,92 @@
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <variant>
+#include <vector>
+
+#include "hw/isa/operands.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::isa {
+
+/// What a directive of the text form holds.
+enum class Directive : std::uint8_t { record, field, primitive, segment };
+
+/// A value that is neither string nor list: a number, true or false.
+struct Bare {
+  std::string text;
+};
+
+using Value = std::variant<Bare, std::string, std::vector<std::string>>;
+
+/// A Program while its text form is read: what the words of the grammar mean. Members throw InputError without a place.
+class Reading {
+ public:
+  // What the rules of the grammar have read last.
+  std::string text;  ///< a word, or a string without its quotes and escapes
+  std::string key;
+  Value value;
+  Field field;
+  Instruction instruction;
+  Directive directive = Directive::record;
+
+  void begin_directive(const std::string& name);
+  void set_value();  ///< of the key
+  void name_field() { named_.name = text; }
+  void set_role(std::string_view name);
+  void end_directive();
+
+  void begin_instruction(std::string_view mnemonic);
+  void refer_to_field(std::string_view name);
+  void set_purpose(std::string_view name);
+  void end_instruction();
+
+  /// The terms of the linear expression: sign, magnitude and variable, then the end of the term.
+  void set_negative() { term_.negative = true; }
+  void set_magnitude(std::uint64_t magnitude) { term_.magnitude = magnitude; }
+  void set_variable(char variable) { term_.variable = variable; }
+  void end_term();
+
+  /// A decimal or hexadecimal number that Unsigned holds.
+  template <class Unsigned>
+  static Unsigned number(std::string_view digits, int base = 10) {
+    Unsigned value{};
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+    if (error != std::errc{} || end != digits.data() + digits.size()) refuse_number(digits);
+    return value;
+  }
+
+  /// The Program, once all of it has been read.
+  Program finish();
+
+  /// The index of a primitive.
+  static std::uint32_t index(std::string_view digits) {
+    const auto value = number<std::uint32_t>(digits);
+    if (value == no_primitive) refuse_number(digits);
+    return value;
+  }
+
+ private:
+  [[noreturn]] static void refuse_number(std::string_view digits);
+
+  struct Term {
+    bool negative = false;
+    std::uint64_t magnitude = 1;
+    char variable = '1';
+  };
+
+  Program program_;
+  std::set<std::string> records_seen_;
+  std::string name_;                 ///< of the directive
+  std::set<std::string> keys_seen_;  ///< of the directive
+  NamedField named_;
+  Term term_;
+  std::string terms_seen_;  ///< the variables of the linear expression
+};
+
+}  // namespace csgsim::isa

@@ -1,0 +1,183 @@
+#include "hw/isa/validate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "hw/isa/error.h"
+#include "hw/isa/operands.h"
+
+namespace csgsim::isa {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+template <class... Args>
+void require(bool holds, fmt::format_string<Args...> message, Args&&... args) {
+  if (!holds) throw InputError(fmt::format(message, std::forward<Args>(args)...));
+}
+
+std::string show(Field field) { return fmt::format("[{}+:{}]", field.base, field.width); }
+
+void check_field(Field field, std::uint32_t memory_bits) {
+  require(field.width >= 1 && field.width <= max_field_width, "field {} is {} bits wide; a field has 1 to {} bits",
+          show(field), field.width, max_field_width);
+  require(field.end() <= memory_bits, "field {} ends outside the {} memory bits of a pixel; place it below bit {}",
+          show(field), memory_bits, memory_bits);
+}
+
+void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::uint32_t memory_bits) {
+  const FieldWidths widths = field_widths(row.opcode);
+  for (std::size_t i = 0; i < max_operands; ++i) {
+    const Field field = instruction.fields[i];
+    if (!is_field(row.operands[i])) {
+      require(field == Field{}, "{}: operand {} is not a field; leave fields[{}] zero", row.name, i + 1, i);
+      continue;
+    }
+    check_field(field, memory_bits);
+    require(widths != FieldWidths::one || field.width == 1, "{}: field {} is {} bits wide; give a single bit", row.name,
+            show(field), field.width);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!is_field(row.operands[j])) continue;
+      const Field other = instruction.fields[j];
+      require(widths != FieldWidths::equal || field.width == other.width,
+              "{}: fields {} and {} differ in width; make them equally wide", row.name, show(other), show(field));
+      require(widths == FieldWidths::one || !field.overlaps(other), "{}: fields {} and {} overlap; keep them apart",
+              row.name, show(other), show(field));
+    }
+  }
+}
+
+/// The width of the first field, if the instruction has any: what F or the constant meets.
+std::optional<unsigned> met_width(const Instruction& instruction, const OpcodeInfo& row) {
+  if (!is_field(row.operands[0])) return std::nullopt;
+  return instruction.fields[0].width;
+}
+
+void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
+  const Linear& linear = instruction.linear;
+  if (!has_operand(row, OperandKind::linear)) {
+    require(linear == Linear{}, "{} has no linear expression; leave it zero", row.name);
+    return;
+  }
+  require(linear.width >= 1 && linear.width <= max_linear_width,
+          "{}: the linear expression is {} bits wide; give it 1 to {} bits", row.name, linear.width, max_linear_width);
+  require(linear.shift < linear.width, "{}: shift {} leaves nothing of the {} bits; shift by less", row.name,
+          linear.shift, linear.width);
+  const unsigned kept = static_cast<unsigned>(linear.width) - linear.shift;
+  const std::optional<unsigned> met = met_width(instruction, row);
+  require(!met || kept > *met,
+          "{}: F has {} bits and meets a field of {}; it needs one more than the field for its sign", row.name, kept,
+          met.value_or(0));
+}
+
+void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
+  if (!has_operand(row, OperandKind::constant)) {
+    require(instruction.constant == 0, "{} has no constant; leave it zero", row.name);
+    return;
+  }
+  const unsigned width = met_width(instruction, row).value_or(0);
+  require(instruction.constant >> width == 0, "{}: constant {} does not fit {} bits; widen the field", row.name,
+          instruction.constant, width);
+}
+
+Wide magnitude(std::int64_t value) { return value < 0 ? -static_cast<Wide>(value) : static_cast<Wide>(value); }
+
+void check_range(const Instruction& instruction, const Region& region) {
+  const Linear& linear = instruction.linear;
+  const Wide bound = magnitude(linear.a) * region.width + magnitude(linear.b) * region.height + magnitude(linear.c);
+  require(bound < static_cast<Wide>(1) << 62U,
+          "{}: |A| * {} + |B| * {} + |C| reaches 2^62; use smaller coefficients or fewer fraction bits",
+          info(instruction.opcode).name, region.width, region.height);
+}
+
+void check_index(std::uint32_t index, std::uint32_t none, const Program& program, std::string_view what) {
+  require(index == none || index < program.primitives.size(),
+          "the origin's {} is p{}, of {} primitives; name one that the Program lists", what, index,
+          program.primitives.size());
+}
+
+/// Runs a check; what it throws gets the place in front.
+template <class Check, class... Args>
+void at(const Check& check, fmt::format_string<Args...> place, Args&&... args) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format(place, std::forward<Args>(args)...) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+void validate(const Instruction& instruction, std::uint32_t memory_bits) {
+  require(in_table(instruction.opcode), "opcode {} is undefined; the table has {}",
+          static_cast<unsigned>(instruction.opcode), opcode_table.size());
+  require(in_table(instruction.origin.purpose), "purpose {} is undefined; the table has {}",
+          static_cast<unsigned>(instruction.origin.purpose), purpose_table.size());
+  const OpcodeInfo& row = info(instruction.opcode);
+  check_fields(instruction, row, memory_bits);
+  check_linear(instruction, row);
+  check_constant(instruction, row);
+}
+
+void validate_placed(const Instruction& instruction, const Region& region, const Program& program) {
+  validate(instruction, program.shape.memory_bits);
+  check_range(instruction, region);
+  check_index(instruction.origin.primitive, no_primitive, program, "primitive");
+  check_index(instruction.origin.node, no_node, program, "node");
+}
+
+void validate_field(const NamedField& named, const ArrayShape& shape) {
+  require(!named.name.empty(), "field {} has an empty name; name it", show(named.field));
+  require(static_cast<std::size_t>(named.role) < field_role_names.size(), "field role {} is undefined; there are {}",
+          static_cast<unsigned>(named.role), field_role_names.size());
+  check_field(named.field, shape.memory_bits);
+}
+
+void validate_region(const Region& region, const ArrayShape& shape) {
+  require(region.width > 0 && region.height > 0, "the region of {}x{} pixels is empty; leave the segment out",
+          region.width, region.height);
+  require(region.x < shape.width && region.width <= shape.width - region.x &&  //
+              region.y < shape.height && region.height <= shape.height - region.y,
+          "the region of {}x{} pixels at ({}, {}) leaves the picture of {}x{}; clip it", region.width, region.height,
+          region.x, region.y, shape.width, shape.height);
+}
+
+void validate_header(const Program& program) {
+  const ArrayShape& shape = program.shape;
+  require(shape.width >= 1 && shape.width <= max_array_side && shape.height >= 1 && shape.height <= max_array_side,
+          "the array has {}x{} pixels; each side takes 1 to {}", shape.width, shape.height, max_array_side);
+  require(shape.memory_bits >= 1 && shape.memory_bits <= max_memory_bits,
+          "a pixel has {} memory bits; it takes 1 to {}", shape.memory_bits, max_memory_bits);
+  const DepthScale& depth = program.depth_scale;
+  require(std::isfinite(depth.near) && std::isfinite(depth.far) && depth.near < depth.far,
+          "depth runs from {} to {}; give finite distances, near below far", depth.near, depth.far);
+  require(!depth.perspective || depth.near > 0, "near is {} in perspective; put it before the eye, above 0",
+          depth.near);
+  require(std::isfinite(program.compile.edge_on_fraction), "edge_on_fraction is {}; give a finite fraction of a pixel",
+          program.compile.edge_on_fraction);
+}
+
+void validate(const Program& program) {
+  validate_header(program);
+  std::set<std::string_view> names;
+  for (const NamedField& named : program.fields) {
+    at([&] { validate_field(named, program.shape); }, "field '{}'", named.name);
+    require(names.insert(named.name).second, "field '{}' is named twice; give each field a name of its own",
+            named.name);
+  }
+  for (std::size_t s = 0; s < program.segments.size(); ++s) {
+    const Segment& segment = program.segments[s];
+    at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
+    for (std::size_t i = 0; i < segment.instructions.size(); ++i)
+      at([&] { validate_placed(segment.instructions[i], segment.region, program); }, "segment {}, instruction {}", s,
+         i);
+  }
+}
+
+}  // namespace csgsim::isa

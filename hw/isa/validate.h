@@ -1,0 +1,21 @@
+#pragma once
+
+#include "hw/isa/program.h"
+
+namespace csgsim::isa {
+
+/// The parts of validate(Program), for readers that can point at the place. Each throws InputError.
+
+/// Shape, depth scale and facts.
+void validate_header(const Program& program);
+
+/// One named field, but for the uniqueness of its name.
+void validate_field(const NamedField& named, const ArrayShape& shape);
+
+/// The segment's region, not its instructions.
+void validate_region(const Region& region, const ArrayShape& shape);
+
+/// An instruction where it stands: also the primitives of its origin and the range of its linear expression.
+void validate_placed(const Instruction& instruction, const Region& region, const Program& program);
+
+}  // namespace csgsim::isa

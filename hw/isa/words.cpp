@@ -1,0 +1,46 @@
+#include "hw/isa/words.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "hw/isa/text_grammar.h"
+
+namespace csgsim::isa {
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += {'\\', c};
+    } else if (code < 0x20U || code == 0x7fU) {
+      out += fmt::format("\\x{:02x}", code);
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string unescaped(std::string_view body) {
+  std::string out;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    if (body[i] == '\\' && body[++i] == 'x') {
+      unsigned code = 0;
+      std::from_chars(body.data() + i + 1, body.data() + i + 3, code, 16);
+      out += static_cast<char>(code);
+      i += 2;
+    } else {
+      out += body[i];
+    }
+  }
+  return out;
+}
+
+std::string word_or_quoted(std::string_view text) {
+  tao::pegtl::memory_input<> in(text.data(), text.size(), "");
+  return tao::pegtl::parse<tao::pegtl::seq<grammar::word, tao::pegtl::eof>>(in) ? std::string(text) : quoted(text);
+}
+
+}  // namespace csgsim::isa

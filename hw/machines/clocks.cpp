@@ -1,0 +1,39 @@
+#include "hw/machines/clocks.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace csgsim::machines {
+
+namespace {
+
+std::uint32_t tree_levels(std::uint32_t leaves) {
+  return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
+}
+
+/// Width of the widest memory operand.
+std::uint64_t field_width(const isa::Instruction& instruction) {
+  std::uint64_t width = 0;
+  for (const isa::Field& field : instruction.fields) width = std::max<std::uint64_t>(width, field.width);
+  return width;
+}
+
+}  // namespace
+
+std::uint32_t evaluator_latency(const isa::ArrayShape& array) {
+  return tree_levels(array.width) + tree_levels(array.height);
+}
+
+std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) {
+  switch (isa::info(instruction.opcode).clock_class) {
+    case isa::ClockClass::one: return 1;
+    case isa::ClockClass::linear_once: return instruction.linear.width;
+    case isa::ClockClass::linear_twice: return 2ULL * instruction.linear.width;
+    case isa::ClockClass::field: return field_width(instruction);
+    case isa::ClockClass::two_fields: return field_width(instruction) * (machine.memory_reads >= 2 ? 1 : 2);
+    case isa::ClockClass::answer: return 1ULL + evaluator_latency(machine.array);
+  }
+  return 0;
+}
+
+}  // namespace csgsim::machines

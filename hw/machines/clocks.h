@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hw/isa/instruction.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::machines {
+
+/// Clocks between a coefficient's first bit at the roots of the multiplier trees and the first bit of F at the pixels:
+/// one a tree level, ceil(log2 width) + ceil(log2 height). A program pays it once at its end (the last instruction has
+/// to reach the pixels) and once at each answer to the host.
+std::uint32_t evaluator_latency(const isa::ArrayShape& array);
+
+/// Clocks that the controller spends on an instruction, without the program's final latency.
+std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine);
+
+}  // namespace csgsim::machines

@@ -1,0 +1,170 @@
+#include "hw/machines/description.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw/isa/error.h"
+#include "hw/isa/nearest.h"
+#include "hw/machines/schema.h"
+
+namespace csgsim::machines {
+
+namespace {
+
+constexpr std::string_view provenances[] = {"published", "assumed"};
+constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "source"};
+
+std::string_view type_name(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::none: return "nothing";
+    case toml::node_type::table: return "a table";
+    case toml::node_type::array: return "an array";
+    case toml::node_type::string: return "a string";
+    case toml::node_type::integer: return "an integer";
+    case toml::node_type::floating_point: return "a number with a point";
+    case toml::node_type::boolean: return "a boolean";
+    case toml::node_type::date: return "a date";
+    case toml::node_type::time: return "a time";
+    case toml::node_type::date_time: return "a date and time";
+  }
+  return "unknown";
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string_view file) : file_(file) {}
+
+  Machine read(const toml::table& root) {
+    read_group(root, "");
+    machine_.name = text_of(root, "name");
+    machine_.description = text_of(root, "description");
+    for (const FigureSchema& figure : schema())
+      if (!seen(figure))
+        fail(root.source().begin,
+             fmt::format("key '{0}' is missing; add a table [{0}] with value, unit, provenance and "
+                         "source",
+                         figure.key));
+    std::sort(figures_.begin(), figures_.end(), [](const Placed& a, const Placed& b) {
+      return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+    });
+    for (Placed& placed : figures_) machine_.figures.push_back(std::move(placed.figure));
+    return std::move(machine_);
+  }
+
+ private:
+  struct Placed {
+    toml::source_position place;
+    Figure figure;
+  };
+
+  [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
+    throw InputError(fmt::format("{}:{}:{}: {}", file_, std::max(place.line, toml::source_index{1}),
+                                 std::max(place.column, toml::source_index{1}), message));
+  }
+
+  [[nodiscard]] bool seen(const FigureSchema& schema) const {
+    return std::any_of(figures_.begin(), figures_.end(),
+                       [&schema](const Placed& placed) { return placed.figure.key == schema.key; });
+  }
+
+  const toml::table& table_of(const toml::node& node, std::string_view key) const {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) fail(node.source().begin, fmt::format("'{}' is {}; make it a table", key, type_name(node)));
+    return *table;
+  }
+
+  /// The string at that key of the table, not empty.
+  std::string text_of(const toml::table& table, std::string_view key) const {
+    const toml::node* const node = table.get(key);
+    if (node == nullptr) fail(table.source().begin, fmt::format("key '{0}' is missing; add {0} = \"...\"", key));
+    const toml::value<std::string>* const text = node->as_string();
+    if (text == nullptr) fail(node->source().begin, fmt::format("'{}' is {}; make it a string", key, type_name(*node)));
+    if (text->get().empty()) fail(node->source().begin, fmt::format("'{}' is empty; say it", key));
+    return text->get();
+  }
+
+  /// The tables above the figures: prefix is "" or a group's name and a dot.
+  void read_group(const toml::table& table, const std::string& prefix) {
+    std::vector<std::string_view> known;
+    if (prefix.empty()) known = {"name", "description"};
+    for (const FigureSchema& figure : schema())
+      if (figure.key.starts_with(prefix)) {
+        const std::string_view rest = figure.key.substr(prefix.size());
+        known.push_back(rest.substr(0, rest.find('.')));
+      }
+    for (const auto& [key, node] : table) {
+      const std::string full = prefix + std::string(key.str());
+      if (std::find(known.begin(), known.end(), key.str()) == known.end()) fail_unknown(key, known, prefix);
+      const auto figure = std::find_if(schema().begin(), schema().end(),
+                                       [&full](const FigureSchema& candidate) { return candidate.key == full; });
+      if (figure != schema().end())
+        read_figure(table_of(node, full), *figure, key.source().begin);
+      else if (full != "name" && full != "description")
+        read_group(table_of(node, full), full + ".");
+    }
+  }
+
+  [[noreturn]] void fail_unknown(const toml::key& key, std::span<const std::string_view> known,
+                                 std::string_view prefix) const {
+    fail(key.source().begin, fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix, key.str(),
+                                         isa::nearest(key.str(), known)));
+  }
+
+  void read_figure(const toml::table& table, const FigureSchema& schema, const toml::source_position& place) {
+    for (const auto& [key, node] : table)
+      if (std::find(std::begin(figure_keys), std::end(figure_keys), key.str()) == std::end(figure_keys))
+        fail_unknown(key, figure_keys, std::string(schema.key) + ".");
+
+    const std::int64_t value = value_of(table, schema);
+    schema.store(machine_, value);
+    Figure figure{std::string(schema.key), fmt::format("{}", value), text_of(table, "unit"),
+                  text_of(table, "provenance"), text_of(table, "source")};
+    if (figure.unit != schema.unit)
+      fail(table.get("unit")->source().begin,
+           fmt::format("unit '{}' of {}; it counts in '{}'", figure.unit, schema.key, schema.unit));
+    if (std::find(std::begin(provenances), std::end(provenances), figure.provenance) == std::end(provenances))
+      fail(table.get("provenance")->source().begin,
+           fmt::format("provenance '{}' of {}; say 'published' or 'assumed'", figure.provenance, schema.key));
+    figures_.push_back({place, std::move(figure)});
+  }
+
+  [[nodiscard]] std::int64_t value_of(const toml::table& table, const FigureSchema& schema) const {
+    const toml::node* const node = table.get("value");
+    if (node == nullptr) fail(table.source().begin, fmt::format("{} has no value; add value = ...", schema.key));
+    const toml::value<std::int64_t>* const value = node->as_integer();
+    if (value == nullptr)
+      fail(node->source().begin, fmt::format("{} is {}; make it an integer", schema.key, type_name(*node)));
+    if (value->get() < schema.least || value->get() > schema.most)
+      fail(node->source().begin,
+           schema.least == schema.most
+               ? fmt::format("{} is {}; the simulator knows {} only", schema.key, value->get(), schema.least)
+               : fmt::format("{} is {}; it takes {} to {} {}", schema.key, value->get(), schema.least, schema.most,
+                             schema.unit));
+    return value->get();
+  }
+
+  std::string_view file_;
+  Machine machine_;
+  std::vector<Placed> figures_;
+};
+
+}  // namespace
+
+Machine read_description(std::string_view text, std::string_view file) {
+  std::optional<toml::table> root;
+  try {
+    root = toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position place = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: {}", file, place.line, place.column, error.description()));
+  }
+  return Reader(file).read(*root);
+}
+
+}  // namespace csgsim::machines

@@ -1,0 +1,26 @@
+#include "hw/pixel_planes/pixel_processors.h"
+
+namespace csgsim::pixel_planes {
+
+PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape)
+    : sc_core::sc_module(name), pixels_(shape) {
+  SC_HAS_PROCESS(PixelProcessors);
+  refresh.bind(*this);
+  enable_lines.bind(*this);
+  SC_METHOD(step);
+  dont_initialize();
+  sensitive << clock.pos();
+}
+
+void PixelProcessors::step() {
+  const ControlWord& word = control.read();
+  pixels_.step(word.step, tree->current());
+  if (word.last) retired.write(++retired_count_);
+}
+
+void PixelProcessors::reset(const isa::Region& region) {
+  pixels_.reset(region.width, region.height);
+  was_reset_.notify(sc_core::SC_ZERO_TIME);
+}
+
+}  // namespace csgsim::pixel_planes

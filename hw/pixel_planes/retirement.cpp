@@ -1,0 +1,69 @@
+#include "hw/pixel_planes/retirement.h"
+
+#include <utility>
+
+namespace csgsim::pixel_planes {
+
+Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {
+  SC_HAS_PROCESS(Retirement);
+  SC_METHOD(retire);
+  dont_initialize();
+  sensitive << retired;
+}
+
+void Retirement::begin(std::span<const isa::Segment> segments, RunListener& listener) {
+  segments_ = segments;
+  listener_ = &listener;
+  segment_ = 0;
+  index_ = 0;
+  enabled_ = 0;
+  answers_.clear();
+  thrown_ = nullptr;
+  if (!segments_.empty()) enable->reset(segments_.front().region);
+  finish_segments();
+}
+
+void Retirement::rethrow() {
+  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+}
+
+void Retirement::retire() {
+  Account account;
+  if (!accounts.nb_read(account)) SC_REPORT_FATAL("csgsim", "an instruction was carried out that nobody accounted for");
+  if (account.answered) answers_.push_back(account.answer);
+  tell(account);
+  enabled_ = enable->count_enabled();
+  ++index_;
+  finish_segments();
+}
+
+void Retirement::tell(const Account& account) {
+  guarded([&] {
+    listener_->after_instruction(
+        {.segment = segment_, .index = index_, .clocks = account.clocks, .enabled_pixels = enabled_});
+  });
+}
+
+/// Goes on to the next segment that has an instruction to come.
+void Retirement::finish_segments() {
+  while (segment_ < segments_.size() && index_ == segments_[segment_].instructions.size()) {
+    guarded([&] { listener_->after_segment(segment_); });
+    ++segment_;
+    index_ = 0;
+    if (segment_ == segments_.size()) return;
+    enabled_ = 0;
+    enable->reset(segments_[segment_].region);
+  }
+}
+
+template <class Call>
+void Retirement::guarded(Call call) {
+  if (thrown_) return;
+  try {
+    call();
+  } catch (...) {
+    thrown_ = std::current_exception();
+  }
+}
+
+}  // namespace csgsim::pixel_planes

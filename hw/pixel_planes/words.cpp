@@ -1,0 +1,45 @@
+#include "hw/pixel_planes/words.h"
+
+namespace csgsim::pixel_planes {
+
+std::ostream& operator<<(std::ostream& stream, const HostWord& word) {
+  return word.end ? stream << "end" : stream << word.ordinal << ' ' << isa::info(word.instruction.opcode).name;
+}
+
+std::ostream& operator<<(std::ostream& stream, const RootWord& word) {
+  return stream << "bit " << word.bits.token.bit << " a=" << word.bits.a << " b=" << word.bits.b
+                << " c=" << word.bits.c;
+}
+
+std::ostream& operator<<(std::ostream& stream, const ControlWord& word) {
+  return stream << word.ordinal << ' ' << array::info(word.step.function).name;
+}
+
+std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
+  return answer.valid ? stream << answer.any_enabled : stream << '-';
+}
+
+std::ostream& operator<<(std::ostream& stream, const Account& account) { return stream << account.clocks << " clocks"; }
+
+void sc_trace(sc_core::sc_trace_file* file, const RootWord& word, const std::string& name) {
+  sc_core::sc_trace(file, word.bits.a, name + ".a");
+  sc_core::sc_trace(file, word.bits.b, name + ".b");
+  sc_core::sc_trace(file, word.bits.c, name + ".c");
+  sc_core::sc_trace(file, word.bits.token.bit, name + ".bit");
+}
+
+void sc_trace(sc_core::sc_trace_file* file, const ControlWord& word, const std::string& name) {
+  sc_core::sc_trace(file, reinterpret_cast<const unsigned char&>(word.step.function), name + ".function");
+  sc_core::sc_trace(file, word.step.x, name + ".read_x");
+  sc_core::sc_trace(file, word.step.y, name + ".read_y");
+  sc_core::sc_trace(file, word.step.write, name + ".write");
+  sc_core::sc_trace(file, word.last, name + ".last");
+  sc_core::sc_trace(file, word.ordinal, name + ".instruction");
+}
+
+void sc_trace(sc_core::sc_trace_file* file, const Answer& answer, const std::string& name) {
+  sc_core::sc_trace(file, answer.valid, name + ".valid");
+  sc_core::sc_trace(file, answer.any_enabled, name + ".any_enabled");
+}
+
+}  // namespace csgsim::pixel_planes

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/model/tree.h"
+
+namespace csgsim::accuracy {
+
+using LongVector = glm::vec<3, long double>;
+using LongMatrix = glm::mat<4, 4, long double>;
+
+/// A line: origin + t direction.
+struct Line {
+  LongVector origin;
+  LongVector direction;
+};
+
+/// Parameters low <= t < high of a line. Empty unless low < high.
+struct Interval {
+  long double low;
+  long double high;
+
+  [[nodiscard]] bool empty() const { return !(low < high); }
+};
+
+/// A primitive as it is meant, not faceted.
+class TrueSolid {
+ public:
+  explicit TrueSolid(const model::Primitive& primitive);
+
+  /// The part of a line in model space that is in the solid.
+  [[nodiscard]] Interval on(const Line& line) const;
+
+  /// Eight points in model space whose convex hull holds the solid.
+  [[nodiscard]] std::vector<LongVector> corners() const;
+
+ private:
+  /// normal . p + offset <= 0.
+  struct Side {
+    LongVector normal;
+    long double offset;
+  };
+
+  const model::Primitive& primitive_;
+  LongMatrix to_model_;
+  LongMatrix to_object_;
+  LongVector low_;  ///< of a box around the solid in object space
+  LongVector high_;
+  std::vector<Side> sides_;  ///< of a polyhedron
+};
+
+}  // namespace csgsim::accuracy

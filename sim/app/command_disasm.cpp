@@ -1,0 +1,34 @@
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "hw/isa/output_file.h"
+#include "hw/isa/program_file.h"
+#include "hw/isa/text.h"
+#include "sim/app/commands.h"
+
+namespace csgsim::app {
+
+void add_disasm(CLI::App& app) {
+  struct Options {
+    std::string program;
+    std::string output;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("disasm", "Show a Program as text, which csgsim run reads too");
+  command.footer("Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
+  command.add_option("PROGRAM", options->program, "The Program, .csgt or its text form")->required();
+  command.add_option("-o,--output", options->output, "The text file; standard output if not given");
+  command.callback([options] {
+    const isa::Program program = isa::load_program(options->program);
+    if (options->output.empty()) {
+      isa::print(std::cout, program);
+      return;
+    }
+    std::ostringstream text;
+    isa::print(text, program);
+    write_file(options->output, text.view());
+  });
+}
+
+}  // namespace csgsim::app

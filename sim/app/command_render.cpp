@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "hw/isa/error.h"
+#include "sim/accuracy/errors.h"
+#include "sim/accuracy/explain.h"
+#include "sim/accuracy/truth.h"
+#include "sim/app/commands.h"
+#include "sim/app/model_options.h"
+#include "sim/app/run_options.h"
+#include "sim/app/run_outputs.h"
+#include "sim/study/measure.h"
+
+namespace csgsim::app {
+
+namespace {
+
+struct Options {
+  ModelOptions model;
+  RunOptions run;
+  bool check = false;
+  std::optional<std::uint64_t> max_wrong_pixels;
+};
+
+/// Holds the picture against the exact one of the same half-spaces.
+Verdict verdict(const CompiledModel& compiled, const sim::Frame& frame) {
+  const isa::Program& program = compiled.program;
+  const accuracy::Truth truth = accuracy::exact_truth(compiled.tree, compiled.scene, compiled.camera,
+                                                      program.shape.width, program.shape.height, program.depth_scale);
+  const accuracy::Explainer explainer(compiled.tree, compiled.scene, compiled.camera, program);
+  const accuracy::Errors errors = accuracy::judge(truth, frame, program, explainer);
+  nlohmann::ordered_json json{{"wrong_pixels", errors.wrong()},
+                              {"silhouette", errors.silhouette},
+                              {"owner", errors.owner},
+                              {"depth", errors.depth},
+                              {"explained", errors.explained},
+                              {"unexplained", errors.unexplained},
+                              {"covered", errors.covered},
+                              {"depth_error", {{"max", errors.model_units.max}, {"p999", errors.model_units.p999}}},
+                              {"depth_error_steps", {{"max", errors.steps.max}, {"p999", errors.steps.p999}}}};
+  return {std::move(json), fmt::format("{:<18}{}\n", "accuracy", accuracy::to_text(errors))};
+}
+
+/// Takes the cheapest z bits and fraction bits whose picture has at most so many wrong pixels, and says which.
+void choose_settings(Options& options, const machines::Machine& machine) {
+  const model::Tree tree = read_model(options.model);
+  const view::Camera camera = camera_of(options.model, machine, facet::make_scene(tree, faceting_of(options.model)));
+  study::Meter meter(tree, {camera}, machine);
+  const auto chosen = study::cheapest(
+      meter, study::grid(sampling_of(options.model, machine), faceting_of(options.model)), *options.max_wrong_pixels);
+  if (!chosen) {
+    throw InputError(
+        fmt::format("no choice of --z-bits and --fraction-bits that fits the machine has at most {} wrong pixels; "
+                    "allow more, or see csgsim accuracy",
+                    *options.max_wrong_pixels));
+  }
+  options.model.z_bits = chosen->sampling.z_bits;
+  options.model.fraction_bits = chosen->sampling.fraction_bits;
+  fmt::print("{:<18}--z-bits {} --fraction-bits {}: the cheapest with at most {} wrong pixels\n", "chosen",
+             options.model.z_bits, options.model.fraction_bits, *options.max_wrong_pixels);
+}
+
+void run(Options& options) {
+  RunOutputs outputs(options.run);
+  const machines::Machine machine = machine_of(options.model);
+  if (options.max_wrong_pixels) choose_settings(options, machine);
+  const CompiledModel compiled = compile_model(options.model, machine);
+  Judge judge;
+  if (options.check) judge = [&compiled](const sim::Frame& frame) { return verdict(compiled, frame); };
+  run_program(compiled.program, machine, options.run, outputs, judge);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("render", "Draw a CSG model on a machine and count what it takes");
+  command.footer(
+      "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
+      "carburettor.json\n"
+      "  csgsim render carburettor.csg -o carburettor.png --view-all --projection perspective --level cycle");
+  options->model.add_to(command);
+  options->run.add_to(command);
+  command.add_flag("--check", options->check,
+                   "Hold the picture against the exact one, and add what differs to the stats");
+  command.add_option("--max-wrong-pixels", options->max_wrong_pixels,
+                     "Take the cheapest --z-bits and --fraction-bits with at most so many wrong pixels");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace csgsim::app

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hw/isa/error.h"
+#include "hw/isa/output_file.h"
+#include "hw/isa/program_file.h"
+#include "sim/app/commands.h"
+#include "sim/app/memory.h"
+#include "sim/app/model_options.h"
+#include "sim/app/numbers.h"
+#include "sim/app/paths.h"
+#include "sim/app/run_options.h"
+#include "sim/app/wave_view.h"
+#include "sim/cycle/record.h"
+
+namespace csgsim::app {
+
+namespace {
+
+struct Options {
+  ModelOptions model;
+  std::vector<std::string> probes;
+  std::string window = "0:2000";
+  std::string output;
+};
+
+/// A Program has been compiled: what says how to compile has no meaning for it.
+void refuse_model_options(const CLI::App& command) {
+  const std::set<std::string> own{"MODEL", "machine", "probe", "window", "output", "help"};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_positional() ? "MODEL" : option->get_lnames().front();
+    if (option->count() > 0 && !own.contains(name))
+      throw CLI::ValidationError("--" + name, "is for models; a Program has been compiled already");
+  }
+}
+
+/// A model is compiled; anything else is a Program, and the machine gets the array it is made for.
+isa::Program program_of(const ModelOptions& options, machines::Machine& machine) {
+  if (is_model(options.model)) return compile_model(options, machine).program;
+  isa::Program program = isa::load_program(options.model);
+  machine.array = program.shape;
+  return program;
+}
+
+pixel_planes::WaveRequest request_of(const Options& options, const isa::Program& program,
+                                     const std::filesystem::path& file) {
+  pixel_planes::WaveRequest request;
+  request.file = file;
+  const auto window = numbers<std::uint64_t>(options.window, ':', 2, "--window", "FIRST:END");
+  request.begin = window[0];
+  request.end = window[1];
+  if (request.begin >= request.end)
+    throw CLI::ValidationError("--window", "the window's end has to come after its first clock");
+  for (const std::string& text : options.probes) {
+    const auto place = numbers<std::uint32_t>(text, ',', 2, "--probe", "x,y");
+    if (place[0] >= program.shape.width || place[1] >= program.shape.height) {
+      throw CLI::ValidationError("--probe", fmt::format("there is no pixel {} in a picture of {} x {}", text,
+                                                        program.shape.width, program.shape.height));
+    }
+    request.probes.push_back({place[0], place[1]});
+  }
+  request.fields = program.fields;
+  return request;
+}
+
+void record(const Options& options, const CLI::App& command) {
+  if (!ends_in(options.output, ".vcd")) {
+    throw CLI::ValidationError("--output", "the waveform's name has to end in .vcd");
+  }
+  if (!is_model(options.model.model)) refuse_model_options(command);
+  const std::filesystem::path view_path = std::filesystem::path(options.output).replace_extension(".gtkw");
+  OutputFile file(options.output);
+  OutputFile view(view_path);
+  machines::Machine machine = machine_of(options.model);
+  const isa::Program program = program_of(options.model, machine);
+  const pixel_planes::WaveRequest request = request_of(options, program, file.path());
+  const sim::RecordedRun run =
+      with_memory_for(machine.array, [&] { return sim::run_and_record(machine, program, {}, request); });
+  if (!run.window_reached) {
+    throw InputError(
+        fmt::format("the program ends at clock {}, before the window {} begins; choose an earlier --window",
+                    run.result.clocks, options.window));
+  }
+  refuse_overflow(run.result);
+  view.write(gtkwave_view(request, options.output, machine.clock_hz));
+  file.commit();
+  view.commit();
+  fmt::print("{}: clocks {} of {}, {} pixels; to look at it: gtkwave {}\n", options.output, options.window,
+             run.result.clocks, request.probes.size(), view_path.string());
+}
+
+}  // namespace
+
+void add_wave(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("wave", "Record the machine's wires and some pixels over a window of clocks");
+  command.footer(
+      "Example:\n  csgsim wave traces/thesis_fig_2_3.csgt --probe 200,300 --window 0:3000 -o fig_2_3.vcd\n  gtkwave "
+      "fig_2_3.vcd");
+  options->model.add_to(command);
+  command.add_option("--probe", options->probes, "A pixel to look into, x,y; may be given several times")->required();
+  command.add_option("--window", options->window, "Clocks to record, FIRST:END, END not included")
+      ->capture_default_str();
+  command.add_option("-o,--output", options->output, "The waveform, .vcd")->required();
+  command.callback([options, &command] { record(*options, command); });
+}
+
+}  // namespace csgsim::app

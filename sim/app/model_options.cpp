@@ -1,0 +1,118 @@
+#include "sim/app/model_options.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+#include <vector>
+
+#include "host/emit/compile.h"
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/projection.h"
+#include "hw/isa/error.h"
+#include "sim/app/memory.h"
+#include "sim/app/numbers.h"
+#include "sim/app/paths.h"
+
+namespace csgsim::app {
+
+namespace {
+
+const std::map<std::string, view::Projection> projections{{"ortho", view::Projection::orthographic},
+                                                          {"perspective", view::Projection::perspective}};
+
+/// A near plane much too close leaves no depth steps for what is farther away.
+void warn_of_coarse_depth(const view::View& view) {
+  if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
+  fmt::print(stderr, "warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye\n",
+             view.depth_step);
+}
+
+}  // namespace
+
+void ModelOptions::add_to(CLI::App& command) {
+  command.add_option("MODEL", model, "The model, an OpenSCAD .csg file")->required();
+  command.add_option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file")
+      ->capture_default_str();
+  command.add_option("--size", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  command.add_option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given");
+  command.add_option("--camera", camera, "Eye and centre as OpenSCAD takes them: ex,ey,ez,cx,cy,cz");
+  command.add_option("--projection", projection, "ortho or perspective")
+      ->check(CLI::IsMember(projections))
+      ->capture_default_str();
+  command.add_flag("--view-all", view_all, "Move the camera so that the whole model just fits");
+  command.add_option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+  command.add_option("--z-bits", z_bits, "Bits of depth")->capture_default_str();
+  command.add_option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
+      ->capture_default_str();
+  command
+      .add_option("--edge-on", edge_on,
+                  "Planes that pass the depth range within this part of a pixel become edge tests")
+      ->capture_default_str();
+  command.add_option(
+      "--tolerance", tolerance,
+      "Facet curved solids within this distance of their surface, model units, instead of as OpenSCAD does");
+  command.add_option("--strategy", strategy, "How classifications are held: stack")
+      ->check(CLI::IsMember({"stack"}))
+      ->capture_default_str();
+}
+
+machines::Machine machine_of(const ModelOptions& options) {
+  machines::Machine machine = machines::load(options.machine);
+  if (!options.size.empty()) {
+    const auto size = numbers<std::uint32_t>(options.size, 'x', 2, "--size", "WxH");
+    machine.array.width = size[0];
+    machine.array.height = size[1];
+  }
+  if (options.memory_bits) machine.array.memory_bits = *options.memory_bits;
+  return machine;
+}
+
+facet::Faceting faceting_of(const ModelOptions& options) { return {options.tolerance, std::nullopt}; }
+
+view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine) {
+  if (options.near && projections.at(options.projection) != view::Projection::perspective) {
+    throw CLI::ValidationError("--near", "an orthographic view has no near plane; leave it out");
+  }
+  return {machine.array.width,   machine.array.height, options.z_bits,
+          options.fraction_bits, options.edge_on,      options.near};
+}
+
+view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene) {
+  const isa::ArrayShape& picture = machine.array;
+  view::Camera camera = view::default_camera(scene.box, picture.width, picture.height);
+  if (!options.camera.empty()) {
+    const auto v = numbers<double>(options.camera, ',', 6, "--camera", "ex,ey,ez,cx,cy,cz");
+    camera.eye = {v[0], v[1], v[2]};
+    camera.centre = {v[3], v[4], v[5]};
+  }
+  camera.projection = projections.at(options.projection);
+  return options.view_all ? view::view_all(camera, scene.box, picture.width, picture.height) : camera;
+}
+
+model::Tree read_model(const ModelOptions& options) {
+  if (is_program(options.model))
+    throw InputError(options.model + ": that is a Program; use csgsim run " + options.model);
+  return read::read_csg_file(options.model);
+}
+
+namespace {
+
+CompiledModel compile(const ModelOptions& options, const machines::Machine& machine) {
+  model::Tree tree = read_model(options);
+  facet::Scene scene = facet::make_scene(tree, faceting_of(options));
+  const view::Camera camera = camera_of(options, machine, scene);
+  const view::View view = view::make_view(scene, tree, camera, sampling_of(options, machine));
+  warn_of_coarse_depth(view);
+  isa::Program program = emit::compile(tree, scene, view, {emit::Strategy::stack, machine.array.memory_bits, {}});
+  return {std::move(tree), std::move(scene), camera, std::move(program)};
+}
+
+}  // namespace
+
+CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
+  return with_memory_for(machine.array, [&] { return compile(options, machine); });
+}
+
+}  // namespace csgsim::app

@@ -1,0 +1,115 @@
+#include "sim/app/run_options.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "hw/isa/error.h"
+#include "hw/machines/clocks.h"
+#include "sim/app/memory.h"
+#include "sim/app/paths.h"
+#include "sim/app/run_outputs.h"
+#include "sim/app/summary.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/progress.h"
+#include "sim/observe/stats.h"
+#include "sim/observe/stats_json.h"
+
+namespace csgsim::app {
+
+namespace {
+
+enum class Level : std::uint8_t { functional, cycle, reference };
+
+const std::map<std::string, Level> levels{
+    {"functional", Level::functional}, {"cycle", Level::cycle}, {"reference", Level::reference}};
+
+std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const RunOptions& options) {
+  switch (levels.at(options.level)) {
+    case Level::functional: return sim::make_functional_engine(machine);
+    case Level::cycle: return sim::make_cycle_engine(machine);
+    case Level::reference: return sim::make_reference_engine(machine);
+  }
+  throw std::logic_error("a level without an engine");
+}
+
+std::uint64_t expected_clocks(const isa::Program& program, const machines::Machine& machine) {
+  std::uint64_t total = 0;
+  for (const isa::Segment& segment : program.segments) {
+    for (const isa::Instruction& instruction : segment.instructions) total += machines::clocks(instruction, machine);
+  }
+  return total;
+}
+
+/// For CLI11: what is wrong with the name of a picture that has to be an EXR file, or nothing.
+std::string exr_name(const std::string& name) {
+  return ends_in(name, ".exr") ? "" : "'" + name + "' has to end in .exr";
+}
+
+}  // namespace
+
+void RunOptions::add_to(CLI::App& command) {
+  command.add_option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...)");
+  command.add_option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
+      ->check(exr_name);
+  command.add_option("--owner", owner, "Owner picture, .exr: index of the primitive seen")->check(exr_name);
+  command.add_option("--stats", stats, "All counts, .json");
+  command
+      .add_option("--level", level, "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow)")
+      ->check(CLI::IsMember(levels))
+      ->capture_default_str();
+  command.add_option("--progress", progress, "auto (when standard error is a terminal) or none")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->capture_default_str();
+}
+
+void refuse_overflow(const sim::RunResult& result) {
+  if (result.overflows == 0) return;
+  throw InputError("the Program overflows: at " + std::to_string(result.overflows) +
+                   " enabled pixels a linear expression does not fit its width; compile it again");
+}
+
+namespace {
+
+void simulate(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
+              RunOutputs& outputs, const Judge& judge) {
+  sim::FrameObserver frame(program);
+  sim::StatsObserver stats(program);
+  std::vector<sim::Observer*> observers{&frame, &stats};
+  std::unique_ptr<sim::ProgressObserver> progress;
+  if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) {
+    progress = std::make_unique<sim::ProgressObserver>(expected_clocks(program, machine));
+    observers.push_back(progress.get());
+  }
+  const std::unique_ptr<sim::Engine> engine = make_engine(machine, options);
+  const auto begin = std::chrono::steady_clock::now();
+  const sim::RunResult result = engine->run(program, observers);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  progress.reset();
+  refuse_overflow(result);
+  sim::Frame picture = frame.frame();
+  if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
+  const sim::Report report{program, machine, engine->level(), result, stats.stats(), wall.count()};
+  nlohmann::ordered_json stats_file = sim::to_json(report);
+  const Verdict verdict = judge ? judge(picture) : Verdict{};
+  if (judge) stats_file["accuracy"] = verdict.json;
+  outputs.write_pictures(picture, program);
+  outputs.write_stats(stats_file);
+  outputs.commit();
+  print_summary(report);
+  fmt::print("{}", verdict.text);
+}
+
+}  // namespace
+
+void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
+                 RunOutputs& outputs, const Judge& judge) {
+  with_memory_for(machine.array, [&] { simulate(program, machine, options, outputs, judge); });
+}
+
+}  // namespace csgsim::app

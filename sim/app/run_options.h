@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+
+namespace csgsim::app {
+
+/// Options of every command that runs a Program to a picture.
+struct RunOptions {
+  std::string picture;
+  std::string depth;
+  std::string owner;
+  std::string stats;
+  std::string level = "functional";
+  std::string progress = "auto";
+
+  void add_to(CLI::App& command);
+};
+
+/// Says how right a finished picture is, for the stats and, in lines of text, for the summary.
+struct Verdict {
+  nlohmann::ordered_json json;
+  std::string text;
+};
+using Judge = std::function<Verdict(const sim::Frame&)>;
+
+class RunOutputs;
+
+/// Throws InputError if a linear expression did not fit its width somewhere.
+void refuse_overflow(const sim::RunResult& result);
+
+/// Runs the Program at the level asked for, writes what was asked for and prints the summary. Where there is a judge,
+/// its verdict goes into the stats under `accuracy`.
+void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
+                 RunOutputs& outputs, const Judge& judge = {});
+
+}  // namespace csgsim::app

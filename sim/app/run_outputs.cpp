@@ -1,0 +1,55 @@
+#include "sim/app/run_outputs.h"
+
+#include <filesystem>
+#include <set>
+
+#include "sim/observe/pictures.h"
+
+namespace csgsim::app {
+
+namespace {
+
+/// Two files cannot be one; a device takes any number.
+void check_different(const RunOptions& options) {
+  std::set<std::filesystem::path> seen;
+  for (const std::string* name : {&options.picture, &options.depth, &options.owner, &options.stats}) {
+    if (name->empty()) continue;
+    std::error_code ignored;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(*name), ignored);
+    if (std::filesystem::is_character_file(place, ignored) || seen.insert(place).second) continue;
+    throw CLI::ValidationError(*name, "two outputs cannot be the same file");
+  }
+}
+
+void open(std::optional<OutputFile>& file, const std::string& name) {
+  if (!name.empty()) file.emplace(name);
+}
+
+}  // namespace
+
+RunOutputs::RunOutputs(const RunOptions& options) {
+  check_different(options);
+  if (!options.picture.empty()) sim::check_format(options.picture);
+  open(picture_, options.picture);
+  open(depth_, options.depth);
+  open(owner_, options.owner);
+  open(stats_, options.stats);
+}
+
+void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& program) const {
+  if (picture_) sim::write_picture(*picture_, frame);
+  if (depth_) sim::write_depth(*depth_, frame, program);
+  if (owner_) sim::write_owner(*owner_, frame);
+}
+
+void RunOutputs::write_stats(const nlohmann::ordered_json& stats) const {
+  if (stats_) stats_->write(stats.dump(2) + "\n");
+}
+
+void RunOutputs::commit() {
+  for (std::optional<OutputFile>* file : {&picture_, &depth_, &owner_, &stats_}) {
+    if (*file) (*file)->commit();
+  }
+}
+
+}  // namespace csgsim::app

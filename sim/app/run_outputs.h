@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "hw/isa/output_file.h"
+#include "sim/app/run_options.h"
+
+namespace csgsim::app {
+
+/// The files that a run is to write: opened before it, so that nothing is simulated in vain, and put in their places
+/// together at its end.
+class RunOutputs {
+ public:
+  /// Throws CLI::ValidationError for two files of the same name, InputError for one that cannot be written.
+  explicit RunOutputs(const RunOptions& options);
+
+  void write_pictures(const sim::Frame& frame, const isa::Program& program) const;
+  void write_stats(const nlohmann::ordered_json& stats) const;
+  void commit();
+
+ private:
+  std::optional<OutputFile> picture_;
+  std::optional<OutputFile> depth_;
+  std::optional<OutputFile> owner_;
+  std::optional<OutputFile> stats_;
+};
+
+}  // namespace csgsim::app

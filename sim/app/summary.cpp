@@ -1,0 +1,95 @@
+#include "sim/app/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace csgsim::app {
+
+namespace {
+
+/// 1234567 as 1,234,567.
+std::string grouped(std::uint64_t value) {
+  std::string digits = std::to_string(value);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
+}
+
+/// With three significant digits.
+std::string ratio_text(double ratio) {
+  return ratio < 100.0 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);
+  return seconds < 1.0 ? fmt::format("{:.2f} ms", seconds * 1e3) : fmt::format("{:.2f} s", seconds);
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void print_model(const isa::ModelFacts& model) {
+  fmt::print("{:<18}{}, {}; {}, {}, {}\n", "model", counted(model.primitives, "primitive"),
+             counted(model.halfspaces, "half-space"), counted(model.unions, "union"),
+             counted(model.differences, "difference"), counted(model.intersections, "intersection"));
+}
+
+void print_machine(const sim::Report& report) {
+  const machines::Machine& machine = report.machine;
+  fmt::print("{:<18}{}, {} x {} pixel processors of {} bits at {:g} MHz, {} level\n", "machine", machine.name,
+             machine.array.width, machine.array.height, machine.array.memory_bits,
+             static_cast<double>(machine.clock_hz) / 1e6, report.level);
+}
+
+void print_purposes(const sim::Report& report) {
+  fmt::print("\n{:<18}{:>14}{:>9}{:>15}{:>12}\n", "purpose", "clocks", "share", "instructions", "busy");
+  for (std::size_t i = 0; i < isa::purpose_table.size(); ++i) {
+    const sim::Cost& cost = report.stats.by_purpose[i];
+    if (cost.instructions == 0) continue;
+    fmt::print("  {:<16}{:>14}{:>7.1f} %{:>15}{:>10.1f} %  {}\n", isa::purpose_table[i].name, grouped(cost.clocks),
+               percent(cost.clocks, report.result.clocks), grouped(cost.instructions),
+               percent(cost.enabled, cost.pixel_operations), isa::purpose_table[i].meaning);
+  }
+  fmt::print("  {:<16}{:>14}{:>7.1f} %{:>15}{:>12}  {}\n", "latency", grouped(report.result.latency_clocks),
+             percent(report.result.latency_clocks, report.result.clocks), "", "",
+             "until the last instruction reaches the pixels");
+}
+
+}  // namespace
+
+void print_summary(const sim::Report& report) {
+  const isa::CompileFacts& compile = report.program.compile;
+  const sim::Cost& total = report.stats.total;
+  const double simulated = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
+  print_model(report.program.model);
+  print_machine(report);
+  fmt::print("{:<18}{} = {} at the machine's clock rate\n", "clocks", grouped(report.result.clocks),
+             time_text(simulated));
+  fmt::print("{:<18}{}\n", "instructions", grouped(total.instructions));
+  fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {} depth tests\n", "scan-conversions",
+             grouped(compile.rendered), grouped(compile.classified), grouped(compile.depth_tests));
+  fmt::print("{:<18}{} bit steps, {} of them at enabled pixels: the array was {:.2f} % busy\n", "pixel operations",
+             grouped(total.pixel_operations), grouped(total.enabled), percent(total.enabled, total.pixel_operations));
+  fmt::print("{:<18}{} of {} bits a pixel, {} of them for the classification\n", "memory",
+             sim::used_memory_bits(report.program), report.machine.array.memory_bits, compile.stack_bits);
+  if (report.result.scan_out_clocks > 0) {
+    fmt::print("{:<18}{} clocks at the video port, beside the program\n", "scan-out",
+               grouped(report.result.scan_out_clocks));
+  }
+  print_purposes(report);
+  const double seconds = std::max(report.wall_seconds, 1e-9);
+  const std::uint64_t clocks = report.result.clocks + report.result.scan_out_clocks;
+  const double rate = static_cast<double>(clocks) / seconds;
+  fmt::print("\n{:<18}{} ({} clocks/s, {} x the machine's speed)\n", "simulated in", time_text(report.wall_seconds),
+             grouped(static_cast<std::uint64_t>(rate)),
+             ratio_text(rate / static_cast<double>(report.machine.clock_hz)));
+}
+
+}  // namespace csgsim::app

@@ -1,0 +1,63 @@
+#include "sim/app/wave_view.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace csgsim::app {
+
+namespace {
+
+/// GTKWave's flags for the way a signal is shown.
+constexpr std::string_view as_bits = "@28\n";
+constexpr std::string_view as_number = "@24\n";
+constexpr std::string_view as_hexadecimal = "@22\n";
+constexpr std::string_view as_text = "@820\n";
+constexpr std::string_view as_comment = "@200\n";
+
+/// Picoseconds a clock, rounded as SystemC does.
+std::uint64_t period(std::uint64_t clock_hz) {
+  return static_cast<std::uint64_t>(1.0 / static_cast<double>(clock_hz) * 1e12 + 0.5);
+}
+
+std::string_view format_of(const isa::NamedField& named) {
+  if (named.field.width == 1) return as_bits;
+  return named.role == isa::FieldRole::colour ? as_hexadecimal : as_number;
+}
+
+std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<isa::NamedField>& fields) {
+  const std::string pixel = fmt::format("SystemC.pixel_{}_{}.", probe.x, probe.y);
+  std::string view = fmt::format("{}-pixel {},{}\n{}", as_comment, probe.x, probe.y, as_bits);
+  for (const std::string_view wire : {"tree_bit", "carry", "enable", "mem_read_x", "mem_written"})
+    view += pixel + std::string(wire) + "\n";
+  for (const isa::NamedField& named : fields) {
+    view += format_of(named);
+    view += pixel + pixel_planes::wave_identifier(named.name) +
+            (named.field.width > 1 ? fmt::format("[{}:0]", named.field.width - 1) : "") + "\n";
+  }
+  return view;
+}
+
+}  // namespace
+
+std::string gtkwave_view(const pixel_planes::WaveRequest& request, const std::string& waveform,
+                         std::uint64_t clock_hz) {
+  const std::uint64_t start = (request.begin + 1) * period(clock_hz);
+  std::string view = fmt::format("[dumpfile] \"{}\"\n[timestart] {}\n*-20.0 {}\n", waveform, start, start);
+  view += as_bits;
+  view += "SystemC.clock\n";
+  view += as_text;
+  view += "SystemC.controller.opcode_text[159:0]\nSystemC.controller.purpose_text[159:0]\n";
+  view += as_number;
+  view += "SystemC.controller.primitive[31:0]\nSystemC.controller.instruction[63:0]\nSystemC.controller.bit[31:0]\n";
+  view += as_bits;
+  view += "SystemC.root.a\nSystemC.root.b\nSystemC.root.c\n";
+  view += as_text;
+  view += "SystemC.pixels.function_text[159:0]\n";
+  view += as_number;
+  view += "SystemC.pixels.read_x[15:0]\nSystemC.pixels.write[15:0]\n";
+  for (const pixel_planes::WaveProbe& probe : request.probes) view += pixel_view(probe, request.fields);
+  return view;
+}
+
+}  // namespace csgsim::app

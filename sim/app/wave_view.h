@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "hw/pixel_planes/wave_request.h"
+
+namespace csgsim::app {
+
+/// A GTKWave save file that shows a recorded waveform readably: texts as texts, depths as numbers, colours in
+/// hexadecimal, one group a probed pixel.
+std::string gtkwave_view(const pixel_planes::WaveRequest& request, const std::string& waveform, std::uint64_t clock_hz);
+
+}  // namespace csgsim::app

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::sim {
+
+/// The state of a segment's pixels at an instruction boundary. Pixels are in row order from the region's top left.
+class PixelState {
+ public:
+  virtual ~PixelState() = default;
+
+  [[nodiscard]] virtual isa::Region region() const = 0;
+
+  /// The field's value at every pixel; `values` holds region width * height of them.
+  virtual void read_field(isa::Field field, std::span<std::uint32_t> values) const = 0;
+
+  /// Enable bits, 64 pixels a word (pixel x is bit x % 64 of word x / 64), each row padded to whole words;
+  /// `words` holds ceil(width / 64) * height of them. Padding bits are zero.
+  virtual void read_enable(std::span<std::uint64_t> words) const = 0;
+};
+
+/// An instruction that has just been carried out.
+struct Step {
+  std::uint32_t segment = 0;
+  std::uint32_t index = 0;  ///< within the segment
+  const isa::Instruction& instruction;
+  std::uint64_t clocks = 0;
+  std::uint64_t enabled_pixels = 0;  ///< pixels whose E was 1 when the instruction began
+};
+
+/// Sees a run go by. Every function is called in program order, from one thread at a time.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void after_instruction(const Step& /*step*/, const PixelState& /*state*/) {}
+  virtual void after_segment(std::uint32_t /*segment*/, const PixelState& /*state*/) {}
+};
+
+struct RunResult {
+  std::uint64_t clocks = 0;           ///< in all, latency included
+  std::uint64_t latency_clocks = 0;   ///< of these, for the last instruction to reach the pixels
+  std::uint64_t scan_out_clocks = 0;  ///< of the frame's scan-out, where the engine simulates it; not part of clocks
+  std::uint64_t overflows = 0;  ///< enabled pixels at which A*x + B*y + C did not fit the width (0 if not checked)
+  std::vector<bool> answers;    ///< of global_or, in order
+  /// Colour of every pixel of the picture, in row order, as the machine's scan-out delivers it; empty where the engine
+  /// simulates none.
+  std::vector<std::uint32_t> scanned_out{};
+};
+
+/// Runs Programs at one level of fidelity. All levels leave the same bits in memory and enable at every instruction
+/// boundary and take the same clocks. Memory and enable are 0 when a segment begins.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  [[nodiscard]] virtual std::string_view level() const = 0;
+
+  /// Runs every segment. Observers are called in the order given. The Program must be valid (isa::validate).
+  virtual RunResult run(const isa::Program& program, std::span<Observer* const> observers) = 0;
+};
+
+std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine);
+std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine);
+std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine);
+
+}  // namespace csgsim::sim

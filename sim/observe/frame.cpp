@@ -1,0 +1,60 @@
+#include "sim/observe/frame.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace csgsim::sim {
+
+namespace {
+
+constexpr std::uint32_t word_bits = 64;
+
+std::size_t pixel_count(const isa::Program& program) {
+  return static_cast<std::size_t>(program.shape.width) * program.shape.height;
+}
+
+std::size_t row_words(const isa::Region& region) { return (region.width + word_bits - 1) / word_bits; }
+
+}  // namespace
+
+FrameObserver::FrameObserver(const isa::Program& program)
+    : depth_(isa::field_of(program, isa::FieldRole::depth)),
+      colour_(isa::field_of(program, isa::FieldRole::colour)),
+      frame_{program.shape.width, program.shape.height, std::vector<std::uint32_t>(pixel_count(program)),
+             std::vector<std::uint32_t>(pixel_count(program)),
+             std::vector<std::uint32_t>(pixel_count(program), no_owner)} {}
+
+void FrameObserver::after_instruction(const Step& step, const PixelState& state) {
+  const isa::Instruction& instruction = step.instruction;
+  const bool is_merge = instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
+  if (!is_merge) return;
+  const isa::Region region = state.region();
+  const std::size_t words = row_words(region);
+  enable_.resize(words * region.height);
+  state.read_enable(enable_);
+  for (std::uint32_t y = 0; y < region.height; ++y) {
+    std::uint32_t* row = &frame_.owner[static_cast<std::size_t>(region.y + y) * frame_.width + region.x];
+    for (std::size_t word = 0; word < words; ++word) {
+      for (std::uint64_t bits = enable_[y * words + word]; bits != 0; bits &= bits - 1) {
+        row[word * word_bits + static_cast<std::size_t>(std::countr_zero(bits))] = instruction.origin.primitive;
+      }
+    }
+  }
+}
+
+void FrameObserver::after_segment(std::uint32_t /*segment*/, const PixelState& state) {
+  if (depth_.width > 0) place(state, depth_, frame_.depth);
+  if (colour_.width > 0) place(state, colour_, frame_.colour);
+}
+
+void FrameObserver::place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture) {
+  const isa::Region region = state.region();
+  values_.resize(static_cast<std::size_t>(region.width) * region.height);
+  state.read_field(field, values_);
+  for (std::uint32_t y = 0; y < region.height; ++y) {
+    std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(y) * region.width, region.width,
+                picture.begin() + static_cast<std::ptrdiff_t>(region.y + y) * frame_.width + region.x);
+  }
+}
+
+}  // namespace csgsim::sim

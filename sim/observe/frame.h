@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+
+inline constexpr std::uint32_t no_owner = 0xffffffffU;
+
+/// A finished picture as pixel memory holds it, in row order.
+struct Frame {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<std::uint32_t> colour;  ///< 8 bits each of red, green, blue
+  std::vector<std::uint32_t> depth;   ///< depth steps; all ones where nothing is seen
+  std::vector<std::uint32_t> owner;   ///< index of the primitive seen, or no_owner
+};
+
+/// Assembles the picture of a run. Pixel memory has no room for owners: they are taken down from outside, as each
+/// primitive's depth is copied into the depth field.
+class FrameObserver : public Observer {
+ public:
+  explicit FrameObserver(const isa::Program& program);
+
+  void after_instruction(const Step& step, const PixelState& state) override;
+  void after_segment(std::uint32_t segment, const PixelState& state) override;
+
+  [[nodiscard]] const Frame& frame() const { return frame_; }
+
+ private:
+  void place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
+
+  isa::Field depth_;
+  isa::Field colour_;
+  Frame frame_;
+  std::vector<std::uint32_t> values_;
+  std::vector<std::uint64_t> enable_;
+};
+
+}  // namespace csgsim::sim

@@ -1,0 +1,39 @@
+#include "sim/observe/progress.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace csgsim::sim {
+
+namespace {
+
+/// Instructions between looks at the clock.
+constexpr std::uint64_t look_every = 64;
+
+}  // namespace
+
+ProgressObserver::ProgressObserver(std::uint64_t total_clocks) : total_(total_clocks) {}
+
+ProgressObserver::~ProgressObserver() {
+  if (shown_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void ProgressObserver::after_instruction(const Step& step, const PixelState& /*state*/) {
+  done_ += step.clocks;
+  if (++instructions_ % look_every != 0) return;
+  const Clock::time_point now = Clock::now();
+  const std::chrono::duration<double> since_told = now - told_;
+  const std::chrono::duration<double> elapsed = now - begin_;
+  if (elapsed.count() < 1.0 || since_told.count() < 0.25) return;
+  told_ = now;
+  shown_ = true;
+  const double rate = static_cast<double>(done_) / elapsed.count();
+  const double left = static_cast<double>(total_ - done_) / rate;
+  const double percent = 100.0 * static_cast<double>(done_) / static_cast<double>(total_);
+  fmt::print(stderr, "\r\x1b[K{:5.1f} %  {} of {} clocks  {:.0f} clocks/s  {:.0f} s left", percent, done_, total_, rate,
+             left);
+  std::fflush(stderr);
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+
+/// Tells on standard error how far a run is, its rate and the time left, a few times a second once it has taken a
+/// second.
+class ProgressObserver : public Observer {
+ public:
+  explicit ProgressObserver(std::uint64_t total_clocks);
+  ~ProgressObserver() override;
+  ProgressObserver(const ProgressObserver&) = delete;
+  ProgressObserver& operator=(const ProgressObserver&) = delete;
+
+  void after_instruction(const Step& step, const PixelState& state) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::uint64_t total_;
+  std::uint64_t done_ = 0;
+  std::uint64_t instructions_ = 0;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point told_ = begin_;
+  bool shown_ = false;
+};
+
+}  // namespace csgsim::sim

@@ -1,0 +1,29 @@
+#include "sim/observe/stats.h"
+
+namespace csgsim::sim {
+
+Cost& Cost::operator+=(const Cost& other) {
+  instructions += other.instructions;
+  clocks += other.clocks;
+  pixel_operations += other.pixel_operations;
+  enabled += other.enabled;
+  return *this;
+}
+
+StatsObserver::StatsObserver(const isa::Program& program) {
+  for (const isa::Segment& segment : program.segments) {
+    pixels_of_segment_.push_back(static_cast<std::uint64_t>(segment.region.width) * segment.region.height);
+  }
+  stats_.by_primitive.resize(program.primitives.size());
+}
+
+void StatsObserver::after_instruction(const Step& step, const PixelState& /*state*/) {
+  const isa::Instruction& instruction = step.instruction;
+  const Cost cost{1, step.clocks, step.clocks * pixels_of_segment_[step.segment], step.clocks * step.enabled_pixels};
+  stats_.total += cost;
+  stats_.by_opcode[static_cast<std::size_t>(instruction.opcode)] += cost;
+  stats_.by_purpose[static_cast<std::size_t>(instruction.origin.purpose)] += cost;
+  if (instruction.origin.primitive != isa::no_primitive) stats_.by_primitive[instruction.origin.primitive] += cost;
+}
+
+}  // namespace csgsim::sim

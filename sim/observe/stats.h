@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+
+/// What some of the instructions cost.
+struct Cost {
+  std::uint64_t instructions = 0;
+  std::uint64_t clocks = 0;
+  std::uint64_t pixel_operations = 0;  ///< bit steps times pixel processors
+  std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
+
+  Cost& operator+=(const Cost& other);
+  bool operator==(const Cost&) const = default;
+};
+
+/// The cost of a run, accounted to opcodes, purposes and primitives. Each account adds up to the total, which is the
+/// run's clocks without its final latency.
+struct Stats {
+  Cost total;
+  std::array<Cost, isa::opcode_table.size()> by_opcode{};
+  std::array<Cost, isa::purpose_table.size()> by_purpose{};
+  std::vector<Cost> by_primitive;  ///< one a primitive of the Program
+
+  bool operator==(const Stats&) const = default;
+};
+
+class StatsObserver : public Observer {
+ public:
+  explicit StatsObserver(const isa::Program& program);
+  void after_instruction(const Step& step, const PixelState& state) override;
+  [[nodiscard]] const Stats& stats() const { return stats_; }
+
+ private:
+  std::vector<std::uint64_t> pixels_of_segment_;
+  Stats stats_;
+};
+
+}  // namespace csgsim::sim

@@ -1,0 +1,127 @@
+#include "sim/observe/stats_json.h"
+
+#include "hw/machines/clocks.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json pixel_operations(const Cost& cost) { return {{"total", cost.pixel_operations}, {"enabled", cost.enabled}}; }
+
+Json cost_json(const Cost& cost) {
+  return {{"clocks", cost.clocks}, {"instructions", cost.instructions}, {"pixel_operations", pixel_operations(cost)}};
+}
+
+Json model_json(const isa::ModelFacts& model) {
+  return {{"file", model.file},
+          {"primitives", model.primitives},
+          {"unions", model.unions},
+          {"differences", model.differences},
+          {"intersections", model.intersections},
+          {"halfspaces", model.halfspaces}};
+}
+
+Json machine_json(const Report& report) {
+  const machines::Machine& machine = report.machine;
+  const isa::CompileFacts& compile = report.program.compile;
+  return {{"name", machine.name},
+          {"width", machine.array.width},
+          {"height", machine.array.height},
+          {"memory_bits", machine.array.memory_bits},
+          {"clock_hz", machine.clock_hz},
+          {"memory_reads_per_clock", machine.memory_reads},
+          {"evaluator_latency", machines::evaluator_latency(machine.array)},
+          {"z_bits", compile.z_bits},
+          {"fraction_bits", compile.fraction_bits},
+          {"edge_on_fraction", compile.edge_on_fraction}};
+}
+
+Json instructions_json(const Stats& stats) {
+  Json by_name = Json::object();
+  for (const isa::OpcodeInfo& row : isa::opcode_table) {
+    const Cost& cost = stats.by_opcode[static_cast<std::size_t>(row.opcode)];
+    if (cost.instructions > 0) by_name[std::string(row.name)] = {{"count", cost.instructions}, {"clocks", cost.clocks}};
+  }
+  return {{"total", stats.total.instructions}, {"by_name", by_name}};
+}
+
+Json memory_json(const Report& report) {
+  Json fields = Json::array();
+  for (const isa::NamedField& named : report.program.fields) {
+    fields.push_back({{"name", named.name},
+                      {"base", named.field.base},
+                      {"width", named.field.width},
+                      {"role", isa::name_of(named.role)}});
+  }
+  return {{"available", report.machine.array.memory_bits},
+          {"used", used_memory_bits(report.program)},
+          {"stack", report.program.compile.stack_bits},
+          {"fields", fields}};
+}
+
+Json purposes_json(const Report& report) {
+  Json purposes = Json::object();
+  for (std::size_t i = 0; i < isa::purpose_table.size(); ++i) {
+    const Cost& cost = report.stats.by_purpose[i];
+    if (cost.instructions > 0) purposes[std::string(isa::purpose_table[i].name)] = cost_json(cost);
+  }
+  purposes["latency"] = cost_json({0, report.result.latency_clocks, 0, 0});
+  return purposes;
+}
+
+Json primitives_json(const Report& report) {
+  Json primitives = Json::array();
+  for (std::size_t i = 0; i < report.program.primitives.size(); ++i) {
+    Json entry{{"index", i}, {"name", report.program.primitives[i]}};
+    entry.update(cost_json(report.stats.by_primitive[i]));
+    primitives.push_back(std::move(entry));
+  }
+  return primitives;
+}
+
+Json segments_json(const isa::Program& program) {
+  double primitives = 0;
+  double halfspaces = 0;
+  for (const isa::Segment& segment : program.segments) {
+    primitives += segment.primitives;
+    halfspaces += segment.halfspaces;
+  }
+  const double count = program.segments.empty() ? 1.0 : static_cast<double>(program.segments.size());
+  return {{"count", program.segments.size()},
+          {"primitives_mean", primitives / count},
+          {"halfspaces_mean", halfspaces / count}};
+}
+
+}  // namespace
+
+std::uint32_t used_memory_bits(const isa::Program& program) {
+  std::uint32_t used = 0;
+  for (const isa::NamedField& named : program.fields) used += named.field.width;
+  return used;
+}
+
+nlohmann::ordered_json to_json(const Report& report) {
+  const isa::CompileFacts& compile = report.program.compile;
+  Json json;
+  json["model"] = model_json(report.program.model);
+  json["machine"] = machine_json(report);
+  json["level"] = report.level;
+  json["strategy"] = compile.strategy;
+  json["clocks"] = report.result.clocks;
+  json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
+  json["instructions"] = instructions_json(report.stats);
+  json["pixel_operations"] = pixel_operations(report.stats.total);
+  json["scan_conversions"] = {{"rendered", compile.rendered}, {"classified", compile.classified}};
+  json["depth_tests"] = compile.depth_tests;
+  json["memory_bits"] = memory_json(report);
+  json["by_purpose"] = purposes_json(report);
+  json["by_primitive"] = primitives_json(report);
+  json["segments"] = segments_json(report.program);
+  json["effects"] = compile.effects;
+  json["wall_seconds"] = report.wall_seconds;
+  return json;
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/stats.h"
+
+namespace csgsim::sim {
+
+/// All that a stats file tells of one run.
+struct Report {
+  const isa::Program& program;
+  const machines::Machine& machine;
+  std::string_view level;
+  const RunResult& result;
+  const Stats& stats;
+  double wall_seconds = 0;
+};
+
+/// The stats file; docs/stats.md describes every key with its unit.
+nlohmann::ordered_json to_json(const Report& report);
+
+/// Bits of pixel memory that the Program's named fields take.
+std::uint32_t used_memory_bits(const isa::Program& program);
+
+}  // namespace csgsim::sim

@@ -1,0 +1,155 @@
+#include "sim/reference/reference_array.h"
+
+#include <algorithm>
+
+namespace csgsim::sim {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+/// A*x + B*y + C, exactly.
+Wide exact_sum(const isa::Linear& linear, std::uint32_t x, std::uint32_t y) {
+  return static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
+}
+
+/// Does the number fit `width` bits of two's complement?
+bool fits_signed(Wide number, unsigned width) {
+  const Wide half = static_cast<Wide>(1) << (width - 1);
+  return -half <= number && number < half;
+}
+
+/// F: the low `width` bits as a two's complement number, shifted right with floor.
+std::int64_t value_of_f(Wide sum, const isa::Linear& linear) {
+  Wide number = 0;
+  for (unsigned bit = 0; bit < linear.width; ++bit) {
+    const Wide weight = static_cast<Wide>(1) << bit;
+    const bool is_sign = bit + 1 == linear.width;
+    if ((sum >> bit & 1) != 0) number += is_sign ? -weight : weight;
+  }
+  return static_cast<std::int64_t>(number >> linear.shift);
+}
+
+bool fits_unsigned(std::int64_t value, unsigned width) { return value >= 0 && value >> width == 0; }
+
+}  // namespace
+
+ReferenceArray::ReferenceArray(isa::Region region, std::uint32_t memory_bits)
+    : region_(region),
+      memory_bits_(memory_bits),
+      memory_(static_cast<std::size_t>(region.width) * region.height * memory_bits),
+      enable_(static_cast<std::size_t>(region.width) * region.height) {}
+
+std::int64_t ReferenceArray::get(std::size_t pixel, isa::Field field) const {
+  std::int64_t value = 0;
+  for (unsigned bit = 0; bit < field.width; ++bit)
+    if (memory_[pixel * memory_bits_ + field.base + bit]) value += std::int64_t{1} << bit;
+  return value;
+}
+
+void ReferenceArray::put(std::size_t pixel, isa::Field field, std::uint64_t value) {
+  for (unsigned bit = 0; bit < field.width; ++bit)
+    memory_[pixel * memory_bits_ + field.base + bit] = (value >> bit & 1U) != 0;
+}
+
+void ReferenceArray::put_linear(std::size_t pixel, isa::Field field, std::int64_t value) {
+  put(pixel, field, static_cast<std::uint64_t>(value));
+  if (!fits_unsigned(value, field.width)) enable_[pixel] = false;
+}
+
+void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction) {
+  using isa::Opcode;
+  const std::size_t pixel = pixel_at(x, y);
+  const auto& [first, second, third] = instruction.fields;
+  const isa::Linear& linear = instruction.linear;
+  const bool e = enable_[pixel];
+
+  const bool streams = linear.width > 0;
+  const Wide sum = streams ? exact_sum(linear, x, y) : 0;
+  if (streams && e && !fits_signed(sum, linear.width)) ++overflows_;
+  const std::int64_t f = streams ? value_of_f(sum, linear) : 0;
+
+  switch (instruction.opcode) {
+    case Opcode::enable_all: enable_[pixel] = true; break;
+    case Opcode::enable_invert: enable_[pixel] = !e; break;
+    case Opcode::enable_load: enable_[pixel] = get(pixel, first) == 1; break;
+    case Opcode::enable_and: enable_[pixel] = e && get(pixel, first) == 1; break;
+    case Opcode::enable_and_not: enable_[pixel] = e && get(pixel, first) == 0; break;
+    case Opcode::enable_or: enable_[pixel] = e || get(pixel, first) == 1; break;
+    case Opcode::enable_xor: enable_[pixel] = e != (get(pixel, first) == 1); break;
+    case Opcode::enable_store: put(pixel, first, e ? 1 : 0); break;
+    case Opcode::edge_not_negative: enable_[pixel] = e && f >= 0; break;
+    case Opcode::edge_negative: enable_[pixel] = e && f < 0; break;
+    case Opcode::linear_ge: enable_[pixel] = e && f >= get(pixel, first); break;
+    case Opcode::linear_gt: enable_[pixel] = e && f > get(pixel, first); break;
+    case Opcode::linear_le: enable_[pixel] = e && f <= get(pixel, first); break;
+    case Opcode::linear_lt: enable_[pixel] = e && f < get(pixel, first); break;
+    case Opcode::linear_eq: enable_[pixel] = e && f == get(pixel, first); break;
+    case Opcode::load_linear:
+      if (e) put_linear(pixel, first, f);
+      break;
+    case Opcode::keep_max:
+      if (e && f > get(pixel, first)) put_linear(pixel, first, f);
+      break;
+    case Opcode::keep_min:
+      if (e && f < get(pixel, first)) put_linear(pixel, first, f);
+      break;
+    case Opcode::set_constant:
+      if (e) put(pixel, first, instruction.constant);
+      break;
+    case Opcode::copy:
+      if (e) put(pixel, first, static_cast<std::uint64_t>(get(pixel, second)));
+      break;
+    case Opcode::field_lt: enable_[pixel] = e && get(pixel, first) < get(pixel, second); break;
+    case Opcode::field_le: enable_[pixel] = e && get(pixel, first) <= get(pixel, second); break;
+    case Opcode::field_eq: enable_[pixel] = e && get(pixel, first) == get(pixel, second); break;
+    case Opcode::bit_and:
+      if (e) put(pixel, first, get(pixel, second) == 1 && get(pixel, third) == 1 ? 1 : 0);
+      break;
+    case Opcode::bit_or:
+      if (e) put(pixel, first, get(pixel, second) == 1 || get(pixel, third) == 1 ? 1 : 0);
+      break;
+    case Opcode::bit_xor:
+      if (e) put(pixel, first, get(pixel, second) != get(pixel, third) ? 1 : 0);
+      break;
+    case Opcode::bit_and_not:
+      if (e) put(pixel, first, get(pixel, second) == 1 && get(pixel, third) == 0 ? 1 : 0);
+      break;
+    case Opcode::bit_not:
+      if (e) put(pixel, first, get(pixel, second) == 0 ? 1 : 0);
+      break;
+    case Opcode::global_or: break;
+  }
+}
+
+void ReferenceArray::execute(const isa::Instruction& instruction) {
+  for (std::uint32_t y = 0; y < region_.height; ++y)
+    for (std::uint32_t x = 0; x < region_.width; ++x) execute_at(x, y, instruction);
+}
+
+std::uint64_t ReferenceArray::enabled_pixels() const {
+  return static_cast<std::uint64_t>(std::count(enable_.begin(), enable_.end(), true));
+}
+
+std::uint32_t ReferenceArray::read(isa::Field field, std::uint32_t x, std::uint32_t y) const {
+  return static_cast<std::uint32_t>(get(pixel_at(x, y), field));
+}
+
+void ReferenceArray::write(isa::Field field, std::uint32_t x, std::uint32_t y, std::uint32_t value) {
+  put(pixel_at(x, y), field, value);
+}
+
+void ReferenceArray::read_field(isa::Field field, std::span<std::uint32_t> values) const {
+  for (std::size_t pixel = 0; pixel < enable_.size(); ++pixel)
+    values[pixel] = static_cast<std::uint32_t>(get(pixel, field));
+}
+
+void ReferenceArray::read_enable(std::span<std::uint64_t> words) const {
+  const std::size_t words_a_row = (region_.width + 63U) / 64U;
+  std::fill(words.begin(), words.end(), 0U);
+  for (std::uint32_t y = 0; y < region_.height; ++y)
+    for (std::uint32_t x = 0; x < region_.width; ++x)
+      if (enabled(x, y)) words[y * words_a_row + x / 64U] |= std::uint64_t{1} << x % 64U;
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,51 @@
+#include "hw/machines/clocks.h"
+#include "sim/reference/reference_array.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+class ReferenceEngine final : public Engine {
+ public:
+  explicit ReferenceEngine(machines::Machine machine) : machine_(std::move(machine)) {}
+
+  [[nodiscard]] std::string_view level() const override { return "reference"; }
+
+  RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+    RunResult result;
+    for (std::size_t s = 0; s < program.segments.size(); ++s) run_segment(program, s, observers, result);
+    result.latency_clocks = machines::evaluator_latency(machine_.array);
+    result.clocks += result.latency_clocks;
+    return result;
+  }
+
+ private:
+  void run_segment(const isa::Program& program, std::size_t s, std::span<Observer* const> observers,
+                   RunResult& result) const {
+    const isa::Segment& segment = program.segments[s];
+    const auto number = static_cast<std::uint32_t>(s);
+    ReferenceArray array(segment.region, program.shape.memory_bits);
+    std::uint32_t index = 0;
+    for (const isa::Instruction& instruction : segment.instructions) {
+      const std::uint64_t enabled = array.enabled_pixels();
+      const std::uint64_t clocks = machines::clocks(instruction, machine_);
+      array.execute(instruction);
+      result.clocks += clocks;
+      if (instruction.opcode == isa::Opcode::global_or) result.answers.push_back(enabled > 0);
+      const Step step{number, index++, instruction, clocks, enabled};
+      for (Observer* observer : observers) observer->after_instruction(step, array);
+    }
+    result.overflows += array.overflows();
+    for (Observer* observer : observers) observer->after_segment(number, array);
+  }
+
+  machines::Machine machine_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine) {
+  return std::make_unique<ReferenceEngine>(machine);
+}
+
+}  // namespace csgsim::sim

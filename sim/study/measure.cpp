@@ -1,0 +1,184 @@
+#include "sim/study/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <utility>
+
+#include "host/emit/compile.h"
+#include "host/view/projection.h"
+#include "hw/isa/error.h"
+#include "hw/machines/clocks.h"
+#include "sim/accuracy/analytic.h"
+#include "sim/accuracy/explain.h"
+#include "sim/accuracy/truth.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/stats_json.h"
+
+namespace csgsim::study {
+
+namespace {
+
+/// The arithmetic that stands for "as fine as can be" when pictures are compared.
+constexpr unsigned finest_z_bits = 24;
+constexpr unsigned finest_fraction_bits = 16;
+
+struct Drawn {
+  isa::Program program;
+  sim::Frame frame;
+  std::uint64_t clocks = 0;
+};
+
+std::string name_of(const facet::Faceting& faceting) {
+  if (faceting.tolerance) return fmt::format("tolerance {}", *faceting.tolerance);
+  return faceting.fragments ? fmt::format("fn {}", *faceting.fragments) : "openscad";
+}
+
+isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
+                     const view::Sampling& sampling, const machines::Machine& machine) {
+  const view::View view = view::make_view(scene, tree, camera, sampling);
+  return emit::compile(tree, scene, view, {emit::Strategy::stack, machine.array.memory_bits, {}});
+}
+
+machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
+  machine.array.width = sampling.width;
+  machine.array.height = sampling.height;
+  return machine;
+}
+
+Drawn draw(isa::Program program, const machines::Machine& machine) {
+  sim::FrameObserver frame(program);
+  const std::array<sim::Observer*, 1> observers{&frame};
+  const std::uint64_t clocks = sim::make_functional_engine(machine)->run(program, observers).clocks;
+  return {std::move(program), frame.frame(), clocks};
+}
+
+/// Sum over pixels and channels of the difference of the colours.
+double colour_difference(const sim::Frame& a, const sim::Frame& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.colour.size(); ++i) {
+    for (const unsigned shift : {16U, 8U, 0U}) {
+      sum += std::abs(static_cast<double>(a.colour[i] >> shift & 0xffU) -
+                      static_cast<double>(b.colour[i] >> shift & 0xffU));
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+struct Meter::Subject {
+  facet::Scene scene;
+  accuracy::Truth exact;     ///< of the half-spaces
+  accuracy::Truth analytic;  ///< of the curved surfaces
+  sim::Frame finest;
+};
+
+Meter::Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine)
+    : tree_(tree), cameras_(std::move(cameras)), machine_(machine) {}
+
+Meter::~Meter() = default;
+
+Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
+  const view::Sampling& sampling = settings.sampling;
+  const std::string key =
+      fmt::format("{} {}x{} {}", name_of(settings.faceting), sampling.width, sampling.height, camera);
+  const auto known = subjects_.find(key);
+  if (known != subjects_.end()) return known->second;
+
+  facet::Scene scene = facet::make_scene(tree_, settings.faceting);
+  view::Sampling finest = sampling;
+  finest.z_bits = finest_z_bits;
+  finest.fraction_bits = finest_fraction_bits;
+  machines::Machine machine = sized(machine_, sampling);
+  machine.array.memory_bits = std::max(machine.array.memory_bits, ample_memory_bits);
+  Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine), machine);
+  const isa::DepthScale& depth = drawn.program.depth_scale;
+  accuracy::Truth exact = accuracy::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
+  accuracy::Truth analytic = accuracy::analytic_truth(tree_, cameras_[camera], sampling.width, sampling.height, depth);
+  return subjects_
+      .emplace(key, Subject{std::move(scene), std::move(exact), std::move(analytic), std::move(drawn.frame)})
+      .first->second;
+}
+
+std::uint64_t Meter::clocks(const Settings& settings) {
+  const machines::Machine machine = sized(machine_, settings.sampling);
+  std::uint64_t clocks = 0;
+  for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
+    const isa::Program program =
+        compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine);
+    clocks += machines::evaluator_latency(machine.array);
+    for (const isa::Segment& segment : program.segments) {
+      for (const isa::Instruction& instruction : segment.instructions) clocks += machines::clocks(instruction, machine);
+    }
+  }
+  return clocks;
+}
+
+Measurement Meter::measure(const Settings& settings) {
+  const machines::Machine machine = sized(machine_, settings.sampling);
+  Measurement sum;
+  sum.knob = settings.knob;
+  sum.value = settings.value;
+  double difference = 0;
+  for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
+    const Subject& subject = this->subject(settings, camera);
+    const Drawn drawn = draw(compile(tree_, subject.scene, cameras_[camera], settings.sampling, machine), machine);
+    const accuracy::Explainer explainer(tree_, subject.scene, cameras_[camera], drawn.program);
+    const accuracy::Errors errors = accuracy::judge(subject.exact, drawn.frame, drawn.program, explainer);
+    const accuracy::Errors facets = accuracy::compare(subject.analytic, drawn.frame, drawn.program);
+    sum.clocks += drawn.clocks;
+    sum.halfspaces = drawn.program.model.halfspaces;
+    sum.memory_bits = std::max(sum.memory_bits, sim::used_memory_bits(drawn.program));
+    sum.covered += errors.covered;
+    sum.wrong += errors.wrong();
+    sum.wrong_silhouette += errors.silhouette;
+    sum.wrong_owner += errors.owner;
+    sum.unexplained += errors.unexplained;
+    sum.depth_max = std::max(sum.depth_max, errors.model_units.max);
+    sum.depth_p999 = std::max(sum.depth_p999, errors.model_units.p999);
+    sum.depth_max_steps = std::max(sum.depth_max_steps, errors.steps.max);
+    sum.depth_p999_steps = std::max(sum.depth_p999_steps, errors.steps.p999);
+    sum.facet_wrong += facets.wrong();
+    sum.facet_depth_p999 = std::max(sum.facet_depth_p999, facets.model_units.p999);
+    difference +=
+        colour_difference(drawn.frame, subject.finest) / (3.0 * static_cast<double>(drawn.frame.colour.size()));
+  }
+  sum.simulated_seconds = static_cast<double>(sum.clocks) / static_cast<double>(machine.clock_hz);
+  sum.picture_difference = difference / static_cast<double>(cameras_.size());
+  return sum;
+}
+
+std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t most_wrong) {
+  std::vector<std::pair<std::uint64_t, const Settings*>> by_clocks;
+  for (const Settings& candidate : candidates) {
+    try {
+      by_clocks.emplace_back(meter.clocks(candidate), &candidate);
+    } catch (const InputError&) {
+      continue;  // it does not fit the machine
+    }
+  }
+  std::stable_sort(by_clocks.begin(), by_clocks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [clocks, candidate] : by_clocks) {
+    if (meter.measure(*candidate).wrong <= most_wrong) return *candidate;
+  }
+  return std::nullopt;
+}
+
+std::vector<view::Camera> turned_views(const view::Camera& camera, unsigned count) {
+  constexpr double golden_angle = 2.399963229728653;
+  std::vector<view::Camera> cameras;
+  const glm::dvec3 arm = camera.eye - camera.centre;
+  for (unsigned i = 0; i < count; ++i) {
+    const double c = std::cos(golden_angle * i);
+    const double s = std::sin(golden_angle * i);
+    const glm::dvec3 turned(c * arm.x - s * arm.y, s * arm.x + c * arm.y, arm.z);
+    cameras.push_back({camera.centre + turned, camera.centre, camera.projection});
+  }
+  return cameras;
+}
+
+}  // namespace csgsim::study

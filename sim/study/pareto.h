@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/study/measure.h"
+
+namespace csgsim::study {
+
+/// Of measurements of one picture (same size and faceting), those that no other beats in both clocks and wrong pixels;
+/// fewest clocks first. Points that took the same clocks and were as wrong are listed once.
+std::vector<Measurement> pareto_front(std::span<const Measurement> measurements);
+
+/// One step along a front: what it costs to have at most half the wrong pixels.
+struct Halving {
+  Measurement from;
+  Measurement to;
+  double more_clocks = 0;  ///< as a part of from's clocks
+};
+
+/// Steps along a front from its cheapest point, each to the cheapest with at most half the wrong pixels.
+std::vector<Halving> halvings(std::span<const Measurement> front);
+
+}  // namespace csgsim::study

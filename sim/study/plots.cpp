@@ -1,0 +1,123 @@
+#include "sim/study/plots.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "hw/isa/error.h"
+#include "sim/study/pareto.h"
+
+namespace csgsim::study {
+
+namespace {
+
+/// What a knob's plot shows against clocks.
+struct Axis {
+  const char* knob;
+  const char* title;
+  const char* error;                  ///< left axis
+  std::uint64_t Measurement::*wrong;  ///< left axis: pixels
+  double Measurement::*depth;         ///< right axis: model units
+  bool wide;                          ///< clocks range over more than a decade
+};
+
+constexpr Axis axes[] = {
+    {"z-bits", "bits of depth", "wrong pixels", &Measurement::wrong, &Measurement::depth_p999, false},
+    {"fraction-bits", "fraction bits of the coefficients", "wrong pixels", &Measurement::wrong,
+     &Measurement::depth_p999, false},
+    {"edge-on", "edge-on fraction", "wrong pixels", &Measurement::wrong, &Measurement::depth_p999, false},
+    {"size", "picture size", "wrong pixels", &Measurement::wrong, &Measurement::depth_p999, false},
+    {"fn", "fragments of a circle, $fn", "pixels that differ from the curved surfaces", &Measurement::facet_wrong,
+     &Measurement::facet_depth_p999, true},
+    {"tolerance", "faceting tolerance, model units", "pixels that differ from the curved surfaces",
+     &Measurement::facet_wrong, &Measurement::facet_depth_p999, true},
+};
+
+/// Text that gnuplot takes for a string.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string output(const std::filesystem::path& file) {
+  const bool svg = file.extension() == ".svg";
+  return fmt::format("set terminal {} size 800,500 font 'sans,{}'\nset output {}\n",
+                     svg ? "svg background 'white'" : "pngcairo", svg ? 14 : 11, quoted(file.string()));
+}
+
+std::string knob_script(const Axis& axis, std::span<const Measurement> rows, const std::string& model) {
+  std::string data;
+  for (const Measurement& row : rows) {
+    // Where nothing is wrong a logarithmic axis needs something to show.
+    if (row.knob == axis.knob)
+      data += fmt::format("{} {} {} \"{}\"\n", row.clocks, static_cast<double>(row.*axis.wrong) + 0.5,
+                          row.*axis.depth + 1e-12, row.value);
+  }
+  if (data.empty()) return {};
+  return fmt::format(
+      "set title {} noenhanced\nset xlabel 'clocks'\nset ylabel '{} (+ 0.5)'\nset y2label 'depth error, 99.9 % of "
+      "pixels, model "
+      "units'\n"
+      "set logscale {}\nset ytics nomirror\nset y2tics\nset format y2 '%.0e'\nset key outside bottom horizontal\nset "
+      "grid xtics ytics\n"
+      "set offsets graph 0.08, graph 0.12, graph 0.08, graph 0.05\n$data << EOD\n{}EOD\n"
+      "plot $data using 1:2 with linespoints pt 7 lw 2 title '{}', $data using 1:2:4 with labels offset 0,0.9 notitle, "
+      "$data using 1:3 axes x1y2 with linespoints pt 5 dt 2 title 'depth error (right)'\n",
+      quoted(model + ": " + axis.title), axis.error, axis.wide ? "xyy2" : "yy2", data, axis.error);
+}
+
+std::string front_script(std::span<const Measurement> rows, const std::string& model) {
+  std::vector<Measurement> together;
+  for (const Measurement& row : rows) {
+    if (row.knob == "together") together.push_back(row);
+  }
+  if (together.empty()) return {};
+  std::string all;
+  for (const Measurement& row : together)
+    all += fmt::format("{} {} \"{}\"\n", row.clocks, static_cast<double>(row.wrong) + 0.5, row.value);
+  std::string best;
+  for (const Measurement& row : pareto_front(together))
+    best += fmt::format("{} {} \"{}\"\n", row.clocks, static_cast<double>(row.wrong) + 0.5, row.value);
+  return fmt::format(
+      "set title {} noenhanced\nset xlabel 'clocks'\nset ylabel 'wrong pixels (+ 0.5)'\nset logscale y\nset key "
+      "outside bottom "
+      "horizontal\nset grid\n"
+      "set offsets graph 0.05, graph 0.1, graph 0.1, graph 0.05\n$all << EOD\n{}EOD\n$front << EOD\n{}EOD\n"
+      "plot $all using 1:2 with points pt 7 ps 0.7 lc rgb 'gray50' title 'z bits / fraction bits', "
+      "$front using 1:2 with linespoints pt 7 lw 2 lc rgb 'dark-red' title 'Pareto front', $front using 1:2:3 with "
+      "labels offset 3,0.7 notitle\n",
+      quoted(model + ": what accuracy costs"), all, best);
+}
+
+void run_gnuplot(const std::string& script) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen("gnuplot", "w"), ::pclose);
+  if (!pipe || std::fputs(script.c_str(), pipe.get()) == EOF || std::fflush(pipe.get()) != 0) {
+    throw InputError("gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
+  }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> draw_plots(std::span<const Measurement> rows, const std::string& model,
+                                              const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  const auto draw = [&](const std::string& name, const std::string& script) {
+    if (script.empty()) return;
+    for (const char* ending : {".png", ".svg"}) {
+      files.push_back(folder / (name + ending));
+      run_gnuplot("set encoding utf8\n" + output(files.back()) + script);
+    }
+  };
+  for (const Axis& axis : axes) draw(axis.knob, knob_script(axis, rows, model));
+  draw("pareto", front_script(rows, model));
+  for (const std::filesystem::path& file : files) {
+    if (!std::filesystem::exists(file))
+      throw InputError(file.string() +
+                       ": gnuplot did not draw it; is package gnuplot-nox installed? (--no-plots does without)");
+  }
+  return files;
+}
+
+}  // namespace csgsim::study

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace csgsim::testing {
+
+/// A polygon mesh, as OpenSCAD exports it.
+struct Mesh {
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<unsigned>> faces;  ///< convex polygons or triangles
+};
+
+/// Reads an OFF file.
+Mesh read_off(const std::string& path);
+
+/// Largest distance between two corners of the mesh's bounding box.
+double diagonal(const Mesh& mesh);
+
+/// Distance from the eye along the view axis at every pixel centre of a square picture, infinite where nothing is seen:
+/// every triangle against every pixel, in plain double precision. A judge of csgsim's pictures: it shares no code with
+/// them. Up is +z, the field of view 22.5 degrees.
+std::vector<double> mesh_depth(const Mesh& mesh, const glm::dvec3& eye, const glm::dvec3& centre, bool perspective,
+                               int size);
+
+}  // namespace csgsim::testing

@@ -1,0 +1,91 @@
+#include <OpenImageIO/imageio.h>
+#include <doctest/doctest.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "hw/isa/program_file.h"
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/stats.h"
+#include "sim/observe/stats_json.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+std::string trace(const std::string& name, const std::string& extension) {
+  return std::string(CSGSIM_SOURCE_DIR) + "/traces/" + name + extension;
+}
+
+std::vector<std::uint32_t> read_picture(const std::string& path) {
+  const auto input = OIIO::ImageInput::open(path);
+  REQUIRE(input);
+  const OIIO::ImageSpec spec = input->spec();
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
+  REQUIRE(spec.nchannels == 3);
+  REQUIRE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data()));
+  std::vector<std::uint32_t> pixels;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    pixels.push_back(static_cast<std::uint32_t>(bytes[i]) << 16U | static_cast<std::uint32_t>(bytes[i + 1]) << 8U |
+                     bytes[i + 2]);
+  }
+  return pixels;
+}
+
+void check_run(const std::string& name) {
+  const isa::Program program = isa::load_program(trace(name, ".csgt"));
+  machines::Machine machine = machines::load("pixel-planes-4");
+  machine.array = program.shape;
+  sim::FrameObserver frame(program);
+  sim::StatsObserver stats(program);
+  const std::array<sim::Observer*, 2> observers{&frame, &stats};
+  const auto engine = sim::make_functional_engine(machine);
+  const sim::RunResult result = engine->run(program, observers);
+  nlohmann::json actual =
+      nlohmann::json::parse(sim::to_json({program, machine, engine->level(), result, stats.stats(), 0.0}).dump());
+  nlohmann::json golden = nlohmann::json::parse(std::ifstream(trace(name, ".json")));
+  actual.erase("wall_seconds");
+  golden.erase("wall_seconds");
+  INFO("if the change is meant: traces/renew.sh build/release/csgsim");
+  CHECK(nlohmann::json::diff(golden, actual).dump() == "[]");
+  CHECK(frame.frame().colour == read_picture(trace(name, ".png")));
+}
+
+/// The names of files are the only thing in which a compiled model may differ from its trace.
+void check_compilation(const std::string& name, const testing::Setup& setup) {
+  isa::Program golden = isa::load_program(trace(name, ".csgt"));
+  isa::Program compiled = testing::compile_file(testing::model_path(name), setup).program;
+  golden.model.file.clear();
+  compiled.model.file.clear();
+  INFO("if the change is meant: traces/renew.sh build/release/csgsim");
+  CHECK(compiled.segments.at(0).instructions.size() == golden.segments.at(0).instructions.size());
+  CHECK((compiled == golden));
+}
+
+}  // namespace
+
+TEST_CASE("the trace of fig. 2.3's object runs to its golden counts and picture") { check_run("thesis_fig_2_3"); }
+TEST_CASE("the trace of the carburettor runs to its golden counts and picture") { check_run("carburettor"); }
+TEST_CASE("the trace of the terrain vehicle runs to its golden counts and picture") { check_run("terrain_vehicle"); }
+TEST_CASE("the trace of a drilled cube runs to its golden counts and picture") { check_run("old_example002"); }
+
+TEST_CASE("fig. 2.3's object compiles into its trace") {
+  check_compilation("thesis_fig_2_3", {{{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic}, {}, 72});
+}
+TEST_CASE("the carburettor compiles into its trace") {
+  check_compilation("carburettor", {{{220, -255, 135}, {2, 0, 5}, view::Projection::perspective}, {}, 72});
+}
+TEST_CASE("the terrain vehicle compiles into its trace") {
+  check_compilation("terrain_vehicle", {{{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective}, {}, 72});
+}
+TEST_CASE("a drilled cube compiles into its trace") {
+  view::Sampling sampling;
+  sampling.width = 200;
+  sampling.height = 150;
+  check_compilation("old_example002", {{{65, -95, 60}, {0, 0, -2}, view::Projection::orthographic}, sampling, 72});
+}

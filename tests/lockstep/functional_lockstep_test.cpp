@@ -1,0 +1,209 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <hwy/targets.h>
+#include <rapidcheck.h>
+
+#include <string>
+
+#include "hw/isa/validate.h"
+#include "sim/engine/engine.h"
+#include "sim/functional/array.h"
+#include "tests/lockstep/lockstep.h"
+#include "tests/support/random_program.h"
+
+using namespace csgsim;
+using isa::ArrayShape;
+using isa::Field;
+using isa::Instruction;
+using isa::Opcode;
+using isa::Program;
+
+namespace {
+
+/// Where the functional engine first differs from the reference on the Program; empty if nowhere.
+std::string difference(const Program& program) {
+  isa::validate(program);
+  const machines::Machine machine = test::machine_of(program.shape, 1);
+  const auto judge = sim::make_reference_engine(machine);
+  const auto engine = sim::make_functional_engine(machine);
+  try {
+    test::check_lockstep(*judge, *engine, program, machine);
+  } catch (const test::Difference& found) {
+    return found.what();
+  }
+  const std::uint64_t expected = judge->run(program, {}).overflows;
+  const std::uint64_t overflows = engine->run(program, {}).overflows;
+  return overflows == expected ? "" : fmt::format("{} overflows, not {}", overflows, expected);
+}
+
+void require_lockstep(const ArrayShape& shape, std::size_t instructions) {
+  CHECK(rc::check(fmt::format("{}x{} of {} bits", shape.width, shape.height, shape.memory_bits), [&] {
+    const Program program = *test::arbitrary_program(shape, instructions);
+    const std::string found = difference(program);
+    if (!found.empty()) RC_FAIL(found);
+  }));
+}
+
+Program program_of(const ArrayShape& shape, std::vector<Instruction> instructions) {
+  Program program;
+  program.shape = shape;
+  program.segments.push_back({{0, 0, shape.width, shape.height}, std::move(instructions)});
+  return program;
+}
+
+Instruction op(Opcode opcode, Field first = {}, Field second = {}, Field third = {}) {
+  Instruction instruction;
+  instruction.opcode = opcode;
+  instruction.fields = {first, second, third};
+  return instruction;
+}
+
+Instruction set(Field field, std::uint64_t constant) {
+  Instruction instruction = op(Opcode::set_constant, field);
+  instruction.constant = constant;
+  return instruction;
+}
+
+Instruction with(Opcode opcode, Field field, isa::Linear linear) {
+  Instruction instruction = op(opcode, field);
+  instruction.linear = linear;
+  return instruction;
+}
+
+/// One instruction set after another, until the end of its life.
+class EachInstructionSet {
+ public:
+  ~EachInstructionSet() { use(0); }
+  static void use(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("random Programs leave the same bits as the reference on small arrays") {
+  for (const std::uint32_t bits : {8U, 72U, 208U})
+    for (const auto& [width, height] : {std::pair{1U, 1U}, {8U, 8U}}) require_lockstep({width, height, bits}, 60);
+}
+
+TEST_CASE("random Programs leave the same bits as the reference where rows end within a word") {
+  for (const std::uint32_t bits : {8U, 72U}) require_lockstep({100, 30, bits}, 25);
+  require_lockstep({65, 65, 72}, 25);
+}
+
+TEST_CASE("random Programs leave the same bits as the reference where rows fill words") {
+  for (const std::uint32_t bits : {8U, 72U}) require_lockstep({64, 64, bits}, 25);
+  require_lockstep({512, 8, 72}, 25);
+}
+
+TEST_CASE("random Programs leave the same bits with every instruction set of the machine") {
+  const EachInstructionSet each;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    INFO(hwy::TargetName(target));
+    EachInstructionSet::use(target);
+    require_lockstep({70, 9, 72}, 40);
+  }
+}
+
+TEST_CASE("bands of rows together hold what the whole array holds") {
+  constexpr ArrayShape shape{70, 20, 72};
+  constexpr std::uint32_t cuts[] = {0, 7, 8, 20};
+  CHECK(rc::check([&] {
+    const Program program = *test::arbitrary_program(shape, 40);
+    const isa::Segment& segment = program.segments[0];
+    const auto [width, height] = std::pair(segment.region.width, segment.region.height);
+    sim::Array whole(width, 0, height, shape.memory_bits);
+    std::vector<sim::Array> bands;
+    for (std::size_t i = 0; i + 1 < std::size(cuts) && cuts[i] < height; ++i)
+      bands.emplace_back(width, cuts[i], std::min(cuts[i + 1], height) - cuts[i], shape.memory_bits);
+
+    std::vector<std::uint32_t> expected(std::size_t{width} * height);
+    std::vector<std::uint32_t> found(expected.size());
+    for (const Instruction& instruction : segment.instructions) {
+      const std::uint64_t overflows = whole.execute(instruction);
+      std::uint64_t banded_overflows = 0;
+      std::uint64_t banded_enabled = 0;
+      for (sim::Array& band : bands) {
+        banded_overflows += band.execute(instruction);
+        banded_enabled += band.enabled();
+      }
+      RC_ASSERT(banded_overflows == overflows);
+      RC_ASSERT(banded_enabled == whole.enabled());
+      for (const Field field : {Field{0, 32}, Field{32, 32}, Field{64, 8}}) {
+        whole.read_field(field, expected);
+        for (const sim::Array& band : bands)
+          band.read_field(
+              field, std::span(found).subspan(std::size_t{width} * band.first_row(), std::size_t{width} * band.rows()));
+        RC_ASSERT(found == expected);
+      }
+    }
+  }));
+}
+
+TEST_CASE("a field used as a number and then bit by bit keeps its bits") {
+  const Field z{4, 20};
+  const Field part{10, 9};
+  const Field bit{23, 1};
+  const isa::Linear plane{.a = 40'000, .b = -3'000, .c = 1'000'000, .width = 40, .shift = 3};
+  CHECK(difference(program_of({100, 30, 72}, {
+                                                 op(Opcode::enable_all),
+                                                 with(Opcode::load_linear, z, plane),
+                                                 op(Opcode::enable_all),
+                                                 op(Opcode::enable_and, bit),
+                                                 set(part, 0x155),
+                                                 op(Opcode::enable_store, {5, 1}),
+                                                 with(Opcode::keep_max, z, plane),
+                                                 op(Opcode::copy, {40, 9}, part),
+                                                 op(Opcode::enable_all),
+                                                 op(Opcode::bit_not, {40, 1}, {23, 1}),
+                                                 op(Opcode::field_le, {30, 20}, z),
+                                             })) == "");
+}
+
+TEST_CASE("a bit read from a number's lanes has no pixels beyond the row's end") {
+  const Field z{0, 20};
+  CHECK(difference(program_of({65, 3, 72}, {
+                                               op(Opcode::enable_all),
+                                               set(z, 0xfffff),
+                                               op(Opcode::enable_load, {3, 1}),
+                                               op(Opcode::enable_invert),
+                                               op(Opcode::enable_or, {19, 1}),
+                                           })) == "");
+}
+
+TEST_CASE("F that wraps is compared as it wraps, and counted") {
+  const Field z{0, 8};
+  const isa::Linear steep{.a = 100, .b = 7, .c = -1000, .width = 9, .shift = 0};
+  for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_gt, Opcode::linear_le, Opcode::linear_lt,
+                              Opcode::linear_eq, Opcode::load_linear, Opcode::keep_max, Opcode::keep_min}) {
+    CAPTURE(isa::info(opcode).name);
+    CHECK(difference(program_of({70, 9, 8}, {op(Opcode::enable_all), set(z, 90), with(opcode, z, steep)})) == "");
+  }
+}
+
+TEST_CASE("F wraps from the first number past the width on") {
+  for (const std::int64_t sign : {1, -1})
+    for (const std::int64_t beyond : {-1, 0, 1}) {
+      CAPTURE(sign);
+      CAPTURE(beyond);
+      // From 0 to about +-2^9 along the row.
+      const isa::Linear linear{.a = sign * 64, .b = 0, .c = sign * beyond, .width = 10, .shift = 1};
+      for (const Opcode opcode : {Opcode::edge_not_negative, Opcode::edge_negative})
+        CHECK(difference(program_of({9, 1, 8}, {op(Opcode::enable_all), with(opcode, {}, linear)})) == "");
+      CHECK(difference(program_of({9, 1, 8}, {op(Opcode::enable_all), with(Opcode::load_linear, {0, 8}, linear)})) ==
+            "");
+    }
+}
+
+TEST_CASE("axis-parallel and slanting edges cut a full array at the exact pixel") {
+  for (const std::int64_t a : {-3, 0, 2})
+    for (const std::int64_t b : {-5, 0, 3})
+      for (const std::int64_t c : {-100, -6, -1, 0, 1, 90})
+        for (const Opcode opcode : {Opcode::edge_not_negative, Opcode::edge_negative}) {
+          const isa::Linear first{.a = a, .b = b, .c = c, .width = 20, .shift = 2};
+          const isa::Linear second{.a = -b, .b = a, .c = c + 7, .width = 20, .shift = 0};
+          CHECK(difference(program_of({70, 30, 8}, {op(Opcode::enable_all), with(opcode, {}, first),
+                                                    with(Opcode::edge_not_negative, {}, second)})) == "");
+        }
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+
+namespace csgsim::test {
+
+/// All that two engines have to agree on at one instruction boundary.
+struct Boundary {
+  std::uint32_t segment = 0;
+  std::uint32_t index = 0;
+  std::uint64_t clocks = 0;
+  std::uint64_t enabled_pixels = 0;
+  std::vector<std::uint64_t> enable;
+  std::vector<std::vector<std::uint32_t>> memory;  ///< values of 32-bit slices of pixel memory, from bit 0 up
+
+  bool operator==(const Boundary&) const = default;
+};
+
+/// Where two engines differ first.
+class Difference : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs the Program on both engines and throws Difference unless they agree at every instruction boundary, in the
+/// answers and in the clocks, and the clocks are those of the table and add up.
+void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
+                    const machines::Machine& machine);
+
+/// A machine with made-up figures for that array.
+machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads);
+
+}  // namespace csgsim::test

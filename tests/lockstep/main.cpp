@@ -1,0 +1,51 @@
+// lockstep_LEVEL WIDTH HEIGHT MEMORY_BITS MEMORY_READS PROGRAMS INSTRUCTIONS: holds that many random Programs, of at
+// most so many instructions a segment, against the reference engine. One shape a process, as SystemC elaborates once.
+// RC_PARAMS overrides the seed and the number of Programs.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/lockstep/lockstep.h"
+#include "tests/support/random_program.h"
+
+namespace csgsim::test {
+
+namespace {
+
+bool agree_on_random_programs(const machines::Machine& machine, std::size_t instructions) {
+  const auto judge = sim::make_reference_engine(machine);
+  const auto engine = sim::CSGSIM_MAKE_ENGINE(machine);
+  return rc::check(
+      fmt::format("{}: reference and {} agree at every instruction boundary", machine.name, engine->level()), [&] {
+        const auto program = *arbitrary_program(machine.array, instructions);
+        check_lockstep(*judge, *engine, program, machine);
+      });
+}
+
+int run(std::span<const std::uint32_t> arguments) {
+  const isa::ArrayShape shape{arguments[0], arguments[1], arguments[2]};
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", arguments[4]).c_str(), 0);
+  return agree_on_random_programs(machine_of(shape, arguments[3]), arguments[5]) ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace csgsim::test
+
+int main(int argc, char** argv) {
+  try {
+    std::vector<std::uint32_t> arguments;
+    for (int i = 1; i < argc; ++i) arguments.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
+    if (arguments.size() == 6) return csgsim::test::run(arguments);
+    fmt::print(stderr, "usage: {} WIDTH HEIGHT MEMORY_BITS MEMORY_READS PROGRAMS INSTRUCTIONS\n", argv[0]);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
+  return 2;
+}

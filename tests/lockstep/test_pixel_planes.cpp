@@ -1,0 +1,251 @@
+// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hw/pixel_planes/pixel_planes.h"
+#include "sim/cycle/record.h"
+#include "tests/lockstep/lockstep.h"
+
+namespace {
+
+using csgsim::isa::Field;
+using csgsim::isa::Instruction;
+using csgsim::isa::Opcode;
+using csgsim::isa::Segment;
+using csgsim::pixel_planes::PixelPlanes;
+using csgsim::pixel_planes::Retired;
+using csgsim::pixel_planes::RunListener;
+
+constexpr csgsim::isa::ArrayShape shape_8x8{8, 8, 32};
+constexpr unsigned latency_8x8 = 6;
+
+/// The clock edges, counted from the program's first step on the wires, at which instructions were carried out.
+class Stopwatch final : public RunListener {
+ public:
+  explicit Stopwatch(const PixelPlanes& machine) : machine_(machine), start_(sc_core::sc_time_stamp()) {}
+
+  void after_instruction(const Retired& retired) override {
+    edges.push_back(edges_since_start());
+    clocks.push_back(retired.clocks);
+    enabled.push_back(retired.enabled_pixels);
+  }
+
+  /// The first step goes on the wires one period after the machine has been started.
+  [[nodiscard]] double edges_since_start() const { return (sc_core::sc_time_stamp() - start_) / machine_.period() - 1; }
+
+  std::vector<double> edges;
+  std::vector<std::uint64_t> clocks;
+  std::vector<std::uint64_t> enabled;
+
+ private:
+  const PixelPlanes& machine_;
+  sc_core::sc_time start_;
+};
+
+Segment segment_of(std::vector<Instruction> instructions, std::uint32_t width = 8, std::uint32_t height = 8) {
+  return {.region = {0, 0, width, height}, .instructions = std::move(instructions)};
+}
+
+Instruction constant(Field field, std::uint64_t value) {
+  return {.opcode = Opcode::set_constant, .fields = {field}, .constant = value};
+}
+
+/// t := x + 8 * y
+Instruction pixel_number(Field field) {
+  return {.opcode = Opcode::load_linear, .fields = {field}, .linear = {.a = 1, .b = 8, .width = 8}};
+}
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+csgsim::machines::Machine machine_8x8() { return csgsim::test::machine_of(shape_8x8, 1); }
+
+}  // namespace
+
+TEST_CASE("an instruction is carried out latency clocks after its last step's own, and the next follows at once") {
+  PixelPlanes machine("machine", machine_8x8());
+  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all},
+                                                 constant({0, 4}, 5),
+                                                 {.opcode = Opcode::enable_invert},
+                                                 {.opcode = Opcode::edge_negative, .linear = {.c = -1, .width = 9}}})};
+  Stopwatch watch(machine);
+  const auto report = machine.run(program, watch);
+  CHECK(watch.clocks == std::vector<std::uint64_t>{1, 4, 1, 9});
+  CHECK(watch.edges == std::vector<double>{latency_8x8 + 1, latency_8x8 + 5, latency_8x8 + 6, latency_8x8 + 15});
+  CHECK(watch.enabled == std::vector<std::uint64_t>{0, 64, 64, 0});
+  CHECK(report.clocks == 15 + latency_8x8);
+  CHECK(report.latency_clocks == latency_8x8);
+  CHECK(watch.edges_since_start() == static_cast<double>(report.clocks));
+}
+
+TEST_CASE("a question takes its own clock and the latency, and the controller goes on when the answer has come") {
+  PixelPlanes machine("machine", machine_8x8());
+  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all},
+                                                 {.opcode = Opcode::global_or},
+                                                 {.opcode = Opcode::enable_invert},
+                                                 {.opcode = Opcode::global_or},
+                                                 {.opcode = Opcode::global_or}})};
+  Stopwatch watch(machine);
+  const auto report = machine.run(program, watch);
+  constexpr std::uint64_t question = 1 + latency_8x8;
+  CHECK(report.answers == std::vector<bool>{true, false, false});
+  CHECK(watch.clocks == std::vector<std::uint64_t>{1, question, 1, question, question});
+  CHECK(watch.edges == std::vector<double>{7, 8, 15, 16, 23});
+  CHECK(report.clocks == 2 + 3 * question + latency_8x8);
+}
+
+TEST_CASE("without tree levels a step is carried out at the end of its own clock") {
+  PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
+  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all},
+                                                 {.opcode = Opcode::global_or},
+                                                 {.opcode = Opcode::global_or},
+                                                 {.opcode = Opcode::edge_negative, .linear = {.c = 3, .width = 3}},
+                                                 {.opcode = Opcode::global_or}},
+                                                1, 1)};
+  Stopwatch watch(machine);
+  const auto report = machine.run(program, watch);
+  CHECK(report.answers == std::vector<bool>{true, true, false});
+  CHECK(watch.edges == std::vector<double>{1, 2, 3, 6, 7});
+  CHECK(report.clocks == 7);
+}
+
+TEST_CASE("a program without instructions costs the latency, with every segment told") {
+  struct Segments final : RunListener {
+    void after_segment(std::uint32_t segment) override { seen.push_back(segment); }
+    std::vector<std::uint32_t> seen;
+  } listener;
+  PixelPlanes machine("machine", machine_8x8());
+  const std::vector<Segment> program{segment_of({}), segment_of({}), segment_of({})};
+  CHECK(machine.run(program, listener).clocks == latency_8x8);
+  CHECK(listener.seen == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(machine.run(program, listener).clocks == latency_8x8);
+}
+
+TEST_CASE("scan-out shows each pixel's colour and overlaps latching a row with shifting out the one before") {
+  PixelPlanes machine("machine", machine_8x8());
+  RunListener nobody;
+  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})};
+  machine.run(program, nobody);
+  std::vector<std::uint32_t> expected(64);
+  for (std::uint32_t i = 0; i < 64; ++i) expected[i] = i;
+  const auto narrow = machine.scan_out({3, 6});
+  CHECK(narrow.colours == expected);
+  CHECK(narrow.clocks == 6 + 8 * 8);
+  const auto wide = machine.scan_out({3, 20});
+  CHECK(wide.colours == expected);
+  CHECK(wide.clocks == 20 * 8 + 8);
+}
+
+TEST_CASE("programs follow one another on cleared pixels") {
+  PixelPlanes machine("machine", machine_8x8());
+  RunListener nobody;
+  const std::vector<Segment> first{segment_of({{.opcode = Opcode::enable_all}, constant({0, 8}, 0xff)})};
+  const std::vector<Segment> second{segment_of({{.opcode = Opcode::global_or}})};
+  CHECK(machine.run(first, nobody).clocks == 9 + latency_8x8);
+  CHECK(machine.scan_out({0, 8}).colours == std::vector<std::uint32_t>(64, 0xff));
+  CHECK(machine.run(second, nobody).answers == std::vector<bool>{false});
+  CHECK(machine.scan_out({0, 8}).colours == std::vector<std::uint32_t>(64, 0));
+}
+
+TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {
+  struct Thrower final : RunListener {
+    void after_instruction(const Retired&) override { throw std::runtime_error("enough"); }
+  } thrower;
+  PixelPlanes machine("machine", machine_8x8());
+  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all}, {.opcode = Opcode::global_or}})};
+  CHECK_THROWS_WITH_AS(machine.run(program, thrower), "enough", std::runtime_error);
+  Stopwatch watch(machine);
+  CHECK(machine.run(program, watch).answers == std::vector<bool>{true});
+  CHECK(watch.edges == std::vector<double>{latency_8x8 + 1, latency_8x8 + 2});
+}
+
+TEST_CASE("a SystemC warning is an exception") {
+  PixelPlanes machine("machine", machine_8x8());
+  CHECK_THROWS_AS(SC_REPORT_WARNING("csgsim", "a test"), sc_core::sc_report);
+}
+
+TEST_CASE("a second array in one process is refused, the same array is not") {
+  const auto first = csgsim::sim::make_cycle_engine(machine_8x8());
+  CHECK(first->level() == "cycle");
+  CHECK_NOTHROW(csgsim::sim::make_cycle_engine(machine_8x8()));
+  CHECK_THROWS_AS(csgsim::sim::make_cycle_engine(csgsim::test::machine_of({16, 8, 32}, 1)), std::logic_error);
+}
+
+TEST_CASE("the engine scans out the colour field after the program") {
+  csgsim::isa::Program program;
+  program.shape = shape_8x8;
+  program.segments = {segment_of({{.opcode = Opcode::enable_all}})};
+  const auto engine = csgsim::sim::make_cycle_engine(machine_8x8());
+  CHECK(engine->run(program, {}).scan_out_clocks == 0);
+  program.fields = {{"colour", {8, 24}, csgsim::isa::FieldRole::colour}};
+  const auto result = engine->run(program, {});
+  CHECK(result.scan_out_clocks == 24 * 8 + 8);
+  CHECK(result.clocks == 1 + latency_8x8);
+}
+
+TEST_CASE("a window of a run is recorded as VCD, and what lies outside it is not") {
+  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_window.vcd";
+  std::filesystem::remove(file);
+  PixelPlanes machine("machine", machine_8x8());
+  RunListener nobody;
+  const std::vector<Segment> program{
+      segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6}), {.opcode = Opcode::enable_invert}})};
+  machine.record({.file = file, .begin = 5, .end = 12, .probes = {{3, 2}, {7, 7}}, .fields = {{"the z", {3, 6}, {}}}});
+  CHECK(machine.run(program, nobody).recorded);
+  const std::string text = contents(file);
+  for (const char* name : {"clock", "opcode_text", "purpose_text", "tree_bit", "carry", "enable", "the_z"}) {
+    CAPTURE(name);
+    CHECK(text.find(name) != std::string::npos);
+  }
+  CHECK(text.find("pixel_3_2") != std::string::npos);
+  CHECK(text.find("\n#600000\n") ==
+        std::string::npos);  // the edge of clock 5: the window's values come first, unstamped
+  CHECK(text.find("\n#700000\n") != std::string::npos);   // of clock 6
+  CHECK(text.find("\n#1200000\n") != std::string::npos);  // of clock 11
+  CHECK(text.find("\n#1400000\n") == std::string::npos);  // of clock 13
+
+  CHECK_FALSE(machine.run(program, nobody).recorded);
+  CHECK(contents(file) == text);
+  machine.record({.file = file, .begin = 1000, .end = 1001, .probes = {}, .fields = {}});
+  CHECK_FALSE(machine.run(program, nobody).recorded);
+  CHECK(contents(file) == text);
+}
+
+TEST_CASE("a window beyond the program's end is closed with the program, and probes outside the array are refused") {
+  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_end.vcd";
+  PixelPlanes machine("machine", machine_8x8());
+  Stopwatch watch(machine);
+  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all}, constant({0, 4}, 5)})};
+  machine.record({.file = file, .begin = 0, .end = 1000, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
+  CHECK(machine.run(program, watch).recorded);
+  CHECK(contents(file).find("b101 ") != std::string::npos);
+  CHECK_THROWS_AS(machine.record({.file = file, .begin = 0, .end = 1, .probes = {{8, 0}}, .fields = {}}),
+                  std::invalid_argument);
+  machine.record({.file = file, .begin = 2, .end = 4, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
+  CHECK(machine.run(program, watch).recorded);
+  CHECK(contents(file).find("opcode_text") != std::string::npos);
+}
+
+TEST_CASE("a Program run for its wave has the result of any other run") {
+  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_program.vcd";
+  std::filesystem::remove(file);
+  csgsim::isa::Program program;
+  program.shape = shape_8x8;
+  program.segments = {segment_of({{.opcode = Opcode::enable_all}, {.opcode = Opcode::global_or}})};
+  const auto plain = csgsim::sim::make_cycle_engine(machine_8x8())->run(program, {});
+  const auto recorded = csgsim::sim::run_and_record(machine_8x8(), program, {},
+                                                    {.file = file, .begin = 0, .end = 3, .probes = {}, .fields = {}});
+  CHECK(recorded.window_reached);
+  CHECK(recorded.result.clocks == plain.clocks);
+  CHECK(recorded.result.answers == plain.answers);
+  CHECK(std::filesystem::exists(file));
+}

@@ -1,0 +1,91 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/numerics/hard_case.h"
+#include "tests/numerics/solids.h"
+
+using namespace csgsim::testing;
+
+namespace {
+
+const std::string bracket =
+    subtract({unite({box({0, 0, 0}, {10, 6, 2}), box({0, 0, 0}, {2, 6, 8})}), cylinder({6, 3, 0}, 2, 2, 2, 20)});
+
+constexpr glm::dvec3 oblique{0.61, -0.74, 0.52};
+
+}  // namespace
+
+TEST_CASE("a model of size 1e-6 is drawn as one of size 1, and one of size 1e6") {
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    const Verdict verdict = look_obliquely(placed(scaling(glm::dvec3(size)), bracket));
+    CHECK(verdict.wrong == 0);
+    CHECK(verdict.covered > 10000);
+  }
+}
+TEST_CASE("solids of sizes from 1e-6 to 1e6 in one scene are drawn right from near each of them") {
+  std::vector<std::string> side_by_side;
+  for (int exponent = -6; exponent <= 6; ++exponent) {
+    const double size = std::pow(10.0, exponent);
+    side_by_side.push_back(placed(translation({size, 0, 0}), placed(scaling(glm::dvec3(0.3 * size)), bracket)));
+  }
+  const std::string csg = unite(side_by_side);
+  for (int exponent = -6; exponent <= 6; exponent += 2) {
+    const double size = std::pow(10.0, exponent);
+    CAPTURE(size);
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+      const glm::dvec3 centre(1.5 * size, 0, 0);
+      Look how;
+      // By itself the near plane would be at 1/256 of the distance to the farthest solid.
+      how.sampling.near = 4.0 * size;
+      const Verdict verdict = look(csg, {centre + 10.0 * size * oblique, centre, projection}, how);
+      // What is smaller than 1e-11 of the scene, 6e-5, has vanished.
+      if (size >= 1e-2) CHECK(verdict.covered > 100);
+    }
+  }
+}
+TEST_CASE("a model 1e6 away from the origin is drawn right") {
+  for (const glm::dvec3 away : {glm::dvec3(1e6, 0, 0), glm::dvec3(-1e6, 1e6, 1e6), glm::dvec3(333333.3, -7e5, 1e6)}) {
+    const Verdict verdict = look_obliquely(placed(translation(away), bracket));
+    CHECK(verdict.covered > 10000);
+    CHECK(verdict.wrong == 0);
+  }
+}
+TEST_CASE("coincident faces 1e6 away from the origin are still coincident") {
+  const std::string there = translation({1e6, -1e6, 1e6});
+  CHECK(look_obliquely(placed(there, subtract({bracket, bracket}))).covered == 0);
+  CHECK(look_obliquely(placed(there, unite({box({0, 0, 0}, {8, 8, 8}), box({8, 0, 0}, {16, 8, 8})}))).wrong == 0);
+}
+TEST_CASE("a far plane a million times as far as the near plane is drawn within the bounds") {
+  const std::string csg = unite({box({-1, 2, -1}, {1, 3, 0}), box({-2e6, 1.5e6, -1e6}, {2e6, 2e6, 0})});
+  for (const double near : {2.0, 0.5, 2000.0}) {
+    CAPTURE(near);
+    Look how;
+    how.sampling.near = near;
+    CHECK(look(csg, {{0.1, 0, 0.7}, {0, 10, 0}, Projection::perspective}, how).covered > 1000);
+  }
+  CHECK(look(csg, {{0.1, 0, 0.7}, {0, 10, 0}, Projection::perspective}).covered > 1000);
+  CHECK(look(csg, {{0.1, 0, 0.7}, {0, 10, 0}, Projection::orthographic}).covered > 1000);
+}
+TEST_CASE("a camera a million model sizes away sees the model right") {
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    // All of it in one pixel or so.
+    look(bracket, {1e7 * oblique, {5, 3, 2}, projection});
+  }
+}
+TEST_CASE("few depth bits and no fraction bits cost pixels only within the bounds") {
+  for (const unsigned z_bits : {4U, 8U, 12U, 30U}) {
+    for (const unsigned fraction_bits : {0U, 4U, 20U}) {
+      CAPTURE(z_bits);
+      CAPTURE(fraction_bits);
+      Look how;
+      how.memory_bits = 100;
+      how.sampling.z_bits = z_bits;
+      how.sampling.fraction_bits = fraction_bits;
+      const Verdict verdict = look_obliquely(bracket, how);
+      if (z_bits == 30 && fraction_bits == 20) CHECK(verdict.wrong == 0);
+    }
+  }
+}

@@ -1,0 +1,99 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/oracle/random_model.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+/// Pixels at which the machine's picture differs from the rules.
+std::size_t wrong_pixels(const testing::Compiled& compiled) {
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(compiled.tree, compiled.scene, compiled.view);
+  const sim::Frame frame = testing::draw(compiled.program);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (!(testing::Seen{frame.depth[i], frame.owner[i]} == expected[i])) ++wrong;
+  }
+  return wrong;
+}
+
+view::Sampling small_picture(std::uint32_t width, std::uint32_t height) {
+  view::Sampling sampling;
+  sampling.width = width;
+  sampling.height = height;
+  return sampling;
+}
+
+void check_models(const view::Camera& camera, std::uint64_t first_seed,
+                  const view::Sampling& sampling = small_picture(97, 71)) {
+  std::size_t covered = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + 60; ++seed) {
+    const std::string model = testing::random_model(seed, 1 + static_cast<unsigned>(seed % 14));
+    const testing::Compiled compiled = testing::compile_text(model, {camera, sampling, 80});
+    CAPTURE(seed);
+    CHECK(wrong_pixels(compiled) == 0);
+    covered += compiled.program.compile.rendered;
+  }
+  CHECK(covered > 50);
+}
+
+}  // namespace
+
+TEST_CASE("random models seen from the side are drawn as the rules say, orthographic") {
+  check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic}, 1);
+}
+TEST_CASE("random models seen from the side are drawn as the rules say, perspective") {
+  check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::perspective}, 101);
+}
+TEST_CASE("random models seen along an axis, with faces edge-on, are drawn as the rules say, orthographic") {
+  check_models({{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic}, 201);
+}
+TEST_CASE("random models seen along an axis are drawn as the rules say, perspective") {
+  check_models({{0, -60, 0}, {0, 0, 0}, view::Projection::perspective}, 301);
+}
+TEST_CASE("random models seen straight from above are drawn as the rules say") {
+  check_models({{0, 0, 60}, {0, 0, 0}, view::Projection::orthographic}, 401);
+}
+TEST_CASE("random models around the eye are drawn as the rules say") {
+  check_models({{0.25, -1, 0.5}, {0, 3, 0}, view::Projection::perspective}, 501);
+}
+TEST_CASE("random models larger than the picture are drawn as the rules say") {
+  check_models({{9, -8, 7}, {0, 0, 0}, view::Projection::orthographic}, 601);
+}
+TEST_CASE("random models at low accuracy are drawn as the rules say: pruning changes nothing there either") {
+  struct Accuracy {
+    unsigned z_bits;
+    unsigned fraction_bits;
+    std::uint32_t width;
+  };
+  for (const Accuracy& one :
+       {Accuracy{8, 0, 97}, Accuracy{12, 2, 250}, Accuracy{12, 6, 400}, Accuracy{20, 0, 200}, Accuracy{6, 20, 60}}) {
+    view::Sampling sampling = small_picture(one.width, one.width / 2);
+    sampling.z_bits = one.z_bits;
+    sampling.fraction_bits = one.fraction_bits;
+    CAPTURE(one.z_bits);
+    CAPTURE(one.fraction_bits);
+    check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic}, 701, sampling);
+    check_models({{11, -16, 12}, {0, 0, 0}, view::Projection::perspective}, 801, sampling);
+  }
+}
+TEST_CASE("the thesis's objects are drawn as the rules say") {
+  struct Case {
+    const char* name;
+    view::Camera camera;
+  };
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const Case& one : {Case{"thesis_fig_2_3", {{42, -38, 41}, {10, 5.5, 2}, projection}},
+                            Case{"carburettor", {{220, -255, 135}, {2, 0, 5}, projection}},
+                            Case{"terrain_vehicle", {{560, -590, 420}, {-5, 0, 68}, projection}},
+                            Case{"rietveld_house", {{3430, -2900, 1950}, {590, 230, 220}, projection}}}) {
+      CAPTURE(one.name);
+      CHECK(wrong_pixels(
+                testing::compile_file(testing::model_path(one.name), {one.camera, small_picture(160, 120), 72})) == 0);
+    }
+  }
+}

@@ -1,0 +1,89 @@
+#include "tests/oracle/random_model.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+namespace csgsim::testing {
+
+namespace {
+
+/// SplitMix64: small, and the same everywhere.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t below(std::uint64_t limit) {
+    state_ += 0x9e3779b97f4a7c15ULL;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    return (z ^ (z >> 31U)) % limit;
+  }
+
+  double unit() { return static_cast<double>(below(1'000'001)) / 1'000'000.0; }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Steps of half a unit from low to high.
+double on_grid(Random& random, int low, int high) {
+  return low + 0.5 * static_cast<double>(random.below(static_cast<std::uint64_t>(2 * (high - low)) + 1));
+}
+
+std::string solid(Random& random) {
+  const std::string place = fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,{}],[0,0,0,1]])",
+                                        on_grid(random, -3, 3), on_grid(random, -3, 3), on_grid(random, -3, 3));
+  const bool center = random.below(2) == 0;
+  switch (random.below(6)) {
+    case 0:
+      return fmt::format("{}{{cylinder($fn={},$fa=12,$fs=2,h={},r1={},r2={},center={});}}\n", place,
+                         3 + random.below(10), on_grid(random, 1, 4), on_grid(random, 0, 3), on_grid(random, 1, 3),
+                         center);
+    case 1:
+      return fmt::format("{}{{sphere($fn={},$fa=12,$fs=2,r={});}}\n", place, 4 + random.below(8),
+                         on_grid(random, 1, 3));
+    default:
+      return fmt::format("{}{{cube(size=[{},{},{}],center={});}}\n", place, on_grid(random, 1, 5),
+                         on_grid(random, 1, 5), on_grid(random, 1, 5), center);
+  }
+}
+
+std::string tree(Random& random, unsigned primitives) {
+  if (primitives == 1) return solid(random);
+  static constexpr const char* operators[] = {"union", "difference", "intersection", "difference"};
+  std::string text = fmt::format("{}(){{\n", operators[random.below(4)]);
+  const unsigned first = 1 + static_cast<unsigned>(random.below(primitives - 1));
+  text += tree(random, first);
+  unsigned left = primitives - first;
+  while (left > 0) {
+    const unsigned next = 1 + static_cast<unsigned>(random.below(left));
+    text += tree(random, next);
+    left -= next;
+  }
+  return text + "}\n";
+}
+
+std::string rotation(Random& random) {
+  if (random.below(4) == 0) return "multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]])";
+  const double a = 6.283185307179586 * random.unit();
+  const double b = 6.283185307179586 * random.unit();
+  const double sa = std::sin(a);
+  const double ca = std::cos(a);
+  const double sb = std::sin(b);
+  const double cb = std::cos(b);
+  return fmt::format("multmatrix([[{},{},{},0],[{},{},{},0],[{},{},{},0],[0,0,0,1]])", ca, -sa * cb, sa * sb, sa,
+                     ca * cb, -ca * sb, 0.0, sb, cb);
+}
+
+}  // namespace
+
+std::string random_model(std::uint64_t seed, unsigned primitives) {
+  Random random(seed);
+  const std::string outer = rotation(random);
+  return outer + "{\n" + tree(random, primitives) + "}\n";
+}
+
+}  // namespace csgsim::testing

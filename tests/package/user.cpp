@@ -1,0 +1,27 @@
+#include <cstdio>
+
+#include "host/emit/compile.h"
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/projection.h"
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+
+int main() {
+  using namespace csgsim;
+  machines::Machine machine = machines::load("pixel-planes-4");
+  machine.array = {32, 32, 72};
+  const model::Tree tree = read::read_csg_text("cube(size = 2, center = true);", "cube");
+  const facet::Scene scene = facet::make_scene(tree);
+  view::Sampling sampling;
+  sampling.width = sampling.height = 32;
+  const view::View view = view::make_view(scene, tree, view::default_camera(scene.box, 32, 32), sampling);
+  const isa::Program program = emit::compile(tree, scene, view, {});
+  sim::FrameObserver frame(program);
+  sim::Observer* const observers[] = {&frame};
+  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  const bool seen = frame.frame().owner[16 * 32 + 16] == 0;
+  std::printf("%llu clocks\n", static_cast<unsigned long long>(result.clocks));
+  return seen && result.clocks > 0 ? 0 : 1;
+}

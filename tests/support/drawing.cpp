@@ -1,0 +1,57 @@
+#include "tests/support/drawing.h"
+
+#include <array>
+#include <stdexcept>
+
+#include "host/read/read.h"
+#include "sim/engine/engine.h"
+
+namespace csgsim::testing {
+
+namespace {
+
+Compiled compile_tree(model::Tree tree, const Setup& setup) {
+  facet::Scene scene = facet::make_scene(tree);
+  view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
+  isa::Program program = emit::compile(tree, scene, view, {emit::Strategy::stack, setup.memory_bits, {}});
+  isa::validate(program);
+  return {std::move(tree), std::move(scene), std::move(view), std::move(program)};
+}
+
+}  // namespace
+
+Compiled compile_text(const std::string& csg, const Setup& setup) {
+  return compile_tree(read::read_csg_text(csg, "test"), setup);
+}
+
+Compiled compile_file(const std::string& path, const Setup& setup) {
+  return compile_tree(read::read_csg_file(path), setup);
+}
+
+Compiled compile_default_view(const std::string& path, Setup setup, view::Projection projection) {
+  model::Tree tree = read::read_csg_file(path);
+  setup.camera = view::default_camera(facet::make_scene(tree).box, setup.sampling.width, setup.sampling.height);
+  setup.camera.projection = projection;
+  return compile_tree(std::move(tree), setup);
+}
+
+sim::Frame draw(const isa::Program& program) {
+  machines::Machine machine;
+  machine.array = program.shape;
+  machine.clock_hz = 10'000'000;
+  sim::FrameObserver frame(program);
+  const std::array<sim::Observer*, 1> observers{&frame};
+  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  if (result.overflows != 0) throw std::runtime_error("the Program overflows");
+  return frame.frame();
+}
+
+std::string model_path(const std::string& name) {
+  return std::string(CSGSIM_SOURCE_DIR) + "/tests/models/" + name + ".csg";
+}
+
+view::Camera camera(const glm::dvec3& eye, const glm::dvec3& centre, view::Projection projection) {
+  return {eye, centre, projection};
+}
+
+}  // namespace csgsim::testing

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "host/emit/compile.h"
+#include "host/facet/scene.h"
+#include "host/model/tree.h"
+#include "host/view/camera.h"
+#include "host/view/projection.h"
+#include "hw/isa/program.h"
+#include "sim/observe/frame.h"
+
+namespace csgsim::testing {
+
+/// A model taken all the way to a Program.
+struct Compiled {
+  model::Tree tree;
+  facet::Scene scene;
+  view::View view;
+  isa::Program program;
+};
+
+struct Setup {
+  view::Camera camera;
+  view::Sampling sampling;
+  std::uint32_t memory_bits = 72;
+};
+
+Compiled compile_text(const std::string& csg, const Setup& setup);
+Compiled compile_file(const std::string& path, const Setup& setup);
+
+/// The whole model from the default direction of view, whatever the camera in `setup`.
+Compiled compile_default_view(const std::string& path, Setup setup, view::Projection projection);
+
+/// Runs a Program at the functional level. Throws where a linear expression overflows its width.
+sim::Frame draw(const isa::Program& program);
+
+/// tests/models/NAME.csg of the source tree.
+std::string model_path(const std::string& name);
+
+/// A camera from six numbers, as on the command line.
+view::Camera camera(const glm::dvec3& eye, const glm::dvec3& centre, view::Projection projection);
+
+}  // namespace csgsim::testing

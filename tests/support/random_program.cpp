@@ -1,0 +1,267 @@
+#include "tests/support/random_program.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/isa/operands.h"
+#include "hw/isa/text.h"
+
+namespace csgsim::isa {
+
+void showValue(const Program& program, std::ostream& out) {
+  out << '\n';
+  print(out, program);
+}
+
+}  // namespace csgsim::isa
+
+namespace csgsim::test {
+
+namespace {
+
+using isa::Field;
+using isa::FieldWidths;
+using isa::Instruction;
+using isa::Linear;
+using isa::Opcode;
+using isa::OpcodeInfo;
+using isa::OperandKind;
+
+/// Any number of `least` to `most`, whatever the size that rapidcheck has come to.
+template <class Integer>
+Integer pick(Integer least, Integer most) {
+  return least + *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Integer>(0, most - least + 1));
+}
+
+/// As pick, but half of the time one of the preferred that are in range.
+unsigned pick_near(std::vector<unsigned> preferred, unsigned least, unsigned most) {
+  std::erase_if(preferred, [=](unsigned value) { return value < least || value > most; });
+  if (preferred.empty() || pick(0, 1) == 0) return pick(least, most);
+  return *rc::gen::elementOf(preferred);
+}
+
+unsigned fields_of(const OpcodeInfo& row) {
+  return static_cast<unsigned>(std::count_if(row.operands.begin(), row.operands.end(), isa::is_field));
+}
+
+/// Can the opcode's fields be placed in that memory?
+bool fits(const OpcodeInfo& row, std::uint32_t memory_bits) {
+  return isa::field_widths(row.opcode) == FieldWidths::one || fields_of(row) <= memory_bits;
+}
+
+/// Fields lie at multiples of a coarse grid or a little beside it: they coincide or overlap often between instructions.
+unsigned pick_base(unsigned room) { return std::min(room, pick(0U, room / 8U) * 8U + pick_near({0}, 0, 7)); }
+
+/// Disjoint fields, equally wide, in any order; or single bits, which may coincide.
+void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
+  const OpcodeInfo& row = info(instruction.opcode);
+  const unsigned count = fields_of(row);
+  if (count == 0) return;
+  if (isa::field_widths(row.opcode) == FieldWidths::one) {
+    for (unsigned i = 0; i < count; ++i)
+      instruction.fields[i] = Field{static_cast<std::uint16_t>(pick_base(memory_bits - 1)), 1};
+    return;
+  }
+  const unsigned width = pick_near({1, 2, 4, 8, 20, 31, 32}, 1, std::min(isa::max_field_width, memory_bits / count));
+  unsigned room = memory_bits - count * width;
+  unsigned base = 0;
+  for (unsigned i = 0; i < count; ++i) {
+    const unsigned gap = pick_base(room);
+    instruction.fields[i] = Field{static_cast<std::uint16_t>(base + gap), static_cast<std::uint16_t>(width)};
+    room -= gap;
+    base += gap + width;
+  }
+  if (pick(0, 1) == 1) std::reverse(instruction.fields.begin(), instruction.fields.begin() + count);
+}
+
+/// A coefficient of either sign and at most that magnitude.
+std::int64_t pick_coefficient(std::int64_t most) {
+  switch (pick(0, 5)) {
+    case 0: return 0;
+    case 1: return most;
+    case 2: return -most;
+    case 3: return pick<std::int64_t>(-std::min<std::int64_t>(most, 3), std::min<std::int64_t>(most, 3));
+    default: return pick<std::int64_t>(-most, most);
+  }
+}
+
+/// Coefficients whose sum stays below 2^bits in magnitude, and is some small value at some pixel, so that tests divide
+/// the pixels.
+void pick_coefficients(Linear& linear, unsigned bits, isa::ArrayShape region) {
+  const std::int64_t share = ((std::int64_t{1} << bits) - 1) / 5;
+  linear.a = pick_coefficient(share / region.width);
+  linear.b = pick_coefficient(share / region.height);
+  const std::int64_t x = pick(0U, region.width - 1);
+  const std::int64_t y = pick(0U, region.height - 1);
+  linear.c = pick_coefficient(share) - linear.a * x - linear.b * y;
+}
+
+void pick_linear(Instruction& instruction, isa::ArrayShape region) {
+  const unsigned met = instruction.fields[0].width;
+  const unsigned least = met + 1;
+  Linear& linear = instruction.linear;
+  const unsigned kept = pick_near({least, least + 1, least + 4, isa::max_linear_width}, least, isa::max_linear_width);
+  const unsigned shift = pick_near({0, 1, 12, isa::max_linear_width - kept}, 0, isa::max_linear_width - kept);
+  linear.width = static_cast<std::uint16_t>(kept + shift);
+  linear.shift = static_cast<std::uint16_t>(shift);
+  // Up to the field's range, up to what the width holds, or up to what no width but the widest holds.
+  const std::vector<unsigned> reaches{std::min(met + shift + 1, linear.width - 1U), linear.width - 1U,
+                                      isa::max_linear_width};
+  pick_coefficients(linear, reaches[std::min(2U, pick(0U, 9U) / 4U)], region);
+}
+
+std::uint64_t pick_constant(unsigned width) {
+  const std::uint64_t ones = (std::uint64_t{1} << width) - 1;
+  switch (pick(0, 3)) {
+    case 0: return 0;
+    case 1: return ones;
+    case 2: return ones / 2 + 1;
+    default: return pick<std::uint64_t>(0, ones);
+  }
+}
+
+isa::Origin pick_origin(std::uint32_t primitives) {
+  isa::Origin origin;
+  origin.purpose = static_cast<isa::Purpose>(pick<std::size_t>(0, isa::purpose_table.size() - 1));
+  const auto pick_index = [&](std::uint32_t none) {
+    const std::uint32_t index = pick(0U, primitives);
+    return index == primitives ? none : index;
+  };
+  origin.primitive = pick_index(isa::no_primitive);
+  origin.node = pick_index(isa::no_node);
+  return origin;
+}
+
+/// Every opcode, with those that enable pixels, and those that make patterns of enabled pixels, more often.
+Opcode pick_opcode(std::uint32_t memory_bits) {
+  switch (pick(0, 19)) {
+    case 0: return Opcode::enable_all;
+    case 1: return Opcode::enable_invert;
+    case 2: return Opcode::edge_not_negative;
+    case 3: return Opcode::edge_negative;
+    case 4: return Opcode::load_linear;
+    default: break;
+  }
+  std::vector<Opcode> opcodes;
+  for (const OpcodeInfo& row : isa::opcode_table)
+    if (fits(row, memory_bits)) opcodes.push_back(row.opcode);
+  return *rc::gen::elementOf(opcodes);
+}
+
+/// The whole array half of the time, else a part of it.
+isa::Region pick_region(isa::ArrayShape shape) {
+  if (pick(0, 1) == 0) return {0, 0, shape.width, shape.height};
+  isa::Region region;
+  region.width = pick(1U, shape.width);
+  region.height = pick(1U, shape.height);
+  region.x = pick(0U, shape.width - region.width);
+  region.y = pick(0U, shape.height - region.height);
+  return region;
+}
+
+/// Can the instruction only disable pixels?
+bool narrows(Opcode opcode) {
+  const std::string_view meaning = info(opcode).meaning;
+  return meaning.find("E := E and") != meaning.npos || meaning.find("E := 0") != meaning.npos;
+}
+
+/// Enables all pixels anew before a third instruction that can only disable some.
+std::vector<Instruction> revived(const std::vector<Instruction>& instructions) {
+  std::vector<Instruction> out;
+  int narrowed = 3;
+  for (const Instruction& instruction : instructions) {
+    if (narrows(instruction.opcode) && ++narrowed > 2) {
+      out.push_back({Opcode::enable_all, {}, {}, 0, instruction.origin});
+      narrowed = 1;
+    }
+    if (instruction.opcode == Opcode::enable_all) narrowed = 0;
+    out.push_back(instruction);
+  }
+  return out;
+}
+
+isa::Segment pick_segment(isa::ArrayShape shape, std::size_t max_instructions, std::uint32_t primitives) {
+  isa::Segment segment;
+  segment.region = pick_region(shape);
+  segment.primitives = pick(0U, primitives);
+  segment.halfspaces = segment.primitives * 6;
+  const isa::ArrayShape region{segment.region.width, segment.region.height, shape.memory_bits};
+  const auto instructions = *rc::gen::resize(
+      static_cast<int>(max_instructions),
+      rc::gen::container<std::vector<Instruction>>(arbitrary_instruction(region, shape.memory_bits, primitives)));
+  segment.instructions = revived(instructions);
+  segment.instructions.resize(std::min(segment.instructions.size(), max_instructions));
+  return segment;
+}
+
+/// Any bytes, for names.
+std::string pick_name() {
+  return *rc::gen::resize(
+      12, rc::gen::container<std::string>(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<char>())));
+}
+
+double pick_positive() {
+  return static_cast<double>(pick<std::uint64_t>(1, 1ULL << 53U)) / static_cast<double>(pick<std::uint64_t>(1, 999));
+}
+
+void pick_facts(isa::Program& program) {
+  program.depth_scale.perspective = pick(0, 1) == 1;
+  program.depth_scale.near = pick_positive();
+  program.depth_scale.far = program.depth_scale.near + pick_positive() + program.depth_scale.near;
+  program.model = {pick_name(), pick<std::uint64_t>(0, ~0ULL >> 1U), 2, 3, 4, 5};
+  program.compile.strategy = pick_name();
+  program.compile.z_bits = pick(0U, 32U);
+  program.compile.edge_on_fraction = 1 / pick_positive();
+  program.compile.depth_tests = pick<std::uint64_t>(0, 1ULL << 40U);
+  while (pick(0, 1) == 1) program.compile.effects.push_back(pick_name());
+}
+
+/// Each name is unique, as it begins with its number.
+void pick_names(isa::Program& program) {
+  const unsigned fields = pick(0U, 4U);
+  for (unsigned i = 0; i < fields; ++i) {
+    const unsigned width = pick_near({1, 8, 32}, 1, std::min(isa::max_field_width, program.shape.memory_bits));
+    const unsigned base = pick_base(program.shape.memory_bits - width);
+    const auto role = static_cast<isa::FieldRole>(pick<std::size_t>(0, isa::field_role_names.size() - 1));
+    std::string name(pick(0U, 1U), 'x');
+    name += std::to_string(i);
+    if (pick(0, 1) == 1) name += pick_name();
+    program.fields.push_back({name, {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)}, role});
+  }
+  const unsigned primitives = pick(0U, 4U);
+  for (unsigned i = 0; i < primitives; ++i) program.primitives.push_back(pick_name());
+}
+
+}  // namespace
+
+rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uint32_t memory_bits,
+                                                std::uint32_t primitives) {
+  return rc::gen::exec([=] {
+    Instruction instruction;
+    instruction.opcode = pick_opcode(memory_bits);
+    instruction.origin = pick_origin(primitives);
+    pick_fields(instruction, memory_bits);
+    const OpcodeInfo& row = info(instruction.opcode);
+    if (isa::has_operand(row, OperandKind::linear)) pick_linear(instruction, region);
+    if (isa::has_operand(row, OperandKind::constant)) instruction.constant = pick_constant(instruction.fields[0].width);
+    return instruction;
+  });
+}
+
+rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions) {
+  return rc::gen::exec([=] {
+    isa::Program program;
+    program.shape = shape;
+    pick_facts(program);
+    pick_names(program);
+    const int segments = pick(1, 3);
+    for (int i = 0; i < segments; ++i)
+      program.segments.push_back(
+          pick_segment(shape, max_instructions, static_cast<std::uint32_t>(program.primitives.size())));
+    return program;
+  });
+}
+
+}  // namespace csgsim::test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+
+#include "hw/isa/program.h"
+
+namespace csgsim::isa {
+
+/// A counterexample is shown in the text form, ready to be read back.
+void showValue(const Program& program, std::ostream& out);
+
+}  // namespace csgsim::isa
+
+namespace csgsim::test {
+
+/// Valid instructions for pixels of that memory in a region of that shape. Every opcode that fits the memory occurs;
+/// fields are few and shared, so that values meet; widths, shifts, coefficients and constants prefer their bounds; F
+/// mostly crosses the range of the field it meets, and sometimes does not fit its width.
+rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uint32_t memory_bits,
+                                                std::uint32_t primitives);
+
+/// Valid Programs of one to three segments with at most so many instructions each, often enabling pixels anew, for
+/// engines to be held against each other.
+rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions);
+
+}  // namespace csgsim::test

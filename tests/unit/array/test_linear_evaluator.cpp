@@ -1,0 +1,151 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/array/linear_evaluator.h"
+
+namespace {
+
+using csgsim::array::bit_of;
+using csgsim::array::LinearEvaluator;
+using csgsim::array::low_bits;
+using csgsim::array::PlaneShape;
+using csgsim::array::RootBits;
+using csgsim::array::Words;
+
+struct Expression {
+  std::int64_t a = 0;
+  std::int64_t b = 0;
+  std::int64_t c = 0;
+  unsigned width = 1;
+  unsigned idle_after = 0;  ///< clocks
+};
+
+/// The root bits of each clock.
+std::vector<RootBits> stream(const std::vector<Expression>& expressions) {
+  std::vector<RootBits> bits;
+  for (const Expression& e : expressions) {
+    for (unsigned j = 0; j < e.width; ++j) {
+      bits.push_back({.token = {.bit = static_cast<std::int16_t>(j)},
+                      .a = ((e.a >> j) & 1) != 0,
+                      .b = ((e.b >> j) & 1) != 0,
+                      .c = ((e.c >> j) & 1) != 0});
+    }
+    bits.resize(bits.size() + e.idle_after);
+  }
+  return bits;
+}
+
+/// A*x + B*y + C modulo 2^64; its low `width` bits are F's.
+std::uint64_t value(const Expression& e, std::uint32_t x, std::uint32_t y) {
+  return static_cast<std::uint64_t>(e.a) * x + static_cast<std::uint64_t>(e.b) * y + static_cast<std::uint64_t>(e.c);
+}
+
+/// Streams the expressions and collects what arrives at every pixel: one value an expression, in pixel order.
+std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::vector<Expression>& expressions) {
+  LinearEvaluator evaluator(shape);
+  Words leaves(shape.padded_words());
+  std::vector<std::vector<std::uint64_t>> values;
+  std::vector<RootBits> bits = stream(expressions);
+  bits.resize(bits.size() + evaluator.levels());
+  const unsigned registers = evaluator.levels();  // the last level's are the leaves
+  for (std::size_t clock = 0; clock < bits.size(); ++clock) {
+    const bool reached = evaluator.clock(bits[clock], leaves);
+    const std::size_t sent = clock + 1 - registers;  // what has passed `registers` registers after this clock
+    if (registers > clock + 1) {
+      CHECK_FALSE(reached);
+      continue;
+    }
+    const RootBits& root = registers == 0 ? bits[clock] : bits[sent];
+    CHECK(reached == root.token.active());
+    if (!reached) continue;
+    if (root.token.bit == 0) values.emplace_back(std::size_t{shape.width} * shape.height);
+    for (std::uint32_t y = 0; y < shape.height; ++y) {
+      for (std::uint32_t x = 0; x < shape.width; ++x) {
+        const std::uint64_t bit = bit_of(leaves, shape, x, y) ? 1 : 0;
+        values.back()[std::size_t{y} * shape.width + x] |= bit << root.token.bit;
+      }
+    }
+  }
+  return values;
+}
+
+void check_against_integers(PlaneShape shape, const std::vector<Expression>& expressions) {
+  const auto values = evaluate(shape, expressions);
+  RC_ASSERT(values.size() == expressions.size());
+  for (std::size_t i = 0; i < expressions.size(); ++i) {
+    for (std::uint32_t y = 0; y < shape.height; ++y) {
+      for (std::uint32_t x = 0; x < shape.width; ++x) {
+        const std::uint64_t expected = value(expressions[i], x, y) & low_bits(expressions[i].width);
+        RC_ASSERT(values[i][std::size_t{y} * shape.width + x] == expected);
+      }
+    }
+  }
+}
+
+rc::Gen<std::int64_t> coefficient() {
+  return rc::gen::map(
+      rc::gen::pair(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::int64_t>()), rc::gen::inRange(0, 64)),
+      [](const auto& pair) { return pair.first >> pair.second; });
+}
+
+std::vector<Expression> some_expressions() {
+  std::vector<Expression> expressions(*rc::gen::inRange<std::size_t>(1, 8));
+  for (Expression& e : expressions) {
+    e = {.a = *coefficient(), .b = *coefficient(), .c = *coefficient(), .width = *rc::gen::inRange(1U, 63U)};
+    if (*rc::gen::inRange(0, 3) == 0) e.idle_after = *rc::gen::inRange(0U, 30U);
+  }
+  return expressions;
+}
+
+constexpr PlaneShape shapes[] = {{1, 1},   {2, 1},   {1, 2},   {3, 1},  {1, 5},    {7, 7},    {8, 8},
+                                 {9, 8},   {16, 16}, {33, 7},  {64, 1}, {64, 64},  {65, 3},   {127, 2},
+                                 {128, 4}, {129, 5}, {300, 9}, {5, 67}, {512, 16}, {640, 11}, {1025, 2}};
+
+}  // namespace
+
+TEST_CASE("back-to-back streams of any width give A*x + B*y + C modulo 2^width at every pixel") {
+  for (const PlaneShape shape : shapes) {
+    CAPTURE(shape.width);
+    CAPTURE(shape.height);
+    CHECK(rc::check([shape] { check_against_integers(shape, some_expressions()); }));
+  }
+}
+
+TEST_CASE("streams one bit wide follow each other at every clock") {
+  std::vector<Expression> expressions;
+  for (int i = 0; i < 100; ++i) expressions.push_back({.a = i & 1, .b = i >> 1, .c = i >> 2, .width = 1});
+  CHECK(rc::check([&] { check_against_integers({33, 9}, expressions); }));
+}
+
+TEST_CASE("the trees have ceil(log2 W) + ceil(log2 H) levels") {
+  CHECK(LinearEvaluator({1, 1}).levels() == 0);
+  CHECK(LinearEvaluator({2, 1}).levels() == 1);
+  CHECK(LinearEvaluator({1, 3}).levels() == 2);
+  CHECK(LinearEvaluator({33, 7}).levels() == 9);
+  CHECK(LinearEvaluator({512, 512}).levels() == 18);
+}
+
+TEST_CASE("the first bit is not at the pixels at clock latency - 1, and is there at clock latency") {
+  const PlaneShape shape{512, 512};
+  LinearEvaluator evaluator(shape);
+  Words leaves(shape.padded_words());
+  const RootBits one{.token = {.bit = 0}, .c = true};
+  for (unsigned clock = 1; clock < evaluator.levels(); ++clock) {
+    CHECK_FALSE(evaluator.clock(clock == 1 ? one : RootBits{}, leaves));
+    CHECK_FALSE(bit_of(leaves, shape, 511, 511));
+  }
+  CHECK(evaluator.clock({}, leaves));
+  CHECK(bit_of(leaves, shape, 511, 511));
+  CHECK_FALSE(evaluator.clock({}, leaves));
+}
+
+TEST_CASE("cleared trees forget what was in flight") {
+  LinearEvaluator evaluator({8, 8});
+  Words leaves(PlaneShape{8, 8}.padded_words());
+  evaluator.clock({.token = {.bit = 0}, .c = true}, leaves);
+  evaluator.clear();
+  for (int clock = 0; clock < 10; ++clock) CHECK_FALSE(evaluator.clock({}, leaves));
+}

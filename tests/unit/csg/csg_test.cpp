@@ -1,0 +1,145 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <vector>
+
+#include "host/csg/active_tree.h"
+#include "host/csg/positive_tree.h"
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/projection.h"
+#include "tests/oracle/random_model.h"
+
+using namespace csgsim;
+
+namespace {
+
+bool evaluate(const model::Tree& tree, const std::vector<bool>& in) {
+  std::vector<bool> value(tree.nodes.size());
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const model::Node& node = tree.nodes[i];
+    if (node.is_leaf) {
+      value[i] = in[node.primitive];
+      continue;
+    }
+    bool result = value[node.children.front()];
+    for (std::size_t c = 1; c < node.children.size(); ++c) {
+      const bool other = value[node.children[c]];
+      if (node.op == model::Operator::unite) result = result || other;
+      if (node.op == model::Operator::intersect) result = result && other;
+      if (node.op == model::Operator::subtract) result = result && !other;
+    }
+    value[i] = result;
+  }
+  return value[tree.root];
+}
+
+bool evaluate(const csg::PositiveTree& tree, const std::vector<bool>& in) {
+  std::vector<bool> value(tree.nodes.size());
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const csg::PositiveNode& node = tree.nodes[i];
+    if (node.is_leaf) {
+      value[i] = in[node.primitive] != node.complemented;
+      continue;
+    }
+    bool result = node.op == csg::PositiveOperator::intersect;
+    for (const std::uint32_t child : node.children) {
+      result = node.op == csg::PositiveOperator::intersect ? result && value[child] : result || value[child];
+    }
+    value[i] = result;
+  }
+  return value[tree.root];
+}
+
+struct Prepared {
+  model::Tree tree;
+  facet::Scene scene;
+  view::View view;
+  csg::PositiveTree positive;
+
+  [[nodiscard]] csg::Pruner pruner() const { return {scene, view, positive, {0, 0, 511, 511}}; }
+};
+
+Prepared prepare(const std::string& text) {
+  model::Tree tree = read::read_csg_text(text, "test");
+  facet::Scene scene = facet::make_scene(tree);
+  view::View view = view::make_view(scene, tree, {{30, -40, 20}, {0, 0, 0}, view::Projection::orthographic}, {});
+  csg::PositiveTree positive = csg::make_positive(tree);
+  return {std::move(tree), std::move(scene), std::move(view), std::move(positive)};
+}
+
+std::string box(double x, double size) {
+  return "multmatrix([[1,0,0," + std::to_string(x) +
+         "],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=" + std::to_string(size) + ",center=true);}";
+}
+
+}  // namespace
+
+TEST_CASE("the positive form of a tree has its value for every state of the primitives") {
+  CHECK(rc::check([] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    const model::Tree tree =
+        read::read_csg_text(testing::random_model(seed, static_cast<unsigned>(*rc::gen::inRange(1, 20))), "test");
+    const csg::PositiveTree positive = csg::make_positive(tree);
+    const auto in = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
+    RC_ASSERT(evaluate(tree, in) == evaluate(positive, in));
+  }));
+}
+
+TEST_CASE("primitives under unions alone have nothing to be classified against") {
+  const Prepared p = prepare("union(){" + box(0, 2) + box(1, 2) + box(2, 2) + "}");
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    CHECK_FALSE(p.pruner().active_tree(i).nothing);
+    CHECK(p.pruner().active_tree(i).operands.empty());
+  }
+}
+
+TEST_CASE("operands that are apart are pruned, and take with them what they would have left") {
+  const Prepared p =
+      prepare("union(){difference(){" + box(0, 2) + box(30, 2) + "}intersection(){" + box(0, 2) + box(30, 2) + "}}");
+  CHECK(p.pruner().active_tree(0).operands.empty());
+  CHECK_FALSE(p.pruner().active_tree(0).nothing);
+  CHECK(p.pruner().active_tree(1).nothing);
+  CHECK(p.pruner().active_tree(2).nothing);
+  CHECK(p.pruner().active_tree(3).nothing);
+}
+
+TEST_CASE("an operand that surrounds a primitive is pruned") {
+  const Prepared p = prepare("intersection(){" + box(0, 2) + box(0, 20) + "}");
+  CHECK_FALSE(p.pruner().active_tree(0).nothing);
+  CHECK(p.pruner().active_tree(0).operands.empty());
+}
+
+TEST_CASE("what a surrounding solid takes away leaves nothing") {
+  const Prepared p = prepare("difference(){" + box(0, 2) + box(0, 20) + "}");
+  CHECK(p.pruner().active_tree(0).nothing);
+}
+
+TEST_CASE("the deepest operand is worked out first, so that a chain needs one bit") {
+  std::string chain = "union(){" + box(0, 4) + box(0.5, 4) + "}";
+  for (int i = 0; i < 6; ++i) {
+    chain = "intersection(){" + box(0.1 * i, 4) + "union(){" + box(0.2 * i, 3) + chain + "}}";
+  }
+  const Prepared p = prepare("intersection(){" + box(0.3, 4.1) + chain + "}");
+  CHECK(p.pruner().active_tree(0).bits() == 1);
+}
+
+TEST_CASE("a balanced tree of alternating operators needs a bit a level") {
+  const auto pair = [](double x) { return "intersection(){" + box(x, 4) + box(x + 0.1, 4) + "}"; };
+  const std::string four = "union(){" + pair(0) + pair(0.3) + "}";
+  const std::string other = "union(){" + pair(0.2) + pair(0.4) + "}";
+  const Prepared p = prepare("intersection(){" + box(0.05, 4.1) + "union(){intersection(){" + four + other +
+                             "}intersection(){" + other + four + "}}}");
+  CHECK(p.pruner().active_tree(0).bits() == 4);
+}
+
+TEST_CASE("a tree ten thousand levels deep is pruned without recursion") {
+  std::string text;
+  constexpr int depth = 10'000;
+  for (int i = 0; i < depth; ++i) text += i % 2 == 0 ? "difference(){" : "intersection(){";
+  text += box(0, 1);
+  for (int i = 0; i < depth; ++i) text += box(i % 3 == 0 ? 100 : 0.1, 2) + "}";
+  const Prepared p = prepare(text);
+  CHECK(p.tree.primitives.size() == depth + 1);
+  CHECK_NOTHROW(p.pruner().active_tree(0));
+}

@@ -1,0 +1,226 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "host/facet/degrees.h"
+#include "host/facet/fragments.h"
+#include "host/facet/planes.h"
+#include "host/facet/scene.h"
+#include "host/facet/solid.h"
+#include "hw/isa/error.h"
+
+using namespace csgsim;
+
+namespace {
+
+model::Primitive primitive(model::Shape shape) { return {std::move(shape), glm::dmat4(1.0), std::nullopt, {}}; }
+
+glm::dmat4 turned(double angle, const glm::dvec3& shift, const glm::dvec3& scale) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {glm::dvec4(c * scale.x, s * scale.x, 0, 0), glm::dvec4(-s * scale.y, c * scale.y, 0.25 * scale.y, 0),
+          glm::dvec4(0, 0, scale.z, 0), glm::dvec4(shift, 1)};
+}
+
+double real(int low, int high) { return *rc::gen::inRange(low * 1000, high * 1000) / 1000.0; }
+
+model::Shape random_shape() {
+  const model::FacetControl facets{static_cast<double>(*rc::gen::inRange(0, 40)), 12, 2};
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0: return model::Cube{{real(1, 9), real(1, 9), real(1, 9)}, *rc::gen::arbitrary<bool>()};
+    case 1: return model::Sphere{real(1, 30), facets};
+    default: return model::Cylinder{real(1, 9), real(0, 5), real(1, 5), *rc::gen::arbitrary<bool>(), facets};
+  }
+}
+
+model::Tree single(model::Primitive one) {
+  model::Tree tree;
+  tree.primitives.push_back(std::move(one));
+  tree.nodes.push_back({true, model::Operator::unite, 0, {}});
+  tree.root = 0;
+  return tree;
+}
+
+}  // namespace
+
+TEST_CASE("sine and cosine in degrees are exact where they are 0, 1/2 or 1") {
+  for (const int turns : {-2, 0, 1, 3}) {
+    const double base = 360.0 * turns;
+    CHECK(facet::sin_degrees(base) == 0.0);
+    CHECK(facet::sin_degrees(base + 30) == 0.5);
+    CHECK(facet::sin_degrees(base + 90) == 1.0);
+    CHECK(facet::sin_degrees(base + 180) == 0.0);
+    CHECK(facet::sin_degrees(base + 210) == -0.5);
+    CHECK(facet::sin_degrees(base + 270) == -1.0);
+    CHECK(facet::cos_degrees(base) == 1.0);
+    CHECK(facet::cos_degrees(base + 60) == 0.5);
+    CHECK(facet::cos_degrees(base + 90) == 0.0);
+    CHECK(facet::cos_degrees(base + 180) == -1.0);
+    CHECK(facet::cos_degrees(base + 300) == 0.5);
+  }
+}
+
+TEST_CASE("sine and cosine in degrees are those of the library elsewhere") {
+  for (int tenth = -7200; tenth <= 7200; tenth += 7) {
+    const double angle = tenth / 10.0;
+    CHECK(facet::sin_degrees(angle) == doctest::Approx(std::sin(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
+    CHECK(facet::cos_degrees(angle) == doctest::Approx(std::cos(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("circles have as many fragments as OpenSCAD gives them") {
+  CHECK(facet::fragments(10, {0, 12, 2}) == 30);   // 360 / $fa
+  CHECK(facet::fragments(5, {0, 12, 2}) == 16);    // 2 pi r / $fs = 15.7
+  CHECK(facet::fragments(0.5, {0, 12, 2}) == 5);   // never fewer by $fa and $fs
+  CHECK(facet::fragments(10, {7.9, 12, 2}) == 7);  // $fn is cut off
+  CHECK(facet::fragments(10, {1, 12, 2}) == 3);
+  CHECK(facet::fragments(1e-7, {50, 12, 2}) == 3);
+  CHECK(facet::fragments(100, {0, 1, 0.01}) == 360);
+}
+
+TEST_CASE("too many fragments are refused") { CHECK_THROWS_AS(facet::fragments(10, {1e9, 12, 2}), InputError); }
+
+TEST_CASE("solids have the half-spaces of their OpenSCAD facets") {
+  const auto count = [](model::Shape shape) { return facet::make_solid(primitive(std::move(shape))).faces.size(); };
+  CHECK(count(model::Cube{}) == 6);
+  CHECK(count(model::Cylinder{2, 1, 1, false, {12, 12, 2}}) == 14);
+  CHECK(count(model::Cylinder{2, 1, 0, false, {12, 12, 2}}) == 13);
+  CHECK(count(model::Cylinder{2, 0, 1, false, {12, 12, 2}}) == 13);
+  CHECK(count(model::Sphere{1, {8, 12, 2}}) == 8 * 3 + 2);
+  CHECK(count(model::Sphere{1, {5, 12, 2}}) == 5 * 2 + 2);
+}
+
+TEST_CASE("every corner is inside every half-space of its solid, and on the planes of its own faces") {
+  CHECK(rc::check([] {
+    model::Primitive one = primitive(random_shape());
+    const double mirror = *rc::gen::element(1.0, -1.0);
+    one.transform = turned(real(0, 6), {real(-50, 50), real(-50, 50), real(-50, 50)},
+                           {real(1, 4), mirror * real(1, 4), real(1, 4)});
+    const facet::Solid solid = facet::make_solid(one);
+    for (const facet::Face& face : solid.faces) {
+      RC_ASSERT(std::abs(glm::length(face.plane.normal) - 1.0) < 1e-12);
+      for (const glm::dvec3& vertex : solid.vertices) {
+        RC_ASSERT(glm::dot(face.plane.normal, vertex) + face.plane.offset < 1e-10);
+      }
+      for (const std::uint32_t corner : face.corners) {
+        RC_ASSERT(std::abs(glm::dot(face.plane.normal, solid.vertices[corner]) + face.plane.offset) < 1e-10);
+      }
+    }
+  }));
+}
+
+TEST_CASE("planes that coincide share an entry, whichever way they face") {
+  facet::PlaneTable table({1e6, -2e6, 3e6}, 10.0);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, -2));
+  const facet::Halfspace first = table.add({normal, -glm::dot(normal, {1e6, -2e6, 3e6})});
+  const facet::Halfspace again = table.add({normal, -glm::dot(normal, {1e6, -2e6, 3e6}) * (1.0 + 1e-17)});
+  const facet::Halfspace opposite = table.add({-normal, glm::dot(normal, {1e6, -2e6, 3e6})});
+  CHECK(first == again);
+  CHECK(opposite.plane == first.plane);
+  CHECK(opposite.positive != first.positive);
+  CHECK(table.planes().size() == 1);
+}
+
+TEST_CASE("planes a little apart stay two") {
+  facet::PlaneTable table({0, 0, 0}, 10.0);
+  table.add({{0, 0, 1}, -1.0});
+  table.add({{0, 0, 1}, -1.0 - 1e-9});
+  table.add({glm::normalize(glm::dvec3(1e-9, 0, 1)), -1.0});
+  CHECK(table.planes().size() == 3);
+}
+
+TEST_CASE("two solids that touch under any rotation share the plane between them") {
+  CHECK(rc::check([] {
+    const glm::dmat4 place = turned(real(0, 6), {real(-9, 9), real(-9, 9), real(-9, 9)}, {1, 1, 1});
+    model::Primitive low = primitive(model::Cube{{1, 2, 3}, false});
+    model::Primitive high = primitive(model::Cube{{1, 2, 3}, false});
+    low.transform = place;
+    glm::dmat4 up(1.0);
+    up[3] = {0, 0, 3, 1};
+    high.transform = place * up;
+    model::Tree tree;
+    tree.primitives = {low, high};
+    tree.nodes = {{true, model::Operator::unite, 0, {}},
+                  {true, model::Operator::unite, 1, {}},
+                  {false, model::Operator::unite, model::no_index, {0, 1}}};
+    tree.root = 2;
+    const facet::Scene scene = facet::make_scene(tree);
+    RC_ASSERT(scene.planes.planes().size() == std::size_t{7});
+  }));
+}
+
+TEST_CASE("a box's edges are listed once each") {
+  const facet::Scene scene = facet::make_scene(single(primitive(model::Cube{{1, 2, 3}, false})));
+  CHECK(scene.solids[0].edges.size() == 12);
+  CHECK(scene.solids[0].halfspaces.size() == 6);
+}
+
+TEST_CASE("a box around the tree is clipped by intersections and kept by differences") {
+  model::Tree tree;
+  tree.primitives = {primitive(model::Cube{{4, 4, 4}, false}), primitive(model::Cube{{2, 9, 9}, false})};
+  tree.nodes = {{true, model::Operator::unite, 0, {}},
+                {true, model::Operator::unite, 1, {}},
+                {false, model::Operator::intersect, model::no_index, {0, 1}}};
+  tree.root = 2;
+  CHECK(facet::make_scene(tree).box.high == glm::dvec3(2, 4, 4));
+  tree.nodes[2].op = model::Operator::subtract;
+  CHECK(facet::make_scene(tree).box.high == glm::dvec3(4, 4, 4));
+  tree.nodes[2].op = model::Operator::unite;
+  CHECK(facet::make_scene(tree).box.high == glm::dvec3(4, 9, 9));
+}
+
+TEST_CASE("a polygon within a tolerance of its circle has the fewest corners that are") {
+  CHECK(rc::check([] {
+    const double radius = real(1, 100);
+    const double tolerance = radius * std::pow(10.0, -real(1, 6));
+    const std::uint32_t count = facet::fragments_within(radius, tolerance);
+    const auto sagitta = [&](std::uint32_t n) {
+      return 2.0 * radius * std::pow(std::sin(std::numbers::pi / (2.0 * n)), 2);
+    };
+    RC_ASSERT(sagitta(count) <= tolerance * (1.0 + 1e-9));
+    RC_ASSERT(count == 3U || sagitta(count - 1) > tolerance * (1.0 - 1e-9));
+  }));
+}
+
+TEST_CASE("a ball within a tolerance reaches its sphere nowhere, and comes within the tolerance of it everywhere") {
+  CHECK(rc::check([] {
+    model::Primitive one = primitive(model::Sphere{real(1, 20), {}});
+    const double radius = std::get<model::Sphere>(one.shape).radius;
+    const double tolerance = radius * std::pow(10.0, -real(1, 4));
+    const facet::Solid solid = facet::make_solid(one, {tolerance, std::nullopt});
+    for (int i = 0; i < 20; ++i) {
+      const glm::dvec3 toward = glm::normalize(glm::dvec3(real(-9, 9), real(-9, 9), real(-9, 9)) + glm::dvec3(1e-7));
+      double out = 1e300;
+      for (const facet::Face& face : solid.faces) {
+        const double along = glm::dot(face.plane.normal, toward);
+        if (along > 0) out = std::min(out, -face.plane.offset / along);
+      }
+      RC_ASSERT(out <= radius * (1.0 + 1e-12));
+      RC_ASSERT(out >= (radius - tolerance) * (1.0 - 1e-12));
+    }
+  }));
+}
+
+TEST_CASE("a ball within a tolerance has fewer half-spaces than a mesh of meridians as exact") {
+  const double tolerance = 1e-3;
+  const std::size_t covered =
+      facet::make_solid(primitive(model::Sphere{1, {}}), {tolerance, std::nullopt}).faces.size();
+  const double theta = std::acos(1.0 - tolerance);
+  CHECK(static_cast<double>(covered) < 0.75 * std::numbers::pi * std::numbers::pi / (theta * theta));
+}
+
+TEST_CASE("a tolerance is one of model space, whatever the transform stretches") {
+  model::Primitive one = primitive(model::Cylinder{1, 2, 2, false, {}});
+  one.transform =
+      glm::dmat4(glm::dvec4(10, 0, 0, 0), glm::dvec4(0, 3, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(0, 0, 0, 1));
+  CHECK(facet::make_solid(one, {0.01, std::nullopt}).faces.size() == facet::fragments_within(2, 0.001) + 2);
+}
+
+TEST_CASE("a tolerance that is no length is refused") {
+  for (const double tolerance : {0.0, -1.0, std::nan("")}) {
+    CHECK_THROWS_AS(facet::make_scene(single(primitive(model::Sphere{})), {tolerance, std::nullopt}), InputError);
+  }
+}

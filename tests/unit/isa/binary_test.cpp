@@ -1,0 +1,194 @@
+#include "hw/isa/binary.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/crc.hpp>
+#include <limits>
+
+#include "hw/isa/bytes.h"
+#include "tests/support/random_program.h"
+#include "tests/unit/isa/sample.h"
+
+namespace csgsim::isa {
+namespace {
+
+using test::contains;
+using test::refusal;
+using test::sample_program;
+
+using Bytes = std::vector<std::byte>;
+
+constexpr std::size_t checksum_size = 4;
+
+/// Puts the right checksum behind bytes that have been tampered with.
+void seal(Bytes& bytes) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size() - checksum_size);
+  for (std::size_t i = 0; i < checksum_size; ++i)
+    bytes[bytes.size() - checksum_size + i] = static_cast<std::byte>(crc.checksum() >> 8U * i);
+}
+
+/// Refuses it, or reads a valid Program.
+void survives(const Bytes& bytes) {
+  Program program;
+  if (refusal([&] { program = decode(bytes, "p.csgt"); }).empty()) validate(program);
+}
+
+TEST_CASE("the sample survives the binary form") {
+  CHECK(decode(encode(sample_program()), "p.csgt") == sample_program());
+}
+
+TEST_CASE("every Program survives the binary form") {
+  CHECK(rc::check("decode(encode(p)) == p", [] {
+    const auto program = *test::arbitrary_program({37, 20, 72}, 60);
+    RC_ASSERT(decode(encode(program), "p.csgt") == program);
+  }));
+}
+
+TEST_CASE("an instruction takes few bytes") {
+  Program program = sample_program();
+  const std::size_t before = encode(program).size();
+  for (int i = 0; i < 1000; ++i)
+    program.segments[0].instructions.push_back({Opcode::keep_max, {{{0, 20}}}, {4096, -300, 99999, 35, 12}, 0, {}});
+  CHECK(encode(program).size() - before < 1000 * 14);
+}
+
+TEST_CASE("numbers of the binary form survive") {
+  for (const std::int64_t value :
+       {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1}, std::int64_t{63}, std::int64_t{-64},
+        std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
+    ByteWriter out;
+    out.varint(zigzag(value));
+    ByteReader in(out.written());
+    CHECK(unzigzag(in.varint()) == value);
+    CHECK(in.left() == 0);
+  }
+  CHECK(zigzag(-1) == 1);
+  CHECK(zigzag(1) == 2);
+}
+
+TEST_CASE("a number of more than 64 bits is refused") {
+  const Bytes bytes(10, std::byte{0xff});
+  ByteReader in(bytes);
+  CHECK_THROWS_AS(in.varint(), MalformedBytes);
+}
+
+TEST_CASE("every byte that is damaged is noticed") {
+  const Bytes sound = encode(sample_program());
+  for (std::size_t i = 0; i < sound.size(); ++i)
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      Bytes damaged = sound;
+      damaged[i] ^= static_cast<std::byte>(1U << bit);
+      CHECK_FALSE(refusal([&] { decode(damaged, "p.csgt"); }).empty());
+    }
+}
+
+TEST_CASE("every truncation is noticed, with a right checksum or without") {
+  const Bytes sound = encode(sample_program());
+  for (std::size_t size = 0; size < sound.size(); ++size) {
+    Bytes shortened(sound.begin(), sound.begin() + static_cast<std::ptrdiff_t>(size));
+    CHECK(refusal([&] { decode(shortened, "p.csgt"); }).starts_with("p.csgt: "));
+    if (size < 9) continue;
+    seal(shortened);
+    CHECK_FALSE(refusal([&] { decode(shortened, "p.csgt"); }).empty());
+  }
+}
+
+TEST_CASE("a hostile byte with a right checksum is refused or harmless") {
+  const Bytes sound = encode(sample_program());
+  for (std::size_t i = 5; i + checksum_size < sound.size(); ++i)
+    for (const unsigned value : {0x00U, 0x01U, 0x7fU, 0x80U, 0x9bU, 0xbfU, 0xffU}) {
+      Bytes hostile = sound;
+      hostile[i] = static_cast<std::byte>(value);
+      seal(hostile);
+      survives(hostile);
+    }
+}
+
+TEST_CASE("random tampering with a right checksum is refused or harmless") {
+  const Bytes sound = encode(sample_program());
+  CHECK(rc::check("decode is total", [&sound] {
+    Bytes hostile = sound;
+    const auto changes = *rc::gen::inRange(1, 12);
+    for (int i = 0; i < changes; ++i) {
+      const auto place =
+          *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(5, hostile.size() - checksum_size));
+      hostile[place] = static_cast<std::byte>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 256)));
+    }
+    seal(hostile);
+    survives(hostile);
+  }));
+}
+
+TEST_CASE("random bytes behind a sound magic, version and checksum are refused or harmless") {
+  CHECK(rc::check("decode is total", [] {
+    const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
+        rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
+    ByteWriter out;
+    for (const char c : {'C', 'S', 'G', 'T', '\x01'}) out.byte(static_cast<std::uint8_t>(c));
+    out.block(noise);
+    out.block(std::vector<std::uint8_t>(checksum_size));
+    Bytes bytes = out.take();
+    seal(bytes);
+    survives(bytes);
+  }));
+}
+
+TEST_CASE("metadata nested a million deep is refused without running out of stack") {
+  constexpr std::size_t depth = 1000000;
+  ByteWriter out;
+  for (const char c : {'C', 'S', 'G', 'T', '\x01'}) out.byte(static_cast<std::uint8_t>(c));
+  out.varint(depth);
+  out.block(std::vector<std::uint8_t>(depth, 0x81));
+  out.block(std::vector<std::uint8_t>(checksum_size));
+  Bytes bytes = out.take();
+  seal(bytes);
+  CHECK(contains(refusal([&] { decode(bytes, "p.csgt"); }), "not CBOR"));
+}
+
+TEST_CASE("what is wrong with the bytes is said") {
+  Bytes bytes = encode(sample_program());
+  const auto said = [&] { return refusal([&] { decode(bytes, "p.csgt"); }); };
+
+  bytes.back() ^= std::byte{1};
+  CHECK(contains(said(), "p.csgt: is damaged: its checksum does not match; "));
+
+  bytes[4] = std::byte{9};
+  CHECK(contains(said(), "format version 9"));
+
+  bytes[0] = std::byte{'X'};
+  CHECK(contains(said(), "does not begin with CSGT"));
+
+  bytes = encode(sample_program());
+  bytes.insert(bytes.end() - checksum_size, std::byte{0});
+  seal(bytes);
+  CHECK(contains(said(), "1 bytes left over"));
+
+  bytes = encode(sample_program());
+  bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | 0x1d};  // the last instruction's opcode
+  seal(bytes);
+  CHECK(contains(said(), "undefined opcode 29"));
+}
+
+TEST_CASE("a count beyond the bytes that are there is refused before anything is reserved") {
+  Bytes bytes = encode(sample_program());
+  // The instruction count of the first segment, 8, is the last element of its row: 0x08 before the next row's 0x87.
+  constexpr std::array pattern{std::byte{0x08}, std::byte{0x87}};
+  const auto row = std::search(bytes.begin(), bytes.end(), pattern.begin(), pattern.end());
+  REQUIRE(row != bytes.end());
+  *row = std::byte{0x17};
+  seal(bytes);
+  CHECK(contains(refusal([&] { decode(bytes, "p.csgt"); }), "ends too soon"));
+}
+
+TEST_CASE("a Program that is not valid is refused when it is read") {
+  Program program = sample_program();
+  program.segments[0].instructions[3].linear.width = 3;
+  CHECK(refusal([&] { decode(encode(program), "p.csgt"); }).starts_with("p.csgt: segment 0, instruction 3: "));
+}
+
+}  // namespace
+}  // namespace csgsim::isa

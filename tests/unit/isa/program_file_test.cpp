@@ -1,0 +1,75 @@
+#include "hw/isa/program_file.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "tests/unit/isa/sample.h"
+
+namespace csgsim::isa {
+namespace {
+
+namespace fs = std::filesystem;
+
+using test::contains;
+using test::refusal;
+using test::sample_program;
+
+/// An empty directory of its own for a test case.
+class Scratch {
+ public:
+  explicit Scratch(const std::string& name) : path_(fs::path(CSGSIM_BINARY_DIR) / "scratch_isa" / name) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() { fs::remove_all(path_); }
+
+  [[nodiscard]] fs::path operator/(const std::string& file) const { return path_ / file; }
+  [[nodiscard]] auto files() const { return std::distance(fs::directory_iterator(path_), {}); }
+
+ private:
+  fs::path path_;
+};
+
+TEST_CASE("a file is read in the form it was written in") {
+  const Scratch scratch("forms");
+  for (const ProgramForm form : {ProgramForm::binary, ProgramForm::text}) {
+    const fs::path path = scratch / "p.csgt";
+    save_program(sample_program(), path, form);
+    CHECK(load_program(path) == sample_program());
+  }
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("a file that cannot be written leaves nothing behind") {
+  const Scratch scratch("unwritable");
+  fs::create_directory(scratch / "p.csgt");
+  fs::create_directory(scratch / "p.csgt" / "full");
+  CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "p.csgt"); }), "cannot write it"));
+  CHECK(scratch.files() == 1);
+  CHECK(contains(refusal([&] { save_program(sample_program(), scratch / "none/p.csgt"); }), "cannot write it"));
+}
+
+TEST_CASE("a file that cannot be read is told by name") {
+  const Scratch scratch("unreadable");
+  const fs::path path = scratch / "p.csgt";
+  CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ": cannot read it: No such file"));
+  fs::create_directory(path);
+  CHECK(contains(refusal([&] { load_program(path); }), "Is a directory"));
+}
+
+TEST_CASE("errors inside a file name it") {
+  const Scratch scratch("errors");
+  const fs::path path = scratch / "p.csgt";
+  std::ofstream(path) << "CSGT";
+  CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ": ends too soon"));
+  std::ofstream(path) << "enable_all";
+  CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ":1:1: "));
+}
+
+}  // namespace
+}  // namespace csgsim::isa

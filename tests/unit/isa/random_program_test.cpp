@@ -1,0 +1,36 @@
+#include "tests/support/random_program.h"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "hw/isa/operands.h"
+
+namespace csgsim::test {
+namespace {
+
+/// Checks that so many random Programs are valid, and says which opcodes they have.
+std::set<isa::Opcode> opcodes_of_valid_programs(isa::ArrayShape shape) {
+  std::set<isa::Opcode> opcodes;
+  CHECK(rc::check("valid", [&] {
+    const auto program = *arbitrary_program(shape, 100);
+    isa::validate(program);
+    for (const isa::Segment& segment : program.segments)
+      for (const isa::Instruction& instruction : segment.instructions) opcodes.insert(instruction.opcode);
+  }));
+  return opcodes;
+}
+
+TEST_CASE("random Programs are valid and use every opcode") {
+  for (const isa::ArrayShape shape : {isa::ArrayShape{64, 64, 72}, {1, 1, 2}, {130, 3, 4096}, {16384, 16384, 208}})
+    CHECK(opcodes_of_valid_programs(shape).size() == isa::opcode_table.size());
+}
+
+TEST_CASE("random Programs for a single memory bit leave out what does not fit it") {
+  const auto opcodes = opcodes_of_valid_programs({3, 3, 1});
+  CHECK_FALSE(opcodes.contains(isa::Opcode::copy));
+  CHECK(opcodes.contains(isa::Opcode::bit_and));
+}
+
+}  // namespace
+}  // namespace csgsim::test

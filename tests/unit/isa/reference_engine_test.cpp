@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <vector>
+
+#include "hw/machines/clocks.h"
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+namespace {
+
+using isa::Opcode;
+
+machines::Machine machine_of(isa::ArrayShape shape) {
+  machines::Machine machine;
+  machine.array = shape;
+  return machine;
+}
+
+/// Two segments: the first fills a field with 5 and asks, the second asks before and after it enables a column.
+isa::Program two_segments() {
+  isa::Program program;
+  program.shape = {8, 4, 16};
+  const isa::Instruction ask{Opcode::global_or, {}, {}, 0, {}};
+  const isa::Instruction enable_all{Opcode::enable_all, {}, {}, 0, {}};
+  program.segments = {
+      {{0, 0, 8, 4}, {enable_all, {Opcode::set_constant, {{{0, 8}}}, {}, 5, {}}, ask}, 0, 0},
+      {{2, 1, 3, 2}, {ask, enable_all, {Opcode::edge_not_negative, {}, {1, 0, -2, 3, 0}, 0, {}}, ask}, 0, 0}};
+  return program;
+}
+
+struct Record {
+  std::uint32_t segment;
+  std::uint32_t index;
+  std::uint64_t clocks;
+  std::uint64_t enabled;
+  bool operator==(const Record&) const = default;
+};
+
+class Recorder final : public Observer {
+ public:
+  void after_instruction(const Step& step, const PixelState&) override {
+    steps.push_back({step.segment, step.index, step.clocks, step.enabled_pixels});
+  }
+  void after_segment(std::uint32_t segment, const PixelState& state) override {
+    segments.push_back(segment);
+    std::vector<std::uint32_t> values(static_cast<std::size_t>(state.region().width) * state.region().height);
+    state.read_field({0, 8}, values);
+    first_values.push_back(values.front());
+  }
+
+  std::vector<Record> steps;
+  std::vector<std::uint32_t> segments;
+  std::vector<std::uint32_t> first_values;
+};
+
+TEST_CASE("a run takes each instruction's clocks and the latency once") {
+  const auto machine = machine_of({8, 4, 16});
+  const RunResult result = make_reference_engine(machine)->run(two_segments(), {});
+  // Latency 3 + 2 levels; answers 1 + 5 each.
+  CHECK(result.latency_clocks == 5);
+  CHECK(result.clocks == (1 + 8 + 6) + (6 + 1 + 3 + 6) + 5);
+  CHECK(result.scan_out_clocks == 0);
+  CHECK(result.overflows == 0);
+}
+
+TEST_CASE("answers say whether any pixel of the segment is enabled") {
+  const RunResult result = make_reference_engine(machine_of({8, 4, 16}))->run(two_segments(), {});
+  CHECK(result.answers == std::vector<bool>{true, false, true});
+}
+
+TEST_CASE("observers see every step in order with the pixels enabled before it") {
+  Recorder first;
+  Recorder second;
+  const std::array<Observer*, 2> observers{&first, &second};
+  make_reference_engine(machine_of({8, 4, 16}))->run(two_segments(), observers);
+  const std::vector<Record> expected{{0, 0, 1, 0}, {0, 1, 8, 32}, {0, 2, 6, 32}, {1, 0, 6, 0},
+                                     {1, 1, 1, 0}, {1, 2, 3, 6},  {1, 3, 6, 2}};
+  CHECK(first.steps == expected);
+  CHECK(second.steps == expected);
+  CHECK(first.segments == std::vector<std::uint32_t>{0, 1});
+}
+
+TEST_CASE("a segment begins with cleared memory") {
+  Recorder recorder;
+  const std::array<Observer*, 1> observers{&recorder};
+  make_reference_engine(machine_of({8, 4, 16}))->run(two_segments(), observers);
+  CHECK(recorder.first_values == std::vector<std::uint32_t>{5, 0});
+}
+
+TEST_CASE("overflows add up over segments") {
+  isa::Program program = two_segments();
+  const isa::Instruction narrow{Opcode::edge_negative, {}, {0, 0, 2, 2, 0}, 0, {}};
+  program.segments[0].instructions.push_back(narrow);
+  program.segments[1].instructions.push_back(narrow);
+  CHECK(make_reference_engine(machine_of({8, 4, 16}))->run(program, {}).overflows == 32 + 2);
+}
+
+TEST_CASE("the engine is the reference") {
+  CHECK(make_reference_engine(machine_of({1, 1, 1}))->level() == "reference");
+}
+
+}  // namespace
+}  // namespace csgsim::sim

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+
+#include "hw/isa/error.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::test {
+
+/// One instruction of each kind of operand, on an array of 8x4 pixels of 40 bits.
+inline isa::Program sample_program() {
+  using isa::Opcode;
+  using isa::Purpose;
+  isa::Program program;
+  program.shape = {8, 4, 40};
+  program.fields = {{"Z1", {0, 8}, isa::FieldRole::candidate_depth},
+                    {"in", {16, 1}, isa::FieldRole::stack},
+                    {"two words", {8, 8}, isa::FieldRole::depth}};
+  program.primitives = {"cube \"a\"", "ball\n"};
+  program.depth_scale = {true, 0.1, 1e300};
+  program.model = {"dir/model.csg", 2, 1, 0, 0, 12};
+  program.compile = {"auto", 8, 4, 0.3, 1, 2, 1, 3, {"shadow", "fog, thick"}};
+  isa::Segment segment{{1, 0, 7, 4}, {}, 2, 12};
+  const auto add = [&](const isa::Instruction& instruction) { segment.instructions.push_back(instruction); };
+  add({Opcode::enable_all, {}, {}, 0, {}});
+  add({Opcode::set_constant, {{{8, 8}}}, {}, 255, {}});
+  add({Opcode::keep_max, {{{0, 8}}}, {12, -7, 991, 20, 4}, 0, {Purpose::render, 0, isa::no_node}});
+  add({Opcode::linear_ge, {{{0, 8}}}, {-1, 1, -300, 12, 0}, 0, {Purpose::classify, 0, 1}});
+  add({Opcode::edge_negative, {}, {}, 0, {Purpose::classify, isa::no_primitive, 1}});
+  segment.instructions.back().linear.width = 1;
+  add({Opcode::bit_and_not, {{{16, 1}, {16, 1}, {39, 1}}}, {}, 0, {Purpose::stack, 1, isa::no_node}});
+  add({Opcode::copy, {{{8, 8}, {0, 8}}}, {}, 0, {Purpose::merge, 1, isa::no_node}});
+  add({Opcode::global_or, {}, {}, 0, {Purpose::merge, 1, isa::no_node}});
+  program.segments = {segment, {{0, 3, 1, 1}, {}, 0, 0}};
+  return program;
+}
+
+/// What the call says as it throws InputError; empty if it does not.
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace csgsim::test

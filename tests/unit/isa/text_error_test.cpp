@@ -1,0 +1,130 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <sstream>
+#include <string>
+
+#include "hw/isa/nearest.h"
+#include "hw/isa/text.h"
+#include "tests/unit/isa/sample.h"
+
+namespace csgsim::isa {
+namespace {
+
+using test::refusal;
+
+const std::string array = ".array width=8 height=8 memory_bits=32\n";
+const std::string header = array + ".field Z1 [0+:8] depth\n.primitive \"p\"\n.segment width=8 height=8\n";
+
+std::string error_of(const std::string& text) {
+  return refusal([&] { parse(text, "t"); });
+}
+
+/// The error of an instruction that stands in line 5 of an otherwise sound Program.
+std::string error_in_line_5(const std::string& line) { return error_of(header + line + "\nenable_all\n"); }
+
+TEST_CASE("an unknown word is told with its place and the nearest known one") {
+  CHECK(error_in_line_5("  keep_mx Z1, x (w9)") == "t:5:3: unknown instruction 'keep_mx'; the nearest is 'keep_max'");
+  CHECK(error_in_line_5("keep_max Z2, x (w9)") == "t:5:10: unknown field 'Z2'; the nearest is 'Z1'");
+  CHECK(error_in_line_5("enable_all ; rendr p0") == "t:5:14: unknown purpose 'rendr'; the nearest is 'render'");
+  CHECK(error_of(array + ".fild Z [0] depth") == "t:2:2: unknown directive 'fild'; the nearest is 'field'");
+  CHECK(error_of(array + ".field Z [0] dpth") == "t:2:14: unknown field role 'dpth'; the nearest is 'depth'");
+  CHECK(error_of(array + ".model file=\"a\" union=3") == "t:2:17: unknown key 'union'; the nearest is 'unions'");
+  CHECK(error_of(array + ".segment width=8 height=8\nenable_load a") == "t:3:13: unknown field 'a'; there is none yet");
+}
+
+TEST_CASE("what does not parse is told with its place") {
+  CHECK(error_in_line_5("keep_max Z1 x (w9)").starts_with("t:5:13: expected a comma"));
+  CHECK(error_in_line_5("keep_max Z1, 3*z (w9)").starts_with("t:5:16: expected x or y"));
+  CHECK(error_in_line_5("keep_max Z1, 3*x").starts_with("t:5:17: expected the width of the linear expression"));
+  CHECK(error_in_line_5("keep_max Z1, x + (w9)").starts_with("t:5:18: expected a term"));
+  CHECK(error_in_line_5("keep_max Z1, x (w)").starts_with("t:5:18: expected a width"));
+  CHECK(error_in_line_5("keep_max Z1, x (w9 >> )").starts_with("t:5:23: expected a number of fraction bits"));
+  CHECK(error_in_line_5("keep_max Z1, x (w9").starts_with("t:5:19: expected )"));
+  CHECK(error_in_line_5("copy").starts_with("t:5:5: expected a field"));
+  CHECK(error_in_line_5("copy [x]").starts_with("t:5:7: expected the number of a bit"));
+  CHECK(error_in_line_5("copy [1+:]").starts_with("t:5:10: expected a width"));
+  CHECK(error_in_line_5("copy [1+2]").starts_with("t:5:8: expected ]"));
+  CHECK(error_in_line_5("set_constant Z1, y").starts_with("t:5:18: expected a constant"));
+  CHECK(error_in_line_5("set_constant Z1, 0xg").starts_with("t:5:20: expected hexadecimal"));
+  CHECK(error_in_line_5("enable_all Z1").starts_with("t:5:12: unexpected text"));
+  CHECK(error_in_line_5("enable_all ; ").starts_with("t:5:14: expected a purpose"));
+  CHECK(error_in_line_5("enable_all ; render p0 against pq").starts_with("t:5:33: expected the index"));
+  CHECK(error_in_line_5("~").starts_with("t:5:1: expected an instruction"));
+  CHECK(error_of(array + ".primitive \"a").starts_with("t:2:14: the string does not end"));
+  CHECK(error_of(array + ".primitive \"\\n\"").starts_with("t:2:14: unknown escape"));
+  CHECK(error_of(array + ".primitive p").starts_with("t:2:12: expected a string"));
+  CHECK(error_of(array + ".compile effects=[\"a\" 3]").starts_with("t:2:23: expected ]"));
+  CHECK(error_of(array + ".model unions").starts_with("t:2:14: expected ="));
+  CHECK(error_of(array + ".model unions=").starts_with("t:2:15: expected a number"));
+}
+
+TEST_CASE("values of the wrong kind or out of range are told with their place") {
+  CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions takes a number"));
+  CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions takes a whole number"));
+  CHECK(error_of(array + ".compile z_bits=4294967296")
+            .starts_with("t:2:10: z_bits takes a whole number of 0 to 4294967295"));
+  CHECK(error_of(array + ".model file=gear").starts_with("t:2:8: file takes a string"));
+  CHECK(error_of(array + ".compile effects=\"a\"").starts_with("t:2:10: effects takes a list"));
+  CHECK(error_of(array + ".depth perspective=1").starts_with("t:2:8: perspective takes true or false"));
+  CHECK(error_of(array + ".depth near=1e999").starts_with("t:2:8: near takes a number that a double holds"));
+  CHECK(error_of(array + ".depth near=nan").starts_with("t:2:1: depth runs from"));
+  CHECK(error_of(array + ".model unions=1 unions=2").starts_with("t:2:17: unions is given twice"));
+  CHECK(error_in_line_5("set_constant Z1, 18446744073709551616")
+            .starts_with("t:5:18: 18446744073709551616 is out of range"));
+  CHECK(error_in_line_5("edge_negative 9223372036854775808 (w9)").starts_with("t:5:15: coefficient"));
+  CHECK(error_in_line_5("edge_negative x + 2*x (w9)").starts_with("t:5:19: two terms"));
+  CHECK(error_in_line_5("enable_all ; render p4294967295").starts_with("t:5:22: 4294967295 is out of range"));
+  CHECK(error_in_line_5("copy [70000], [1]").starts_with("t:5:7: 70000 is out of range"));
+}
+
+TEST_CASE("what is not valid is told with its place") {
+  CHECK(error_in_line_5(" keep_max Z1, x (w8)").starts_with("t:5:2: keep_max: F has 8 bits"));
+  CHECK(error_in_line_5("enable_all ; render p1").starts_with("t:5:1: the origin's primitive is p1"));
+  CHECK(error_in_line_5("edge_negative 4611686018427387904 (w9)").starts_with("t:5:1: edge_negative: |A|"));
+  CHECK(error_of(header + ".segment x=1 width=8 height=8").starts_with("t:5:1: the region of 8x8"));
+  CHECK(error_of(array + ".field Z [31+:2] depth").starts_with("t:2:1: field [31+:2] ends outside"));
+  CHECK(error_of(".array width=8 height=8 memory_bits=9999").starts_with("t:1:1: a pixel has 9999 memory bits"));
+}
+
+TEST_CASE("directives come in order") {
+  CHECK(error_of("").starts_with("t: there is no .array"));
+  CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
+  CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));
+  CHECK(error_of(header + ".field Q [9] stack").starts_with("t:5:2: .field comes after a .segment"));
+  CHECK(error_of(array + array).starts_with("t:2:2: .array stands twice"));
+  CHECK(error_of(array + ".field Q [9] stack\n.field Q [8] stack").starts_with("t:3:1: field \"Q\" is named twice"));
+}
+
+TEST_CASE("text that has been tampered with is refused in one line or read as a valid Program") {
+  std::ostringstream out;
+  print(out, test::sample_program());
+  const std::string sound = out.str();
+  CHECK(rc::check("parse is total", [&sound] {
+    std::string text = sound;
+    const auto changes = *rc::gen::inRange(1, 6);
+    for (int i = 0; i < changes; ++i) {
+      const auto place = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, text.size()));
+      switch (*rc::gen::element(0, 1, 2)) {
+        case 0: text[place] = *rc::gen::element('0', '9', '"', '\\', '[', '\n', ' ', 'x', '-', '(', ',', '\0'); break;
+        case 1: text.erase(place, 3); break;
+        default: text.insert(place, sound.substr(text.size() / 2, 4)); break;
+      }
+    }
+    Program program;
+    const std::string error = refusal([&] { program = parse(text, "t"); });
+    RC_ASSERT(error.find('\n') == std::string::npos);
+    if (error.empty()) validate(program);
+  }));
+}
+
+TEST_CASE("the nearest name takes the fewest edits") {
+  constexpr std::array<std::string_view, 3> names{"copy", "keep_max", "keep_min"};
+  CHECK(nearest("kep_min", names) == "keep_min");
+  CHECK(nearest("cpoy", names) == "copy");
+  CHECK(nearest("", names) == "copy");
+  CHECK(nearest("anything", {}).empty());
+}
+
+}  // namespace
+}  // namespace csgsim::isa

@@ -1,0 +1,126 @@
+#include "hw/isa/text.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <limits>
+#include <sstream>
+
+#include "tests/support/random_program.h"
+#include "tests/unit/isa/sample.h"
+
+namespace csgsim::isa {
+namespace {
+
+using test::sample_program;
+
+std::string printed(const Program& program) {
+  std::ostringstream out;
+  print(out, program);
+  return out.str();
+}
+
+/// The only instruction of a Program that holds it on an array with a field Z of 8 bits and a primitive.
+Instruction instruction_of(const std::string& line) {
+  const std::string text =
+      ".array width=4 height=4 memory_bits=32\n.field Z [0+:8] depth\n.primitive \"p\"\n.segment width=4 height=4\n" +
+      line;
+  return parse(text, "t").segments.at(0).instructions.at(0);
+}
+
+TEST_CASE("the sample is printed so") {
+  CHECK(printed(sample_program()) == R"(# csgsim program
+.array width=8 height=4 memory_bits=40
+.depth perspective=true near=0.1 far=1e+300
+.model file="dir/model.csg" primitives=2 unions=1 differences=0 intersections=0 halfspaces=12
+.compile strategy="auto" z_bits=8 fraction_bits=4 edge_on_fraction=0.3 stack_bits=1 rendered=2 classified=1 depth_tests=3 effects=["shadow", "fog, thick"]
+.field Z1 [0+:8] candidate_depth
+.field in [16] stack
+.field "two words" [8+:8] depth
+.primitive "cube \"a\""  # p0
+.primitive "ball\x0a"  # p1
+
+.segment x=1 y=0 width=7 height=4 primitives=2 halfspaces=12
+  enable_all                                            ; setup
+  set_constant "two words", 255                         ; setup
+  keep_max Z1, 12*x - 7*y + 991 (w20 >> 4)              ; render p0
+  linear_ge Z1, -x + y - 300 (w12)                      ; classify p0 against p1
+  edge_negative 0 (w1)                                  ; classify against p1
+  bit_and_not in, in, [39]                              ; stack p1
+  copy "two words", Z1                                  ; merge p1
+  global_or                                             ; merge p1
+
+.segment x=0 y=3 width=1 height=1 primitives=0 halfspaces=0
+)");
+}
+
+TEST_CASE("the sample survives the text form") { CHECK(parse(printed(sample_program()), "t") == sample_program()); }
+
+TEST_CASE("every Program survives the text form") {
+  CHECK(rc::check("parse(print(p)) == p", [] {
+    const auto program = *test::arbitrary_program({37, 20, 72}, 60);
+    RC_ASSERT(parse(printed(program), "t") == program);
+  }));
+}
+
+TEST_CASE("every Program is printed the same after it was read") {
+  CHECK(rc::check("print(parse(print(p))) == print(p)", [] {
+    const std::string text = printed(*test::arbitrary_program({5, 3, 40}, 20));
+    RC_ASSERT(printed(parse(text, "t")) == text);
+  }));
+}
+
+TEST_CASE("doubles survive bit by bit") {
+  for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, 123456789012345678.0}) {
+    Program program = sample_program();
+    program.compile.edge_on_fraction = value;
+    CHECK(parse(printed(program), "t").compile.edge_on_fraction == value);
+  }
+}
+
+TEST_CASE("names of any bytes survive") {
+  Program program = sample_program();
+  std::string all;
+  for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
+  program.model.file = all;
+  program.primitives[0] = all;
+  program.fields[0].name = all;
+  program.fields[1].name = "x";
+  program.compile.effects = {all, "", all};
+  CHECK(parse(printed(program), "t") == program);
+}
+
+TEST_CASE("blanks, comments and line ends may be as one likes") {
+  const std::string text =
+      "# a program\r\n\r\n\t.array  height=4 width=4   memory_bits=32 # wide\r\n"
+      ".field Z [ 0 +: 8 ] depth\r\n.segment width=4 height=4\r\n"
+      "set_constant Z,255;render#c\r\n  keep_max   Z ,7 -x+ 2 * y(w12>>2)";
+  const Program program = parse(text, "t");
+  REQUIRE(program.segments.at(0).instructions.size() == 2);
+  CHECK(program.segments[0].instructions[0].constant == 255);
+  CHECK(program.segments[0].instructions[0].origin == Origin{Purpose::render, no_primitive, no_node});
+  CHECK(program.segments[0].instructions[1].linear == Linear{-1, 2, 7, 12, 2});
+}
+
+TEST_CASE("linear expressions may be written in several ways") {
+  CHECK(instruction_of("edge_negative x (w9)").linear == Linear{1, 0, 0, 9, 0});
+  CHECK(instruction_of("edge_negative +y (w9)").linear == Linear{0, 1, 0, 9, 0});
+  CHECK(instruction_of("edge_negative -5 + 3*y - 2*x (w9 >> 3)").linear == Linear{-2, 3, -5, 9, 3});
+  CHECK(instruction_of("edge_negative 0*x + 0 (w9)").linear == Linear{0, 0, 0, 9, 0});
+}
+
+TEST_CASE("constants may be hexadecimal") {
+  CHECK(instruction_of("set_constant Z, 0xfF").constant == 255);
+  CHECK(instruction_of("set_constant Z, 017").constant == 17);
+}
+
+TEST_CASE("fields may be named or placed") {
+  CHECK(instruction_of("set_constant Z, 1") == instruction_of("set_constant [0+:8], 1"));
+  CHECK(instruction_of("set_constant \"Z\", 1") == instruction_of("set_constant [0+:8], 1"));
+  CHECK(instruction_of("enable_load [7]") == instruction_of("enable_load [7+:1]"));
+}
+
+TEST_CASE("an origin that is left out is setup") { CHECK(instruction_of("enable_all").origin == Origin{}); }
+
+}  // namespace
+}  // namespace csgsim::isa

@@ -1,0 +1,203 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/isa/sample.h"
+
+namespace csgsim::isa {
+namespace {
+
+using test::contains;
+using test::refusal;
+using test::sample_program;
+
+constexpr std::uint32_t memory_bits = 72;
+
+std::string refusal_of(const Instruction& instruction) {
+  return refusal([&] { validate(instruction, memory_bits); });
+}
+
+std::string refusal_of(const Program& program) {
+  return refusal([&] { validate(program); });
+}
+
+/// An instruction of that opcode that uses fields of that width, valid for the opcodes that need no more than fields.
+Instruction on(Opcode opcode, Field first, Field second = {}, Field third = {}) {
+  return {opcode, {first, second, third}, {}, 0, {}};
+}
+
+Instruction streaming(Opcode opcode, Field field, std::uint16_t width, std::uint16_t shift = 0) {
+  return {opcode, {field}, {1, 2, 3, width, shift}, 0, {}};
+}
+
+TEST_CASE("the sample is valid") { CHECK(refusal_of(sample_program()).empty()); }
+
+TEST_CASE("an opcode has to be in the table") {
+  Instruction instruction;
+  instruction.opcode = static_cast<Opcode>(opcode_table.size());
+  CHECK(contains(refusal_of(instruction), "opcode 29 is undefined"));
+}
+
+TEST_CASE("a purpose has to be in the table") {
+  Instruction instruction;
+  instruction.origin.purpose = static_cast<Purpose>(purpose_table.size());
+  CHECK(contains(refusal_of(instruction), "purpose 7 is undefined"));
+}
+
+TEST_CASE("members that the opcode does not use have to be zero") {
+  CHECK_FALSE(refusal_of(on(Opcode::enable_all, {0, 1})).empty());
+  CHECK_FALSE(refusal_of(on(Opcode::enable_load, {0, 1}, {3, 0})).empty());
+  CHECK_FALSE(refusal_of(on(Opcode::copy, {0, 1}, {1, 1}, {2, 1})).empty());
+  CHECK_FALSE(refusal_of({Opcode::enable_all, {}, {1, 0, 0, 0, 0}, 0, {}}).empty());
+  CHECK_FALSE(refusal_of({Opcode::enable_all, {}, {}, 1, {}}).empty());
+  CHECK_FALSE(refusal_of({Opcode::linear_ge, {{{0, 1}, {4, 1}}}, {0, 0, 0, 8, 0}, 0, {}}).empty());
+}
+
+TEST_CASE("fields lie inside the memory and are 1 to 32 bits wide") {
+  CHECK(refusal_of(on(Opcode::set_constant, {40, 32})).empty());
+  CHECK(refusal_of(on(Opcode::set_constant, {71, 1})).empty());
+  CHECK(contains(refusal_of(on(Opcode::set_constant, {41, 32})), "outside the 72 memory bits"));
+  CHECK(contains(refusal_of(on(Opcode::set_constant, {65535, 1})), "outside the 72 memory bits"));
+  CHECK(contains(refusal_of(on(Opcode::set_constant, {0, 0})), "0 bits wide"));
+  CHECK(contains(refusal_of(on(Opcode::set_constant, {0, 33})), "33 bits wide"));
+}
+
+TEST_CASE("enable and bit instructions take single bits") {
+  CHECK(refusal_of(on(Opcode::enable_store, {5, 1})).empty());
+  CHECK(contains(refusal_of(on(Opcode::enable_store, {5, 2})), "single bit"));
+  CHECK(contains(refusal_of(on(Opcode::bit_not, {5, 1}, {8, 2})), "single bit"));
+}
+
+TEST_CASE("single bits of a bit instruction may coincide, other fields may not overlap") {
+  CHECK(refusal_of(on(Opcode::bit_and, {5, 1}, {5, 1}, {5, 1})).empty());
+  CHECK(refusal_of(on(Opcode::copy, {0, 8}, {8, 8})).empty());
+  CHECK(contains(refusal_of(on(Opcode::copy, {0, 8}, {7, 8})), "overlap"));
+  CHECK(contains(refusal_of(on(Opcode::field_lt, {0, 8}, {0, 8})), "overlap"));
+  CHECK(contains(refusal_of(on(Opcode::copy, {5, 1}, {5, 1})), "overlap"));
+}
+
+TEST_CASE("fields that are copied or compared are equally wide") {
+  for (const Opcode opcode : {Opcode::copy, Opcode::field_lt, Opcode::field_le, Opcode::field_eq}) {
+    CHECK(refusal_of(on(opcode, {0, 7}, {8, 7})).empty());
+    CHECK(contains(refusal_of(on(opcode, {0, 8}, {8, 7})), "equally wide"));
+  }
+}
+
+TEST_CASE("a linear expression is 1 to 62 bits wide and keeps a bit after the shift") {
+  CHECK(refusal_of(streaming(Opcode::edge_negative, {}, 1)).empty());
+  CHECK(refusal_of(streaming(Opcode::edge_negative, {}, 62, 61)).empty());
+  CHECK_FALSE(refusal_of(streaming(Opcode::edge_negative, {}, 0)).empty());
+  CHECK_FALSE(refusal_of(streaming(Opcode::edge_negative, {}, 63)).empty());
+  CHECK(contains(refusal_of(streaming(Opcode::edge_negative, {}, 12, 12)), "shift 12"));
+}
+
+TEST_CASE("F has a bit more than the field it meets") {
+  for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_eq, Opcode::load_linear, Opcode::keep_max}) {
+    CHECK(refusal_of(streaming(opcode, {0, 20}, 33, 12)).empty());
+    CHECK(contains(refusal_of(streaming(opcode, {0, 20}, 32, 12)), "one more than the field"));
+  }
+}
+
+TEST_CASE("a constant fits its target") {
+  CHECK(refusal_of({Opcode::set_constant, {{{0, 8}}}, {}, 255, {}}).empty());
+  CHECK(contains(refusal_of({Opcode::set_constant, {{{0, 8}}}, {}, 256, {}}), "does not fit 8 bits"));
+  CHECK(refusal_of({Opcode::set_constant, {{{0, 32}}}, {}, 0xffffffffU, {}}).empty());
+  CHECK_FALSE(refusal_of({Opcode::set_constant, {{{0, 32}}}, {}, 1ULL << 32U, {}}).empty());
+}
+
+TEST_CASE("an error in a Program says the segment and the instruction") {
+  Program program = sample_program();
+  program.segments[0].instructions[3].linear.width = 3;
+  CHECK(refusal_of(program).starts_with("segment 0, instruction 3: linear_ge: "));
+}
+
+TEST_CASE("the coefficients' sum over the region stays below 2^62") {
+  Program program = sample_program();
+  Linear& linear = program.segments[0].instructions[4].linear;
+  const std::int64_t bound = std::int64_t{1} << 62U;
+  linear = {0, 0, bound - 1, 62, 0};
+  CHECK(refusal_of(program).empty());
+  linear = {0, 0, -bound, 62, 0};
+  CHECK(contains(refusal_of(program), "2^62"));
+  linear = {bound / 7, 0, 0, 62, 0};
+  CHECK(refusal_of(program).empty());
+  linear = {bound / 7, 1, 0, 62, 0};
+  CHECK_FALSE(refusal_of(program).empty());
+  linear = {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::min(), 0, 62, 0};
+  CHECK_FALSE(refusal_of(program).empty());
+}
+
+TEST_CASE("origins name primitives that the Program lists, or none") {
+  Program program = sample_program();
+  Origin& origin = program.segments[0].instructions[0].origin;
+  origin = {Purpose::render, 1, 1};
+  CHECK(refusal_of(program).empty());
+  origin = {Purpose::render, 2, no_node};
+  CHECK(contains(refusal_of(program), "p2"));
+  origin = {Purpose::render, no_primitive, 2};
+  CHECK(contains(refusal_of(program), "node"));
+}
+
+TEST_CASE("the shape has sides of 1 to 16384 and 1 to 4096 memory bits") {
+  for (const ArrayShape shape :
+       {ArrayShape{0, 4, 40}, {8, 0, 40}, {16385, 4, 40}, {8, 16385, 40}, {8, 4, 0}, {8, 4, 4097}}) {
+    Program program;
+    program.shape = shape;
+    CHECK_FALSE(refusal_of(program).empty());
+  }
+  Program program;
+  program.shape = {16384, 16384, 4096};
+  CHECK(refusal_of(program).empty());
+}
+
+TEST_CASE("regions are not empty and lie inside the picture") {
+  for (const Region region : {Region{0, 0, 0, 1},
+                              {0, 0, 1, 0},
+                              {8, 0, 1, 1},
+                              {1, 0, 8, 4},
+                              {0, 1, 8, 4},
+                              {0, 4, 1, 1},
+                              {0xffffffffU, 0, 2, 1},
+                              {1, 0, 0xffffffffU, 1}}) {
+    Program program = sample_program();
+    program.segments[1].region = region;
+    CHECK(refusal_of(program).starts_with("segment 1: "));
+  }
+}
+
+TEST_CASE("named fields lie inside the memory and have names of their own") {
+  Program program = sample_program();
+  program.fields[0].field = {33, 8};
+  CHECK(refusal_of(program).starts_with("field 'Z1': "));
+  program = sample_program();
+  program.fields[1].name = "Z1";
+  CHECK(contains(refusal_of(program), "named twice"));
+  program = sample_program();
+  program.fields[1].name.clear();
+  CHECK(contains(refusal_of(program), "empty name"));
+  program = sample_program();
+  program.fields[1].role = static_cast<FieldRole>(200);
+  CHECK(contains(refusal_of(program), "role 200"));
+}
+
+TEST_CASE("depth runs between finite distances, in perspective before the eye") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const DepthScale scale : {DepthScale{false, 1, 1},
+                                 {false, 2, 1},
+                                 {false, 0, infinity},
+                                 {false, -infinity, 0},
+                                 {false, std::nan(""), 1},
+                                 {true, 0, 1},
+                                 {true, -1, 1}}) {
+    Program program = sample_program();
+    program.depth_scale = scale;
+    CHECK_FALSE(refusal_of(program).empty());
+  }
+  Program program = sample_program();
+  program.depth_scale = {false, -1, 0};
+  CHECK(refusal_of(program).empty());
+}
+
+}  // namespace
+}  // namespace csgsim::isa

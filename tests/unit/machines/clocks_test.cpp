@@ -1,0 +1,84 @@
+#include "hw/machines/clocks.h"
+
+#include <doctest/doctest.h>
+
+using namespace csgsim;
+using isa::Field;
+using isa::Instruction;
+using isa::Opcode;
+
+namespace {
+
+machines::Machine machine(std::uint32_t memory_reads) {
+  machines::Machine result;
+  result.array = {512, 512, 72};
+  result.memory_reads = memory_reads;
+  return result;
+}
+
+std::uint64_t clocks(Opcode opcode, Field first = {}, Field second = {}, Field third = {},
+                     std::uint32_t memory_reads = 1) {
+  Instruction instruction;
+  instruction.opcode = opcode;
+  instruction.fields = {first, second, third};
+  return machines::clocks(instruction, machine(memory_reads));
+}
+
+std::uint64_t linear_clocks(Opcode opcode, Field field, std::uint16_t width) {
+  Instruction instruction;
+  instruction.opcode = opcode;
+  instruction.fields[0] = field;
+  instruction.linear = {.a = 1, .b = -2, .c = 3, .width = width, .shift = 12};
+  return machines::clocks(instruction, machine(1));
+}
+
+}  // namespace
+
+TEST_CASE("the evaluator's latency is a clock a level of both trees") {
+  CHECK(machines::evaluator_latency({512, 512, 72}) == 9 + 9);
+  CHECK(machines::evaluator_latency({1, 1, 72}) == 0);
+  CHECK(machines::evaluator_latency({2, 1, 72}) == 1);
+  CHECK(machines::evaluator_latency({3, 5, 72}) == 2 + 3);
+  CHECK(machines::evaluator_latency({128, 128, 208}) == 7 + 7);
+  CHECK(machines::evaluator_latency({513, 512, 72}) == 10 + 9);
+}
+
+TEST_CASE("instructions on the enable register take one clock") {
+  CHECK(clocks(Opcode::enable_all) == 1);
+  CHECK(clocks(Opcode::enable_invert) == 1);
+  for (const Opcode opcode : {Opcode::enable_load, Opcode::enable_and, Opcode::enable_and_not, Opcode::enable_or,
+                              Opcode::enable_xor, Opcode::enable_store})
+    CHECK(clocks(opcode, {7, 1}) == 1);
+}
+
+TEST_CASE("a linear expression that is only compared or loaded takes a clock a bit of it") {
+  CHECK(linear_clocks(Opcode::edge_not_negative, {}, 22) == 22);
+  CHECK(linear_clocks(Opcode::edge_negative, {}, 1) == 1);
+  for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_gt, Opcode::linear_le, Opcode::linear_lt,
+                              Opcode::linear_eq, Opcode::load_linear})
+    CHECK(linear_clocks(opcode, {0, 20}, 34) == 34);
+}
+
+TEST_CASE("a linear expression that is compared and then kept takes two clocks a bit of it") {
+  CHECK(linear_clocks(Opcode::keep_max, {0, 20}, 34) == 68);
+  CHECK(linear_clocks(Opcode::keep_min, {0, 20}, 33) == 66);
+}
+
+TEST_CASE("writing a field from one source takes a clock a bit") {
+  CHECK(clocks(Opcode::set_constant, {0, 24}) == 24);
+  CHECK(clocks(Opcode::copy, {0, 20}, {20, 20}) == 20);
+  CHECK(clocks(Opcode::bit_not, {0, 1}, {1, 1}) == 1);
+}
+
+TEST_CASE("two source bits take two clocks with one read of memory a clock, else one") {
+  for (const Opcode opcode : {Opcode::field_lt, Opcode::field_le, Opcode::field_eq}) {
+    CHECK(clocks(opcode, {0, 20}, {20, 20}) == 40);
+    CHECK(clocks(opcode, {0, 20}, {20, 20}, {}, 2) == 20);
+  }
+  for (const Opcode opcode : {Opcode::bit_and, Opcode::bit_or, Opcode::bit_xor, Opcode::bit_and_not}) {
+    CHECK(clocks(opcode, {0, 1}, {1, 1}, {2, 1}) == 2);
+    CHECK(clocks(opcode, {0, 1}, {1, 1}, {2, 1}, 2) == 1);
+  }
+}
+
+TEST_CASE("an answer takes a clock and the way through the trees") { CHECK(clocks(Opcode::global_or) == 1 + 18); }

@@ -1,0 +1,147 @@
+#include "hw/machines/machine.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "hw/isa/error.h"
+#include "hw/machines/built_in.h"
+#include "hw/machines/description.h"
+#include "hw/machines/schema.h"
+
+using namespace csgsim;
+using machines::Figure;
+using machines::Machine;
+using machines::read_description;
+
+namespace {
+
+/// The built-in description with one piece of its text replaced.
+std::string changed(std::string_view from, std::string_view to) {
+  std::string text(machines::built_in()[0].text);
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  text.replace(at, from.size(), to);
+  return text;
+}
+
+/// The message that reading the text ends with.
+std::string message(std::string_view text) {
+  try {
+    read_description(text, "my.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// `my.toml:line:column` of where the needle first stands in the text.
+std::string place_of(std::string_view text, std::string_view needle) {
+  const std::size_t at = text.find(needle);
+  REQUIRE(at != std::string_view::npos);
+  const std::string_view before = text.substr(0, at);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const auto column = at - (before.rfind('\n') + 1) + 1;
+  return fmt::format("my.toml:{}:{}", line, column);
+}
+
+std::string message_of_change(std::string_view from, std::string_view to) { return message(changed(from, to)); }
+
+}  // namespace
+
+TEST_CASE("pixel-planes-4 is built in, with the published figures") {
+  const Machine machine = machines::load("pixel-planes-4");
+  CHECK(machine.name == "pixel-planes-4");
+  CHECK(machine.array == isa::ArrayShape{512, 512, 72});
+  CHECK(machine.clock_hz == 10'000'000);
+  CHECK(machine.memory_reads == 1);
+}
+
+TEST_CASE("every built-in machine reads and bears its own name") {
+  for (const std::string_view name : machines::built_in_names()) {
+    CAPTURE(name);
+    const Machine machine = machines::load(std::string(name));
+    CHECK(machine.name == name);
+    CHECK(machine.figures.size() == machines::schema().size());
+  }
+}
+
+TEST_CASE("figures come in the order of the file, each with unit, provenance and source") {
+  const Machine machine = machines::load("pixel-planes-4");
+  std::string keys;
+  for (const Figure& figure : machine.figures) {
+    keys += figure.key + ' ';
+    CHECK((figure.provenance == "published" || figure.provenance == "assumed"));
+    CHECK_FALSE(figure.unit.empty());
+    CHECK_FALSE(figure.source.empty());
+  }
+  CHECK(keys ==
+        "array.width array.height array.memory_bits clock.frequency memory.reads memory.writes "
+        "evaluator.level_latency ");
+  CHECK(machine.figures[3].value == "10000000");
+  CHECK(machine.figures[3].unit == "Hz");
+}
+
+TEST_CASE("a machine file is read by its path, whatever its name") {
+  const std::string path = std::string(CSGSIM_BINARY_DIR) + "/machine_test_two_reads.toml";
+  std::ofstream(path) << changed("[memory.reads]\nvalue = 1", "[memory.reads]\nvalue = 2");
+  CHECK(machines::load(path).memory_reads == 2);
+}
+
+TEST_CASE("an unknown machine names the nearest known") {
+  CHECK_THROWS_WITH_AS(machines::load("pixel-plane-4"),
+                       "unknown machine 'pixel-plane-4'; the nearest known is 'pixel-planes-4', and a file's name ends "
+                       "in .toml",
+                       InputError);
+  CHECK_THROWS_WITH_AS(machines::load("none/such.toml"),
+                       "none/such.toml: cannot be read; check the path of the machine file", InputError);
+}
+
+TEST_CASE("an unknown key is pointed at and names the nearest known one") {
+  const std::string group = changed("[clock.frequency]", "[clok.frequency]");
+  CHECK(message(group) == place_of(group, "clok") + ": unknown key 'clok'; the nearest known is 'clock'");
+  const std::string figure = changed("[array.memory_bits]", "[array.memory_bit]");
+  CHECK(message(figure) ==
+        place_of(figure, "memory_bit]") + ": unknown key 'array.memory_bit'; the nearest known is 'array.memory_bits'");
+  const std::string part = changed("[array.width]\nvalue", "[array.width]\nvalu");
+  CHECK(message(part) ==
+        place_of(part, "valu =") + ": unknown key 'array.width.valu'; the nearest known is 'array.width.value'");
+}
+
+TEST_CASE("a wrong type is pointed at") {
+  const std::string number = changed("value = 72", "value = 72.5");
+  CHECK(message(number) ==
+        place_of(number, "72.5") + ": array.memory_bits is a number with a point; make it an integer");
+  const std::string text = changed("unit = \"Hz\"", "unit = 7");
+  CHECK(message(text) == place_of(text, "7\nprovenance") + ": 'unit' is an integer; make it a string");
+  const std::string plain = "name = \"x\"\ndescription = \"y\"\narray = 3\n";
+  CHECK(message(plain) == place_of(plain, "3") + ": 'array' is an integer; make it a table");
+}
+
+TEST_CASE("a value out of range, a wrong unit and a wrong provenance are pointed at") {
+  const std::string big = changed("value = 72", "value = 4097");
+  CHECK(message(big) == place_of(big, "4097") + ": array.memory_bits is 4097; it takes 1 to 4096 bits");
+  CHECK(message_of_change("value = 512", "value = 0").ends_with("array.width is 0; it takes 1 to 16384 pixels"));
+  CHECK(message_of_change("[memory.writes]\nvalue = 1", "[memory.writes]\nvalue = 2")
+            .ends_with("memory.writes is 2; the simulator knows 1 only"));
+  const std::string unit = changed("unit = \"Hz\"", "unit = \"MHz\"");
+  CHECK(message(unit) == place_of(unit, "\"MHz\"") + ": unit 'MHz' of clock.frequency; it counts in 'Hz'");
+  const std::string provenance = changed("provenance = \"assumed\"", "provenance = \"guessed\"");
+  CHECK(message(provenance) ==
+        place_of(provenance, "\"guessed\"") + ": provenance 'guessed' of memory.reads; say 'published' or 'assumed'");
+}
+
+TEST_CASE("a missing key is named") {
+  CHECK(message_of_change("name = \"pixel-planes-4\"", "").ends_with("key 'name' is missing; add name = \"...\""));
+  CHECK(message_of_change("value = 72\n", "").ends_with("array.memory_bits has no value; add value = ..."));
+  const std::string text = "name = \"x\"\ndescription = \"y\"\n";
+  CHECK(message(text) ==
+        "my.toml:1:1: key 'array.width' is missing; add a table [array.width] with value, unit, provenance and source");
+}
+
+TEST_CASE("what is not TOML is pointed at") {
+  CHECK(message("name = \"x\"\nwidth = = 3\n").starts_with("my.toml:2:9: "));
+}

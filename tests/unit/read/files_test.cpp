@@ -1,0 +1,82 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "host/read/read.h"
+#include "hw/isa/error.h"
+#include "support.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file or folder that goes away with the test.
+class Temporary {
+ public:
+  explicit Temporary(const std::string& name)
+      : path_(fs::temp_directory_path() / fmt::format("csgsim-read-{}-{}", ::getpid(), name)) {}
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    std::error_code ignored;
+    fs::permissions(path_, fs::perms::owner_all, ignored);
+    fs::remove_all(path_, ignored);
+  }
+
+  void write(std::string_view text) const { std::ofstream(path_, std::ios::binary) << text; }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string error_of_file(const fs::path& path) {
+  try {
+    csgsim::read::read_csg_file(path);
+  } catch (const csgsim::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a file is read and named in the tree and in messages") {
+  const Temporary file("good.csg");
+  file.write("cube(1);\nsphere(r = 1);\n");
+  const csgsim::model::Tree tree = csgsim::read::read_csg_file(file.path());
+  CHECK(csgsim::read_test::outline(tree) == "union(cube, sphere)");
+  CHECK(tree.file == file.path().string());
+  file.write("cube(1);\nspere(r = 1);\n");
+  CHECK(error_of_file(file.path()) == file.path().string() + ":2:1: unknown node spere(); did you mean sphere()?");
+}
+
+TEST_CASE("a file that is missing, a directory or not readable is one clear error") {
+  const Temporary missing("missing.csg");
+  CHECK(error_of_file(missing.path()) == missing.path().string() + ": cannot be read: No such file or directory");
+  const Temporary folder("folder.csg");
+  fs::create_directory(folder.path());
+  CHECK(error_of_file(folder.path()) == folder.path().string() + ": is a directory; name a .csg file");
+  const Temporary locked("locked.csg");
+  locked.write("cube(1);");
+  fs::permissions(locked.path(), fs::perms::none);
+  if (::geteuid() != 0)
+    CHECK(error_of_file(locked.path()) == locked.path().string() + ": cannot be read: Permission denied");
+  CHECK(error_of_file("") == ": cannot be read: No such file or directory");
+}
+
+TEST_CASE("a file past 1 GiB is refused without being read") {
+  const Temporary large("large.csg");
+  large.write("cube(1);");
+  fs::resize_file(large.path(), (std::uintmax_t{1} << 30U) + 1);
+  CHECK(error_of_file(large.path()) == large.path().string() + ": longer than 1024 MiB; split the model");
+}
+
+TEST_CASE("an empty file has no model in it") {
+  const Temporary file("empty.csg");
+  file.write("");
+  CHECK(error_of_file(file.path()) == file.path().string() + ": there is no model in it; export one from OpenSCAD");
+}

@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <chrono>
+
+#include "support.h"
+#include "tree_invariants.h"
+
+using csgsim::model::count;
+using csgsim::model::Tree;
+using csgsim::read_test::broken_promise;
+using csgsim::read_test::error_of;
+using csgsim::read_test::read;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+namespace {
+
+std::string repeat(std::string_view part, std::size_t times) {
+  std::string text;
+  text.reserve(part.size() * times);
+  for (std::size_t i = 0; i < times; ++i) text += part;
+  return text;
+}
+
+std::string megabytes(std::string_view part) { return repeat(part, (std::size_t{100} << 20U) / part.size()); }
+
+/// The most memory that this process has held.
+std::size_t peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) >> 10U;
+}
+
+}  // namespace
+
+TEST_CASE("trees 20,000 deep are read") {
+  const std::size_t depth = 20'000;
+  const Tree chain = read(repeat("difference(){", depth) + "cube(1);" + repeat("sphere(r=1);}", depth));
+  CHECK(count(chain).differences == depth);
+  CHECK(broken_promise(chain) == "");
+  const Tree comb = read(repeat("union(){cube(1);", depth) + repeat("}", depth));
+  CHECK(count(comb).unions == depth - 1);
+  CHECK(broken_promise(comb) == "");
+  CHECK(read(repeat("group(){", depth) + "cube(1);" + repeat("}", depth)).nodes.size() == 1);
+}
+
+TEST_CASE("trees 20,000 wide are read") {
+  const std::size_t width = 20'000;
+  const Tree tree = read("difference(){" + repeat("cube(1);", width) + "}");
+  CHECK(count(tree).differences == width - 1);
+  CHECK(tree.nodes.back().children.size() == width);
+  CHECK(broken_promise(tree) == "");
+}
+
+TEST_CASE("100,000 braces may be open, not one more") {
+  const std::size_t limit = 100'000;
+  CHECK(read(repeat("group(){", limit) + "cube(1);" + repeat("}", limit)).nodes.size() == 1);
+  CHECK(error_of(repeat("group(){", limit + 1)) ==
+        fmt::format("m.csg:1:{}: braces nested more than 100000 deep", 8 * limit + 8));
+  CHECK(error_of(repeat("%group(){", limit + 1)) ==
+        fmt::format("m.csg:1:{}: braces nested more than 100000 deep", 9 * limit + 9));
+}
+
+TEST_CASE("100 MB of one thing end in one clear line, quickly and in little memory") {
+  struct Case {
+    std::string_view before;
+    std::string_view part;
+    std::string_view message;
+  };
+  const Case cases[] = {
+      {"", "{", "m.csg:1:1: expected a node such as cube(...), or `}`, found `{`"},
+      {"", "[", "m.csg:1:1: expected a node such as cube(...), or `}`, found `[`"},
+      {"", "(", "m.csg:1:1: expected a node such as cube(...), or `}`, found `(`"},
+      {"", "}", "m.csg:1:1: this `}` closes nothing; take it out"},
+      {"cube(", "(", "m.csg:1:6: expected `name = value`, a value or `)` in cube(...), found `(`"},
+      {"cube(", "[", "m.csg:1:14: vectors nested more than 8 deep; no node takes that"},
+      {"cube(", "[],", "m.csg:1:12000006: more than 4000000 values in one node"},
+      {"cube(", "1,", "m.csg:1:8000006: more than 4000000 values in one node"},
+      {"cube(", "size=1,", "m.csg:1:28000011: more than 4000000 values in one node"},
+      {"cube(", "1",
+       "m.csg:1:6: number out of range: 1111111111111111111111111111111111111111... is more than a double holds"},
+      {"", "a",
+       "m.csg:1:104857601: expected `(` after aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa..., found the end of the file"},
+      {"", "group(){", "m.csg:1:800008: braces nested more than 100000 deep"},
+      {"", "group(){}", "m.csg:1:36000001: more than 4000000 nodes; split the model"},
+      {"", "*group(){}", "m.csg:1:40000002: more than 4000000 nodes; split the model"},
+      {"", "cube(1);", "m.csg:1:8000001: more than 1000000 solids; split the model"},
+      {"", "intersection(){cube(0);}", "m.csg:1:48000001: more than 4000000 nodes; split the model"},
+      {"", "%", "m.csg:1:104857601: expected a node such as cube(...) after its modifier, found the end of the file"},
+      {"", ";", "m.csg: there is no model in it; export one from OpenSCAD"},
+      {"/*", "*", "m.csg:1:1: this comment never ends; close it with */"},
+      {"", "//", "m.csg: there is no model in it; export one from OpenSCAD"},
+      {"color(\"", "\\\"", "m.csg:1:7: this string never ends; close it with \""},
+  };
+  for (const Case& one : cases) {
+    CAPTURE(one.before);
+    CAPTURE(one.part);
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(error_of(std::string(one.before) + megabytes(one.part)) == one.message);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (!sanitized) CHECK(seconds.count() < 20);
+  }
+  if (!sanitized) CHECK(peak_megabytes() < 500);
+}

@@ -1,0 +1,121 @@
+#include <doctest/doctest.h>
+
+#include <glm/matrix.hpp>
+
+#include "support.h"
+
+using csgsim::model::Tree;
+using csgsim::read_test::error_of;
+using csgsim::read_test::outline;
+using csgsim::read_test::read;
+
+namespace {
+
+std::string placed(const std::string& matrix) { return "multmatrix(" + matrix + ") { cube(1); }"; }
+
+glm::dmat4 transform_of(const std::string& text) { return read(text).primitives.at(0).transform; }
+
+std::optional<glm::dvec3> colour_of(const std::string& text) { return read(text).primitives.at(0).colour; }
+
+}  // namespace
+
+TEST_CASE("a matrix is by rows in the file and by columns in the tree") {
+  const glm::dmat4 matrix = transform_of(placed("[[1, 2, 3, 4], [0, 5, 6, 7], [0, 0, 8, 9], [0, 0, 0, 1]]"));
+  CHECK(matrix[3] == glm::dvec4(4, 7, 9, 1));
+  CHECK(matrix[1] == glm::dvec4(2, 5, 0, 0));
+  CHECK(matrix[2] == glm::dvec4(3, 6, 8, 0));
+}
+
+TEST_CASE("matrices compose from the outside in") {
+  const glm::dmat4 matrix = transform_of(
+      "multmatrix([[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]) { multmatrix(m = "
+      "[[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]])"
+      "{ cube(1); } }");
+  CHECK(matrix[3] == glm::dvec4(10, 12, 14, 1));
+  CHECK(matrix[0] == glm::dvec4(2, 0, 0, 0));
+}
+
+TEST_CASE("a matrix is divided by its last entry") {
+  CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"))[3] == glm::dvec4(2, 0, 0, 1));
+  CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,-2]]"))[0] == glm::dvec4(-0.5, 0, 0, 0));
+}
+
+TEST_CASE("the last row and the last column may be left out") {
+  CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,5],[0,0,1,6]]"))[3] == glm::dvec4(4, 5, 6, 1));
+  CHECK(transform_of(placed("[[2,0,0],[0,1,0],[0,0,1]]"))[0] == glm::dvec4(2, 0, 0, 0));
+}
+
+TEST_CASE("a mirrored solid stays and keeps its mirror") {
+  CHECK(glm::determinant(transform_of(placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == -1);
+}
+
+TEST_CASE("a projective matrix is an error") {
+  CHECK(error_of(placed("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]]")) ==
+        "m.csg:1:12: the last row of the matrix must be 0, 0, 0, w; take the projection out");
+}
+
+TEST_CASE("singular matrices flatten solids to nothing") {
+  for (const char* matrix :
+       {"[[0,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]",  // a zero row and column
+        "[[1,0,0,0],[1,0,0,0],[0,0,1,0],[0,0,0,1]]",  // a zero column
+        "[[1,1,0,0],[1,1,0,0],[0,0,1,0],[0,0,0,1]]",  // equal columns
+        "[[1,2,3,0],[4,5,6,0],[7,8,9,0],[0,0,0,1]]", "[[0.1,0.3,0,0],[0.2,0.6,0,0],[0,0,1,0],[0,0,0,1]]"}) {
+    CAPTURE(matrix);
+    CHECK(outline(read(placed(matrix))) == "nothing");
+  }
+  CHECK(outline(read("intersection() { cube(1); " + placed("[[0,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]") + "}")) ==
+        "nothing");
+}
+
+TEST_CASE("a solid squeezed or shrunk on purpose stays") {
+  CHECK(outline(read(placed("[[1e-9,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == "cube");
+  CHECK(outline(read(placed("[[1e-9,0,0,0],[0,1e9,0,0],[0,0,1,0],[0,0,0,1]]"))) == "cube");
+  CHECK(outline(read(placed("[[1e-200,0,0,0],[0,1e-200,0,0],[0,0,1e-200,0],[0,0,0,1]]"))) == "cube");
+}
+
+TEST_CASE("matrices that are not finite empty their solids") {
+  CHECK(outline(read(placed("[[inf,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == "nothing");
+  CHECK(outline(read(placed("[[1,0,0,nan],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == "nothing");
+  CHECK(outline(read(placed("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,0]]"))) == "nothing");
+  CHECK(outline(read("multmatrix([[1e200,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {" +
+                     placed("[[1e200,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]") + "}")) == "nothing");
+}
+
+TEST_CASE("a matrix of another shape is an error") {
+  CHECK(error_of("multmatrix() { cube(1); }") ==
+        "m.csg:1:1: multmatrix() lacks its m; add a 4x4 matrix by rows: [[1, 0, 0, x], [0, 1, 0, y], ...]");
+  CHECK(error_of(placed("[[1,0,0,0]]")) == "m.csg:1:12: the matrix of multmatrix() must be a vector of 4 rows");
+  CHECK(error_of(placed("[[1,0],[0,1,0,0],[0,0,1,0]]")) ==
+        "m.csg:1:13: a row of the matrix of multmatrix() must be a vector of 3 or 4 numbers");
+  CHECK(error_of(placed("[1,2,3,4]")) ==
+        "m.csg:1:13: a row of the matrix of multmatrix() must be a vector of 3 or 4 numbers");
+}
+
+TEST_CASE("the outermost colour wins") {
+  CHECK(colour_of("color([1, 0.5, 0, 1]) { color([0, 0, 1, 1]) { cube(1); } }") == glm::dvec3(1, 0.5, 0));
+  CHECK(colour_of("group() { color(c = [0, 0.25, 1]) { group() { cube(1); } } }") == glm::dvec3(0, 0.25, 1));
+  CHECK_FALSE(colour_of("cube(1);"));
+}
+
+TEST_CASE("a colour holds for its subtree only") {
+  const Tree tree = read("color([1, 0, 0]) { cube(1); cube(2); } cube(3);");
+  CHECK(tree.primitives[1].colour == glm::dvec3(1, 0, 0));
+  CHECK_FALSE(tree.primitives[2].colour);
+}
+
+TEST_CASE("a negative component means that no colour is given") {
+  CHECK(colour_of("color([-1, -1, -1, 1]) { color([0, 0, 1, 1]) { cube(1); } }") == glm::dvec3(0, 0, 1));
+  CHECK_FALSE(colour_of("color([-1, -1, -1, 1]) { cube(1); }"));
+}
+
+TEST_CASE("a colour above 1 is 1, and alpha changes nothing") {
+  CHECK(colour_of("color([2, 0.5, inf, 0.1]) { cube(1); }") == glm::dvec3(1, 0.5, 1));
+  CHECK(colour_of("color(alpha = 0.5, c = [0, 1, 0]) { cube(1); }") == glm::dvec3(0, 1, 0));
+}
+
+TEST_CASE("a colour of another form is an error") {
+  CHECK(error_of("color() { cube(1); }") == "m.csg:1:1: color() lacks its c; add [red, green, blue], each from 0 to 1");
+  CHECK(error_of("color([1, 0]) { cube(1); }") ==
+        "m.csg:1:7: the colour of color() must be a vector of 3 or 4 numbers");
+  CHECK(error_of("color(1) { cube(1); }") == "m.csg:1:7: the colour of color() must be a vector of 3 or 4 numbers");
+}

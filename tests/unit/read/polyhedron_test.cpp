@@ -1,0 +1,172 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "support.h"
+
+using csgsim::model::Polyhedron;
+using csgsim::read_test::error_of;
+using csgsim::read_test::outline;
+using csgsim::read_test::read;
+
+namespace {
+
+constexpr std::string_view box_points = "[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1],[0,1,1]]";
+constexpr std::string_view inward_box_faces = "[[0,1,2,3],[7,6,5,4],[4,5,1,0],[5,6,2,1],[6,7,3,2],[7,4,0,3]]";
+constexpr std::string_view outward_box_faces = "[[3,2,1,0],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]";
+constexpr std::string_view tetrahedron_points = "[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]";
+
+std::string polyhedron(std::string_view points, std::string_view faces) {
+  return fmt::format("polyhedron(points = {}, faces = {}, convexity = 1);", points, faces);
+}
+
+Polyhedron solid(const std::string& text) {
+  const csgsim::model::Tree tree = read(text);
+  REQUIRE(tree.primitives.size() == 1);
+  return std::get<Polyhedron>(tree.primitives[0].shape);
+}
+
+/// Whether every point is on or below every face, whose corners run counter-clockwise seen from outside.
+bool faces_outwards(const Polyhedron& polyhedron) {
+  return std::ranges::all_of(polyhedron.faces, [&](const auto& face) {
+    const glm::dvec3& a = polyhedron.points[face[0]];
+    const glm::dvec3 normal = glm::cross(polyhedron.points[face[1]] - a, polyhedron.points[face[2]] - a);
+    return std::ranges::all_of(polyhedron.points,
+                               [&](const glm::dvec3& point) { return glm::dot(normal, point - a) < 1e-9; });
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a polyhedron is read with its faces turned outwards, whichever way they all ran") {
+  for (const std::string_view faces : {inward_box_faces, outward_box_faces}) {
+    const Polyhedron box = solid(polyhedron(box_points, faces));
+    CHECK(box.points.size() == 8);
+    CHECK(box.faces.size() == 6);
+    CHECK(faces_outwards(box));
+  }
+}
+
+TEST_CASE("a mirror leaves a polyhedron's faces outwards in its own space") {
+  CHECK(faces_outwards(solid("multmatrix([[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {" +
+                             polyhedron(box_points, inward_box_faces) + "}")));
+}
+
+TEST_CASE("faces may be called triangles or have no name") {
+  CHECK(solid("polyhedron(triangles = [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]);")
+            .faces.size() == 4);
+  CHECK(solid("polyhedron([[0,0,0],[1,0,0],[0,1,0],[0,0,1]], [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], 2);").faces.size() ==
+        4);
+}
+
+TEST_CASE("points that no face uses are left out, wherever they are") {
+  CHECK(solid(polyhedron("[[9,9,9],[0,0,0],[1,0,0],[0,1,0],[0,0,1]]", "[[1,2,3],[1,4,2],[1,3,4],[2,4,3]]"))
+            .points.size() == 4);
+}
+
+TEST_CASE("equal points are one, and faces that collapse by that are left out") {
+  const Polyhedron soup = solid(
+      polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,0],[0,0,1],[1,0,0],[-0,0,0],[0,1,0],[0,0,1],[1,0,0],[0,0,1],[0,1,0]]",
+                 "[[0,1,2],[3,4,5],[6,7,8],[9,10,11],[0,3,6],[0,1,5,9]]"));
+  CHECK(soup.points.size() == 4);
+  CHECK(soup.faces.size() == 4);
+  CHECK(faces_outwards(soup));
+}
+
+TEST_CASE("a polyhedron without faces, without volume or with a point that is not finite is empty") {
+  CHECK(outline(read(polyhedron("[]", "[]"))) == "nothing");
+  CHECK(outline(read(polyhedron(tetrahedron_points, "[]"))) == "nothing");
+  CHECK(outline(read(polyhedron(tetrahedron_points, "undef"))) == "nothing");
+  CHECK(outline(read(polyhedron("undef", "undef"))) == "nothing");
+  CHECK(outline(read(polyhedron("[[0,0,0],[1,0,0],[0,1,0]]", "[[0,1,2],[2,1,0]]"))) == "nothing");
+  CHECK(outline(read(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[1,1,0]]", "[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]"))) ==
+        "nothing");
+  CHECK(outline(read(polyhedron("[[5,5,5],[5,5,5],[5,5,5],[5,5,5]]", "[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]"))) ==
+        "nothing");
+  CHECK(outline(read(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,inf]]", "[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]"))) ==
+        "nothing");
+}
+
+TEST_CASE("a thin, a tiny and a huge polyhedron stay") {
+  const std::string_view faces = "[[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
+  CHECK(outline(read(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1e-7]]", faces))) == "polyhedron");
+  CHECK(outline(read(polyhedron("[[0,0,0],[1e-300,0,0],[0,1e-300,0],[0,0,1e-300]]", faces))) == "polyhedron");
+  CHECK(outline(read(polyhedron("[[-1e308,0,0],[1e308,0,0],[0,1e308,0],[0,0,1e308]]", faces))) == "polyhedron");
+}
+
+TEST_CASE("an open polyhedron is an error at the face beside the hole") {
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[0,3,1],[0,2,3]]")) ==
+        "m.csg:1:65: the polyhedron is open: no face joins faces[0] from points[1] to points[2]; add one");
+}
+
+TEST_CASE("a face that runs the wrong way is an error") {
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[0,1,3],[0,2,3],[1,3,2]]")) ==
+        "m.csg:1:73: faces[0] and faces[1] both run from points[0] to points[1]; reverse one");
+}
+
+TEST_CASE("a bent face is an error") {
+  CHECK(
+      error_of(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]", outward_box_faces)) ==
+      "m.csg:1:110: faces[1] is not flat: points[4] is 0.0615 off its plane; cut it into triangles");
+}
+
+TEST_CASE("a dent is an error that names a point and a face") {
+  CHECK(error_of(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.1,0.1,0.1]]",
+                            "[[0,2,1],[0,1,3],[0,3,2],[1,2,4],[2,3,4],[3,1,4]]")) ==
+        "m.csg:1:103: the polyhedron is not convex: points[3] is 0.862 outside faces[3]; make it of convex parts");
+}
+
+TEST_CASE("two solids in one polyhedron are not convex") {
+  CHECK(error_of(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[5,0,0],[6,0,0],[5,1,0],[5,0,1]]",
+                            "[[0,1,2],[0,3,1],[0,2,3],[1,3,2],[4,5,6],[4,7,5],[4,6,7],[5,7,6]]"))
+            .find("the polyhedron is not convex") != std::string::npos);
+}
+
+TEST_CASE("a face without area is an error") {
+  CHECK(error_of(
+            polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.5,0,0]]", "[[0,4,1,2],[0,3,1],[0,1,4],[0,2,3],[1,3,2]]")) ==
+        "m.csg:1:93: faces[2] has its corners on a line; join it to the face beside it");
+}
+
+TEST_CASE("coordinates of 6 digits are near enough") {
+  // A box turned about (1, 2, 3), as OpenSCAD prints its corners.
+  CHECK(outline(read(polyhedron("[[0,0,0],[0.728028,0.543834,-0.0389452],[0.202868,1.27183,0.484494],"
+                                "[-0.525161,0.727999,0.523439],[0.314285,-0.273332,0.744126],"
+                                "[1.04231,0.270502,0.705181],[0.517153,0.998502,1.22862],"
+                                "[-0.210876,0.454667,1.26757]]",
+                                outward_box_faces))) == "polyhedron");
+}
+
+TEST_CASE("a point moved by a ten-thousandth of the size is too far off") {
+  CHECK(
+      error_of(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.0005],[0,1,1]]", outward_box_faces))
+          .find("is not flat") != std::string::npos);
+}
+
+TEST_CASE("corners and points of the wrong kind are errors") {
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,4]]")) ==
+        "m.csg:1:70: there is no points[4]; a face names points[0] to points[3]");
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,-1]]")) ==
+        "m.csg:1:70: there is no points[-1]; a face names points[0] to points[3]");
+  CHECK(error_of(polyhedron("[]", "[[0,1,2]]")) == "m.csg:1:35: there is no points[0]; there are none");
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,nan]]")) ==
+        "m.csg:1:70: there is no points[nan]; a face names points[0] to points[3]");
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,1.5]]")) ==
+        "m.csg:1:70: a corner of a face must be a whole number");
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1]]")) ==
+        "m.csg:1:65: a face needs at least 3 corners; take it out or complete it");
+  CHECK(error_of(polyhedron(tetrahedron_points, "[0,1,2]")) ==
+        "m.csg:1:65: a face must be a vector of indices of points");
+  CHECK(error_of(polyhedron(tetrahedron_points, "true")) ==
+        "m.csg:1:64: faces of polyhedron() must be a vector of faces");
+  CHECK(error_of(polyhedron("[[0,0]]", "[]")) == "m.csg:1:22: a point of polyhedron() must be a vector of 3 numbers");
+  CHECK(error_of(polyhedron("3", "[]")) == "m.csg:1:21: points of polyhedron() must be a vector of [x, y, z]");
+  CHECK(error_of("polyhedron(points = []);") ==
+        "m.csg:1:1: polyhedron() lacks its faces; add faces = [[0, 1, 2], ...]");
+  CHECK(error_of("polyhedron(faces = []);") ==
+        "m.csg:1:1: polyhedron() lacks its points; add points = [[x, y, z], ...]");
+  CHECK(error_of("polyhedron(points = [], faces = [], triangles = []);") ==
+        "m.csg:1:1: faces and triangles are both given; take one out");
+}

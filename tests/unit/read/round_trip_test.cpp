@@ -1,0 +1,22 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "random_model.h"
+#include "support.h"
+#include "tree_invariants.h"
+
+using namespace csgsim::read_test;
+
+TEST_CASE("a random model reads back as what it means, in two printers' styles") {
+  CHECK(rc::check([] {
+    const RandomModel model = random_model();
+    const std::string meaning = dump(meaning_of(model));
+    const std::string named = print_named(model);
+    const std::string packed = print_packed(model);
+    RC_LOG() << named << '\n' << packed << '\n';
+    const csgsim::model::Tree tree = read(named);
+    RC_ASSERT(broken_promise(tree) == "");
+    RC_ASSERT(dump(tree) == meaning);
+    RC_ASSERT(dump(read(packed)) == meaning);
+  }));
+}

@@ -1,0 +1,164 @@
+#include <doctest/doctest.h>
+
+#include "host/read/read.h"
+#include "support.h"
+#include "tree_invariants.h"
+
+using csgsim::model::count;
+using csgsim::model::Tree;
+using csgsim::read_test::broken_promise;
+using csgsim::read_test::error_of;
+using csgsim::read_test::outline;
+using csgsim::read_test::read;
+
+TEST_CASE("groups, unions, renders and the file itself are unions") {
+  for (const char* node : {"group()", "union()", "render(convexity = 1)"}) {
+    CHECK(outline(read(std::string("difference() { cube(9); ") + node + " { cube(1); sphere(r = 1); } }")) ==
+          "difference(cube, union(cube, sphere))");
+  }
+  CHECK(outline(read("cube(1); sphere(r = 1); cube(2);")) == "union(cube, sphere, cube)");
+}
+
+TEST_CASE("structure stays as written but for operators of one child or none") {
+  CHECK(outline(read("union() { union() { cube(1); cube(1); } sphere(r = 1); }")) ==
+        "union(union(cube, cube), sphere)");
+  CHECK(outline(read("group() { intersection() { group() { sphere(r = 1); } } } group(); group() {}")) == "sphere");
+}
+
+TEST_CASE("children precede their parents and primitives are in tree order") {
+  const Tree tree = read("difference() { cube(1); union() { sphere(r = 1); cube(2); } cylinder(1, 1, 1); }");
+  CHECK(broken_promise(tree) == "");
+  CHECK(tree.root == tree.nodes.size() - 1);
+  CHECK(outline(tree) == "difference(cube, union(sphere, cube), cylinder)");
+}
+
+TEST_CASE("an empty operand of an intersection empties it") {
+  CHECK(outline(read("intersection() { cube(1); cube(0); }")) == "nothing");
+  CHECK(outline(read("intersection() { group(); cube(1); } sphere(r = 1);")) == "sphere");
+  CHECK(outline(read("intersection() { cube(1); intersection() { cube(0); cube(2); } cube(3); } sphere(r = 1);")) ==
+        "sphere");
+}
+
+TEST_CASE("an empty first operand of a difference empties it, another one vanishes") {
+  CHECK(outline(read("difference() { cube(0); cube(1); }")) == "nothing");
+  CHECK(outline(read("difference() { group() {} cube(1); } sphere(r = 1);")) == "sphere");
+  CHECK(outline(read("difference() { cube(1); cube(0); }")) == "cube");
+  CHECK(outline(read("difference() { cube(1); cube(0); sphere(r = 1); }")) == "difference(cube, sphere)");
+}
+
+TEST_CASE("an empty operand of a union vanishes") {
+  CHECK(outline(read("union() { cube(0); cube(1); sphere(r = -1); sphere(r = 1); }")) == "union(cube, sphere)");
+}
+
+TEST_CASE("what an emptied operator held leaves nothing behind") {
+  const Tree tree = read("cube(1); intersection() { union() { cube(1); cube(2); } cube(0); } sphere(r = 1);");
+  CHECK(tree.primitives.size() == 2);
+  CHECK(tree.nodes.size() == 3);
+  CHECK(broken_promise(tree) == "");
+}
+
+TEST_CASE("a model of empty solids is an empty tree") {
+  const Tree tree = read("cube(0); %sphere(r = 1);");
+  CHECK(tree.nodes.empty());
+  CHECK(tree.primitives.empty());
+  CHECK(tree.root == csgsim::model::no_index);
+  CHECK(tree.file == "m.csg");
+}
+
+TEST_CASE("a file without statements is an error") {
+  const char* message = "m.csg: there is no model in it; export one from OpenSCAD";
+  for (const char* text : {"", " \n", "// nothing\n", "/* nothing */;", "\xEF\xBB\xBF"})
+    CHECK(error_of(text) == message);
+}
+
+TEST_CASE("% and * leave a subtree out, whatever it is") {
+  CHECK(outline(read("%cube(1); *cube(2); sphere(r = 1);")) == "sphere");
+  CHECK(outline(read("%group() { hull() { cube(1); } } * frob(x = 1) { cube(size = true); } sphere(r = 1);")) ==
+        "sphere");
+  CHECK(outline(read("difference() { %cube(1); sphere(r = 1); cube(2); }")) == "difference(sphere, cube)");
+  CHECK(outline(read("intersection() { cube(1); %cube(0); *cube(0); cube(2); }")) == "intersection(cube, cube)");
+  CHECK(outline(read("intersection() { cube(1); intersection() { %cube(1); } }")) == "nothing");
+  CHECK(error_of("%cube(1;") == "m.csg:1:8: expected `,` or `)` in cube(...), found `;`");
+}
+
+TEST_CASE("# changes nothing") {
+  CHECK(outline(read("difference() { #cube(1); # sphere(r = 1); }")) == "difference(cube, sphere)");
+  CHECK(outline(read("#%cube(1); sphere(r = 1);")) == "sphere");
+}
+
+TEST_CASE("! makes its subtree the whole model, without what is around it") {
+  const Tree tree = read(
+      "hull(); color([1, 0, 0]) { multmatrix([[2,0,0,1],[0,2,0,1],[0,0,2,1],[0,0,0,1]]) {"
+      "cube(1); !union() { sphere(r = 1); %cube(1); cube(2); } } } frob();");
+  CHECK(outline(tree) == "union(sphere, cube)");
+  CHECK(tree.primitives[0].transform == glm::dmat4(1));
+  CHECK_FALSE(tree.primitives[0].colour);
+  CHECK(broken_promise(tree) == "");
+}
+
+TEST_CASE("of several ! the first one counts, except under *, and % does not hide it") {
+  CHECK(outline(read("!group() { cube(1); !sphere(r = 1); } !sphere(r = 1);")) == "union(cube, sphere)");
+  CHECK(outline(read("*group() { !cube(1); } sphere(r = 1);")) == "sphere");
+  CHECK(outline(read("*!cube(1); sphere(r = 1);")) == "sphere");
+  CHECK(outline(read("%group() { !cube(1); } sphere(r = 1);")) == "cube");
+  CHECK(outline(read("!%cube(1); sphere(r = 1);")) == "cube");
+  CHECK(outline(read("/* ! */ cube(1);")) == "cube");
+}
+
+TEST_CASE("errors under ! are errors") {
+  CHECK(error_of("!group() { cub(1); }") == "m.csg:1:12: unknown node cub(); did you mean cube()?");
+  CHECK(error_of("!cube(1); sphere(") ==
+        "m.csg:1:18: expected `name = value`, a value or `)` in sphere(...), found the end of the file");
+}
+
+TEST_CASE("nodes without half-spaces are errors that say what to do") {
+  CHECK(error_of("group() {\n  hull() {\n    cube(1);\n  }\n}") ==
+        "m.csg:2:3: hull() cannot be turned into half-spaces; replace it by cube, sphere, cylinder, polyhedron or a "
+        "boolean of them");
+  for (const char* node : {"minkowski", "linear_extrude", "rotate_extrude", "text", "import", "surface", "projection",
+                           "resize", "offset", "square", "circle", "polygon"}) {
+    CHECK(error_of(std::string(node) + "(file = \"x\", timestamp = 0);") ==
+          "m.csg:1:1: " + std::string(node) +
+              "() cannot be turned into half-spaces; replace it by cube, sphere, cylinder, polyhedron or a boolean of "
+              "them");
+  }
+}
+
+TEST_CASE("unknown nodes name the nearest known one") {
+  CHECK(error_of("Sphere(r = 1);") == "m.csg:1:1: unknown node Sphere(); did you mean sphere()?");
+  CHECK(error_of("diffrence() {}") == "m.csg:1:1: unknown node diffrence(); did you mean difference()?");
+  CHECK(error_of("xyzzy();") ==
+        "m.csg:1:1: unknown node xyzzy(); use one of group, union, render, difference, intersection, multmatrix, "
+        "color, cube, sphere, cylinder, polyhedron");
+  CHECK(error_of(std::string(100000, 'a') + "();").size() < 250);
+}
+
+TEST_CASE("solids have no children") {
+  CHECK(outline(read("cube(1) {} sphere(r = 1) { %cube(1); }")) == "union(cube, sphere)");
+  CHECK(error_of("cube(1) {\n sphere(r = 1); }") ==
+        "m.csg:2:2: cube() has no children; put sphere() beside it, in a union() or difference()");
+}
+
+TEST_CASE("counts are those of the written tree") {
+  const csgsim::model::Counts counts =
+      count(read("difference() { cube(1); cube(2); union() { cube(1); cube(2); cube(3); } }"
+                 "intersection() { cube(1); group() { cube(2); cube(0); } }"));
+  CHECK(counts.primitives == 7);
+  CHECK(counts.unions == 3);
+  CHECK(counts.differences == 2);
+  CHECK(counts.intersections == 1);
+}
+
+TEST_CASE("the test models have the counts of their README") {
+  const auto counts_of = [](const std::string& name) {
+    return count(csgsim::read::read_csg_file(CSGSIM_SOURCE_DIR "/tests/models/" + name + ".csg"));
+  };
+  CHECK(counts_of("thesis_fig_2_3").primitives == 3);
+  CHECK(counts_of("thesis_fig_2_3").unions == 0);
+  CHECK(counts_of("thesis_fig_2_3").differences == 1);
+  CHECK(counts_of("thesis_fig_2_3").intersections == 1);
+  CHECK(counts_of("carburettor").primitives == 22);
+  CHECK(counts_of("carburettor").unions == 11);
+  CHECK(counts_of("carburettor").differences == 10);
+  CHECK(counts_of("carburettor").intersections == 0);
+}
