@@ -6,9 +6,9 @@ namespace csgsim::csg {
 
 namespace {
 
-bool boxes_apart(const facet::Box& a, const facet::Box& b, double clearance) {
+bool boxes_apart(const facet::Box& a, const facet::Box& b) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (a.low[axis] > b.high[axis] + clearance || b.low[axis] > a.high[axis] + clearance) return true;
+    if (a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis]) return true;
   }
   return false;
 }
@@ -38,18 +38,14 @@ struct Pruner::Pruned {
 
 Pruner::Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree,
                const view::PixelRect& region)
-    : scene_(scene),
-      view_(view),
-      tree_(tree),
-      region_(region),
-      clearance_(2.0 * static_cast<double>(view::depth_margin(view.sampling)) * view.depth_step) {
+    : scene_(scene), view_(view), tree_(tree), region_(region) {
   subtrees_.resize(tree.nodes.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const PositiveNode& node = tree.nodes[i];
     Subtree& subtree = subtrees_[i];
     if (node.is_leaf) {
       const view::Extent& extent = view.extents[node.primitive];
-      subtree = {node.complemented, extent.pixels, extent.z_low, extent.z_high, scene.solids[node.primitive].box};
+      subtree = {node.complemented, extent.pixels, extent.z_low, extent.z_high, extent.box};
       continue;
     }
     subtree.in_elsewhere = node.op == PositiveOperator::intersect;
@@ -74,7 +70,7 @@ Block Pruner::block_of(std::uint32_t primitive) const {
 
 bool Pruner::apart(const Subtree& subtree, const Block& block, const facet::Box& box) const {
   return common(subtree.pixels, block.pixels).empty() || subtree.z_low > block.z_high || subtree.z_high < block.z_low ||
-         boxes_apart(subtree.box, box, clearance_);
+         boxes_apart(subtree.box, box);
 }
 
 Pruner::Pruned Pruner::prune(std::uint32_t root, const Block& block, const facet::Box& box, ActiveTree& into) const {
@@ -145,7 +141,7 @@ ActiveTree Pruner::active_tree(std::uint32_t primitive) const {
     active.nothing = true;
     return active;
   }
-  const facet::Box& box = scene_.solids[primitive].box;
+  const facet::Box& box = view_.extents[primitive].box;
   std::uint32_t below = tree_.leaf_of[primitive];
   for (std::uint32_t at = tree_.nodes[below].parent; at != model::no_index; below = at, at = tree_.nodes[at].parent) {
     if (tree_.nodes[at].op != PositiveOperator::intersect) continue;

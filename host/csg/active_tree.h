@@ -61,7 +61,6 @@ class Pruner {
   const view::View& view_;
   const PositiveTree& tree_;
   view::PixelRect region_;
-  double clearance_;  ///< model units between boxes that are surely apart, whatever rounding does
   std::vector<Subtree> subtrees_;
 };
 

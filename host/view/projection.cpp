@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "host/view/extent.h"
+#include "host/view/frame.h"
 #include "hw/isa/depth_scale.h"
 #include "hw/isa/error.h"
 
@@ -15,32 +17,6 @@ namespace {
 /// The nearest a perspective view's near plane comes by itself, as a part of the distance to the far plane: 8 of the
 /// depth bits are spent on nearness then.
 constexpr double near_floor = 1.0 / 256;
-
-/// Maps model space to eye space and eye space to the picture.
-struct Frame {
-  Basis axes;
-  glm::dvec3 eye;
-  bool perspective;
-  double pixel;     ///< orthographic: model units a pixel; perspective: tangent a pixel
-  double middle_x;  ///< column and row that the view axis meets
-  double middle_y;
-
-  [[nodiscard]] glm::dvec3 to_eye(const glm::dvec3& point) const {
-    const glm::dvec3 d = point - eye;
-    return {glm::dot(d, axes.right), glm::dot(d, axes.up), glm::dot(d, axes.forward)};
-  }
-};
-
-/// A point in the picture: column and row in pixels, pixel centres at integers.
-struct PicturePoint {
-  double x;
-  double y;
-};
-
-PicturePoint to_picture(const Frame& frame, const glm::dvec3& in_eye) {
-  const double unit = frame.perspective ? frame.pixel * in_eye.z : frame.pixel;
-  return {frame.middle_x + in_eye.x / unit, frame.middle_y - in_eye.y / unit};
-}
 
 void check(const Sampling& sampling) {
   if (sampling.width < 1 || sampling.height < 1 || sampling.width > isa::max_array_side ||
@@ -162,70 +138,7 @@ ScreenPlane make_screen_plane(const Frame& frame, const isa::DepthScale& scale, 
   return surface;
 }
 
-/// Vertices of the part of a solid from the near plane on, in eye space.
-std::vector<glm::dvec3> clip_near(const facet::Convex& solid, const Frame& frame, double near) {
-  std::vector<glm::dvec3> in_eye;
-  in_eye.reserve(solid.vertices.size());
-  for (const glm::dvec3& vertex : solid.vertices) in_eye.push_back(frame.to_eye(vertex));
-  if (!frame.perspective) return in_eye;
-  std::vector<glm::dvec3> kept;
-  for (const glm::dvec3& vertex : in_eye) {
-    if (vertex.z >= near) kept.push_back(vertex);
-  }
-  for (const auto& [first, second] : solid.edges) {
-    const glm::dvec3& a = in_eye[first];
-    const glm::dvec3& b = in_eye[second];
-    if ((a.z < near) != (b.z < near)) kept.push_back(a + (b - a) * ((near - a.z) / (b.z - a.z)));
-  }
-  return kept;
-}
-
-std::int32_t to_pixel(double value) {
-  return static_cast<std::int32_t>(std::clamp(value, -1.0, static_cast<double>(isa::max_array_side) + 1.0));
-}
-
-std::int64_t to_step(double value, std::int64_t top) {
-  return static_cast<std::int64_t>(std::clamp(value, -16.0, static_cast<double>(top) + 16.0));
-}
-
-Extent make_extent(const facet::Convex& solid, const Frame& frame, const isa::DepthScale& scale,
-                   const Sampling& sampling) {
-  const std::vector<glm::dvec3> points = clip_near(solid, frame, scale.near);
-  if (points.empty()) return {};
-  double x0 = std::numeric_limits<double>::infinity();
-  double y0 = x0;
-  double z0 = x0;
-  double x1 = -x0;
-  double y1 = -x0;
-  double z1 = -x0;
-  for (const glm::dvec3& point : points) {
-    const PicturePoint place = to_picture(frame, point);
-    const double depth = isa::depth_of(scale, sampling.z_bits, point.z);
-    x0 = std::min(x0, place.x);
-    x1 = std::max(x1, place.x);
-    y0 = std::min(y0, place.y);
-    y1 = std::max(y1, place.y);
-    z0 = std::min(z0, depth);
-    z1 = std::max(z1, depth);
-  }
-  // Edge-on planes are met half their depth range away from where they are drawn at most; the rest is for rounding.
-  const double margin = sampling.edge_on_fraction + 1.0 / 64;
-  const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
-  const PixelRect screen{0, 0, static_cast<std::int32_t>(sampling.width) - 1,
-                         static_cast<std::int32_t>(sampling.height) - 1};
-  const PixelRect touched{to_pixel(std::ceil(x0 - margin)), to_pixel(std::ceil(y0 - margin)),
-                          to_pixel(std::floor(x1 + margin)), to_pixel(std::floor(y1 + margin))};
-  return {common(touched, screen), std::max<std::int64_t>(0, to_step(std::floor(z0), top) - depth_margin(sampling)),
-          std::min(top, to_step(std::ceil(z1), top) + depth_margin(sampling))};
-}
-
 }  // namespace
-
-std::int64_t depth_margin(const Sampling& sampling) {
-  const double off =
-      (1.0 + sampling.width / 2.0 + sampling.height / 2.0) * std::ldexp(0.5, -static_cast<int>(sampling.fraction_bits));
-  return 4 + static_cast<std::int64_t>(std::ceil(4.0 * off));
-}
 
 Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace) {
   const bool same = plane.positive == halfspace.positive;
@@ -250,8 +163,7 @@ View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera&
   for (const facet::Plane& plane : scene.planes.planes()) {
     view.planes.push_back(make_screen_plane(frame, view.depth, sampling, to_eye(frame, plane, scene.planes.centre())));
   }
-  for (const facet::Convex& solid : scene.solids)
-    view.extents.push_back(make_extent(solid, frame, view.depth, sampling));
+  for (const facet::Convex& solid : scene.solids) view.extents.push_back(make_extent(solid, frame, view));
   const double far_step = (view.depth.far - view.depth.near) / isa::depth_steps(sampling.z_bits);
   view.depth_step = perspective ? far_step * view.depth.far / view.depth.near : far_step;
   return view;

@@ -53,20 +53,16 @@ enum class Side : std::uint8_t {
 
 Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace);
 
-/// What a primitive can touch: pixels, and depth steps of its surface, with room for rounding. A primitive is nowhere
-/// outside its rectangle of pixels, whatever its rounded planes say there.
+/// What a primitive can touch, rounding of its planes included. By rule a primitive is nowhere outside its rectangle of
+/// pixels, whatever its rounded planes say there; the depths and the box follow from the planes and the rectangle.
 struct Extent {
   PixelRect pixels;
-  std::int64_t z_low = 0;   ///< at least 0
+  std::int64_t z_low = 0;   ///< depth steps of its surface; at least 0
   std::int64_t z_high = 0;  ///< at most 2^n - 1
+  facet::Box box;           ///< model space; infinite where no bound is known
 
   [[nodiscard]] bool empty() const { return pixels.empty() || z_low > z_high; }
 };
-
-/// Depth steps added to both ends of an extent for what rounding may do to a surface: each plane is off by a step and
-/// what its coefficients lose on the way to the corner of the picture, and where planes meet at a slant, several times
-/// that.
-std::int64_t depth_margin(const Sampling& sampling);
 
 /// A scene as one camera sees it.
 struct View {

@@ -18,12 +18,17 @@ inline double depth_of(const DepthScale& scale, unsigned bits, double distance) 
   return 1.0 + part * depth_steps(bits);
 }
 
-/// The distance from the eye along the view axis, in model units, of a depth step; infinite for "nothing" (all ones).
-inline double distance_of(const DepthScale& scale, unsigned bits, std::uint32_t step) {
-  if (step == (1ULL << bits) - 1) return std::numeric_limits<double>::infinity();
-  const double part = (static_cast<double>(step) - 1.0) / depth_steps(bits);
+/// The inverse of depth_of: the distance from the eye along the view axis, in model units.
+inline double distance_at(const DepthScale& scale, unsigned bits, double depth) {
+  const double part = (depth - 1.0) / depth_steps(bits);
   if (!scale.perspective) return scale.near + part * (scale.far - scale.near);
   return 1.0 / (1.0 / scale.near - part * (1.0 / scale.near - 1.0 / scale.far));
+}
+
+/// The same of a depth in memory; infinite for "nothing" (all ones).
+inline double distance_of(const DepthScale& scale, unsigned bits, std::uint32_t step) {
+  if (step == (1ULL << bits) - 1) return std::numeric_limits<double>::infinity();
+  return distance_at(scale, bits, step);
 }
 
 }  // namespace csgsim::isa

@@ -31,12 +31,14 @@ const std::map<std::string, Level> levels{
 
 std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const RunOptions& options) {
   switch (levels.at(options.level)) {
-    case Level::functional: return sim::make_functional_engine(machine);
+    case Level::functional: return sim::make_functional_engine(machine, options.threads);
     case Level::cycle: return sim::make_cycle_engine(machine);
     case Level::reference: return sim::make_reference_engine(machine);
   }
   throw std::logic_error("a level without an engine");
 }
+
+constexpr unsigned max_threads = 1024;
 
 std::uint64_t expected_clocks(const isa::Program& program, const machines::Machine& machine) {
   std::uint64_t total = 0;
@@ -62,6 +64,9 @@ void RunOptions::add_to(CLI::App& command) {
   command
       .add_option("--level", level, "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow)")
       ->check(CLI::IsMember(levels))
+      ->capture_default_str();
+  command.add_option("--threads", threads, "Threads that the functional level works on; the picture is the same")
+      ->check(CLI::Range(1U, max_threads))
       ->capture_default_str();
   command.add_option("--progress", progress, "auto (when standard error is a terminal) or none")
       ->check(CLI::IsMember({"auto", "none"}))

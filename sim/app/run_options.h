@@ -20,6 +20,7 @@ struct RunOptions {
   std::string stats;
   std::string level = "functional";
   std::string progress = "auto";
+  unsigned threads = 1;
 
   void add_to(CLI::App& command);
 };

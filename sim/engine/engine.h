@@ -39,6 +39,10 @@ struct Step {
 class Observer {
  public:
   virtual ~Observer() = default;
+
+  /// Whether after_instruction looks at the state after such an instruction. Where none does, engines may run ahead
+  /// and call it later.
+  [[nodiscard]] virtual bool reads_after(const isa::Instruction& /*instruction*/) const { return true; }
   virtual void after_instruction(const Step& /*step*/, const PixelState& /*state*/) {}
   virtual void after_segment(std::uint32_t /*segment*/, const PixelState& /*state*/) {}
 };
@@ -66,7 +70,8 @@ class Engine {
 };
 
 std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine);
-std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine);
+/// Runs on that many threads between the instructions after which an observer looks at the state. Bits do not depend on it.
+std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine, unsigned threads = 1);
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine);
 
 }  // namespace csgsim::sim

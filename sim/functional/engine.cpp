@@ -1,57 +1,59 @@
 #include "sim/engine/engine.h"
 
+#include <algorithm>
 #include <memory>
-#include <optional>
+#include <stdexcept>
 
 #include "hw/machines/clocks.h"
-#include "sim/functional/array.h"
+#include "sim/functional/bands.h"
 
 namespace csgsim::sim {
 
 namespace {
 
-/// What observers see of the array.
-class ArrayState final : public PixelState {
- public:
-  ArrayState(const Array& array, const isa::Region& region) : array_(array), region_(region) {}
-  [[nodiscard]] isa::Region region() const override { return region_; }
-  void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
-    array_.read_field(field, values);
+/// Instructions until one, inclusive, after which an observer looks at the pixels; few enough to show progress.
+std::size_t unread_stretch(std::span<const isa::Instruction> instructions, std::span<Observer* const> observers) {
+  constexpr std::size_t most = 1024;
+  std::size_t count = 0;
+  while (count < std::min(most, instructions.size())) {
+    const isa::Instruction& instruction = instructions[count++];
+    if (std::any_of(observers.begin(), observers.end(),
+                    [&](const Observer* one) { return one->reads_after(instruction); })) {
+      break;
+    }
   }
-  void read_enable(std::span<std::uint64_t> words) const override { array_.read_enable(words); }
-
- private:
-  const Array& array_;
-  isa::Region region_;
-};
+  return count;
+}
 
 class FunctionalEngine final : public Engine {
  public:
-  explicit FunctionalEngine(machines::Machine machine) : machine_(std::move(machine)) {}
+  FunctionalEngine(machines::Machine machine, unsigned threads) : machine_(std::move(machine)), threads_(threads) {
+    if (threads == 0) throw std::invalid_argument("no thread to run on");
+  }
 
   [[nodiscard]] std::string_view level() const override { return "functional"; }
 
   RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
     RunResult result;
-    std::optional<Array> array;
+    Bands bands(program, threads_);
     for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
-      const isa::Segment& segment = program.segments[s];
-      const isa::Region& region = segment.region;
-      if (array && array->width() == region.width && array->rows() == region.height)
-        array->clear();
-      else
-        array.emplace(region.width, 0, region.height, program.shape.memory_bits);
-
-      const ArrayState state(*array, region);
-      for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
-        const isa::Instruction& instruction = segment.instructions[i];
-        const Step step{s, i, instruction, machines::clocks(instruction, machine_), array->enabled()};
-        result.overflows += array->execute(instruction);
-        result.clocks += step.clocks;
-        if (instruction.opcode == isa::Opcode::global_or) result.answers.push_back(array->enabled() != 0);
-        for (Observer* const observer : observers) observer->after_instruction(step, state);
+      bands.begin(program.segments[s].region);
+      const std::span<const isa::Instruction> all = program.segments[s].instructions;
+      for (std::size_t begin = 0; begin < all.size();) {
+        const std::span<const isa::Instruction> stretch =
+            all.subspan(begin, unread_stretch(all.subspan(begin), observers));
+        const Bands::Tally tally = bands.execute(stretch);
+        result.overflows += tally.overflows;
+        for (std::size_t i = 0; i < stretch.size(); ++i) {
+          const Step step{s, static_cast<std::uint32_t>(begin + i), stretch[i], machines::clocks(stretch[i], machine_),
+                          tally.enabled[i]};
+          result.clocks += step.clocks;
+          if (step.instruction.opcode == isa::Opcode::global_or) result.answers.push_back(step.enabled_pixels != 0);
+          for (Observer* const observer : observers) observer->after_instruction(step, bands);
+        }
+        begin += stretch.size();
       }
-      for (Observer* const observer : observers) observer->after_segment(s, state);
+      for (Observer* const observer : observers) observer->after_segment(s, bands);
     }
     result.latency_clocks = machines::evaluator_latency(machine_.array);
     result.clocks += result.latency_clocks;
@@ -60,12 +62,13 @@ class FunctionalEngine final : public Engine {
 
  private:
   machines::Machine machine_;
+  unsigned threads_;
 };
 
 }  // namespace
 
-std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine) {
-  return std::make_unique<FunctionalEngine>(machine);
+std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine, unsigned threads) {
+  return std::make_unique<FunctionalEngine>(machine, threads);
 }
 
 }  // namespace csgsim::sim

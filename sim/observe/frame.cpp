@@ -24,10 +24,14 @@ FrameObserver::FrameObserver(const isa::Program& program)
              std::vector<std::uint32_t>(pixel_count(program)),
              std::vector<std::uint32_t>(pixel_count(program), no_owner)} {}
 
+bool FrameObserver::reads_after(const isa::Instruction& instruction) const {
+  const bool is_merge = instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
+  return is_merge;
+}
+
 void FrameObserver::after_instruction(const Step& step, const PixelState& state) {
   const isa::Instruction& instruction = step.instruction;
-  const bool is_merge = instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
-  if (!is_merge) return;
+  if (!reads_after(instruction)) return;
   const isa::Region region = state.region();
   const std::size_t words = row_words(region);
   enable_.resize(words * region.height);

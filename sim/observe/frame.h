@@ -24,6 +24,7 @@ class FrameObserver : public Observer {
  public:
   explicit FrameObserver(const isa::Program& program);
 
+  [[nodiscard]] bool reads_after(const isa::Instruction& instruction) const override;
   void after_instruction(const Step& step, const PixelState& state) override;
   void after_segment(std::uint32_t segment, const PixelState& state) override;
 

@@ -16,6 +16,7 @@ class ProgressObserver : public Observer {
   ProgressObserver(const ProgressObserver&) = delete;
   ProgressObserver& operator=(const ProgressObserver&) = delete;
 
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const Step& step, const PixelState& state) override;
 
  private:

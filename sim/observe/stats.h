@@ -33,6 +33,7 @@ struct Stats {
 class StatsObserver : public Observer {
  public:
   explicit StatsObserver(const isa::Program& program);
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const Step& step, const PixelState& state) override;
   [[nodiscard]] const Stats& stats() const { return stats_; }
 

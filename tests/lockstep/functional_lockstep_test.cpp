@@ -196,6 +196,25 @@ TEST_CASE("F wraps from the first number past the width on") {
     }
 }
 
+TEST_CASE("several threads make the same bits and the same tallies as one") {
+  CHECK(rc::check([] {
+    const ArrayShape shape{70, 13, 40};
+    const Program program = *test::arbitrary_program(shape, 60);
+    isa::validate(program);
+    const machines::Machine machine = test::machine_of(shape, 1);
+    const auto judge = sim::make_reference_engine(machine);
+    for (const unsigned threads : {2U, 5U, 64U}) {
+      const auto engine = sim::make_functional_engine(machine, threads);
+      test::check_lockstep(*judge, *engine, program, machine);
+      const sim::RunResult expected = judge->run(program, {});
+      const sim::RunResult result = engine->run(program, {});
+      RC_ASSERT(result.overflows == expected.overflows);
+      RC_ASSERT(result.answers == expected.answers);
+      RC_ASSERT(result.clocks == expected.clocks);
+    }
+  }));
+}
+
 TEST_CASE("axis-parallel and slanting edges cut a full array at the exact pixel") {
   for (const std::int64_t a : {-3, 0, 2})
     for (const std::int64_t b : {-5, 0, 3})

@@ -14,8 +14,9 @@ struct Interval {
   std::int64_t back = 0;
 };
 
-Interval interval(const facet::Convex& solid, const view::View& view, std::int64_t x, std::int64_t y,
-                  std::int64_t farthest) {
+Interval interval(const facet::Convex& solid, const view::View& view, const view::PixelRect& rectangle, std::int64_t x,
+                  std::int64_t y, std::int64_t farthest) {
+  if (x < rectangle.x0 || x > rectangle.x1 || y < rectangle.y0 || y > rectangle.y1) return {};
   Interval in{0, farthest};
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     const view::ScreenPlane& plane = view.planes[halfspace.plane];
@@ -47,7 +48,9 @@ std::vector<Seen> draw_by_rules(const model::Tree& tree, const facet::Scene& sce
   std::vector<bool> held(tree.primitives.size());
   for (std::uint32_t y = 0; y < view.sampling.height; ++y) {
     for (std::uint32_t x = 0; x < view.sampling.width; ++x) {
-      for (std::size_t p = 0; p < intervals.size(); ++p) intervals[p] = interval(scene.solids[p], view, x, y, farthest);
+      for (std::size_t p = 0; p < intervals.size(); ++p) {
+        intervals[p] = interval(scene.solids[p], view, view.extents[p].pixels, x, y, farthest);
+      }
       Seen& seen = picture[static_cast<std::size_t>(y) * view.sampling.width + x];
       for (std::uint32_t p = 0; p < intervals.size(); ++p) {
         if (intervals[p].front >= intervals[p].back) continue;

@@ -177,6 +177,32 @@ TEST_CASE("faces seen edge-on become edge tests, and opposite sides share each o
   CHECK(edges == 4);
 }
 
+TEST_CASE(
+    "what a thick solid can touch hardly grows by rounding, and what a thin one can touch is still bounded by its "
+    "planes") {
+  const view::Camera camera{{0, -40, 0}, {0, 0, 0}, view::Projection::orthographic};
+  const auto extent_of = [&](const model::Tree& tree, const view::Sampling& sampling) {
+    return view::make_view(facet::make_scene(tree), tree, camera, sampling).extents[0];
+  };
+  const view::Extent thick = extent_of(box_at({-4, -4, -4}, {8, 8, 8}), {});
+  for (int axis = 0; axis < 3; ++axis) {
+    CHECK(thick.box.low[axis] <= -4.0);
+    CHECK(thick.box.low[axis] > -4.001);
+    CHECK(thick.box.high[axis] >= 4.0);
+    CHECK(thick.box.high[axis] < 4.001);
+  }
+  view::Sampling coarse;
+  coarse.z_bits = 6;
+  coarse.fraction_bits = 0;
+  CHECK(extent_of(box_at({-4, -4, -4}, {8, 8, 8}), coarse).box.high.x > 8.0);
+  // A sheet seen straight on, much thinner than a depth step.
+  const view::Extent thin = extent_of(box_at({-4, 0, -4}, {8, 1e-9, 8}), coarse);
+  CHECK(thin.box.high.x == std::numeric_limits<double>::infinity());
+  CHECK(thin.z_low <= 1);
+  CHECK(thin.z_high >= 1);
+  CHECK(thin.z_high < 8);
+}
+
 TEST_CASE("a model behind the eye is nowhere in a perspective picture") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
   const facet::Scene scene = facet::make_scene(tree);

@@ -1,0 +1,164 @@
+#include "host/view/extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace csgsim::view {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+const facet::Box everywhere{glm::dvec3(-infinite), glm::dvec3(infinite)};
+
+/// What doubles may lose on the way into the picture and back, relative to a coordinate.
+constexpr double noise = 1e-12;
+
+/// Corners of the part of a solid from the near plane on, in eye space.
+std::vector<glm::dvec3> clip_near(const facet::Convex& solid, const Frame& frame, double near) {
+  std::vector<glm::dvec3> in_eye;
+  in_eye.reserve(solid.vertices.size());
+  for (const glm::dvec3& vertex : solid.vertices) in_eye.push_back(frame.to_eye(vertex));
+  if (!frame.perspective) return in_eye;
+  std::vector<glm::dvec3> kept;
+  for (const glm::dvec3& vertex : in_eye) {
+    if (vertex.z >= near) kept.push_back(vertex);
+  }
+  for (const auto& [first, second] : solid.edges) {
+    const glm::dvec3& a = in_eye[first];
+    const glm::dvec3& b = in_eye[second];
+    if ((a.z < near) != (b.z < near)) kept.push_back(a + (b - a) * ((near - a.z) / (b.z - a.z)));
+  }
+  return kept;
+}
+
+double value_at(const Sampling& sampling, const RealLinear& linear, const glm::dvec3& place) {
+  return linear.at_centre + linear.a * (place.x - (sampling.width - 1.0) / 2.0) +
+         linear.b * (place.y - (sampling.height - 1.0) / 2.0);
+}
+
+/// The most by which coefficients of that many fraction bits miss anywhere in the picture.
+double rounding(const Sampling& sampling, unsigned fraction_bits) {
+  return (1.0 + sampling.width / 2.0 + sampling.height / 2.0) * std::ldexp(0.5, -static_cast<int>(fraction_bits));
+}
+
+/// By which part of its slack at a point a half-space may move outwards when its plane is rounded.
+double relative_move(const View& view, facet::Halfspace halfspace, const glm::dvec3& inside) {
+  const ScreenPlane& plane = view.planes[halfspace.plane];
+  const double value = value_at(view.sampling, plane.real, inside);
+  const auto [slack, move] = [&]() -> std::pair<double, double> {
+    // Surfaces lose a step to the floor. Edge tests stand where the plane passes half the depth range.
+    const double step = 1.0 + rounding(view.sampling, view.sampling.fraction_bits);
+    const double edge = view.sampling.edge_on_fraction + rounding(view.sampling, edge_fraction_bits(view.sampling));
+    switch (side_of(plane, halfspace)) {
+      case Side::front: return {inside.z - value, step};
+      case Side::back: return {value - inside.z, step};
+      case Side::edge_positive: return {value, edge};
+      case Side::edge_negative: return {-value, edge};
+    }
+    return {0.0, step};
+  }();
+  return slack > 0.0 ? move / slack : infinite;
+}
+
+PixelRect touched_pixels(const std::vector<glm::dvec3>& places, const Sampling& sampling) {
+  double x0 = infinite;
+  double y0 = infinite;
+  double x1 = -infinite;
+  double y1 = -infinite;
+  for (const glm::dvec3& place : places) {
+    x0 = std::min(x0, place.x);
+    x1 = std::max(x1, place.x);
+    y0 = std::min(y0, place.y);
+    y1 = std::max(y1, place.y);
+  }
+  const auto to_pixel = [](double value) {
+    return static_cast<std::int32_t>(std::clamp(value, -1.0, static_cast<double>(isa::max_array_side) + 1.0));
+  };
+  // Edge-on planes are met half their depth range away from where they are drawn at most; the rest is for rounding.
+  const double margin = sampling.edge_on_fraction + 1.0 / 64;
+  const PixelRect screen{0, 0, static_cast<std::int32_t>(sampling.width) - 1,
+                         static_cast<std::int32_t>(sampling.height) - 1};
+  return common({to_pixel(std::ceil(x0 - margin)), to_pixel(std::ceil(y0 - margin)), to_pixel(std::floor(x1 + margin)),
+                 to_pixel(std::floor(y1 + margin))},
+                screen);
+}
+
+/// Depth steps that the planes leave over the rectangle, by the values the machine uses.
+void narrow_by_planes(Extent& extent, const facet::Convex& solid, const View& view) {
+  for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    const ScreenPlane& plane = view.planes[halfspace.plane];
+    if (!plane.representable || plane.kind == PlaneKind::edge) continue;
+    const Range range = range_over(plane.linear, extent.pixels);
+    if (side_of(plane, halfspace) == Side::front) {
+      extent.z_low = std::max(extent.z_low, range.low >> view.sampling.fraction_bits);
+    } else {
+      extent.z_high = std::min(extent.z_high, range.high >> view.sampling.fraction_bits);
+    }
+  }
+}
+
+/// In the picture a solid is the intersection of half-spaces g(p) <= 0. Where rounding moves each of them to
+/// g(p) <= d, and g(inside) <= -s < 0, scaling the solid about `inside` by 1 + max d/s gives one that holds the rounded
+/// solid: this is max d/s, infinite for a solid without inside.
+double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool near_cuts, const View& view) {
+  // What the near plane cuts, at depth 1, is capped at depth 0.
+  double growth = near_cuts ? 1.0 / std::max(inside.z - 1.0, 0.0) : 0.0;
+  for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    growth = std::max(growth, relative_move(view, halfspace, inside));
+  }
+  return growth;
+}
+
+/// The box in model space of places in the picture; infinite where one of them is nowhere before the eye.
+facet::Box box_around(const std::vector<glm::dvec3>& places, const Frame& frame, const View& view) {
+  facet::Box box;
+  for (const glm::dvec3& place : places) {
+    const double distance = isa::distance_at(view.depth, view.sampling.z_bits, place.z);
+    if (frame.perspective && !(distance > 0.0 && std::isfinite(distance))) return everywhere;
+    box = hull(box, frame.to_model(frame.from_picture({place.x, place.y, distance})));
+  }
+  const glm::dvec3 more = noise * glm::max(glm::abs(box.low), glm::abs(box.high));
+  return {box.low - more, box.high + more};
+}
+
+}  // namespace
+
+Extent make_extent(const facet::Convex& solid, const Frame& frame, const View& view) {
+  const Sampling& sampling = view.sampling;
+  std::vector<glm::dvec3> places = clip_near(solid, frame, view.depth.near);
+  if (places.empty()) return {};
+  glm::dvec3 inside(0);
+  bool near_cuts = false;
+  for (glm::dvec3& place : places) {
+    near_cuts = near_cuts || (frame.perspective && place.z <= view.depth.near);
+    place = frame.to_picture(place);
+    place.z = isa::depth_of(view.depth, sampling.z_bits, place.z);
+    inside += place / static_cast<double>(places.size());
+  }
+  const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
+  Extent extent{touched_pixels(places, sampling), 0, top, everywhere};
+  if (extent.empty()) return extent;
+  const double growth = growth_about(inside, solid, near_cuts, view);
+  if (std::isfinite(growth)) {
+    double low = infinite;
+    double high = -infinite;
+    for (glm::dvec3& place : places) {
+      place += growth * (place - inside);
+      low = std::min(low, place.z);
+      high = std::max(high, place.z);
+    }
+    const auto to_step = [&](double value) {
+      return static_cast<std::int64_t>(std::clamp(value, -1.0, static_cast<double>(top) + 1.0));
+    };
+    extent.z_low = std::max<std::int64_t>(0, to_step(std::floor(low)));
+    extent.z_high = std::min(top, to_step(std::ceil(high)));
+    extent.box = box_around(places, frame, view);
+  }
+  narrow_by_planes(extent, solid, view);
+  return extent;
+}
+
+}  // namespace csgsim::view
