@@ -197,7 +197,7 @@ TEST_CASE(
   CHECK(extent_of(box_at({-4, -4, -4}, {8, 8, 8}), coarse).box.high.x > 8.0);
   // A sheet seen straight on, much thinner than a depth step.
   const view::Extent thin = extent_of(box_at({-4, 0, -4}, {8, 1e-9, 8}), coarse);
-  CHECK(thin.box.high.x == std::numeric_limits<double>::infinity());
+  CHECK(thin.box.high.x > 100.0);
   CHECK(thin.z_low <= 1);
   CHECK(thin.z_high >= 1);
   CHECK(thin.z_high < 8);
