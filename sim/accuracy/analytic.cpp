@@ -14,8 +14,10 @@ namespace csgsim::accuracy {
 
 namespace {
 
-/// Depths closer than this part of the distance are the same depth.
-constexpr long double same_part = 1e-12L;
+/// Depths closer than this part of the distance are the same depth. Has to be more than planes may be apart that the
+/// host takes as one (facet::coincidence_tolerance, of the model's diagonal), a hundred times more for planes that are
+/// seen nearly edge-on: else coinciding faces have another owner here than in the faceted picture.
+constexpr long double same_part = 1e-9L;
 
 /// What moves rays off edge-on faces, pixels.
 constexpr long double nudge_right = 1e-9L;
@@ -38,6 +40,7 @@ class LongCamera {
     up_ = glm::cross(right_, forward_);
     const long double tangent = std::tan(std::numbers::pi_v<long double> / 16);
     pixel_ = 2 * tangent / height * (perspective_ ? 1 : glm::length(view));
+    least_unit_ = perspective_ ? 0 : glm::length(view);
   }
 
   /// The ray of a pixel centre; t counts model units along the axis from the eye.
@@ -49,6 +52,10 @@ class LongCamera {
   }
 
   [[nodiscard]] bool perspective() const { return perspective_; }
+
+  [[nodiscard]] bool same_depth(long double a, long double b) const {
+    return std::abs(b - a) <= same_part * std::max({std::abs(a), std::abs(b), least_unit_});
+  }
 
   /// Column and row that a point is seen at, and its distance.
   [[nodiscard]] LongVector see(const LongVector& point) const {
@@ -67,6 +74,8 @@ class LongCamera {
   LongVector up_{};
   LongVector forward_{};
   long double pixel_ = 0;  ///< orthographic: model units; perspective: tangent
+  /// An orthographic view shows what is at the eye and behind it too: the size of the picture counts there.
+  long double least_unit_ = 0;
 };
 
 /// Pixels [x0, x1) x [y0, y1) that a solid may be seen at.
@@ -135,9 +144,8 @@ Truth analytic_truth(const model::Tree& tree, const view::Camera& camera, std::u
         events.push_back({in.high, i, false});
       }
       std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.depth < b.depth; });
-      const Event* seen = first_seen(sweep, std::span<const Event>(events), [](const Event& a, const Event& b) {
-        return b.depth - a.depth <= same_part * std::max(std::abs(a.depth), std::abs(b.depth));
-      });
+      const Event* seen = first_seen(sweep, std::span<const Event>(events),
+                                     [&](const Event& a, const Event& b) { return view.same_depth(a.depth, b.depth); });
       if (seen == nullptr) continue;
       const std::size_t pixel = static_cast<std::size_t>(row) * width + column;
       truth.distance[pixel] = static_cast<double>(seen->depth);

@@ -111,7 +111,10 @@ TrueSolid::TrueSolid(const model::Primitive& primitive)
   high_ = extent.high;
   const auto* shape = std::get_if<model::Polyhedron>(&primitive.shape);
   if (shape == nullptr) return;
-  const LongVector middle = (low_ + high_) / 2.0L;
+  // Surely inside, which the middle of the box around the solid need not be.
+  LongVector inside(0);
+  for (const glm::dvec3& point : shape->points) inside += LongVector(point);
+  inside /= static_cast<long double>(shape->points.size());
   for (const std::vector<std::uint32_t>& face : shape->faces) {
     Side side{newell(*shape, face), 0};
     LongVector centroid(0);
@@ -119,7 +122,7 @@ TrueSolid::TrueSolid(const model::Primitive& primitive)
     centroid /= static_cast<long double>(face.size());
     side.offset = -glm::dot(side.normal, centroid);
     // Outwards, whichever way round the corners are.
-    if (glm::dot(side.normal, middle) + side.offset > 0) side = {-side.normal, -side.offset};
+    if (glm::dot(side.normal, inside) + side.offset > 0) side = {-side.normal, -side.offset};
     sides_.push_back(side);
   }
 }
