@@ -10,6 +10,7 @@ Usage: ./setup.sh COMMAND
   test   build everything and run the whole test suite
   build  build build/release/csgsim
   asan   build with address and undefined-behaviour sanitizers and run the suite
+  flags  build without optimisation, and for this very processor, and hold both against the golden figures
   bench  build and run the benchmarks
   lint   check the formatting (clang-format) and the code (clang-tidy)
 TEXT
@@ -88,6 +89,15 @@ case "${1:-}" in
     [ "$1" = asan ] && preset=asan
     build "$preset" -DCSGSIM_BUILD_TESTS=ON
     ctest --preset "$preset" -j "$(nproc)"
+    ;;
+  flags)
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages
+    for preset in debug native; do
+      cmake --preset "$preset" -DCSGSIM_BUILD_TESTS=ON
+      cmake --build --preset "$preset" --target test_golden
+      ctest --preset "$preset" -R '^golden:'
+    done
     ;;
   bench)
     # shellcheck disable=SC2086
