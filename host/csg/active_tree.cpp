@@ -1,16 +1,27 @@
 #include "host/csg/active_tree.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "host/csg/apart.h"
+#include "host/csg/separation.h"
 
 namespace csgsim::csg {
 
 namespace {
 
-bool boxes_apart(const facet::Box& a, const facet::Box& b) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis]) return true;
+/// Adds a node to the operands of an operator; the operands of one with the same operator instead of it, which is left
+/// without any.
+void keep(ActiveTree& tree, std::uint32_t index, PositiveOperator op, std::vector<std::uint32_t>& operands) {
+  ActiveNode& node = tree.nodes[index];
+  if (node.is_leaf || node.op != op) {
+    operands.push_back(index);
+    return;
   }
-  return false;
+  // The fewer go to the more, so that deep trees take no longer than wide ones.
+  if (node.children.size() > operands.size()) std::swap(node.children, operands);
+  operands.insert(operands.end(), node.children.begin(), node.children.end());
+  node.children.clear();
 }
 
 /// Results to hold for an operator whose operands need that many, neediest first (Ershov, Sethi and Ullman).
@@ -31,14 +42,24 @@ std::uint32_t ActiveTree::bits() const {
   return most;
 }
 
+std::uint32_t ActiveTree::depth() const {
+  std::vector<std::uint32_t> depths(nodes.size(), 1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (const std::uint32_t child : nodes[i].children) depths[i] = std::max(depths[i], depths[child] + 1);
+  }
+  std::uint32_t deepest = 0;
+  for (const std::uint32_t operand : operands) deepest = std::max(deepest, depths[operand]);
+  return operands.size() > 1 ? deepest + 1 : deepest;
+}
+
 struct Pruner::Pruned {
   Known known = Known::depends;
   std::uint32_t node = model::no_index;  ///< in the active tree, if it depends
 };
 
 Pruner::Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree,
-               const view::PixelRect& region)
-    : scene_(scene), view_(view), tree_(tree), region_(region) {
+               const view::PixelRect& region, const Pruning& pruning)
+    : scene_(scene), view_(view), tree_(tree), region_(region), pruning_(pruning) {
   subtrees_.resize(tree.nodes.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const PositiveNode& node = tree.nodes[i];
@@ -68,12 +89,28 @@ Block Pruner::block_of(std::uint32_t primitive) const {
   return {common(extent.pixels, region_), extent.z_low, extent.z_high};
 }
 
-bool Pruner::apart(const Subtree& subtree, const Block& block, const facet::Box& box) const {
-  return common(subtree.pixels, block.pixels).empty() || subtree.z_low > block.z_high || subtree.z_high < block.z_low ||
-         boxes_apart(subtree.box, box);
+bool Pruner::apart(const Subtree& subtree, const Place& place) const {
+  const Block& block = place.block;
+  const bool picture =
+      common(subtree.pixels, block.pixels).empty() || subtree.z_low > block.z_high || subtree.z_high < block.z_low;
+  return (pruning_.picture && picture) ||
+         (pruning_.space && csg::apart(subtree.box, view_.extents[place.primitive].box));
 }
 
-Pruner::Pruned Pruner::prune(std::uint32_t root, const Block& block, const facet::Box& box, ActiveTree& into) const {
+/// What is known of a leaf, complemented or not.
+Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
+  const Known known = [&] {
+    if (pruning_.separation &&
+        separated(view_.extents[leaf.primitive].corners, view_.extents[place.primitive].corners)) {
+      return Known::out;
+    }
+    return pruning_.halfspaces ? locate(view_, scene_, leaf.primitive, place.block) : Known::depends;
+  }();
+  if (known == Known::depends || !leaf.complemented) return known;
+  return known == Known::in ? Known::out : Known::in;
+}
+
+Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree& into) const {
   // A frame a node on the way down; no tree is too deep for it.
   struct Frame {
     std::uint32_t node;
@@ -84,12 +121,9 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Block& block, const facet
   Pruned result;
   const auto decided = [&](std::uint32_t index) -> Known {
     const Subtree& subtree = subtrees_[index];
-    if (apart(subtree, block, box)) return subtree.in_elsewhere ? Known::in : Known::out;
+    if (apart(subtree, place)) return subtree.in_elsewhere ? Known::in : Known::out;
     const PositiveNode& node = tree_.nodes[index];
-    if (!node.is_leaf) return Known::depends;
-    const Known known = locate(view_, scene_, node.primitive, block);
-    if (known == Known::depends || !node.complemented) return known;
-    return known == Known::in ? Known::out : Known::in;
+    return node.is_leaf ? leaf_known(node, place) : Known::depends;
   };
   while (!path.empty()) {
     Frame& frame = path.back();
@@ -111,7 +145,7 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Block& block, const facet
         path.pop_back();
         continue;
       }
-      if (result.known == Known::depends) frame.kept.push_back(result.node);
+      if (result.known == Known::depends) keep(into, result.node, node.op, frame.kept);
     }
     if (frame.next < node.children.size()) {
       const std::uint32_t child = node.children[frame.next++];
@@ -136,24 +170,23 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Block& block, const facet
 
 ActiveTree Pruner::active_tree(std::uint32_t primitive) const {
   ActiveTree active;
-  const Block block = block_of(primitive);
-  if (block.pixels.empty()) {
+  const Place place{block_of(primitive), primitive};
+  if (place.block.pixels.empty()) {
     active.nothing = true;
     return active;
   }
-  const facet::Box& box = view_.extents[primitive].box;
   std::uint32_t below = tree_.leaf_of[primitive];
   for (std::uint32_t at = tree_.nodes[below].parent; at != model::no_index; below = at, at = tree_.nodes[at].parent) {
     if (tree_.nodes[at].op != PositiveOperator::intersect) continue;
     for (const std::uint32_t sibling : tree_.nodes[at].children) {
       if (sibling == below) continue;
-      const Pruned pruned = prune(sibling, block, box, active);
+      const Pruned pruned = prune(sibling, place, active);
       if (pruned.known == Known::out) {
         active = {};
         active.nothing = true;
         return active;
       }
-      if (pruned.known == Known::depends) active.operands.push_back(pruned.node);
+      if (pruned.known == Known::depends) keep(active, pruned.node, PositiveOperator::intersect, active.operands);
     }
   }
   return active;

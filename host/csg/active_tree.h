@@ -5,13 +5,14 @@
 
 #include "host/csg/locate.h"
 #include "host/csg/positive_tree.h"
+#include "host/csg/pruning.h"
 #include "host/facet/scene.h"
 #include "host/view/projection.h"
 
 namespace csgsim::csg {
 
-/// A node of an active tree. Children precede their parents; the deepest operand stands first, so that evaluating from
-/// left to right holds the fewest results at a time.
+/// A node of an active tree. Children precede their parents; the neediest operand stands first, so that evaluating from
+/// left to right holds the fewest results at a time. No operand of an operator has the same operator.
 struct ActiveNode {
   bool is_leaf = false;
   bool complemented = false;
@@ -30,18 +31,21 @@ struct ActiveTree {
 
   /// Results to hold besides the one that stands for the primitive itself.
   [[nodiscard]] std::uint32_t bits() const;
+
+  /// Levels of the tree: 0 without operands, 1 for a leaf.
+  [[nodiscard]] std::uint32_t depth() const;
 };
 
 /// Prunes I-trees for one region of the picture. Keeps references to its arguments.
 class Pruner {
  public:
-  Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const view::PixelRect& region);
+  Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const view::PixelRect& region,
+         const Pruning& pruning = {});
 
   /// The part of the region and the depths that the primitive's surface can be in; its pixels are empty if there are
   /// none.
   [[nodiscard]] Block block_of(std::uint32_t primitive) const;
 
-  /// Pruned by boxes in space and in the picture, and by half-spaces that hold the block on one side.
   [[nodiscard]] ActiveTree active_tree(std::uint32_t primitive) const;
 
  private:
@@ -54,13 +58,20 @@ class Pruner {
   };
 
   struct Pruned;
-  [[nodiscard]] bool apart(const Subtree& subtree, const Block& block, const facet::Box& box) const;
-  [[nodiscard]] Pruned prune(std::uint32_t node, const Block& block, const facet::Box& box, ActiveTree& into) const;
+  /// Where a primitive's surface is looked at.
+  struct Place {
+    Block block;
+    std::uint32_t primitive;
+  };
+  [[nodiscard]] bool apart(const Subtree& subtree, const Place& place) const;
+  [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
+  [[nodiscard]] Pruned prune(std::uint32_t node, const Place& place, ActiveTree& into) const;
 
   const facet::Scene& scene_;
   const view::View& view_;
   const PositiveTree& tree_;
   view::PixelRect region_;
+  Pruning pruning_;
   std::vector<Subtree> subtrees_;
 };
 

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
 
 namespace csgsim::effects {
-
-inline constexpr unsigned colour_bits = 24;  ///< 8 each: red in the highest, blue in the lowest bits
 
 /// One directional light fixed to the camera, plus ambient light.
 struct FlatShading {
@@ -19,10 +16,7 @@ inline constexpr glm::dvec3 default_colour{0.976, 0.843, 0.173};
 inline constexpr glm::dvec3 default_cut_colour{0.616, 0.796, 0.318};
 inline constexpr glm::dvec3 background_colour{1.0, 1.0, 0.898};
 
-/// A colour as pixel memory holds it; components are clamped to [0, 1].
-std::uint32_t pack(const glm::dvec3& colour);
-
 /// The colour of a facet whose unit normal, pointing to the viewer's side, is given in right, up, forward.
-std::uint32_t shade(const FlatShading& shading, const glm::dvec3& colour, const glm::dvec3& normal);
+glm::dvec3 shade(const FlatShading& shading, const glm::dvec3& colour, const glm::dvec3& normal);
 
 }  // namespace csgsim::effects

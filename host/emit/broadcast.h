@@ -19,6 +19,9 @@ class Broadcast {
   /// An instruction without a linear expression.
   void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
 
+  /// E := 0.
+  void nowhere();
+
   /// A surface plane against a depth field, as wide as its values over `pixels` ask; E has to be 0 outside `pixels`.
   void surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane, const view::PixelRect& pixels);
 

@@ -1,14 +1,22 @@
 #include "host/emit/compile.h"
 
 #include <algorithm>
+#include <exception>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "host/emit/context.h"
+#include "host/emit/evaluation.h"
+#include "hw/isa/error.h"
+#include "hw/machines/clocks.h"
 
 namespace csgsim::emit {
 
 namespace {
+
+/// Levels up to which `Strategy::automatic` tries to keep results on a stack.
+constexpr std::uint32_t most_levels_tried = 8;
 
 struct ShapeName {
   std::string operator()(const model::Cube&) const { return "cube"; }
@@ -33,85 +41,129 @@ isa::ModelFacts model_facts(const model::Tree& tree, const facet::Scene& scene) 
   return facts;
 }
 
-/// What one primitive contributes to a segment.
-struct Planned {
-  std::uint32_t primitive;
-  csg::Block block;
-  csg::ActiveTree active;
-};
-
-std::vector<Planned> plan(const model::Tree& tree, const csg::Pruner& pruner, isa::Segment& segment,
-                          const facet::Scene& scene) {
-  std::vector<Planned> planned;
-  for (std::uint32_t primitive = 0; primitive < tree.primitives.size(); ++primitive) {
-    const csg::Block block = pruner.block_of(primitive);
-    if (block.pixels.empty()) continue;
-    ++segment.primitives;
-    segment.halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size());
-    csg::ActiveTree active = pruner.active_tree(primitive);
-    if (!active.nothing) planned.push_back({primitive, block, std::move(active)});
-  }
-  return planned;
-}
-
 void emit_setup(const Context& context, Broadcast& out) {
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
+  const glm::dvec3& background = effects::background_colour;
   out.plain(isa::Opcode::enable_all);
   out.plain(isa::Opcode::set_constant, context.layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
-  out.plain(isa::Opcode::set_constant, context.layout.colour, {}, effects::pack(effects::background_colour));
+  out.plain(isa::Opcode::set_constant, context.layout.colour, {},
+            isa::pack_colour({background.r, background.g, background.b}, context.options.colour_bits));
+}
+
+/// Everything that is compiled from.
+struct Input {
+  const model::Tree& tree;
+  const facet::Scene& scene;
+  const view::View& view;
+  const Plan& plan;
+  std::uint32_t memory_bits;
+};
+
+/// With a strategy and a colouring chosen.
+isa::Program compile_as(const Input& input, const Options& options) {
+  const view::Sampling& sampling = input.view.sampling;
+  const ClassificationBits classification = classification_bits(input.tree, input.plan, options);
+  const Layout layout = plan_layout(
+      {sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, classification}, input.memory_bits);
+  isa::Program program;
+  program.shape = {sampling.width, sampling.height, input.memory_bits};
+  program.primitives = primitive_names(input.tree);
+  program.depth_scale = input.view.depth;
+  program.model = model_facts(input.tree, input.scene);
+  program.fields = named_fields(layout);
+
+  isa::Segment segment{
+      {0, 0, sampling.width, sampling.height}, {}, input.plan.active_primitives, input.plan.active_halfspaces};
+  Broadcast out(segment, sampling);
+  const Context context{input.tree, input.scene, input.view, input.plan, layout, options};
+  emit_setup(context, out);
+  ScanConversions counts;
+  std::uint32_t depth = 0;
+  for (const Planned& one : input.plan.primitives) {
+    emit_primitive(context, out, one, counts);
+    depth = std::max(depth, one.active.depth());
+  }
+  program.compile = {std::string(name_of(options.strategy)),
+                     std::string(name_of(options.colouring)),
+                     sampling.z_bits,
+                     sampling.fraction_bits,
+                     sampling.edge_on_fraction,
+                     classification.total() + 1,
+                     depth,
+                     counts.rendered,
+                     counts.classified,
+                     counts.depth_tests,
+                     {"flat"}};
+  program.segments.push_back(std::move(segment));
+  return program;
+}
+
+std::uint64_t clocks_of(const isa::Program& program, const machines::Machine& machine) {
+  std::uint64_t clocks = 0;
+  for (const isa::Segment& segment : program.segments) {
+    for (const isa::Instruction& instruction : segment.instructions) clocks += machines::clocks(instruction, machine);
+  }
+  return clocks;
+}
+
+/// What there is to choose from.
+std::vector<Options> candidates(const Options& options, const Plan& plan) {
+  std::vector<Options> with_strategy;
+  const auto add = [&](Strategy strategy, unsigned stack_bits) {
+    with_strategy.push_back(options);
+    with_strategy.back().strategy = strategy;
+    with_strategy.back().stack_bits = stack_bits;
+  };
+  if (options.strategy != Strategy::automatic) {
+    add(options.strategy, options.stack_bits);
+  } else {
+    std::uint32_t depth = 0;
+    for (const Planned& one : plan.primitives) depth = std::max(depth, one.active.depth());
+    add(Strategy::stack, options.stack_bits);
+    add(Strategy::list, options.stack_bits);
+    // Levels beyond the tree's change nothing, and many levels change little.
+    const unsigned most = fewest_stack_bits + std::min(depth, most_levels_tried);
+    for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add(Strategy::bits, bits);
+  }
+  if (options.colouring != Colouring::automatic) return with_strategy;
+  std::vector<Options> all;
+  for (const Options& one : with_strategy) {
+    for (const Colouring colouring : {Colouring::field, Colouring::rebroadcast}) {
+      all.push_back(one);
+      all.back().colouring = colouring;
+    }
+  }
+  return all;
 }
 
 }  // namespace
 
-std::string_view name_of(Strategy strategy) {
-  switch (strategy) {
-    case Strategy::stack: return "stack";
-  }
-  return {};
-}
-
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                     const Options& options) {
-  const view::Sampling& sampling = view.sampling;
-  isa::Program program;
-  program.shape = {sampling.width, sampling.height, options.memory_bits};
-  program.primitives = primitive_names(tree);
-  program.depth_scale = view.depth;
-  program.model = model_facts(tree, scene);
-
-  const csg::PositiveTree positive = csg::make_positive(tree);
-  const view::PixelRect screen{0, 0, static_cast<std::int32_t>(sampling.width) - 1,
-                               static_cast<std::int32_t>(sampling.height) - 1};
-  const csg::Pruner pruner(scene, view, positive, screen);
-  isa::Segment segment{{0, 0, sampling.width, sampling.height}, {}, 0, 0};
-  const std::vector<Planned> planned = plan(tree, pruner, segment, scene);
-
-  std::uint32_t stack_bits = 0;
-  for (const Planned& one : planned) stack_bits = std::max(stack_bits, one.active.bits());
-  const Layout layout = plan_layout({sampling.z_bits, effects::colour_bits, stack_bits}, options.memory_bits);
-  program.fields = named_fields(layout);
-
-  const Context context{tree, scene, view, positive, layout, options.shading};
-  Broadcast out(segment, sampling);
-  emit_setup(context, out);
-  isa::CompileFacts& facts = program.compile;
-  for (const Planned& one : planned) {
-    out.origin = {isa::Purpose::render, one.primitive, isa::no_node};
-    const Surface surface = emit_surface(context, out, one.primitive, one.block);
-    if (surface.nothing) continue;
-    ++facts.rendered;
-    facts.classified += emit_classification(context, out, one.active, one.block);
-    ++facts.depth_tests;
-    emit_merge(context, out, one.primitive, surface);
+                     const machines::Machine& machine, const Options& options) {
+  const view::PixelRect screen{0, 0, static_cast<std::int32_t>(view.sampling.width) - 1,
+                               static_cast<std::int32_t>(view.sampling.height) - 1};
+  const Plan plan = make_plan(tree, scene, view, screen, options.pruning);
+  const Input input{tree, scene, view, plan, machine.array.memory_bits};
+  const std::vector<Options> all = candidates(options, plan);
+  if (all.size() == 1) return compile_as(input, all.front());
+  std::optional<isa::Program> best;
+  std::uint64_t fewest = 0;
+  std::exception_ptr why_not;
+  for (const Options& one : all) {
+    try {
+      isa::Program program = compile_as(input, one);
+      const std::uint64_t clocks = clocks_of(program, machine);
+      if (!best || clocks < fewest) {
+        best = std::move(program);
+        fewest = clocks;
+      }
+    } catch (const InputError&) {
+      // The last is the one that asks for the least.
+      why_not = std::current_exception();
+    }
   }
-  facts.strategy = name_of(options.strategy);
-  facts.effects = {"flat"};
-  facts.z_bits = sampling.z_bits;
-  facts.fraction_bits = sampling.fraction_bits;
-  facts.edge_on_fraction = sampling.edge_on_fraction;
-  facts.stack_bits = stack_bits + 1;
-  program.segments.push_back(std::move(segment));
-  return program;
+  if (!best) std::rethrow_exception(why_not);
+  return std::move(*best);
 }
 
 }  // namespace csgsim::emit

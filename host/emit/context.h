@@ -1,9 +1,9 @@
 #pragma once
 
-#include "host/csg/active_tree.h"
-#include "host/effects/flat_shading.h"
 #include "host/emit/broadcast.h"
 #include "host/emit/layout.h"
+#include "host/emit/options.h"
+#include "host/emit/plan.h"
 
 namespace csgsim::emit {
 
@@ -12,38 +12,24 @@ struct Context {
   const model::Tree& tree;
   const facet::Scene& scene;
   const view::View& view;
-  const csg::PositiveTree& positive;
+  const Plan& plan;
   const Layout& layout;
-  const effects::FlatShading& shading;
+  const Options& options;
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {
-    return positive.nodes[positive.leaf_of[primitive]].complemented;
+    return plan.positive.nodes[plan.positive.leaf_of[primitive]].complemented;
+  }
+  [[nodiscard]] view::PixelRect screen() const {
+    return {0, 0, static_cast<std::int32_t>(view.sampling.width) - 1,
+            static_cast<std::int32_t>(view.sampling.height) - 1};
+  }
+  [[nodiscard]] const view::FixedLinear& linear_of(facet::Halfspace halfspace) const {
+    return view.planes[halfspace.plane].linear;
+  }
+  [[nodiscard]] view::Range range_of(facet::Halfspace halfspace, const view::PixelRect& pixels) const {
+    return csg::depth_range(view.planes[halfspace.plane], view.sampling.fraction_bits, pixels);
   }
 };
-
-/// Throws InputError, naming the primitive, unless the plane's coefficients fit the machine. Only planes that decide
-/// something in the segment are asked for.
-void require_representable(const Context& context, std::uint32_t primitive, facet::Halfspace halfspace);
-
-/// Edge tests of a primitive that cut the block: E stays 1 inside them.
-void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block);
-
-/// A primitive's visible surface into Z1: the nearest of its front if it stands for itself, of its back if it is
-/// complemented. Leaves E and the mask 1 where there is one.
-struct Surface {
-  bool nothing = false;                  ///< no pixel can have one; then nothing was emitted
-  bool near_cap = false;                 ///< the near plane may cut the solid open
-  std::vector<facet::Halfspace> facets;  ///< what Z1 can come from, in order of the faces
-  csg::Block block;
-};
-Surface emit_surface(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block);
-
-/// Clears the mask where Z1 is out of the active tree. Returns how many primitives were compared with Z1.
-std::uint64_t emit_classification(const Context& context, Broadcast& out, const csg::ActiveTree& active,
-                                  const csg::Block& block);
-
-/// Depth test of Z1 against Z2, copy of the nearer, and the colours of the facets it came from.
-void emit_merge(const Context& context, Broadcast& out, std::uint32_t primitive, const Surface& surface);
 
 }  // namespace csgsim::emit

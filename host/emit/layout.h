@@ -7,23 +7,39 @@
 
 namespace csgsim::emit {
 
-/// Which bits of pixel memory hold what.
-struct Layout {
-  isa::Field depth;      ///< Z2: the nearest surface so far
-  isa::Field candidate;  ///< Z1: the surface being classified
-  isa::Field colour;
-  isa::Field mask;                ///< 1 where Z1 holds a surface that is still visible
-  std::vector<isa::Field> stack;  ///< results of the classification, one bit each
+/// Bits that working out a classification takes, besides the mask.
+struct ClassificationBits {
+  unsigned stack = 0;    ///< pending results
+  unsigned product = 0;  ///< the product being worked out: 0 or 1
+  unsigned label = 0;    ///< of the leaf that a pixel waits for
+
+  [[nodiscard]] unsigned total() const { return stack + product + label; }
 };
 
 /// What has to fit.
 struct Needs {
   unsigned z_bits = 0;
   unsigned colour_bits = 0;
-  unsigned stack_bits = 0;  ///< besides the mask
+  bool second_colour = false;  ///< beside Z1
+  ClassificationBits classification;
 };
 
-/// Throws InputError that says how many bits are missing, and what to give up, if the memory does not hold them.
+/// Which bits of pixel memory hold what. Fields that are not needed have no width.
+struct Layout {
+  isa::Field depth;               ///< Z2: the nearest surface so far
+  isa::Field candidate;           ///< Z1: the surface being classified
+  isa::Field colour;              ///< of Z2
+  isa::Field candidate_colour;    ///< of Z1
+  isa::Field mask;                ///< 1 where Z1 holds a surface that is still visible
+  isa::Field product;             ///< 1 where Z1 is in the product so far
+  isa::Field label;               ///< the leaf that a pixel waits for
+  std::vector<isa::Field> stack;  ///< results of the classification, one bit each
+};
+
+unsigned total_bits(const Needs& needs);
+
+/// Throws InputError that says how many bits are missing, and which options would make it fit, if the memory does not
+/// hold them.
 Layout plan_layout(const Needs& needs, std::uint32_t memory_bits);
 
 std::vector<isa::NamedField> named_fields(const Layout& layout);

@@ -38,6 +38,12 @@ double half_height(const Camera& camera) {
   return half_height_per_distance() * glm::length(camera.centre - camera.eye);
 }
 
+double pixel_size(const Camera& camera, std::uint32_t height, double distance) {
+  const double half =
+      camera.projection == Projection::perspective ? half_height_per_distance() * distance : half_height(camera);
+  return 2.0 * half / height;
+}
+
 Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width, std::uint32_t height) {
   if (box.empty()) return camera;
   // A picture higher than wide is narrower than its vertical field of view.

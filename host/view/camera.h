@@ -33,6 +33,9 @@ double half_height_per_distance();
 /// Model units that half the height of an orthographic picture shows.
 double half_height(const Camera& camera);
 
+/// Model units that a pixel of a picture so many pixels high covers at a distance along the view axis.
+double pixel_size(const Camera& camera, std::uint32_t height, double distance);
+
 /// The camera that looks from the same direction at the middle of the box, from where its bounding sphere just fits
 /// into a picture of that many pixels.
 Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width, std::uint32_t height);

@@ -131,15 +131,17 @@ Extent make_extent(const facet::Convex& solid, const Frame& frame, const View& v
   std::vector<glm::dvec3> places = clip_near(solid, frame, view.depth.near);
   if (places.empty()) return {};
   glm::dvec3 inside(0);
-  bool near_cuts = false;
+  const bool near_cuts =
+      frame.perspective && std::any_of(solid.vertices.begin(), solid.vertices.end(), [&](const glm::dvec3& vertex) {
+        return frame.to_eye(vertex).z < view.depth.near;
+      });
   for (glm::dvec3& place : places) {
-    near_cuts = near_cuts || (frame.perspective && place.z <= view.depth.near);
     place = frame.to_picture(place);
     place.z = isa::depth_of(view.depth, sampling.z_bits, place.z);
     inside += place / static_cast<double>(places.size());
   }
   const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
-  Extent extent{touched_pixels(places, sampling), 0, top, everywhere};
+  Extent extent{touched_pixels(places, sampling), 0, top, everywhere, near_cuts, {}};
   if (extent.empty()) return extent;
   const double growth = growth_about(inside, solid, near_cuts, view);
   if (std::isfinite(growth)) {
@@ -156,6 +158,7 @@ Extent make_extent(const facet::Convex& solid, const Frame& frame, const View& v
     extent.z_low = std::max<std::int64_t>(0, to_step(std::floor(low)));
     extent.z_high = std::min(top, to_step(std::ceil(high)));
     extent.box = box_around(places, frame, view);
+    extent.corners = std::move(places);
   }
   narrow_by_planes(extent, solid, view);
   return extent;

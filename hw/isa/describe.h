@@ -39,10 +39,12 @@ void describe(T& model, Visit&& visit) {
 template <Any<CompileFacts> T, class Visit>
 void describe(T& compile, Visit&& visit) {
   visit("strategy", compile.strategy);
+  visit("colouring", compile.colouring);
   visit("z_bits", compile.z_bits);
   visit("fraction_bits", compile.fraction_bits);
   visit("edge_on_fraction", compile.edge_on_fraction);
   visit("stack_bits", compile.stack_bits);
+  visit("tree_depth", compile.tree_depth);
   visit("rendered", compile.rendered);
   visit("classified", compile.classified);
   visit("depth_tests", compile.depth_tests);

@@ -171,7 +171,7 @@ void put_limits(std::string& page) {
 constexpr std::string_view sample = R"(.array width=512 height=512 memory_bits=72
 .depth perspective=false near=10.5 far=80
 .model file="gear.csg" primitives=2 unions=1 halfspaces=12
-.compile strategy="auto" z_bits=20 fraction_bits=12 edge_on_fraction=0.5 stack_bits=1 rendered=2 classified=1
+.compile strategy="auto" colouring="field" z_bits=20 fraction_bits=12 edge_on_fraction=0.5 stack_bits=1 tree_depth=1 rendered=2 classified=1
 .field Z1 [0+:20] candidate_depth
 .field in [40] stack
 .primitive "wheel"

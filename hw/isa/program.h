@@ -32,7 +32,8 @@ struct Segment {
 };
 
 /// What a field of pixel memory holds, for pictures, stats and waves.
-#define CSGSIM_FIELD_ROLES(R) R(scratch) R(candidate_depth) R(depth) R(colour) R(mask) R(stack)
+#define CSGSIM_FIELD_ROLES(R) \
+  R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label)
 
 enum class FieldRole : std::uint8_t {
 #define CSGSIM_FIELD_ROLE_ENUMERATOR(name) name,
@@ -83,10 +84,12 @@ struct ModelFacts {
 /// How the host compiled.
 struct CompileFacts {
   std::string strategy;
+  std::string colouring;
   std::uint32_t z_bits = 0;
   std::uint32_t fraction_bits = 0;
   double edge_on_fraction = 0;    ///< of a pixel
   std::uint32_t stack_bits = 0;   ///< bits of pixel memory that the classification uses
+  std::uint32_t tree_depth = 0;   ///< levels of the deepest active tree
   std::uint64_t rendered = 0;     ///< scan-conversions: primitives whose surface goes into Z1
   std::uint64_t classified = 0;   ///< scan-conversions: primitives of active trees compared with Z1
   std::uint64_t depth_tests = 0;  ///< comparisons of Z1 with Z2

@@ -33,7 +33,9 @@ std::string title_of(const Options& options, const machines::Machine& machine, c
       std::filesystem::path(options.model.model).filename().string(), machine.name, machine.array.width,
       machine.array.height, camera.eye.x, camera.eye.y, camera.eye.z, camera.centre.x, camera.centre.y, camera.centre.z,
       options.model.projection, options.views, options.model.z_bits, options.model.fraction_bits, options.model.edge_on,
-      options.model.tolerance.value_or(0.0));
+      options.model.tolerance
+          ? fmt::format("{}{}", options.model.tolerance->value, options.model.tolerance->in_pixels ? "px" : "")
+          : "0");
 }
 
 void print_row(const study::Measurement& row) {
@@ -76,7 +78,8 @@ void run(const Options& options) {
   machines::Machine machine = machine_of(options.model);
   machine.array.memory_bits = study::ample_memory_bits;
   const model::Tree tree = read_model(options.model);
-  const facet::Scene scene = facet::make_scene(tree, faceting_of(options.model));
+  const facet::Faceting faceting = faceting_of(options.model, machine, tree);
+  const facet::Scene scene = facet::make_scene(tree, faceting);
   if (scene.box.empty()) throw InputError(options.model.model + ": nothing in it to measure; every solid is empty");
   const view::Camera camera = camera_of(options.model, machine, scene);
   const std::filesystem::path folder = options.folder;
@@ -87,8 +90,8 @@ void run(const Options& options) {
   const std::string title = title_of(options, machine, camera);
   study::Table table(folder / "accuracy.csv", title);
   study::Meter meter(tree, study::turned_views(camera, options.views), machine);
-  const std::vector<study::Settings> points = study::points(
-      sampling_of(options.model, machine), faceting_of(options.model), glm::length(scene.box.high - scene.box.low));
+  const std::vector<study::Settings> points =
+      study::points(sampling_of(options.model, machine), faceting, glm::length(scene.box.high - scene.box.low));
   const bool show = options.progress == "auto" && ::isatty(STDERR_FILENO) != 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (table.find(points[i]) != nullptr) continue;

@@ -46,10 +46,11 @@ Verdict verdict(const CompiledModel& compiled, const sim::Frame& frame) {
 /// Takes the cheapest z bits and fraction bits whose picture has at most so many wrong pixels, and says which.
 void choose_settings(Options& options, const machines::Machine& machine) {
   const model::Tree tree = read_model(options.model);
-  const view::Camera camera = camera_of(options.model, machine, facet::make_scene(tree, faceting_of(options.model)));
+  const facet::Faceting faceting = faceting_of(options.model, machine, tree);
+  const view::Camera camera = camera_of(options.model, machine, facet::make_scene(tree, faceting));
   study::Meter meter(tree, {camera}, machine);
-  const auto chosen = study::cheapest(
-      meter, study::grid(sampling_of(options.model, machine), faceting_of(options.model)), *options.max_wrong_pixels);
+  const auto chosen =
+      study::cheapest(meter, study::grid(sampling_of(options.model, machine), faceting), *options.max_wrong_pixels);
   if (!chosen) {
     throw InputError(
         fmt::format("no choice of --z-bits and --fraction-bits that fits the machine has at most {} wrong pixels; "

@@ -22,6 +22,40 @@ namespace {
 const std::map<std::string, view::Projection> projections{{"ortho", view::Projection::orthographic},
                                                           {"perspective", view::Projection::perspective}};
 
+constexpr unsigned most_stack_bits = 64;
+
+/// Everything that a list of named choices has, by name.
+template <class Choices>
+auto by_name(const Choices& choices) {
+  std::map<std::string, typename Choices::value_type> named;
+  for (const auto choice : choices) named.emplace(emit::name_of(choice), choice);
+  return named;
+}
+
+/// A number, or a number followed by px.
+Tolerance parse_tolerance(const std::string& text) {
+  const bool in_pixels = text.ends_with("px");
+  const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
+  return {numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0], in_pixels};
+}
+
+struct NamedPruning {
+  const char* name;
+  bool csg::Pruning::*is_done;
+};
+
+constexpr NamedPruning prunings[] = {{"space", &csg::Pruning::space},
+                                     {"picture", &csg::Pruning::picture},
+                                     {"separation", &csg::Pruning::separation},
+                                     {"halfspaces", &csg::Pruning::halfspaces},
+                                     {"hidden", &csg::Pruning::hidden}};
+
+std::vector<std::string> pruning_names() {
+  std::vector<std::string> names{"all"};
+  for (const NamedPruning& pruning : prunings) names.emplace_back(pruning.name);
+  return names;
+}
+
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
   if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
@@ -50,12 +84,35 @@ void ModelOptions::add_to(CLI::App& command) {
       .add_option("--edge-on", edge_on,
                   "Planes that pass the depth range within this part of a pixel become edge tests")
       ->capture_default_str();
-  command.add_option(
-      "--tolerance", tolerance,
-      "Facet curved solids within this distance of their surface, model units, instead of as OpenSCAD does");
-  command.add_option("--strategy", strategy, "How classifications are held: stack")
-      ->check(CLI::IsMember({"stack"}))
+  command.add_option_function<std::string>(
+      "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
+      "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
+      "of "
+      "as OpenSCAD does");
+  command
+      .add_option("--strategy", strategy,
+                  "How classifications are worked out: stack, list, bits (with --stack-bits), products, or auto")
+      ->check(CLI::IsMember(by_name(emit::strategies)))
       ->capture_default_str();
+  command
+      .add_option("--stack-bits", stack_bits,
+                  "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 renders a primitive "
+                  "for each product, 4 sums products, each more keeps the results of one more level")
+      ->check(CLI::Range(emit::fewest_stack_bits, most_stack_bits))
+      ->capture_default_str();
+  command
+      .add_option("--colouring", colouring,
+                  "rebroadcast (facets again after the merge), field (a second colour beside Z1), or auto")
+      ->check(CLI::IsMember(by_name(emit::colourings)))
+      ->capture_default_str();
+  command.add_option("--colour-bits", colour_bits, "Bits of a colour")
+      ->check(CLI::Range(isa::fewest_colour_bits, isa::most_colour_bits))
+      ->capture_default_str();
+  command
+      .add_option("--without", without,
+                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, or all")
+      ->delimiter(',')
+      ->check(CLI::IsMember(pruning_names()));
 }
 
 machines::Machine machine_of(const ModelOptions& options) {
@@ -69,7 +126,31 @@ machines::Machine machine_of(const ModelOptions& options) {
   return machine;
 }
 
-facet::Faceting faceting_of(const ModelOptions& options) { return {options.tolerance, std::nullopt}; }
+emit::Options emit_options_of(const ModelOptions& options) {
+  emit::Options emit;
+  emit.strategy = by_name(emit::strategies).at(options.strategy);
+  emit.stack_bits = options.stack_bits;
+  emit.colouring = by_name(emit::colourings).at(options.colouring);
+  emit.colour_bits = options.colour_bits;
+  for (const std::string& name : options.without) {
+    for (const NamedPruning& pruning : prunings) {
+      if (name == "all" || name == pruning.name) emit.pruning.*pruning.is_done = false;
+    }
+  }
+  return emit;
+}
+
+facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree) {
+  if (!options.tolerance) return {};
+  if (!options.tolerance->in_pixels) return {options.tolerance->value, std::nullopt};
+  const facet::Scene scene = facet::make_scene(tree);
+  const view::Camera camera = camera_of(options, machine, scene);
+  const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
+  const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.array.height, nearest);
+  fmt::print("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
+             options.tolerance->value);
+  return {tolerance, std::nullopt};
+}
 
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine) {
   if (options.near && projections.at(options.projection) != view::Projection::perspective) {
@@ -101,11 +182,11 @@ namespace {
 
 CompiledModel compile(const ModelOptions& options, const machines::Machine& machine) {
   model::Tree tree = read_model(options);
-  facet::Scene scene = facet::make_scene(tree, faceting_of(options));
+  facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
   const view::Camera camera = camera_of(options, machine, scene);
   const view::View view = view::make_view(scene, tree, camera, sampling_of(options, machine));
   warn_of_coarse_depth(view);
-  isa::Program program = emit::compile(tree, scene, view, {emit::Strategy::stack, machine.array.memory_bits, {}});
+  isa::Program program = emit::compile(tree, scene, view, machine, emit_options_of(options));
   return {std::move(tree), std::move(scene), camera, std::move(program)};
 }
 

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "host/emit/options.h"
 #include "host/facet/scene.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
@@ -11,6 +13,12 @@
 #include "hw/machines/machine.h"
 
 namespace csgsim::app {
+
+/// How far facets may be from the curved surface.
+struct Tolerance {
+  double value = 0;
+  bool in_pixels = false;  ///< else in model units
+};
 
 /// Options of every command that compiles a model.
 struct ModelOptions {
@@ -25,8 +33,12 @@ struct ModelOptions {
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
   double edge_on = 1.0 / 256;
-  std::optional<double> tolerance;
+  std::optional<Tolerance> tolerance;
   std::string strategy = "stack";
+  unsigned stack_bits = emit::fewest_stack_bits;
+  std::string colouring = "rebroadcast";
+  unsigned colour_bits = isa::most_colour_bits;
+  std::vector<std::string> without;
 
   void add_to(CLI::App& command);
 };
@@ -34,8 +46,12 @@ struct ModelOptions {
 /// The machine with the array that the options ask for.
 machines::Machine machine_of(const ModelOptions& options);
 
-facet::Faceting faceting_of(const ModelOptions& options);
+/// A tolerance in pixels is turned into model units by what a pixel covers where the model is nearest to the eye, and
+/// what was chosen is printed.
+facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree);
+
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine);
+emit::Options emit_options_of(const ModelOptions& options);
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene);
 
 /// Reads the model. Throws InputError.

@@ -37,7 +37,7 @@ RunOutputs::RunOutputs(const RunOptions& options) {
 }
 
 void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& program) const {
-  if (picture_) sim::write_picture(*picture_, frame);
+  if (picture_) sim::write_picture(*picture_, frame, program);
   if (depth_) sim::write_depth(*depth_, frame, program);
   if (owner_) sim::write_owner(*owner_, frame);
 }

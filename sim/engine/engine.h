@@ -70,7 +70,8 @@ class Engine {
 };
 
 std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine);
-/// Runs on that many threads between the instructions after which an observer looks at the state. Bits do not depend on it.
+/// Runs on that many threads between the instructions after which an observer looks at the state. Bits do not depend on
+/// it.
 std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine, unsigned threads = 1);
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine);
 

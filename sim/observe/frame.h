@@ -13,7 +13,7 @@ inline constexpr std::uint32_t no_owner = 0xffffffffU;
 struct Frame {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::vector<std::uint32_t> colour;  ///< 8 bits each of red, green, blue
+  std::vector<std::uint32_t> colour;  ///< as the colour field holds it (hw/isa/colour_format.h)
   std::vector<std::uint32_t> depth;   ///< depth steps; all ones where nothing is seen
   std::vector<std::uint32_t> owner;   ///< index of the primitive seen, or no_owner
 };

@@ -2,8 +2,10 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <array>
 #include <string>
 
+#include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
 #include "hw/isa/error.h"
 
@@ -38,11 +40,13 @@ void check_format(const std::filesystem::path& path) {
   if (!OIIO::ImageOutput::create(path.string())) throw_no_format(path);
 }
 
-void write_picture(const OutputFile& file, const Frame& frame) {
+void write_picture(const OutputFile& file, const Frame& frame, const isa::Program& program) {
   std::vector<std::uint8_t> pixels;
   pixels.reserve(frame.colour.size() * 3);
+  const unsigned bits = isa::field_of(program, isa::FieldRole::colour).width;
   for (const std::uint32_t colour : frame.colour) {
-    for (const unsigned shift : {16U, 8U, 0U}) pixels.push_back(static_cast<std::uint8_t>(colour >> shift & 0xffU));
+    const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
+    pixels.insert(pixels.end(), channels.begin(), channels.end());
   }
   write(file, specify(frame, 3, OIIO::TypeDesc::UINT8), OIIO::TypeDesc::UINT8, pixels.data());
 }

@@ -11,7 +11,7 @@ namespace csgsim::sim {
 void check_format(const std::filesystem::path& path);
 
 /// The picture, 8 bits a channel, in the format that the file's extension names. Throws InputError.
-void write_picture(const OutputFile& file, const Frame& frame);
+void write_picture(const OutputFile& file, const Frame& frame, const isa::Program& program);
 
 /// Distances from the eye along the view axis in model units, one float channel Z, infinite where nothing is seen
 /// (EXR).

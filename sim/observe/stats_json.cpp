@@ -35,7 +35,8 @@ Json machine_json(const Report& report) {
           {"evaluator_latency", machines::evaluator_latency(machine.array)},
           {"z_bits", compile.z_bits},
           {"fraction_bits", compile.fraction_bits},
-          {"edge_on_fraction", compile.edge_on_fraction}};
+          {"edge_on_fraction", compile.edge_on_fraction},
+          {"colouring", compile.colouring}};
 }
 
 Json instructions_json(const Stats& stats) {
@@ -58,6 +59,7 @@ Json memory_json(const Report& report) {
   return {{"available", report.machine.array.memory_bits},
           {"used", used_memory_bits(report.program)},
           {"stack", report.program.compile.stack_bits},
+          {"tree_depth", report.program.compile.tree_depth},
           {"fields", fields}};
 }
 

@@ -40,7 +40,7 @@ std::string name_of(const facet::Faceting& faceting) {
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
                      const view::Sampling& sampling, const machines::Machine& machine) {
   const view::View view = view::make_view(scene, tree, camera, sampling);
-  return emit::compile(tree, scene, view, {emit::Strategy::stack, machine.array.memory_bits, {}});
+  return emit::compile(tree, scene, view, machine);
 }
 
 machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {

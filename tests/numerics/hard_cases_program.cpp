@@ -47,6 +47,18 @@ TEST_CASE("a Program gives the same bits with every instruction set of this proc
     }
   }
 }
+TEST_CASE("a Program gives the same bits on one thread and on several") {
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    const csgsim::isa::Program program = compiled(projection).program;
+    const csgsim::sim::Frame one = draw(program);
+    for (const unsigned threads : {2U, 3U, 16U}) {
+      const csgsim::sim::Frame several = draw(program, threads);
+      CHECK(several.depth == one.depth);
+      CHECK(several.owner == one.owner);
+      CHECK(several.colour == one.colour);
+    }
+  }
+}
 TEST_CASE("the same model compiles to the same Program every time") {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     CHECK(compiled(projection).program == compiled(projection).program);

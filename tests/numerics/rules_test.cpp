@@ -82,15 +82,8 @@ TEST_CASE("random models at low accuracy are drawn as the rules say: pruning cha
   }
 }
 TEST_CASE("the thesis's objects are drawn as the rules say") {
-  struct Case {
-    const char* name;
-    view::Camera camera;
-  };
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
-    for (const Case& one : {Case{"thesis_fig_2_3", {{42, -38, 41}, {10, 5.5, 2}, projection}},
-                            Case{"carburettor", {{220, -255, 135}, {2, 0, 5}, projection}},
-                            Case{"terrain_vehicle", {{560, -590, 420}, {-5, 0, 68}, projection}},
-                            Case{"rietveld_house", {{3430, -2900, 1950}, {590, 230, 220}, projection}}}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
       CHECK(wrong_pixels(
                 testing::compile_file(testing::model_path(one.name), {one.camera, small_picture(160, 120), 72})) == 0);

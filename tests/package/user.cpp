@@ -17,7 +17,7 @@ int main() {
   view::Sampling sampling;
   sampling.width = sampling.height = 32;
   const view::View view = view::make_view(scene, tree, view::default_camera(scene.box, 32, 32), sampling);
-  const isa::Program program = emit::compile(tree, scene, view, {});
+  const isa::Program program = emit::compile(tree, scene, view, machine);
   sim::FrameObserver frame(program);
   sim::Observer* const observers[] = {&frame};
   const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);

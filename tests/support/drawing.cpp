@@ -13,7 +13,10 @@ namespace {
 Compiled compile_tree(model::Tree tree, const Setup& setup) {
   facet::Scene scene = facet::make_scene(tree);
   view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
-  isa::Program program = emit::compile(tree, scene, view, {emit::Strategy::stack, setup.memory_bits, {}});
+  machines::Machine machine;
+  machine.array = {setup.sampling.width, setup.sampling.height, setup.memory_bits};
+  machine.clock_hz = 10'000'000;
+  isa::Program program = emit::compile(tree, scene, view, machine, setup.options);
   isa::validate(program);
   return {std::move(tree), std::move(scene), std::move(view), std::move(program)};
 }
@@ -35,19 +38,26 @@ Compiled compile_default_view(const std::string& path, Setup setup, view::Projec
   return compile_tree(std::move(tree), setup);
 }
 
-sim::Frame draw(const isa::Program& program) {
+sim::Frame draw(const isa::Program& program, unsigned threads) {
   machines::Machine machine;
   machine.array = program.shape;
   machine.clock_hz = 10'000'000;
   sim::FrameObserver frame(program);
   const std::array<sim::Observer*, 1> observers{&frame};
-  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  const sim::RunResult result = sim::make_functional_engine(machine, threads)->run(program, observers);
   if (result.overflows != 0) throw std::runtime_error("the Program overflows");
   return frame.frame();
 }
 
 std::string model_path(const std::string& name) {
   return std::string(CSGSIM_SOURCE_DIR) + "/tests/models/" + name + ".csg";
+}
+
+std::vector<ThesisObject> thesis_objects(view::Projection projection) {
+  return {{"thesis_fig_2_3", {{42, -38, 41}, {10, 5.5, 2}, projection}},
+          {"carburettor", {{220, -255, 135}, {2, 0, 5}, projection}},
+          {"terrain_vehicle", {{560, -590, 420}, {-5, 0, 68}, projection}},
+          {"rietveld_house", {{3430, -2900, 1950}, {590, 230, 220}, projection}}};
 }
 
 view::Camera camera(const glm::dvec3& eye, const glm::dvec3& centre, view::Projection projection) {

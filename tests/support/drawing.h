@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host/emit/compile.h"
 #include "host/facet/scene.h"
@@ -24,6 +25,7 @@ struct Setup {
   view::Camera camera;
   view::Sampling sampling;
   std::uint32_t memory_bits = 72;
+  emit::Options options{};
 };
 
 Compiled compile_text(const std::string& csg, const Setup& setup);
@@ -33,10 +35,17 @@ Compiled compile_file(const std::string& path, const Setup& setup);
 Compiled compile_default_view(const std::string& path, Setup setup, view::Projection projection);
 
 /// Runs a Program at the functional level. Throws where a linear expression overflows its width.
-sim::Frame draw(const isa::Program& program);
+sim::Frame draw(const isa::Program& program, unsigned threads = 1);
 
 /// tests/models/NAME.csg of the source tree.
 std::string model_path(const std::string& name);
+
+/// The object of the thesis's fig. 2.3 and our stand-ins for its three test objects, each as its pictures show it.
+struct ThesisObject {
+  std::string name;
+  view::Camera camera;
+};
+std::vector<ThesisObject> thesis_objects(view::Projection projection);
 
 /// A camera from six numbers, as on the command line.
 view::Camera camera(const glm::dvec3& eye, const glm::dvec3& centre, view::Projection projection);

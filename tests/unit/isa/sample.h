@@ -19,7 +19,7 @@ inline isa::Program sample_program() {
   program.primitives = {"cube \"a\"", "ball\n"};
   program.depth_scale = {true, 0.1, 1e300};
   program.model = {"dir/model.csg", 2, 1, 0, 0, 12};
-  program.compile = {"auto", 8, 4, 0.3, 1, 2, 1, 3, {"shadow", "fog, thick"}};
+  program.compile = {"auto", "field", 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
   isa::Segment segment{{1, 0, 7, 4}, {}, 2, 12};
   const auto add = [&](const isa::Instruction& instruction) { segment.instructions.push_back(instruction); };
   add({Opcode::enable_all, {}, {}, 0, {}});

@@ -33,7 +33,7 @@ TEST_CASE("the sample is printed so") {
 .array width=8 height=4 memory_bits=40
 .depth perspective=true near=0.1 far=1e+300
 .model file="dir/model.csg" primitives=2 unions=1 differences=0 intersections=0 halfspaces=12
-.compile strategy="auto" z_bits=8 fraction_bits=4 edge_on_fraction=0.3 stack_bits=1 rendered=2 classified=1 depth_tests=3 effects=["shadow", "fog, thick"]
+.compile strategy="auto" colouring="field" z_bits=8 fraction_bits=4 edge_on_fraction=0.3 stack_bits=1 tree_depth=2 rendered=2 classified=1 depth_tests=3 effects=["shadow", "fog, thick"]
 .field Z1 [0+:8] candidate_depth
 .field in [16] stack
 .field "two words" [8+:8] depth

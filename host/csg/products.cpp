@@ -1,0 +1,97 @@
+#include "host/csg/products.h"
+
+namespace csgsim::csg {
+
+std::vector<std::uint64_t> count_products(const std::vector<ActiveNode>& nodes) {
+  std::vector<std::uint64_t> counts(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const ActiveNode& node = nodes[i];
+    if (node.is_leaf) {
+      counts[i] = 1;
+      continue;
+    }
+    const bool adds = node.op == PositiveOperator::unite;
+    counts[i] = adds ? 0 : 1;
+    for (const std::uint32_t child : node.children) {
+      const bool overflows = adds ? __builtin_add_overflow(counts[i], counts[child], &counts[i])
+                                  : __builtin_mul_overflow(counts[i], counts[child], &counts[i]);
+      if (overflows || counts[child] == countless) {
+        counts[i] = countless;
+        break;
+      }
+    }
+  }
+  return counts;
+}
+
+std::vector<std::uint32_t> product_leaves(const std::vector<ActiveNode>& nodes,
+                                          const std::vector<std::uint64_t>& counts, std::uint32_t root,
+                                          std::uint64_t index) {
+  struct Part {
+    std::uint32_t node;
+    std::uint64_t index;
+  };
+  std::vector<Part> open{{root, index}};
+  std::vector<std::uint32_t> leaves;
+  while (!open.empty()) {
+    Part part = open.back();
+    open.pop_back();
+    const ActiveNode& node = nodes[part.node];
+    if (node.is_leaf) {
+      leaves.push_back(part.node);
+    } else if (node.op == PositiveOperator::unite) {
+      for (const std::uint32_t child : node.children) {
+        if (part.index < counts[child]) {
+          open.push_back({child, part.index});
+          break;
+        }
+        part.index -= counts[child];
+      }
+    } else {
+      // The last operand varies fastest, and is pushed first so that it comes out last.
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
+        open.push_back({*child, part.index % counts[*child]});
+        part.index /= counts[*child];
+      }
+    }
+  }
+  return leaves;
+}
+
+ProductTraversal::ProductTraversal(const std::vector<ActiveNode>& nodes, std::uint32_t root)
+    : nodes_(nodes), root_(root), chosen_(nodes.size(), 0) {
+  visit();
+}
+
+void ProductTraversal::visit() {
+  unions_.clear();
+  leaves_.clear();
+  std::vector<std::uint32_t> open{root_};
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    const ActiveNode& node = nodes_[at];
+    if (node.is_leaf) {
+      leaves_.push_back(at);
+    } else if (node.op == PositiveOperator::unite) {
+      unions_.push_back(at);
+      open.push_back(node.children[chosen_[at]]);
+    } else {
+      open.insert(open.end(), node.children.rbegin(), node.children.rend());
+    }
+  }
+}
+
+bool ProductTraversal::next() {
+  // The last union that has an operand left goes on to it; those visited after it start again.
+  for (auto at = unions_.rbegin(); at != unions_.rend(); ++at) {
+    if (++chosen_[*at] < nodes_[*at].children.size()) {
+      visit();
+      return true;
+    }
+    chosen_[*at] = 0;
+  }
+  return false;
+}
+
+}  // namespace csgsim::csg

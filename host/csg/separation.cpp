@@ -1,0 +1,60 @@
+#include "host/csg/separation.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace csgsim::csg {
+
+namespace {
+
+constexpr int most_steps = 64;
+
+/// How far from the origin, relative to the hulls, a support plane has to pass to be trusted.
+constexpr double certainty = 1e-9;
+
+/// The least size that hulls are scaled by, relative to their coordinates: those are rounded to some 1e-16, which has to
+/// stay below the certainty.
+constexpr double coarsest = 1e-6;
+
+/// The point farthest along a direction.
+const glm::dvec3& support(std::span<const glm::dvec3> points, const glm::dvec3& direction) {
+  return *std::max_element(points.begin(), points.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::dot(a, direction) < glm::dot(b, direction);
+  });
+}
+
+}  // namespace
+
+bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second) {
+  if (first.empty() || second.empty()) return false;
+  glm::dvec3 low = first.front();
+  glm::dvec3 high = low;
+  for (const auto points : {first, second}) {
+    for (const glm::dvec3& point : points) {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+  }
+  // Scaled so that no unit dominates, but not so far that the rounding of coordinates would count.
+  const glm::dvec3 coarse = coarsest * glm::max(glm::abs(low), glm::abs(high));
+  const glm::dvec3 size = glm::max(high - low, glm::max(coarse, glm::dvec3(1e-300)));
+  const auto difference = [&](const glm::dvec3& a, const glm::dvec3& b) { return (a - b) / size; };
+
+  glm::dvec3 nearest = difference(first.front(), second.front());
+  for (int step = 0; step < most_steps; ++step) {
+    // The point of the difference that lies farthest back along `nearest`; directions transform the other way.
+    const glm::dvec3 direction = nearest / size;
+    const glm::dvec3 farthest = difference(support(first, -direction), support(second, direction));
+    const double length = glm::length(nearest);
+    if (!(length > certainty)) return false;
+    if (glm::dot(farthest, nearest) > certainty * length) return true;
+    const glm::dvec3 edge = farthest - nearest;
+    const double square = glm::dot(edge, edge);
+    if (!(square > 0.0)) return false;
+    nearest += std::clamp(-glm::dot(nearest, edge) / square, 0.0, 1.0) * edge;
+  }
+  return false;
+}
+
+}  // namespace csgsim::csg

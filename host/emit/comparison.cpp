@@ -1,0 +1,30 @@
+#include "host/emit/comparison.h"
+
+#include "host/emit/halfspaces.h"
+
+namespace csgsim::emit {
+
+void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const Planned& of) {
+  out.origin = {isa::Purpose::classify, of.primitive, primitive};
+  const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
+  if (shared.empty()) {
+    out.nowhere();
+    return;
+  }
+  out.clip(shared, of.block.pixels);
+  const csg::Block part{shared, of.block.z_low, of.block.z_high};
+  emit_edges(context, out, primitive, part);
+  for (const view::Side side : {view::Side::front, view::Side::back}) {
+    for (const facet::Halfspace& halfspace : deciding(context, primitive, side, part).halfspaces) {
+      out.surface(side == view::Side::front ? isa::Opcode::linear_le : isa::Opcode::linear_gt, context.layout.candidate,
+                  context.linear_of(halfspace), shared);
+    }
+  }
+}
+
+void emit_stack(Broadcast& out, isa::Opcode opcode, isa::Field field, std::uint64_t constant) {
+  out.origin = {isa::Purpose::stack, out.origin.primitive, isa::no_node};
+  out.plain(opcode, field, {}, constant);
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,157 @@
+#include "host/emit/evaluation.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "host/csg/apart.h"
+#include "host/csg/products.h"
+#include "host/emit/labels.h"
+#include "host/emit/levels.h"
+#include "host/emit/surface.h"
+#include "hw/isa/error.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+/// Levels that `Strategy::bits` works out by a stack: what the thesis's m bits leave beside those for front, back,
+/// product and sum. Not for m = 3, which has no sum.
+unsigned stack_levels(const Options& options) { return options.stack_bits - fewest_stack_bits - 1; }
+
+bool renders_each_product(const Options& options) {
+  return options.strategy == Strategy::products ||
+         (options.strategy == Strategy::bits && options.stack_bits == fewest_stack_bits);
+}
+
+/// The active tree's nodes with one root.
+struct Rooted {
+  std::vector<csg::ActiveNode> nodes;
+  std::uint32_t root = 0;
+};
+
+Rooted with_root(const csg::ActiveTree& active) {
+  Rooted rooted{active.nodes, active.operands.front()};
+  if (active.operands.size() > 1) {
+    rooted.root = static_cast<std::uint32_t>(rooted.nodes.size());
+    rooted.nodes.push_back({false, false, csg::PositiveOperator::intersect, model::no_index, 0, active.operands});
+  }
+  return rooted;
+}
+
+/// Products that a strategy would go through for one primitive.
+std::uint64_t products_of(const Planned& planned, const Options& options) {
+  if (planned.active.operands.empty() || options.strategy == Strategy::stack || options.strategy == Strategy::list)
+    return 1;
+  if (options.strategy == Strategy::bits && options.stack_bits > fewest_stack_bits) {
+    return products_below_levels(planned.active, stack_levels(options));
+  }
+  const Rooted rooted = with_root(planned.active);
+  return csg::count_products(rooted.nodes)[rooted.root];
+}
+
+void check_products(const model::Tree& tree, const Plan& plan, const Options& options) {
+  std::uint64_t total = 0;
+  for (const Planned& one : plan.primitives) {
+    if (!__builtin_add_overflow(total, products_of(one, options), &total) && total <= most_products) continue;
+    const model::Location& location = tree.primitives[one.primitive].location;
+    throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
+                     ": with this primitive the tree multiplies out to more than " + std::to_string(most_products) +
+                     " products; take --strategy stack, list or auto, or more --stack-bits");
+  }
+}
+
+/// Renders, classifies and merges one product.
+void emit_product(const Context& context, Broadcast& out, const Planned& planned,
+                  const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves,
+                  ScanConversions& counts) {
+  Planned product{planned.primitive, planned.block, {}};
+  product.active.nodes = nodes;
+  product.active.operands = std::move(leaves);
+  const Surface surface = emit_surface(context, out, planned.primitive, planned.block);
+  if (surface.nothing) return;
+  ++counts.rendered;
+  counts.classified += emit_by_levels(context, out, product, all_levels);
+  ++counts.depth_tests;
+  emit_merge(context, out, planned.primitive, surface);
+}
+
+/// A product is empty if two of its solids are apart (thesis 6.3.2).
+bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
+              const std::vector<std::uint32_t>& leaves) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const csg::ActiveNode& a = nodes[leaves[i]];
+      const csg::ActiveNode& b = nodes[leaves[j]];
+      if (!a.complemented && !b.complemented &&
+          csg::apart(context.view, a.primitive, b.primitive, context.options.pruning)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Thesis 6.3: the products of the restructured tree, one after another.
+void emit_products(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
+  const Rooted rooted = with_root(planned.active);
+  const std::vector<std::uint64_t> products = csg::count_products(rooted.nodes);
+  for (std::uint64_t product = 0; product < products[rooted.root]; ++product) {
+    std::vector<std::uint32_t> leaves = csg::product_leaves(rooted.nodes, products, rooted.root, product);
+    if (!is_empty(context, rooted.nodes, leaves)) {
+      emit_product(context, out, planned, rooted.nodes, std::move(leaves), counts);
+    }
+  }
+}
+
+/// Thesis 6.4 with three bits: the products of one traversal after another.
+void emit_traversals(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
+  const Rooted rooted = with_root(planned.active);
+  csg::ProductTraversal traversal(rooted.nodes, rooted.root);
+  do {
+    emit_product(context, out, planned, rooted.nodes, traversal.leaves(), counts);
+  } while (traversal.next());
+}
+
+}  // namespace
+
+ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan, const Options& options) {
+  check_products(tree, plan, options);
+  ClassificationBits most;
+  for (const Planned& one : plan.primitives) {
+    ClassificationBits bits;
+    switch (options.strategy) {
+      case Strategy::stack: bits = bits_for_levels(one.active, all_levels); break;
+      case Strategy::list: bits.label = label_bits(one.active); break;
+      case Strategy::bits:
+        if (!renders_each_product(options)) bits = bits_for_levels(one.active, stack_levels(options));
+        break;
+      case Strategy::products: break;
+      case Strategy::automatic: throw std::logic_error("no strategy was chosen");
+    }
+    most = {std::max(most.stack, bits.stack), std::max(most.product, bits.product), std::max(most.label, bits.label)};
+  }
+  return most;
+}
+
+void emit_primitive(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
+  const Options& options = context.options;
+  if (renders_each_product(options) && !planned.active.operands.empty()) {
+    options.strategy == Strategy::products ? emit_products(context, out, planned, counts)
+                                           : emit_traversals(context, out, planned, counts);
+    return;
+  }
+  const Surface surface = emit_surface(context, out, planned.primitive, planned.block);
+  if (surface.nothing) return;
+  ++counts.rendered;
+  if (options.strategy == Strategy::list) {
+    counts.classified += emit_list(context, out, planned);
+  } else if (!planned.active.operands.empty()) {
+    counts.classified +=
+        emit_by_levels(context, out, planned, options.strategy == Strategy::bits ? stack_levels(options) : all_levels);
+  }
+  ++counts.depth_tests;
+  emit_merge(context, out, planned.primitive, surface);
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,95 @@
+#include "host/emit/halfspaces.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "hw/isa/error.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+using view::Side;
+
+/// Throws InputError, naming the primitive, unless the plane's coefficients fit the machine.
+void require_representable(const Context& context, std::uint32_t primitive, facet::Halfspace halfspace) {
+  if (context.view.planes[halfspace.plane].representable) return;
+  const model::Location& location = context.tree.primitives[primitive].location;
+  throw InputError(context.tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
+                   ": a face of this primitive is too large for the picture: its coefficients do not fit " +
+                   std::to_string(isa::max_linear_width) +
+                   " bits; move the camera back or the picture's centre onto it, give up --z-bits or --fraction-bits, "
+                   "or split the primitive");
+}
+
+csg::Known known_of(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
+  const csg::Known known = csg::locate(context.view, halfspace, block);
+  const bool representable = context.view.planes[halfspace.plane].representable;
+  return context.options.pruning.halfspaces || !representable ? known : csg::Known::depends;
+}
+
+using Corners = std::array<std::int64_t, 4>;
+
+Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels) {
+  const auto at = [&](std::int64_t x, std::int64_t y) { return plane.a * x + plane.b * y + plane.c; };
+  return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
+}
+
+/// Drops half-spaces that never make the extreme of their side: at every corner another one is beyond them by a whole
+/// depth step at least, hence at every pixel between.
+void drop_outdone(const Context& context, std::vector<facet::Halfspace>& halfspaces, Side side,
+                  const view::PixelRect& pixels) {
+  const std::int64_t sign = side == Side::front ? 1 : -1;
+  const std::int64_t step = std::int64_t{1} << context.view.sampling.fraction_bits;
+  std::vector<Corners> values;
+  for (const facet::Halfspace& halfspace : halfspaces) {
+    Corners corners = at_corners(context.linear_of(halfspace), pixels);
+    for (std::int64_t& value : corners) value *= sign;
+    values.push_back(corners);
+  }
+  // Who is the extreme at a corner is who can outdo others.
+  std::array<Corners, 4> leaders{};
+  for (std::size_t corner = 0; corner < leaders.size(); ++corner) {
+    leaders[corner] = *std::max_element(values.begin(), values.end(),
+                                        [&](const Corners& a, const Corners& b) { return a[corner] < b[corner]; });
+  }
+  const auto outdone = [&](const Corners& one) {
+    return std::any_of(leaders.begin(), leaders.end(), [&](const Corners& leader) {
+      return std::equal(one.begin(), one.end(), leader.begin(),
+                        [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
+    });
+  };
+  std::size_t index = 0;
+  std::erase_if(halfspaces, [&](const facet::Halfspace&) { return outdone(values[index++]); });
+}
+
+}  // namespace
+
+Deciding deciding(const Context& context, std::uint32_t primitive, Side side, const csg::Block& block) {
+  Deciding result;
+  for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+    if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
+    const csg::Known known = known_of(context, halfspace, block);
+    if (known == csg::Known::in) continue;
+    result.nothing = result.nothing || known == csg::Known::out;
+    if (known == csg::Known::depends) require_representable(context, primitive, halfspace);
+    result.halfspaces.push_back(halfspace);
+  }
+  if (context.options.pruning.halfspaces && !result.nothing && result.halfspaces.size() > 1) {
+    drop_outdone(context, result.halfspaces, side, block.pixels);
+  }
+  return result;
+}
+
+void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block) {
+  for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+    const view::ScreenPlane& plane = context.view.planes[halfspace.plane];
+    if (plane.kind != view::PlaneKind::edge || known_of(context, halfspace, block) == csg::Known::in) continue;
+    require_representable(context, primitive, halfspace);
+    const bool positive = view::side_of(plane, halfspace) == Side::edge_positive;
+    out.edge(positive ? isa::Opcode::edge_not_negative : isa::Opcode::edge_negative, plane.linear, block.pixels);
+  }
+}
+
+}  // namespace csgsim::emit

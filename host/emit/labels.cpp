@@ -1,0 +1,86 @@
+#include "host/emit/labels.h"
+
+#include "host/csg/ordered_list.h"
+#include "host/emit/comparison.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+using isa::Opcode;
+
+/// Emits one list. The label is no wider than this list needs.
+class ListEmitter {
+ public:
+  ListEmitter(const Context& context, Broadcast& out, const Planned& planned, unsigned label_bits)
+      : context_(context),
+        out_(out),
+        planned_(planned),
+        label_{context.layout.label.base, static_cast<std::uint16_t>(label_bits)} {}
+
+  /// E is the mask, and every pixel in it begins at label 0.
+  void begin() { write_label(0); }
+
+  void emit(const csg::ListLeaf& leaf) {
+    emit_stack(out_, Opcode::enable_load, context_.layout.mask);
+    keep_label(leaf.name);
+    emit_comparison(context_, out_, leaf.primitive, planned_);
+    if (!stays(leaf, leaf.if_in)) {
+      go(leaf.if_in);
+      if (stays(leaf, leaf.if_out)) return;
+      // What still waits here is out.
+      emit_stack(out_, Opcode::enable_load, context_.layout.mask);
+      keep_label(leaf.name);
+    } else {
+      emit_stack(out_, Opcode::enable_invert, {});
+      emit_stack(out_, Opcode::enable_and, context_.layout.mask);
+      keep_label(leaf.name);
+    }
+    go(leaf.if_out);
+  }
+
+ private:
+  static bool stays(const csg::ListLeaf& leaf, const csg::Target& target) {
+    return target.to != csg::Destination::hidden && target.label == leaf.name;
+  }
+
+  /// E := E and "the pixel's label is this one".
+  void keep_label(std::uint32_t label) {
+    for (unsigned bit = 0; bit < label_.width; ++bit) {
+      const isa::Field field{static_cast<std::uint16_t>(label_.base + bit), 1};
+      emit_stack(out_, (label >> bit & 1U) != 0 ? Opcode::enable_and : Opcode::enable_and_not, field);
+    }
+  }
+
+  void write_label(std::uint32_t label) {
+    if (label_.width > 0) emit_stack(out_, Opcode::set_constant, label_, label);
+  }
+
+  /// Where E.
+  void go(const csg::Target& target) {
+    if (target.to == csg::Destination::hidden) {
+      emit_stack(out_, Opcode::set_constant, context_.layout.mask, 0);
+    } else {
+      write_label(target.label);
+    }
+  }
+
+  const Context& context_;
+  Broadcast& out_;
+  const Planned& planned_;
+  isa::Field label_;
+};
+
+}  // namespace
+
+unsigned label_bits(const csg::ActiveTree& active) { return csg::make_ordered_list(active).label_bits; }
+
+std::uint64_t emit_list(const Context& context, Broadcast& out, const Planned& planned) {
+  const csg::OrderedList list = csg::make_ordered_list(planned.active);
+  ListEmitter emitter(context, out, planned, list.label_bits);
+  emitter.begin();
+  for (const csg::ListLeaf& leaf : list.leaves) emitter.emit(leaf);
+  return list.leaves.size();
+}
+
+}  // namespace csgsim::emit

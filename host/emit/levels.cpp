@@ -1,0 +1,233 @@
+#include "host/emit/levels.h"
+
+#include <algorithm>
+
+#include "host/csg/products.h"
+#include "host/emit/comparison.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+using csg::PositiveOperator;
+using isa::Opcode;
+
+/// Emits the evaluation of an active tree. E is kept inside the mask, where Z1 is a surface; what a result is elsewhere
+/// does not matter.
+class Classifier {
+ public:
+  Classifier(const Context& context, Broadcast& out, const Planned& planned, unsigned levels)
+      : context_(context), out_(out), planned_(planned), nodes_(planned.active.nodes), levels_(levels) {}
+
+  std::uint64_t classified() const { return classified_; }
+
+  /// mask := mask and every operand of the active tree.
+  void run() {
+    const std::vector<std::uint32_t>& operands = planned_.active.operands;
+    if (operands.size() > 1 && levels_ == 0) {
+      run_as_products(operands);
+      return;
+    }
+    for (const std::uint32_t operand : operands) {
+      if (nodes_[operand].is_leaf) {
+        combine_leaf(operand, PositiveOperator::intersect, context_.layout.mask);
+      } else {
+        evaluate(operand, operands.size() > 1 ? 2 : 1);
+        narrow_mask_by(context_.layout.stack[0]);
+      }
+    }
+  }
+
+ private:
+  void stack(Opcode opcode, isa::Field field) { emit_stack(out_, opcode, field); }
+  void set_bit(isa::Field bit, bool value) { emit_stack(out_, Opcode::set_constant, bit, value ? 1 : 0); }
+
+  void narrow_mask_by(isa::Field bit) {
+    stack(Opcode::enable_load, bit);
+    stack(Opcode::enable_and, context_.layout.mask);
+    stack(Opcode::enable_store, context_.layout.mask);
+  }
+
+  void run_as_products(const std::vector<std::uint32_t>& operands) {
+    std::vector<csg::ActiveNode> nodes = nodes_;
+    nodes.push_back({false, false, PositiveOperator::intersect, model::no_index, 0, operands});
+    sum_products(nodes, static_cast<std::uint32_t>(nodes.size() - 1), context_.layout.stack[0]);
+    narrow_mask_by(context_.layout.stack[0]);
+  }
+
+  /// E := E and "Z1 is in the primitive".
+  void compare(std::uint32_t primitive) {
+    ++classified_;
+    emit_comparison(context_, out_, primitive, planned_);
+  }
+
+  /// bit := the leaf.
+  void start_leaf(std::uint32_t leaf, isa::Field bit) {
+    const csg::ActiveNode& node = nodes_[leaf];
+    stack(Opcode::enable_load, context_.layout.mask);
+    compare(node.primitive);
+    if (node.complemented) stack(Opcode::enable_xor, context_.layout.mask);
+    stack(Opcode::enable_store, bit);
+  }
+
+  /// bit := bit op the leaf.
+  void combine_leaf(std::uint32_t leaf, PositiveOperator op, isa::Field bit) {
+    const csg::ActiveNode& node = nodes_[leaf];
+    const bool intersect = op == PositiveOperator::intersect;
+    stack(Opcode::enable_load, intersect ? bit : context_.layout.mask);
+    compare(node.primitive);
+    if (intersect && !node.complemented) {
+      stack(Opcode::enable_store, bit);
+    } else if (intersect) {
+      set_bit(bit, false);
+    } else {
+      if (node.complemented) stack(Opcode::enable_xor, context_.layout.mask);
+      set_bit(bit, true);
+    }
+  }
+
+  /// bit := bit op the result above it on the stack.
+  void combine_result(PositiveOperator op, isa::Field bit, isa::Field above) {
+    stack(Opcode::enable_load, above);
+    if (op == PositiveOperator::unite) {
+      set_bit(bit, true);
+    } else {
+      stack(Opcode::enable_and, bit);
+      stack(Opcode::enable_store, bit);
+    }
+  }
+
+  /// bit := the subtree, its products found one traversal after another and summed.
+  void sum_products(const std::vector<csg::ActiveNode>& nodes, std::uint32_t root, isa::Field bit) {
+    csg::ProductTraversal traversal(nodes, root);
+    emit_product(nodes, traversal.leaves());
+    // Stored at every pixel, so that the bit is 0 outside the mask.
+    stack(Opcode::enable_store, bit);
+    while (traversal.next()) {
+      emit_product(nodes, traversal.leaves());
+      set_bit(bit, true);
+    }
+  }
+
+  /// E := the mask and every leaf. E holds what the leaves have left so far, or else the product bit does.
+  void emit_product(const std::vector<csg::ActiveNode>& nodes, const std::vector<std::uint32_t>& leaves) {
+    const isa::Field product = context_.layout.product;
+    isa::Field left = context_.layout.mask;
+    bool in_enable = false;
+    for (const std::uint32_t leaf : leaves) {
+      const bool complemented = nodes[leaf].complemented;
+      if (complemented && in_enable) {
+        stack(Opcode::enable_store, product);
+        left = product;
+      } else if (!in_enable) {
+        stack(Opcode::enable_load, left);
+      }
+      compare(nodes[leaf].primitive);
+      if (complemented) stack(Opcode::enable_xor, left);
+      in_enable = true;
+    }
+  }
+
+  /// stack[0] := the operator node, worked out in postorder without recursion, so that no tree is too deep.
+  void evaluate(std::uint32_t root, unsigned root_level) {
+    struct Frame {
+      std::uint32_t node;
+      unsigned level;
+      std::size_t bit;
+      std::size_t next = 0;
+    };
+    std::vector<Frame> path{{root, root_level, 0}};
+    while (!path.empty()) {
+      Frame& frame = path.back();
+      const csg::ActiveNode& node = nodes_[frame.node];
+      const isa::Field bit = context_.layout.stack[frame.bit];
+      if (frame.level > levels_) {
+        sum_products(nodes_, frame.node, bit);
+        path.pop_back();
+        continue;
+      }
+      // Every operand after the first that is an operator was worked out one bit up.
+      if (frame.next > 1 && !nodes_[node.children[frame.next - 1]].is_leaf) {
+        combine_result(node.op, bit, context_.layout.stack[frame.bit + 1]);
+      }
+      bool descend = false;
+      while (!descend && frame.next < node.children.size()) {
+        const std::uint32_t child = node.children[frame.next++];
+        if (nodes_[child].is_leaf) {
+          frame.next == 1 ? start_leaf(child, bit) : combine_leaf(child, node.op, bit);
+        } else {
+          path.push_back({child, frame.level + 1, frame.next == 1 ? frame.bit : frame.bit + 1});
+          descend = true;
+        }
+      }
+      if (!descend) path.pop_back();
+    }
+  }
+
+  const Context& context_;
+  Broadcast& out_;
+  const Planned& planned_;
+  const std::vector<csg::ActiveNode>& nodes_;
+  unsigned levels_;
+  std::uint64_t classified_ = 0;
+};
+
+/// The level of every node that an operand holds, from the top.
+std::vector<unsigned> levels_of(const csg::ActiveTree& active) {
+  std::vector<unsigned> levels(active.nodes.size(), 0);
+  for (const std::uint32_t operand : active.operands) levels[operand] = active.operands.size() > 1 ? 2 : 1;
+  for (std::size_t i = active.nodes.size(); i-- > 0;) {
+    for (const std::uint32_t child : active.nodes[i].children) levels[child] = levels[i] + 1;
+  }
+  return levels;
+}
+
+}  // namespace
+
+std::uint64_t products_below_levels(const csg::ActiveTree& active, unsigned levels) {
+  const std::vector<std::uint64_t> counts = csg::count_products(active.nodes);
+  std::uint64_t total = 0;
+  if (levels == 0) {
+    total = 1;
+    for (const std::uint32_t operand : active.operands) {
+      if (__builtin_mul_overflow(total, counts[operand], &total)) return csg::countless;
+    }
+    return total;
+  }
+  const std::vector<unsigned> level = levels_of(active);
+  for (std::size_t i = 0; i < active.nodes.size(); ++i) {
+    if (active.nodes[i].is_leaf || level[i] != levels + 1) continue;
+    if (__builtin_add_overflow(total, counts[i], &total)) return csg::countless;
+  }
+  return total;
+}
+
+ClassificationBits bits_for_levels(const csg::ActiveTree& active, unsigned levels) {
+  ClassificationBits bits;
+  if (active.operands.size() > 1 && levels == 0) return {1, 1, 0};
+  const std::vector<unsigned> level = levels_of(active);
+  std::vector<unsigned> needed(active.nodes.size(), 0);
+  for (std::size_t i = 0; i < active.nodes.size(); ++i) {
+    const csg::ActiveNode& node = active.nodes[i];
+    if (node.is_leaf || level[i] == 0) continue;
+    needed[i] = 1;
+    if (level[i] > levels) {
+      if (level[i] == levels + 1) bits.product = 1;
+      continue;
+    }
+    for (std::size_t child = 0; child < node.children.size(); ++child) {
+      const unsigned below = needed[node.children[child]];
+      if (below > 0) needed[i] = std::max(needed[i], child == 0 ? below : below + 1);
+    }
+  }
+  for (const std::uint32_t operand : active.operands) bits.stack = std::max(bits.stack, needed[operand]);
+  return bits;
+}
+
+std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const Planned& planned, unsigned levels) {
+  Classifier classifier(context, out, planned, levels);
+  classifier.run();
+  return classifier.classified();
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <string>
+#include <vector>
+
+#include "hw/isa/error.h"
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/oracle/random_model.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit::fewest_stack_bits) {
+  emit::Options options;
+  options.strategy = strategy;
+  options.stack_bits = stack_bits;
+  return options;
+}
+
+/// Everything that must not change a picture, one change at a time.
+std::vector<emit::Options> all_options() {
+  using emit::Strategy;
+  std::vector<emit::Options> all{with_strategy(Strategy::stack), with_strategy(Strategy::list),
+                                 with_strategy(Strategy::products), with_strategy(Strategy::automatic)};
+  for (const unsigned bits : {3U, 4U, 5U, 6U, 7U, 9U}) all.push_back(with_strategy(Strategy::bits, bits));
+  for (const emit::Strategy strategy : {Strategy::stack, Strategy::list, Strategy::bits}) {
+    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::automatic}) {
+      all.push_back(with_strategy(strategy, 5));
+      all.back().colouring = colouring;
+    }
+    all.push_back(with_strategy(strategy, 4));
+    all.back().pruning = csg::Pruning::none();
+  }
+  for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
+                                             &csg::Pruning::halfspaces, &csg::Pruning::hidden}) {
+    all.push_back(with_strategy(Strategy::stack));
+    all.back().pruning.*switched = false;
+    all.push_back(with_strategy(Strategy::stack));
+    all.back().pruning = csg::Pruning::none();
+    all.back().pruning.*switched = true;
+  }
+  return all;
+}
+
+testing::Setup setup(const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
+  testing::Setup made;
+  made.camera = camera;
+  made.sampling.width = width;
+  made.sampling.height = height;
+  made.memory_bits = 160;
+  return made;
+}
+
+void check_same_pictures(const std::string& text, testing::Setup how) {
+  const testing::Compiled first = testing::compile_text(text, how);
+  const sim::Frame expected = testing::draw(first.program);
+  const std::vector<testing::Seen> rules = testing::draw_by_rules(first.tree, first.scene, first.view);
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    RC_ASSERT((testing::Seen{expected.depth[i], expected.owner[i]} == rules[i]));
+  }
+  for (const emit::Options& options : all_options()) {
+    how.options = options;
+    const sim::Frame frame = testing::draw(testing::compile_text(text, how).program);
+    RC_ASSERT(frame.depth == expected.depth);
+    RC_ASSERT(frame.owner == expected.owner);
+    RC_ASSERT(frame.colour == expected.colour);
+  }
+}
+
+void check_random_models(const view::Camera& camera) {
+  CHECK(rc::check([&] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    const auto size = static_cast<unsigned>(*rc::gen::inRange(1, 13));
+    check_same_pictures(testing::random_model(seed, size), setup(camera, 61, 43));
+  }));
+}
+
+}  // namespace
+
+TEST_CASE("every strategy, colouring and pruning draws the same picture of random models, orthographic") {
+  check_random_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic});
+}
+TEST_CASE("every strategy, colouring and pruning draws the same picture of random models, perspective") {
+  check_random_models({{30, -45, 35}, {0, 0, 0}, view::Projection::perspective});
+}
+TEST_CASE("every strategy, colouring and pruning draws the same picture of random models seen along an axis") {
+  check_random_models({{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic});
+}
+TEST_CASE("every strategy, colouring and pruning draws the same picture of random models around the eye") {
+  check_random_models({{0.25, -1, 0.5}, {0, 3, 0}, view::Projection::perspective});
+}
+TEST_CASE("every strategy, colouring and pruning draws the same picture of the test models") {
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
+      CAPTURE(one.name);
+      testing::Setup how = setup(one.camera, 160, 120);
+      const sim::Frame expected = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
+      for (const emit::Options& options : all_options()) {
+        CAPTURE(emit::name_of(options.strategy));
+        CAPTURE(options.stack_bits);
+        how.options = options;
+        const sim::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
+        CHECK(frame.depth == expected.depth);
+        CHECK(frame.owner == expected.owner);
+        CHECK(frame.colour == expected.colour);
+      }
+    }
+  }
+}
