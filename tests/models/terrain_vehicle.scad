@@ -13,6 +13,8 @@ axle = 102;         // |x| of the axles
 track = 62;         // |y| of the middle of the tyres
 tyre = 36;          // radius of the tyres, and height of the axles
 half = 68;          // half the width of the tub
+bands = 12;         // of which the tub is made
+band = 202 / bands;
 
 paint = [0.45, 0.52, 0.28];
 shade = [0.36, 0.42, 0.22];
@@ -66,14 +68,15 @@ module running_gear() {
     color(steel) bar_x([-162, -14, 33], 4, 200);
 }
 
-// The tub with its cabin, the scoops for getting in, and the wheel arches cut
+// The tub, riveted from bands, with its cabin, the scoops for getting in, and the wheel arches cut
 // through its sides and through the wheel housings within.
 module tub() {
     difference() {
         union() {
             difference() {
-                color(paint) translate([-150, -half, 46])
-                    cube([202, 2 * half, 52]);
+                for (i = [0 : bands - 1])
+                    color(paint) translate([-150 + i * band, -half, 46])
+                        cube([i < bands - 1 ? band + 1 : band, 2 * half, 52]);
                 color(shade) translate([-145, -half + 4, 54])
                     cube([191, 2 * half - 8, 60]);
                 color(paint) translate([-14, -half - 10, 62])
@@ -98,8 +101,6 @@ module bonnet() {
         color(paint) bar_x([40, 0, -17], 120, 100, 96);
     }
     color(black) translate([121, -32, 51]) cube([7, 64, 38]);
-    for (y = [-38, 35])
-        color(steel) translate([108, y, 84]) cube([4, 3, 9]);
 }
 
 module grille() {
@@ -138,11 +139,6 @@ module windscreen() {
             color(paint) translate([-5, -56, 6]) cube([14, 112, 35]);
         }
         color(paint) translate([0.5, -2, 4]) cube([3, 4, 40]);
-        for (y = [-30, 30])
-            color(black) translate([4.4, y, 42]) rotate([155, 0, 0])
-                cylinder(r = 0.9, h = 30, $fn = 8);
-        for (y = [-50, 46])
-            color(steel) translate([3, y, 2]) cube([3, 4, 10]);
     }
 }
 
@@ -180,13 +176,6 @@ module roll_bar() {
     color(steel) bar_y([-60, -58, 150], 3.4, 116);
 }
 
-module levers() {
-    for (y = [-4, 6]) translate([18, y, 52]) rotate([0, -20, 0]) {
-        color(steel) cylinder(r = 1.3, h = 34, $fn = 8);
-        color(black) translate([0, 0, 34]) sphere(r = 3, $fn = 12);
-    }
-}
-
 module bumpers() {
     color(steel) translate([146, -66, 37]) cube([7, 132, 13]);
     color(white) translate([152, -17, 39.5]) cube([2, 34, 8]);
@@ -206,11 +195,10 @@ module rear() {
 }
 
 module trim_parts() {
-    // Mirror, fuel cap, aerial, steps and grab handles.
+    // Mirror, fuel cap, steps and grab handles.
     color(steel) bar_y([47, 58, 112], 1.3, 20, 8);
     color(chrome) bar_x([45, 80, 112], 7, 3, 24);
     color(chrome) bar_y([-44, half - 2, 84], 5, 4, 24);
-    color(black) translate([-140, -64, 96]) cylinder(r = 0.9, h = 55, $fn = 8);
     for (y = [-80, 60])
         color(black) translate([-26, y, 43]) cube([62, 20, 5]);
     for (y = [-70, 66])
@@ -230,7 +218,6 @@ seat(30);
 seat(-30);
 bench();
 roll_bar();
-levers();
 bumpers();
 rear();
 trim_parts();
