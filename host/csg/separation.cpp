@@ -13,8 +13,8 @@ constexpr int most_steps = 64;
 /// How far from the origin, relative to the hulls, a support plane has to pass to be trusted.
 constexpr double certainty = 1e-9;
 
-/// The least size that hulls are scaled by, relative to their coordinates: those are rounded to some 1e-16, which has to
-/// stay below the certainty.
+/// The least size that hulls are scaled by, relative to their coordinates: those are rounded to some 1e-16, which has
+/// to stay below the certainty.
 constexpr double coarsest = 1e-6;
 
 /// The point farthest along a direction.
