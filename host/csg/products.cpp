@@ -49,9 +49,10 @@ std::vector<std::uint32_t> product_leaves(const std::vector<ActiveNode>& nodes,
       }
     } else {
       // The last operand varies fastest, and is pushed first so that it comes out last.
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-        open.push_back({*child, part.index % counts[*child]});
-        part.index /= counts[*child];
+      for (std::size_t i = node.children.size(); i-- > 0;) {
+        const std::uint32_t child = node.children[i];
+        open.push_back({child, part.index % counts[child]});
+        part.index /= counts[child];
       }
     }
   }
@@ -84,12 +85,13 @@ void ProductTraversal::visit() {
 
 bool ProductTraversal::next() {
   // The last union that has an operand left goes on to it; those visited after it start again.
-  for (auto at = unions_.rbegin(); at != unions_.rend(); ++at) {
-    if (++chosen_[*at] < nodes_[*at].children.size()) {
+  for (std::size_t i = unions_.size(); i-- > 0;) {
+    const std::uint32_t at = unions_[i];
+    if (++chosen_[at] < nodes_[at].children.size()) {
       visit();
       return true;
     }
-    chosen_[*at] = 0;
+    chosen_[at] = 0;
   }
   return false;
 }

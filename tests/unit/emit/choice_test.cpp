@@ -1,0 +1,132 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "hw/isa/error.h"
+#include "hw/machines/clocks.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+testing::Setup setup(emit::Strategy strategy, unsigned stack_bits = emit::fewest_stack_bits) {
+  testing::Setup made;
+  made.camera = {{60, -70, 90}, {0, 0, 0}, view::Projection::orthographic};
+  made.sampling.width = 64;
+  made.sampling.height = 48;
+  made.memory_bits = 120;
+  made.options.strategy = strategy;
+  made.options.stack_bits = stack_bits;
+  return made;
+}
+
+std::string at(double x, double y, double z, const std::string& solid) {
+  return "multmatrix([[1,0,0," + std::to_string(x) + "],[0,1,0," + std::to_string(y) + "],[0,0,1," + std::to_string(z) +
+         "],[0,0,0,1]]){" + solid + "}";
+}
+
+/// A plate without that many intersections of a ball and a peg: 2 to that power products.
+std::string dimpled(int count) {
+  std::string text = "difference(){cube(size=[60,60,10],center=true);";
+  for (int i = 0; i < count; ++i) {
+    const double x = 7 * (i % 8) - 25;
+    const double y = 7 * (i / 8) - 25;
+    text += "intersection(){" + at(x, y, 5, "sphere($fn=8,r=3);") + at(x, y, 5, "cube(size=4,center=true);") + "}";
+  }
+  return text + "}";
+}
+
+std::uint64_t clocks_of(const isa::Program& program) {
+  machines::Machine machine;
+  machine.array = program.shape;
+  std::uint64_t clocks = 0;
+  for (const isa::Instruction& instruction : program.segments.at(0).instructions) {
+    clocks += machines::clocks(instruction, machine);
+  }
+  return clocks;
+}
+
+isa::Program compiled(const std::string& text, const testing::Setup& how) {
+  return testing::compile_text(text, how).program;
+}
+
+}  // namespace
+
+TEST_CASE("auto takes no more clocks than any strategy and colouring, and says which it took") {
+  for (const char* name : {"carburettor", "old_example002", "thesis_fig_2_3"}) {
+    CAPTURE(name);
+    testing::Setup how = setup(emit::Strategy::automatic);
+    how.options.colouring = emit::Colouring::automatic;
+    const isa::Program best = testing::compile_file(testing::model_path(name), how).program;
+    CHECK(best.compile.strategy != "auto");
+    CHECK(best.compile.colouring != "auto");
+    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
+      for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits}) {
+        for (const unsigned bits : {3U, 4U, 5U, 6U}) {
+          how.options.strategy = strategy;
+          how.options.stack_bits = bits;
+          how.options.colouring = colouring;
+          CHECK(clocks_of(best) <= clocks_of(testing::compile_file(testing::model_path(name), how).program));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("auto takes what fits where the fastest does not") {
+  testing::Setup how = setup(emit::Strategy::automatic);
+  how.options.colouring = emit::Colouring::automatic;
+  how.memory_bits = 72;
+  CHECK(compiled(dimpled(3), how).compile.colouring == "rebroadcast");
+  how.memory_bits = 120;
+  CHECK(compiled(dimpled(3), how).compile.colouring == "field");
+  how.memory_bits = 64;
+  CHECK_THROWS_AS(compiled(dimpled(3), how), InputError);
+}
+
+TEST_CASE("fifty subtracted intersections compile with every strategy that multiplies nothing out") {
+  for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::automatic}) {
+    CHECK(compiled(dimpled(50), setup(strategy)).compile.rendered > 50);
+  }
+  CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).compile.rendered > 50);
+}
+
+TEST_CASE("products past the limit are refused, with the primitive's place and what to do instead") {
+  for (const auto& how :
+       {setup(emit::Strategy::products), setup(emit::Strategy::bits, 3), setup(emit::Strategy::bits, 4)}) {
+    CHECK_NOTHROW(compiled(dimpled(8), how));
+    try {
+      compiled(dimpled(50), how);
+      FAIL("2 to the power of 50 products were compiled");
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      CHECK(text.find("test:1:14: ") == 0);
+      CHECK(text.find("more than 16384 products") != std::string::npos);
+      CHECK(text.find("--strategy stack") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("more bits never mean more scan-conversions, and enough of them one a primitive") {
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
+      CAPTURE(one.name);
+      testing::Setup how = setup(emit::Strategy::stack);
+      how.camera = one.camera;
+      const isa::CompileFacts once = testing::compile_file(testing::model_path(one.name), how).program.compile;
+      isa::CompileFacts before;
+      for (unsigned bits = 3; bits <= once.tree_depth + 3; ++bits) {
+        how.options = setup(emit::Strategy::bits, bits).options;
+        const isa::CompileFacts facts = testing::compile_file(testing::model_path(one.name), how).program.compile;
+        if (bits > 3) {
+          CHECK(facts.rendered <= before.rendered);
+          CHECK(facts.classified <= before.classified);
+          CHECK(facts.rendered == once.rendered);
+        }
+        before = facts;
+      }
+      CHECK(before.classified == once.classified);
+    }
+  }
+}

@@ -1,0 +1,38 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "hw/isa/colour_format.h"
+
+using namespace csgsim;
+
+TEST_CASE("24 bits of colour hold 8 bits of each channel, red highest") {
+  CHECK(isa::pack_colour({1.0, 0.5, 0.0}, 24) == 0xff8000U);
+  CHECK(isa::unpack_colour(0x123456U, 24) == std::array<std::uint8_t, 3>{0x12, 0x34, 0x56});
+}
+
+TEST_CASE("few bits of colour go to green first, then to red") {
+  CHECK(isa::channel_widths(3) == std::array<unsigned, 3>{1, 1, 1});
+  CHECK(isa::channel_widths(8) == std::array<unsigned, 3>{3, 3, 2});
+  CHECK(isa::channel_widths(16) == std::array<unsigned, 3>{5, 6, 5});
+  CHECK(isa::channel_widths(24) == std::array<unsigned, 3>{8, 8, 8});
+}
+
+TEST_CASE("a colour is off by half a level of its width at most, and black and white stay what they are") {
+  for (unsigned bits = isa::fewest_colour_bits; bits <= isa::most_colour_bits; ++bits) {
+    CAPTURE(bits);
+    CHECK(isa::unpack_colour(isa::pack_colour({0, 0, 0}, bits), bits) == std::array<std::uint8_t, 3>{0, 0, 0});
+    CHECK(isa::unpack_colour(isa::pack_colour({1, 1, 1}, bits), bits) == std::array<std::uint8_t, 3>{255, 255, 255});
+    const std::array<unsigned, 3> widths = isa::channel_widths(bits);
+    CHECK(widths[0] + widths[1] + widths[2] == bits);
+    for (int level = 0; level <= 255; ++level) {
+      const double part = level / 255.0;
+      const std::array<std::uint8_t, 3> back = isa::unpack_colour(isa::pack_colour({part, part, part}, bits), bits);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const int half_level = (255 / ((1 << widths[channel]) - 1) + 1) / 2;
+        CHECK(std::abs(back[channel] - level) <= half_level);
+      }
+    }
+  }
+}

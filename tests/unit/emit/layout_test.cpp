@@ -1,0 +1,72 @@
+#include "host/emit/layout.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <string>
+#include <vector>
+
+#include "hw/isa/error.h"
+
+using namespace csgsim;
+
+namespace {
+
+std::string refusal(const emit::Needs& needs, std::uint32_t memory_bits) {
+  try {
+    emit::plan_layout(needs, memory_bits);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("fields of a layout lie beside each other without gaps, and take what was said that they take") {
+  CHECK(rc::check([] {
+    const emit::Needs needs{*rc::gen::inRange(4U, 31U),
+                            *rc::gen::inRange(3U, 25U),
+                            *rc::gen::arbitrary<bool>(),
+                            {*rc::gen::inRange(0U, 9U), *rc::gen::inRange(0U, 2U), *rc::gen::inRange(0U, 5U)}};
+    const unsigned total = emit::total_bits(needs);
+    unsigned next = 0;
+    for (const isa::NamedField& named : emit::named_fields(emit::plan_layout(needs, total))) {
+      RC_ASSERT(named.field.base == next);
+      next += named.field.width;
+    }
+    RC_ASSERT(next == total);
+    RC_ASSERT(!refusal(needs, total - 1).empty());
+  }));
+}
+
+TEST_CASE("memory that is too small is told with what is missing and with each option that would do") {
+  const std::string second = refusal({20, 24, true, {2, 1, 0}}, 72);
+  CHECK(says(second, "needs 92 memory bits a pixel (2 x 20 depth, 2 x 24 colour, 1 mask, 2 stack, 1 product)"));
+  CHECK(says(second, "--colouring rebroadcast"));
+  CHECK(says(second, "--z-bits 10"));
+  CHECK(says(second, "--colour-bits 14"));
+  CHECK(says(second, "--memory-bits 92"));
+  CHECK_FALSE(says(second, "--strategy"));
+
+  const std::string deep = refusal({20, 24, false, {9, 0, 0}}, 72);
+  CHECK(says(deep, "--strategy list or auto"));
+  CHECK(says(deep, "--z-bits 19"));
+  CHECK_FALSE(says(deep, "--colouring"));
+
+  const std::string tiny = refusal({20, 24, false, {}}, 10);
+  CHECK_FALSE(says(tiny, "--z-bits"));
+  CHECK_FALSE(says(tiny, "--colour-bits"));
+  CHECK(says(tiny, "--memory-bits 65"));
+}
+
+TEST_CASE("what a refusal advises fits") {
+  const std::uint32_t memory = 72;
+  const std::string advice = refusal({25, 24, false, {1, 0, 0}}, memory);
+  REQUIRE(says(advice, "--z-bits 23"));
+  CHECK(refusal({23, 24, false, {1, 0, 0}}, memory).empty());
+  REQUIRE(says(advice, "--colour-bits 20"));
+  CHECK(refusal({25, 20, false, {1, 0, 0}}, memory).empty());
+}
