@@ -36,4 +36,12 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
   return 0;
 }
 
+std::uint64_t clocks(const isa::Program& program, const Machine& machine) {
+  std::uint64_t total = evaluator_latency(machine.array);
+  for (const isa::Segment& segment : program.segments) {
+    for (const isa::Instruction& instruction : segment.instructions) total += clocks(instruction, machine);
+  }
+  return total;
+}
+
 }  // namespace csgsim::machines

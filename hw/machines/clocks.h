@@ -15,4 +15,7 @@ std::uint32_t evaluator_latency(const isa::ArrayShape& array);
 /// Clocks that the controller spends on an instruction, without the program's final latency.
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine);
 
+/// Clocks of a whole run, latency included.
+std::uint64_t clocks(const isa::Program& program, const Machine& machine);
+
 }  // namespace csgsim::machines

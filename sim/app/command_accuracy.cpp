@@ -88,7 +88,7 @@ void run(const Options& options) {
   if (error) throw InputError(options.folder + ": cannot be made a folder (" + error.message() + ")");
 
   const std::string title = title_of(options, machine, camera);
-  study::Table table(folder / "accuracy.csv", title);
+  study::Table<study::Measurement> table(folder / "accuracy.csv", title);
   study::Meter meter(tree, study::turned_views(camera, options.views), machine);
   const std::vector<study::Settings> points =
       study::points(sampling_of(options.model, machine), faceting, glm::length(scene.box.high - scene.box.low));

@@ -40,14 +40,6 @@ std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const
 
 constexpr unsigned max_threads = 1024;
 
-std::uint64_t expected_clocks(const isa::Program& program, const machines::Machine& machine) {
-  std::uint64_t total = 0;
-  for (const isa::Segment& segment : program.segments) {
-    for (const isa::Instruction& instruction : segment.instructions) total += machines::clocks(instruction, machine);
-  }
-  return total;
-}
-
 /// For CLI11: what is wrong with the name of a picture that has to be an EXR file, or nothing.
 std::string exr_name(const std::string& name) {
   return ends_in(name, ".exr") ? "" : "'" + name + "' has to end in .exr";
@@ -88,7 +80,7 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
   std::vector<sim::Observer*> observers{&frame, &stats};
   std::unique_ptr<sim::ProgressObserver> progress;
   if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) {
-    progress = std::make_unique<sim::ProgressObserver>(expected_clocks(program, machine));
+    progress = std::make_unique<sim::ProgressObserver>(machines::clocks(program, machine));
     observers.push_back(progress.get());
   }
   const std::unique_ptr<sim::Engine> engine = make_engine(machine, options);

@@ -70,6 +70,10 @@ double colour_difference(const sim::Frame& a, const sim::Frame& b) {
 
 }  // namespace
 
+bool measures(const Measurement& row, const Settings& point) {
+  return row.knob == point.knob && row.value == point.value;
+}
+
 struct Meter::Subject {
   facet::Scene scene;
   accuracy::Truth exact;     ///< of the half-spaces
@@ -110,10 +114,7 @@ std::uint64_t Meter::clocks(const Settings& settings) {
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const isa::Program program =
         compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine);
-    clocks += machines::evaluator_latency(machine.array);
-    for (const isa::Segment& segment : program.segments) {
-      for (const isa::Instruction& instruction : segment.instructions) clocks += machines::clocks(instruction, machine);
-    }
+    clocks += machines::clocks(program, machine);
   }
   return clocks;
 }

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <memory>
+#include <utility>
 
-#include "hw/isa/error.h"
+#include "sim/study/gnuplot.h"
 #include "sim/study/pareto.h"
 
 namespace csgsim::study {
@@ -33,19 +32,6 @@ constexpr Axis axes[] = {
     {"tolerance", "faceting tolerance, model units", "pixels that differ from the curved surfaces",
      &Measurement::facet_wrong, &Measurement::facet_depth_p999, true},
 };
-
-/// Text that gnuplot takes for a string.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
-
-std::string output(const std::filesystem::path& file) {
-  const bool svg = file.extension() == ".svg";
-  return fmt::format("set terminal {} size 800,500 font 'sans,{}'\nset output {}\n",
-                     svg ? "svg background 'white'" : "pngcairo", svg ? 14 : 11, quoted(file.string()));
-}
 
 std::string knob_script(const Axis& axis, std::span<const Measurement> rows, const std::string& model) {
   std::string data;
@@ -91,13 +77,6 @@ std::string front_script(std::span<const Measurement> rows, const std::string& m
       quoted(model + ": what accuracy costs"), all, best);
 }
 
-void run_gnuplot(const std::string& script) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen("gnuplot", "w"), ::pclose);
-  if (!pipe || std::fputs(script.c_str(), pipe.get()) == EOF || std::fflush(pipe.get()) != 0) {
-    throw InputError("gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
-  }
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> draw_plots(std::span<const Measurement> rows, const std::string& model,
@@ -105,18 +84,10 @@ std::vector<std::filesystem::path> draw_plots(std::span<const Measurement> rows,
   std::vector<std::filesystem::path> files;
   const auto draw = [&](const std::string& name, const std::string& script) {
     if (script.empty()) return;
-    for (const char* ending : {".png", ".svg"}) {
-      files.push_back(folder / (name + ending));
-      run_gnuplot("set encoding utf8\n" + output(files.back()) + script);
-    }
+    for (std::filesystem::path& file : draw_plot(folder, name, script)) files.push_back(std::move(file));
   };
   for (const Axis& axis : axes) draw(axis.knob, knob_script(axis, rows, model));
   draw("pareto", front_script(rows, model));
-  for (const std::filesystem::path& file : files) {
-    if (!std::filesystem::exists(file))
-      throw InputError(file.string() +
-                       ": gnuplot did not draw it; is package gnuplot-nox installed? (--no-plots does without)");
-  }
   return files;
 }
 

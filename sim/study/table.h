@@ -1,32 +1,97 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "sim/study/measure.h"
+#include "sim/study/csv.h"
 
 namespace csgsim::study {
 
-/// The measurements of a study as a CSV file that grows by a line a point, so that an interrupted study can go on: a
-/// second start reads what is there. The first line is a comment that says what study it is.
+/// Names of a row's columns as a line of CSV. visit_columns(row, visit), found beside the row's type, calls
+/// visit(name, member) for each.
+template <class Row>
+std::string header_of() {
+  std::string line;
+  const Row none{};
+  visit_columns(none, [&](const char* name, const auto&) { line += (line.empty() ? "" : ",") + std::string(name); });
+  return line;
+}
+
+template <class Row>
+std::string to_line(const Row& row) {
+  std::string line;
+  bool first = true;
+  visit_columns(row, [&](const char*, const auto& member) {
+    line += (first ? "" : ",") + to_cell(member);
+    first = false;
+  });
+  return line;
+}
+
+/// Throws InputError that says which cell cannot be read.
+template <class Row>
+Row from_line(const std::string& line) {
+  Row row;
+  const std::vector<std::string> cells = split_cells(line);
+  std::size_t next = 0;
+  visit_columns(row, [&](const char* name, auto& member) {
+    if (next == cells.size()) throw InputError(std::string("there is no ") + name);
+    from_cell(cells[next++], member);
+  });
+  if (next < cells.size()) throw InputError("'" + cells[next] + "' is one cell too many");
+  return row;
+}
+
+template <class Row>
+nlohmann::ordered_json to_json(const Row& row) {
+  nlohmann::ordered_json json;
+  visit_columns(row, [&](const char* name, const auto& member) { json[name] = member; });
+  return json;
+}
+
+/// The rows of a study, kept in a CSV file that grows by a line a point.
+template <class Row>
 class Table {
  public:
   /// Opens or begins a table. Throws InputError if the file holds another study (another `title`) or no table.
-  Table(std::filesystem::path path, const std::string& title);
+  Table(std::filesystem::path path, const std::string& title) : file_(std::move(path), title, header_of<Row>()) {
+    for (std::size_t i = 0; i < file_.found().size(); ++i) {
+      try {
+        rows_.push_back(from_line<Row>(file_.found()[i]));
+      } catch (const InputError& error) {
+        file_.refuse(i, error.what());
+      }
+    }
+  }
 
-  [[nodiscard]] const std::vector<Measurement>& rows() const { return rows_; }
-  [[nodiscard]] const Measurement* find(const Settings& settings) const;
-  void add(const Measurement& measurement);
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+
+  /// The row that measures(row, point) holds of, or null.
+  template <class Point>
+  [[nodiscard]] const Row* find(const Point& point) const {
+    const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return measures(row, point); });
+    return found == rows_.end() ? nullptr : &*found;
+  }
+
+  void add(Row row) {
+    file_.append(to_line(row));
+    rows_.push_back(std::move(row));
+  }
+
+  void replace(std::vector<Row> rows) {
+    std::vector<std::string> lines;
+    for (const Row& row : rows) lines.push_back(to_line(row));
+    file_.replace(lines);
+    rows_ = std::move(rows);
+  }
 
  private:
-  void write(const std::string& text, bool append) const;
-
-  std::filesystem::path path_;
-  std::vector<Measurement> rows_;
+  CsvFile file_;
+  std::vector<Row> rows_;
 };
-
-nlohmann::ordered_json to_json(const Measurement& measurement);
 
 }  // namespace csgsim::study

@@ -15,6 +15,8 @@ using namespace csgsim;
 
 namespace {
 
+using Table = study::Table<study::Measurement>;
+
 study::Measurement point(const std::string& value, std::uint64_t clocks, std::uint64_t wrong) {
   study::Measurement measurement;
   measurement.knob = "together";
@@ -77,12 +79,12 @@ TEST_CASE("a table goes on where it was interrupted, even in the middle of a lin
   study::Measurement first = point("10/2", 1234, 56);
   first.depth_p999 = 0.1234567890123456789;
   {
-    study::Table table(path, "a study");
+    Table table(path, "a study");
     table.add(first);
     table.add(point("12/2", 2345, 5));
   }
   std::ofstream(path, std::ios::app) << "together,14/2,99";
-  study::Table table(path, "a study");
+  Table table(path, "a study");
   REQUIRE(table.rows().size() == 2);
   CHECK(table.rows()[0] == first);
   study::Settings wanted;
@@ -92,23 +94,23 @@ TEST_CASE("a table goes on where it was interrupted, even in the middle of a lin
   wanted.value = "14/2";
   CHECK(table.find(wanted) == nullptr);
   table.add(point("14/2", 3456, 0));
-  CHECK(study::Table(path, "a study").rows().size() == 3);
+  CHECK(Table(path, "a study").rows().size() == 3);
 }
 
 TEST_CASE("a table of another study is refused and kept") {
   const std::filesystem::path path = fresh("study_other.csv");
-  study::Table(path, "one study").add(point("10/2", 1, 2));
+  Table(path, "one study").add(point("10/2", 1, 2));
   const std::string before = content(path);
-  CHECK_THROWS_AS(study::Table(path, "another study"), InputError);
+  CHECK_THROWS_AS(Table(path, "another study"), InputError);
   CHECK(content(path) == before);
 }
 
 TEST_CASE("a table with a broken line says which") {
   const std::filesystem::path path = fresh("study_broken.csv");
-  study::Table(path, "a study").add(point("10/2", 1, 2));
+  Table(path, "a study").add(point("10/2", 1, 2));
   std::ofstream(path, std::ios::app) << "together,12/2,many\n";
   try {
-    study::Table table(path, "a study");
+    Table table(path, "a study");
     FAIL("read");
   } catch (const InputError& error) {
     CHECK(std::string(error.what()).find("study_broken.csv:4:1: 'many'") != std::string::npos);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace csgsim::study {
+
+/// Pixels of a plot.
+struct PlotSize {
+  unsigned width = 800;
+  unsigned height = 500;
+};
+
+/// Text that gnuplot takes for a string.
+std::string quoted(const std::string& text);
+
+/// Runs a gnuplot script for folder/name.png and folder/name.svg; returns these two. Throws InputError if gnuplot
+/// cannot be run or does not draw.
+std::vector<std::filesystem::path> draw_plot(const std::filesystem::path& folder, const std::string& name,
+                                             const std::string& script, PlotSize size = {});
+
+}  // namespace csgsim::study
