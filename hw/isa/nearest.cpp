@@ -34,4 +34,10 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   return found == candidates.end() ? std::string_view{} : *found;
 }
 
+std::string_view nearest_alike(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::string_view one = nearest(word, candidates);
+  const std::size_t characters = word.size() - std::min(word.find_first_not_of('-'), word.size());
+  return !one.empty() && edit_distance(word, one) * 2 <= characters ? one : std::string_view{};
+}
+
 }  // namespace csgsim::isa

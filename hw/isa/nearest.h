@@ -14,4 +14,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to);
 /// those equally near, empty if there are no candidates.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
+/// The same if the word is like it, that is, if at least half its characters stay, leading dashes aside; else empty.
+std::string_view nearest_alike(std::string_view word, std::span<const std::string_view> candidates);
+
 }  // namespace csgsim::isa

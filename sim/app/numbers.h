@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace csgsim::app {
@@ -27,6 +30,18 @@ std::vector<Number> numbers(const std::string& text, char separator, std::size_t
     at = last ? next : next + 1;
   }
   return values;
+}
+
+/// 1234567 as 1,234,567.
+inline std::string grouped(std::uint64_t value) {
+  std::string digits = std::to_string(value);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+/// `1 bit`, `1,234 bits`.
+inline std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
 }
 
 }  // namespace csgsim::app

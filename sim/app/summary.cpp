@@ -6,20 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "sim/app/numbers.h"
+
 namespace csgsim::app {
 
 namespace {
-
-/// 1234567 as 1,234,567.
-std::string grouped(std::uint64_t value) {
-  std::string digits = std::to_string(value);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
-}
-
-std::string counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
-}
 
 /// With three significant digits.
 std::string ratio_text(double ratio) {

@@ -33,10 +33,8 @@ std::vector<std::string> option_names(CLI::App& command) {
 /// A question after a blank, or nothing where no known word is like it.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::vector<std::string_view> candidates(known.begin(), known.end());
-  const std::string_view nearest = isa::nearest(word, candidates);
-  const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
-  const bool is_like_it = !nearest.empty() && isa::edit_distance(word, nearest) * 2 <= letters;
-  return is_like_it ? fmt::format(" did you mean {}?", nearest) : "";
+  const std::string_view nearest = isa::nearest_alike(word, candidates);
+  return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
 }
 
 }  // namespace
