@@ -1,0 +1,218 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "host/read/read.h"
+#include "hw/isa/error.h"
+#include "sim/study/hash.h"
+#include "sim/study/ranges.h"
+#include "sim/study/sweep_run.h"
+#include "sim/study/table.h"
+
+using namespace csgsim;
+
+namespace {
+
+using Numbers = std::vector<unsigned>;
+using Words = std::vector<std::string>;
+
+study::SweepRanges small_ranges() {
+  study::SweepRanges ranges;
+  ranges.models = {"a.csg", "b.csg"};
+  ranges.machines = {"m"};
+  ranges.memory_bits = {{"m", {72}}};
+  ranges.z_bits = {16, 20};
+  ranges.prunings = {"all"};
+  ranges.colourings = {"rebroadcast"};
+  ranges.strategies = {"stack", "bits"};
+  ranges.stack_bits = {3, 5};
+  return ranges;
+}
+
+study::SweepRow row_of(const study::SweepPoint& point, const std::string& picture) {
+  study::SweepRow row;
+  row.point = point;
+  row.model_hash = "0123456789abcdef";
+  row.width = 48;
+  row.height = 36;
+  row.picture = picture;
+  return row;
+}
+
+const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($fn=24,$fa=12,$fs=2,r=9);}";
+
+/// Points of one model under strategies that all fit.
+std::vector<study::SweepJob> jobs() {
+  model::Tree tree = read::read_csg_text(bitten_cube, "test");
+  facet::Scene scene = facet::make_scene(tree);
+  const auto subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
+  machines::Machine machine = machines::load("pixel-planes-4");
+  machine.array.width = machine.array.height = 40;
+  view::Sampling sampling;
+  sampling.width = sampling.height = 40;
+  std::vector<study::SweepJob> jobs;
+  for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits}) {
+    study::SweepJob job{{}, subject, {{40, -60, 45}, {0, 0, 0}}, sampling, machine, {}};
+    job.point.strategy = emit::name_of(strategy);
+    job.options.strategy = strategy;
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+std::filesystem::path fresh(const std::string& name) {
+  const std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / name;
+  std::filesystem::remove(path);
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("numbers are lists and ranges, in the order given, none twice") {
+  CHECK(study::parse_numbers("7", 3, 9) == Numbers{7});
+  CHECK(study::parse_numbers("3..6", 3, 9) == Numbers{3, 4, 5, 6});
+  CHECK(study::parse_numbers("9,3,5", 3, 9) == Numbers{9, 3, 5});
+  CHECK(study::parse_numbers("3..5,4..6,3", 3, 9) == Numbers{3, 4, 5, 6});
+  CHECK(study::parse_numbers("8..8", 3, 9) == Numbers{8});
+}
+
+TEST_CASE("what is no list of numbers is refused") {
+  for (const char* const text :
+       {"", ",", "3,", "3..", "..3", "3...5", "a", "3-5", "3..x", "-3", "3 ", "8..3", "2..5", "3..10", "99999999999"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(study::parse_numbers(text, 3, 9), InputError);
+  }
+}
+
+TEST_CASE("an unknown name is told with the nearest known one, if any is like it") {
+  const Words known{"stack", "list", "bits"};
+  CHECK(study::parse_names("list,stack,list", known) == Words{"list", "stack"});
+  CHECK_THROWS_WITH_AS(study::parse_names("stack,lst", known), "there is no 'lst'; did you mean list?", InputError);
+  CHECK_THROWS_WITH_AS(study::parse_names("quixotic", known), "there is no 'quixotic'; there are stack, list, bits",
+                       InputError);
+  CHECK_THROWS_AS(study::parse_names("", known), InputError);
+}
+
+TEST_CASE("the product has a point for each combination, and stack bits only where they matter") {
+  const std::vector<study::SweepPoint> points = study::points_of(small_ranges());
+  REQUIRE(points.size() == 2 * 2 * 3);
+  CHECK(points[0] == study::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "stack", 0});
+  CHECK(points[1] == study::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "bits", 3});
+  CHECK(points[2].stack_bits == 5);
+  CHECK(points[3].z_bits == 20);
+  CHECK(points[6].model == "b.csg");
+  for (std::size_t i = 0; i < points.size(); ++i) CHECK(std::count(points.begin(), points.end(), points[i]) == 1);
+}
+
+TEST_CASE("a row comes back from a table as it was, commas and quotes included") {
+  const std::filesystem::path path = fresh("sweep_table.csv");
+  study::SweepRow row = row_of(study::points_of(small_ranges())[1], "");
+  row.point.model = "a \"model\", of mine.csg";
+  row.reason = "needs 90 bits, has 72; take \"list\"";
+  row.memory_map = {{"Z2", 0, 20}, {"stack", 65, 3}};
+  row.simulated_seconds = 0.1;
+  study::Table<study::SweepRow>(path, "sweep").add(row);
+  const study::Table<study::SweepRow> table(path, "sweep");
+  REQUIRE(table.rows().size() == 1);
+  CHECK(table.rows()[0] == row);
+  CHECK_THROWS_AS(study::to_cell(std::string("two\nlines")), InputError);
+}
+
+TEST_CASE("a point counts as measured only for the same model file, and drawn if it is to be drawn") {
+  const std::filesystem::path path = fresh("sweep_wanted.csv");
+  const study::SweepPoint point = study::points_of(small_ranges())[0];
+  study::Table<study::SweepRow> table(path, "sweep");
+  table.add(row_of(point, ""));
+  const std::string hash = table.rows()[0].model_hash;
+  CHECK(table.find(study::WantedPoint{point, hash, false}) != nullptr);
+  CHECK(table.find(study::WantedPoint{point, hash, true}) == nullptr);
+  CHECK(table.find(study::WantedPoint{point, "another", false}) == nullptr);
+  table.add(row_of(point, "picture"));
+  CHECK(table.find(study::WantedPoint{point, hash, true}) == &table.rows()[1]);
+}
+
+TEST_CASE("a table that was cut off in its first lines begins anew") {
+  const std::filesystem::path path = fresh("sweep_cut.csv");
+  std::ofstream(path) << "# swe";
+  CHECK(study::Table<study::SweepRow>(path, "sweep").rows().empty());
+  CHECK(study::Table<study::SweepRow>(path, "sweep").rows().empty());
+}
+
+TEST_CASE("names of points say what varies") {
+  study::SweepRanges ranges = small_ranges();
+  ranges.models = {"a.csg"};
+  std::vector<study::SweepRow> rows;
+  for (const study::SweepPoint& point : study::points_of(ranges)) rows.push_back(row_of(point, ""));
+  const study::PointNames names(rows);
+  CHECK(names.name(rows[0].point) == "stack, z 16");
+  CHECK(names.name(rows[5].point) == "bits 5, z 20");
+  CHECK(study::by_conditions(rows).size() == 2);
+  CHECK(study::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
+}
+
+TEST_CASE("pictures are compared within a model, size and z bits, and overflows are told") {
+  std::vector<study::SweepRow> rows;
+  for (const study::SweepPoint& point : study::points_of(small_ranges()))
+    rows.push_back(row_of(point, point.model + std::to_string(point.z_bits)));
+  CHECK(study::wrong_pictures(rows).empty());
+  rows[4].picture = "another";
+  rows[7].picture = "";
+  rows[9].picture = study::overflow;
+  const std::vector<study::WrongPicture> wrong = study::wrong_pictures(rows);
+  REQUIRE(wrong.size() == 2);
+  CHECK(wrong[0].reference == rows[3].point);
+  CHECK(wrong[0].point == rows[4].point);
+  CHECK(!wrong[1].reference);
+  CHECK(wrong[1].point == rows[9].point);
+}
+
+TEST_CASE("points measured in parallel are those measured one by one, with the same picture") {
+  const std::vector<study::SweepJob> all = jobs();
+  std::vector<study::SweepRow> rows;
+  study::measure_all(all, true, 3, [&](study::SweepRow row) { rows.push_back(std::move(row)); });
+  REQUIRE(rows.size() == all.size());
+  for (const study::SweepJob& job : all) {
+    const study::SweepRow expected = study::measure(job, true);
+    CHECK(expected.compiled());
+    CHECK(expected.clocks > 100);
+    CHECK(expected.picture == rows.front().picture);
+    CHECK(std::count(rows.begin(), rows.end(), expected) == 1);
+  }
+  CHECK(study::measure(all.front(), false).picture.empty());
+}
+
+TEST_CASE("a point that does not fit says why, and its neighbours are measured") {
+  std::vector<study::SweepJob> all = jobs();
+  all[1].machine.array.memory_bits = 40;
+  std::size_t compiled = 0;
+  std::string reason;
+  study::measure_all(all, false, 2, [&](const study::SweepRow& row) {
+    if (row.compiled()) ++compiled;
+    reason += row.reason;
+  });
+  CHECK(compiled == 2);
+  CHECK(reason.find("memory bits") != std::string::npos);
+}
+
+TEST_CASE("an exception of the receiver ends a sweep and comes out of it") {
+  const std::vector<study::SweepJob> all = jobs();
+  int calls = 0;
+  const auto fails = [&](const study::SweepRow&) {
+    ++calls;
+    throw InputError("full");
+  };
+  CHECK_THROWS_AS(study::measure_all(all, false, 2, fails), InputError);
+  CHECK(calls == 1);
+}
+
+TEST_CASE("the hash is FNV-1a") {
+  study::Hash hash;
+  hash.add("foobar");
+  CHECK(hash.text() == "85944171f73967e8");
+}
