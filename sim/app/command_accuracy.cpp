@@ -33,9 +33,7 @@ std::string title_of(const Options& options, const machines::Machine& machine, c
       std::filesystem::path(options.model.model).filename().string(), machine.name, machine.array.width,
       machine.array.height, camera.eye.x, camera.eye.y, camera.eye.z, camera.centre.x, camera.centre.y, camera.centre.z,
       options.model.projection, options.views, options.model.z_bits, options.model.fraction_bits, options.model.edge_on,
-      options.model.tolerance
-          ? fmt::format("{}{}", options.model.tolerance->value, options.model.tolerance->in_pixels ? "px" : "")
-          : "0");
+      tolerance_text(options.model));
 }
 
 void print_row(const study::Measurement& row) {

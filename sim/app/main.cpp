@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   csgsim::app::add_disasm(app);
   csgsim::app::add_wave(app);
   csgsim::app::add_accuracy(app);
+  csgsim::app::add_sweep(app);
   csgsim::app::add_levels(app);
   csgsim::app::add_machines(app);
   csgsim::app::add_isa(app);

@@ -22,8 +22,6 @@ namespace {
 const std::map<std::string, view::Projection> projections{{"ortho", view::Projection::orthographic},
                                                           {"perspective", view::Projection::perspective}};
 
-constexpr unsigned most_stack_bits = 64;
-
 /// Everything that a list of named choices has, by name.
 template <class Choices>
 auto by_name(const Choices& choices) {
@@ -50,12 +48,6 @@ constexpr NamedPruning prunings[] = {{"space", &csg::Pruning::space},
                                      {"halfspaces", &csg::Pruning::halfspaces},
                                      {"hidden", &csg::Pruning::hidden}};
 
-std::vector<std::string> pruning_names() {
-  std::vector<std::string> names{"all"};
-  for (const NamedPruning& pruning : prunings) names.emplace_back(pruning.name);
-  return names;
-}
-
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
   if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
@@ -65,30 +57,19 @@ void warn_of_coarse_depth(const view::View& view) {
 
 }  // namespace
 
+std::vector<std::string> pruning_names() {
+  std::vector<std::string> names{"all"};
+  for (const NamedPruning& pruning : prunings) names.emplace_back(pruning.name);
+  return names;
+}
+
 void ModelOptions::add_to(CLI::App& command) {
   command.add_option("MODEL", model, "The model, an OpenSCAD .csg file")->required();
   command.add_option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file")
       ->capture_default_str();
-  command.add_option("--size", size, "Picture and array size in pixels, WxH; the machine's own if not given");
   command.add_option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given");
-  command.add_option("--camera", camera, "Eye and centre as OpenSCAD takes them: ex,ey,ez,cx,cy,cz");
-  command.add_option("--projection", projection, "ortho or perspective")
-      ->check(CLI::IsMember(projections))
-      ->capture_default_str();
-  command.add_flag("--view-all", view_all, "Move the camera so that the whole model just fits");
-  command.add_option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+  add_view_to(command);
   command.add_option("--z-bits", z_bits, "Bits of depth")->capture_default_str();
-  command.add_option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
-      ->capture_default_str();
-  command
-      .add_option("--edge-on", edge_on,
-                  "Planes that pass the depth range within this part of a pixel become edge tests")
-      ->capture_default_str();
-  command.add_option_function<std::string>(
-      "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
-      "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
-      "of "
-      "as OpenSCAD does");
   command
       .add_option("--strategy", strategy,
                   "How classifications are worked out: stack, list, bits (with --stack-bits), products, or auto")
@@ -105,14 +86,34 @@ void ModelOptions::add_to(CLI::App& command) {
                   "rebroadcast (facets again after the merge), field (a second colour beside Z1), or auto")
       ->check(CLI::IsMember(by_name(emit::colourings)))
       ->capture_default_str();
-  command.add_option("--colour-bits", colour_bits, "Bits of a colour")
-      ->check(CLI::Range(isa::fewest_colour_bits, isa::most_colour_bits))
-      ->capture_default_str();
   command
       .add_option("--without", without,
                   "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, or all")
       ->delimiter(',')
       ->check(CLI::IsMember(pruning_names()));
+}
+
+void ModelOptions::add_view_to(CLI::App& command) {
+  command.add_option("--size", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  command.add_option("--camera", camera, "Eye and centre as OpenSCAD takes them: ex,ey,ez,cx,cy,cz");
+  command.add_option("--projection", projection, "ortho or perspective")
+      ->check(CLI::IsMember(projections))
+      ->capture_default_str();
+  command.add_flag("--view-all", view_all, "Move the camera so that the whole model just fits");
+  command.add_option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+  command.add_option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
+      ->capture_default_str();
+  command
+      .add_option("--edge-on", edge_on,
+                  "Planes that pass the depth range within this part of a pixel become edge tests")
+      ->capture_default_str();
+  command.add_option_function<std::string>(
+      "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
+      "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
+      "of as OpenSCAD does");
+  command.add_option("--colour-bits", colour_bits, "Bits of a colour")
+      ->check(CLI::Range(isa::fewest_colour_bits, isa::most_colour_bits))
+      ->capture_default_str();
 }
 
 machines::Machine machine_of(const ModelOptions& options) {
@@ -138,6 +139,11 @@ emit::Options emit_options_of(const ModelOptions& options) {
     }
   }
   return emit;
+}
+
+std::string tolerance_text(const ModelOptions& options) {
+  if (!options.tolerance) return "0";
+  return fmt::format("{}{}", options.tolerance->value, options.tolerance->in_pixels ? "px" : "");
 }
 
 facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree) {

@@ -20,6 +20,9 @@ struct Tolerance {
   bool in_pixels = false;  ///< else in model units
 };
 
+/// Of strategy bits; no tree needs as many.
+inline constexpr unsigned most_stack_bits = 64;
+
 /// Options of every command that compiles a model.
 struct ModelOptions {
   std::string model;
@@ -41,10 +44,19 @@ struct ModelOptions {
   std::vector<std::string> without;
 
   void add_to(CLI::App& command);
+
+  /// Of these only what the picture shows and how exactly: nothing that a sweep varies.
+  void add_view_to(CLI::App& command);
 };
+
+/// `all`, and the names of the prunings that can be left out.
+std::vector<std::string> pruning_names();
 
 /// The machine with the array that the options ask for.
 machines::Machine machine_of(const ModelOptions& options);
+
+/// The tolerance as a title says it; 0 if there is none.
+std::string tolerance_text(const ModelOptions& options);
 
 /// A tolerance in pixels is turned into model units by what a pixel covers where the model is nearest to the eye, and
 /// what was chosen is printed.

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "hw/isa/error.h"
+#include "hw/isa/output_file.h"
+#include "sim/app/commands.h"
+#include "sim/app/sweep_options.h"
+#include "sim/app/sweep_progress.h"
+#include "sim/app/sweep_report.h"
+#include "sim/study/sweep_plots.h"
+#include "sim/study/table.h"
+
+namespace csgsim::app {
+
+namespace {
+
+using study::SweepRow;
+using Rows = std::vector<SweepRow>;
+using Table = study::Table<SweepRow>;
+
+/// Everything that all points share; tables of other sweeps are refused by it.
+std::string title_of(const SweepOptions& options) {
+  const ModelOptions& view = options.view;
+  const auto or_own = [](const std::string& text) { return text.empty() ? "default" : text; };
+  return fmt::format(
+      "csgsim {} sweep size {} camera {}{} {} near {} fraction-bits {} edge-on {} tolerance {} colour-bits {}",
+      CSGSIM_VERSION, or_own(view.size), or_own(view.camera), view.view_all ? " view-all" : "", view.projection,
+      view.near.value_or(0.0), view.fraction_bits, view.edge_on, tolerance_text(view), view.colour_bits);
+}
+
+study::WantedPoint wanted(const SweepOptions& options, const study::SweepJob& job) {
+  return {job.point, job.subject->hash, !options.no_draw};
+}
+
+/// Measures the points that the table has not, and returns all in their order. So they are in the file at the end,
+/// before what it has of other points.
+Rows complete(const SweepOptions& options, const std::vector<study::SweepJob>& jobs, Table& table) {
+  std::vector<study::SweepJob> missing;
+  for (const study::SweepJob& job : jobs) {
+    if (table.find(wanted(options, job)) == nullptr) missing.push_back(job);
+  }
+  SweepProgress progress(jobs.size(), jobs.size() - missing.size(), options.progress == "auto");
+  try {
+    study::measure_all(missing, !options.no_draw, options.threads, [&](SweepRow row) {
+      table.add(std::move(row));
+      progress.done();
+    });
+  } catch (const std::bad_alloc&) {
+    throw InputError(
+        fmt::format("there is not enough memory for {} points at once; take fewer --threads", options.threads));
+  }
+  Rows rows;
+  for (const study::SweepJob& job : jobs) rows.push_back(*table.find(wanted(options, job)));
+  Rows all = rows;
+  for (const SweepRow& row : table.rows()) {
+    const bool is_asked =
+        std::any_of(jobs.begin(), jobs.end(), [&](const study::SweepJob& job) { return job.point == row.point; });
+    if (!is_asked) all.push_back(row);
+  }
+  table.replace(std::move(all));
+  return rows;
+}
+
+void write_json(const std::filesystem::path& path, const std::string& title, const Rows& rows) {
+  nlohmann::ordered_json json{{"study", title}, {"points", nlohmann::ordered_json::array()}};
+  for (const SweepRow& row : rows) json["points"].push_back(study::sweep_json(row));
+  write_file(path, json.dump(2) + "\n");
+}
+
+/// Rows of each model, by a name for its plots: that of its file, numbered where several have it.
+std::vector<std::pair<std::string, Rows>> by_model(const Rows& rows) {
+  std::vector<std::pair<std::string, Rows>> models;
+  std::map<std::string, unsigned> uses;
+  for (const SweepRow& row : rows) {
+    if (models.empty() || models.back().second.front().point.model != row.point.model) {
+      const std::string stem = std::filesystem::path(row.point.model).stem().string();
+      const unsigned use = ++uses[stem];
+      models.emplace_back(use == 1 ? stem : fmt::format("{}-{}", stem, use), Rows{});
+    }
+    models.back().second.push_back(row);
+  }
+  return models;
+}
+
+void refuse_failures(const SweepOptions& options, const Rows& rows) {
+  const bool none = std::none_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
+  if (none) throw InputError(rows.front().reason);
+  const std::vector<study::WrongPicture> wrong = study::wrong_pictures(rows);
+  if (wrong.empty()) {
+    if (!options.no_draw)
+      fmt::print("\nAll pictures of a model with the same size and z bits are the same, byte for byte.\n");
+    return;
+  }
+  const study::PointNames names(rows);
+  fmt::print("\n");
+  for (const study::WrongPicture& one : wrong) {
+    const std::string what = one.reference ? "the picture differs from that of " + names.name(*one.reference)
+                                           : "a linear expression does not fit its width";
+    fmt::print("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what);
+  }
+  throw InputError(
+      fmt::format("{} of {} pictures are not what they have to be; this is a fault of csgsim, please report it",
+                  wrong.size(), rows.size()));
+}
+
+void run(const SweepOptions& options) {
+  const std::vector<study::SweepJob> jobs = jobs_of(options);
+  const std::filesystem::path folder = options.folder;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(options.folder + ": cannot be made a folder (" + error.message() + ")");
+  const std::string title = title_of(options);
+  Table table(folder / "sweep.csv", title);
+  const Rows rows = complete(options, jobs, table);
+  write_json(folder / "sweep.json", title, rows);
+  for (const auto& [name, of_model] : by_model(rows)) {
+    print_sweep(of_model);
+    if (!options.no_plots) study::draw_sweep(of_model, name, folder);
+  }
+  fmt::print("\n{}: sweep.csv, sweep.json{}\n", options.folder,
+             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks and memory");
+  refuse_failures(options, rows);
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app) {
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App& command =
+      *app.add_subcommand("sweep", "Show what memory bits buy: every strategy with every number of bits, in parallel");
+  command.footer(
+      "Example:\n  csgsim sweep carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-sweep\n"
+      "  csgsim sweep *.csg --strategy bits --stack-bits 3..12 --no-draw -o table_6_1\n"
+      "  csgsim sweep a.csg b.csg --strategy stack,list --z-bits 16,20 --colouring rebroadcast,field -o out\n"
+      "  csgsim sweep a.csg --strategy list --pruning all,no-space,no-picture,no-separation,none -o out\n"
+      "Lists are with commas, ranges of numbers as 3..8; every combination is a point. What has been measured is in\n"
+      "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is new.");
+  options->add_to(command);
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace csgsim::app

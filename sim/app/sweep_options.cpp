@@ -1,0 +1,171 @@
+#include "sim/app/sweep_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "hw/isa/error.h"
+#include "hw/isa/instruction.h"
+#include "sim/study/hash.h"
+#include "sim/study/ranges.h"
+
+namespace csgsim::app {
+
+namespace {
+
+constexpr unsigned most_threads = 1024;
+constexpr unsigned fewest_z_bits = 4;
+constexpr unsigned most_z_bits = 30;
+
+template <class Choices>
+std::vector<std::string> names_of(const Choices& choices) {
+  std::vector<std::string> names;
+  for (const auto choice : choices) names.emplace_back(emit::name_of(choice));
+  return names;
+}
+
+constexpr const char* all_but = "no-";
+
+/// all, none, and no-X for each pruning X.
+std::vector<std::string> pruning_choices() {
+  std::vector<std::string> choices{"all", "none"};
+  for (const std::string& name : pruning_names()) {
+    if (name != "all") choices.push_back(all_but + name);
+  }
+  return choices;
+}
+
+std::vector<std::string> without(const std::string& choice) {
+  if (choice == "all") return {};
+  return {choice == "none" ? "all" : choice.substr(std::string_view(all_but).size())};
+}
+
+std::vector<unsigned> memory_bits_of(const std::string& text) {
+  return study::parse_numbers(text, 1, isa::max_memory_bits);
+}
+std::vector<unsigned> z_bits_of(const std::string& text) {
+  return study::parse_numbers(text, fewest_z_bits, most_z_bits);
+}
+std::vector<unsigned> stack_bits_of(const std::string& text) {
+  return study::parse_numbers(text, emit::fewest_stack_bits, most_stack_bits);
+}
+std::vector<std::string> strategies_of(const std::string& text) {
+  return study::parse_names(text, names_of(emit::strategies));
+}
+std::vector<std::string> colourings_of(const std::string& text) {
+  return study::parse_names(text, names_of(emit::colourings));
+}
+std::vector<std::string> prunings_of(const std::string& text) { return study::parse_names(text, pruning_choices()); }
+
+/// For CLI11: the text is as the function wants it, or what is wrong with it.
+template <class Parse>
+std::function<std::string(const std::string&)> is_read_by(Parse parse) {
+  return [parse](const std::string& text) -> std::string {
+    try {
+      parse(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+}
+
+study::SweepRanges ranges_of(const SweepOptions& options) {
+  study::SweepRanges ranges;
+  for (const std::string& model : options.models) {
+    if (std::find(ranges.models.begin(), ranges.models.end(), model) == ranges.models.end())
+      ranges.models.push_back(model);
+  }
+  ranges.machines = study::parse_words(options.machines);
+  for (const std::string& machine : ranges.machines) {
+    ranges.memory_bits[machine] = options.memory_bits.empty() ? std::vector{machines::load(machine).array.memory_bits}
+                                                              : memory_bits_of(options.memory_bits);
+  }
+  ranges.z_bits = z_bits_of(options.z_bits);
+  ranges.prunings = prunings_of(options.prunings);
+  ranges.colourings = colourings_of(options.colourings);
+  ranges.strategies = strategies_of(options.strategies);
+  ranges.stack_bits = stack_bits_of(options.stack_bits);
+  return ranges;
+}
+
+/// The options with which `csgsim render` would draw the point.
+ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& point) {
+  ModelOptions one = options.view;
+  one.model = point.model;
+  one.machine = point.machine;
+  one.memory_bits = point.memory_bits;
+  one.z_bits = point.z_bits;
+  one.without = without(point.pruning);
+  one.colouring = point.colouring;
+  one.strategy = point.strategy;
+  if (point.stack_bits > 0) one.stack_bits = point.stack_bits;
+  return one;
+}
+
+std::string hash_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream content;
+  content << file.rdbuf();
+  study::Hash hash;
+  hash.add(content.str());
+  return hash.text();
+}
+
+}  // namespace
+
+std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
+  // Facets may depend on what a pixel covers.
+  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, std::shared_ptr<const study::Subject>> subjects;
+  std::vector<study::SweepJob> jobs;
+  for (study::SweepPoint& point : study::points_of(ranges_of(options))) {
+    const ModelOptions one = options_of(options, point);
+    const machines::Machine machine = machine_of(one);
+    std::shared_ptr<const study::Subject>& subject = subjects[{point.model, machine.array.width, machine.array.height}];
+    if (!subject) {
+      model::Tree tree = read_model(one);
+      facet::Scene scene = facet::make_scene(tree, faceting_of(one, machine, tree));
+      subject = std::make_shared<study::Subject>(
+          study::Subject{std::move(tree), std::move(scene), hash_of_file(point.model)});
+    }
+    jobs.push_back({std::move(point), subject, camera_of(one, machine, subject->scene), sampling_of(one, machine),
+                    machine, emit_options_of(one)});
+  }
+  return jobs;
+}
+
+void SweepOptions::add_to(CLI::App& command) {
+  command.add_option("MODEL", models, "The models, OpenSCAD .csg files")->required();
+  command.add_option("-o,--output", folder, "Folder for sweep.csv, sweep.json and the plots")->required();
+  const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
+    command.add_option(name, value, help)->check(is_read_by(parse))->capture_default_str();
+  };
+  add_list("--strategy", strategies, strategies_of, "List of stack, list, bits, products, auto");
+  add_list("--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
+  add_list("--z-bits", z_bits, z_bits_of, "Numbers: bits of depth");
+  add_list("--colouring", colourings, colourings_of, "List of rebroadcast, field, auto");
+  add_list("--pruning", prunings, prunings_of,
+           fmt::format("List of {}: the prunings that are done", fmt::join(pruning_choices(), ", ")));
+  add_list("--machine", machines, study::parse_words, "List of machines, by name or .toml file");
+  add_list("--memory-bits", memory_bits, memory_bits_of,
+           "Numbers: memory bits a pixel; the machine's own if not given");
+  view.add_view_to(command);
+  command.add_option("--threads", threads, "Points that are measured at the same time")
+      ->check(CLI::Range(1U, most_threads))
+      ->capture_default_str();
+  command.add_flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
+  command.add_flag("--no-plots", no_plots, "Do without plots (gnuplot)");
+  command.add_option("--progress", progress, "auto (when standard error is a terminal) or none")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->capture_default_str();
+}
+
+}  // namespace csgsim::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sim/app/model_options.h"
+#include "sim/study/sweep_run.h"
+
+namespace csgsim::app {
+
+/// Options of csgsim sweep. What a sweep varies are lists and ranges, checked when the command line is read.
+struct SweepOptions {
+  ModelOptions view;
+  std::vector<std::string> models;
+  std::string machines = "pixel-planes-4";
+  std::string memory_bits;
+  std::string z_bits = "20";
+  std::string strategies = "stack,list,bits,products";
+  std::string stack_bits = "3..8";
+  std::string colourings = "rebroadcast";
+  std::string prunings = "all";
+  std::string folder;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  bool no_draw = false;
+  bool no_plots = false;
+  std::string progress = "auto";
+
+  void add_to(CLI::App& command);
+};
+
+/// The points asked for, with all that they are made from; each model is read once for each picture size. Throws
+/// InputError.
+std::vector<study::SweepJob> jobs_of(const SweepOptions& options);
+
+}  // namespace csgsim::app
