@@ -12,6 +12,10 @@ struct PlotSize {
   unsigned height = 500;
 };
 
+/// Pixels of a character and of a line of text in a plot, at least.
+inline constexpr unsigned character_width = 8;
+inline constexpr unsigned line_height = 23;
+
 /// Text that gnuplot takes for a string.
 std::string quoted(const std::string& text);
 

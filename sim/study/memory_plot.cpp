@@ -13,7 +13,7 @@ namespace {
 
 /// Points that lay out memory alike.
 struct Bar {
-  std::string label;
+  std::vector<std::string> names;
   MemoryMap map;
   std::uint32_t memory_bits = 0;
 };
@@ -26,16 +26,24 @@ std::vector<Bar> bars_of(std::span<const SweepRow> rows) {
     const auto same = std::find_if(bars.begin(), bars.end(), [&](const Bar& bar) {
       return bar.map == row.memory_map && bar.memory_bits == row.point.memory_bits;
     });
-    if (same == bars.end()) {
-      bars.push_back({names.name(row.point), row.memory_map, row.point.memory_bits});
-    } else if (same->label.size() < 40) {
-      same->label += "; " + names.name(row.point);
-    } else if (!same->label.ends_with("...")) {
-      same->label += " ...";
-    }
+    Bar& bar = same == bars.end() ? bars.emplace_back(Bar{{}, row.memory_map, row.point.memory_bits}) : *same;
+    bar.names.push_back(names.name(row.point));
   }
   return bars;
 }
+
+/// As many names as there is room for, and the number of the others.
+std::string label_of(const Bar& bar) {
+  constexpr std::size_t room = 36;
+  std::string label = bar.names.front();
+  std::size_t said = 1;
+  for (; said < bar.names.size() && label.size() + bar.names[said].size() < room; ++said)
+    label += "; " + bar.names[said];
+  return said == bar.names.size() ? label : fmt::format("{} (+ {} alike)", label, bar.names.size() - said);
+}
+
+/// Pixels that the bars take from side to side.
+constexpr unsigned bars_width = 640;
 
 /// What each part of memory is painted with, in the order of the key.
 constexpr std::pair<const char*, const char*> part_colours[] = {
@@ -44,6 +52,8 @@ constexpr std::pair<const char*, const char*> part_colours[] = {
 };
 
 std::string map_script(const std::vector<Bar>& bars, const std::string& model) {
+  std::uint32_t most_bits = 1;
+  for (const Bar& bar : bars) most_bits = std::max(most_bits, bar.memory_bits);
   std::string labels;
   std::string ticks;
   std::string data = "$free << EOD\n";
@@ -60,8 +70,9 @@ std::string map_script(const std::vector<Bar>& bars, const std::string& model) {
         if (part.name != name) continue;
         const double y = static_cast<double>(i);
         boxes += fmt::format("0 0 {} {} {} {}\n", part.base, part.base + part.width, y - 0.38, y + 0.38);
-        if (part.width >= 4)
-          labels += fmt::format("set label '{} {}' at {},{} center front tc rgb 'white'\n", name, part.width,
+        const std::string label = fmt::format("{} {}", name, part.width);
+        if (part.width * bars_width / most_bits >= label.size() * character_width)
+          labels += fmt::format("set label '{}' at {},{} center front tc rgb 'white'\n", label,
                                 part.base + part.width / 2.0, y);
       }
     }
@@ -72,22 +83,26 @@ std::string map_script(const std::vector<Bar>& bars, const std::string& model) {
                     name, colour, name);
   }
   for (std::size_t i = 0; i < bars.size(); ++i)
-    ticks += fmt::format("{}{} {}", ticks.empty() ? "" : ", ", quoted(bars[i].label), i);
+    ticks += fmt::format("{}{} {}", ticks.empty() ? "" : ", ", quoted(label_of(bars[i])), i);
   return fmt::format(
       "set title {} noenhanced\nset xlabel 'bit of pixel memory'\nset ytics ({}) noenhanced\nset yrange [{}:-0.6]\nset "
-      "xrange [0:*]\nset xtics 8 out nomirror\nset key bmargin center horizontal maxcols 5\nset bmargin 6\n{}{}{}\n",
-      quoted(model + ": which bits hold what"), ticks, static_cast<double>(bars.size()) - 0.4, labels, data, plots);
+      "xrange [0:*]\nset xtics {} out nomirror\nset key bmargin center horizontal maxcols 5\nset bmargin 6\n{}{}{}\n",
+      quoted(model + ": which bits hold what"), ticks, static_cast<double>(bars.size()) - 0.4,
+      most_bits <= 128 ? 8 : 32, labels, data, plots);
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> draw_memory(std::span<const SweepRow> rows, const std::string& model,
                                                const std::filesystem::path& folder) {
-  constexpr unsigned margins = 150;
+  constexpr unsigned margins = 160;
   constexpr unsigned bar_height = 28;
   const std::vector<Bar> bars = bars_of(rows);
+  std::size_t longest = 0;
+  for (const Bar& bar : bars) longest = std::max(longest, label_of(bar).size());
   return draw_plot(folder, model + "_memory", map_script(bars, model),
-                   {900, margins + bar_height * static_cast<unsigned>(bars.size())});
+                   {bars_width + 60 + character_width * static_cast<unsigned>(longest),
+                    margins + bar_height * static_cast<unsigned>(bars.size())});
 }
 
 }  // namespace csgsim::study

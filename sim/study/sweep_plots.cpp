@@ -54,16 +54,17 @@ std::vector<Line> lines_of(std::span<const SweepRow> rows, const std::vector<Cur
     same == lines.end() ? lines.push_back(std::move(line)) : void(++same->alike);
   };
   for (const std::vector<SweepRow>& of_group : by_conditions(rows)) {
-    std::map<std::pair<std::string, std::size_t>, Line> found;
+    std::map<std::pair<std::size_t, std::size_t>, Line> found;
     for (const SweepRow& row : of_group) {
       if (!row.compiled()) continue;
       const std::string& strategy = row.point.strategy;
       if (std::find(strategies.begin(), strategies.end(), strategy) == strategies.end()) strategies.push_back(strategy);
-      const auto index = std::find(strategies.begin(), strategies.end(), strategy) - strategies.begin();
+      const auto index =
+          static_cast<std::size_t>(std::find(strategies.begin(), strategies.end(), strategy) - strategies.begin());
       const std::string conditions = names.conditions(row.point);
       for (std::size_t c = 0; c < curves.size(); ++c) {
-        Line& line = found[{strategy, c}];
-        line.strategy = static_cast<std::size_t>(index);
+        Line& line = found[{index, c}];
+        line.strategy = index;
         line.group = group;
         line.curve = c;
         line.title = strategy + (curves[c].what.empty() ? "" : " " + curves[c].what) +
@@ -77,23 +78,16 @@ std::vector<Line> lines_of(std::span<const SweepRow> rows, const std::vector<Cur
   return lines;
 }
 
-/// A key of so many entries below the plot, and room for it.
-std::string key_script(std::size_t entries, std::size_t columns) {
-  const std::size_t rows = (entries + columns - 1) / columns;
-  return fmt::format("set key bmargin center horizontal maxcols {}\nset bmargin {}\n", columns, rows + 4);
+std::string title_of(const Line& line) {
+  return line.alike == 0 ? line.title : fmt::format("{} (+ {} alike)", line.title, line.alike);
 }
 
-/// Columns of a key that such titles fit into.
-std::size_t key_columns(const std::vector<Line>& lines) {
-  std::size_t longest = 0;
-  for (const Line& line : lines) longest = std::max(longest, line.title.size());
-  return longest < 24 ? 3 : longest < 40 ? 2 : 1;
-}
-
-/// Pixels of a plot with such a key.
+/// With room for the key at the right.
 PlotSize size_with_key(const std::vector<Line>& lines) {
-  constexpr unsigned row_height = 20;
-  return {800, 440 + row_height * static_cast<unsigned>(lines.size() / key_columns(lines))};
+  std::size_t longest = 0;
+  for (const Line& line : lines) longest = std::max(longest, title_of(line).size());
+  return {760 + character_width * static_cast<unsigned>(longest),
+          std::max(480U, 80 + line_height * static_cast<unsigned>(lines.size()))};
 }
 
 /// Ranges that hold all marks; over more than a decade, or so, counts are better on a logarithmic axis.
@@ -117,7 +111,11 @@ std::string ranges_script(const std::vector<Line>& lines, bool from_zero) {
 }
 
 /// The stack bits that the marks of strategy bits were given: those at the same place share a label.
+/// Many lines would cover each other's.
 std::string labels_script(const std::vector<Line>& lines) {
+  constexpr std::ptrdiff_t most_labelled = 2;
+  const auto is_given = [](const Line& line) { return line.marks.front().stack_bits > 0; };
+  if (std::count_if(lines.begin(), lines.end(), is_given) > most_labelled) return {};
   std::string script;
   for (const Line& line : lines) {
     for (std::size_t i = 0; i < line.marks.size();) {
@@ -144,18 +142,18 @@ std::string lines_script(const std::vector<Line>& lines) {
     data += fmt::format("$line{} << EOD\n", i);
     for (const Mark& mark : line.marks) data += fmt::format("{} {}\n", mark.bits, mark.count);
     data += "EOD\n";
-    const std::string alike = line.alike == 0 ? "" : fmt::format(" (+ {} alike)", line.alike);
-    plots +=
-        fmt::format("{} $line{} using 1:2 with linespoints lw 2 lc {} pt {} ps {} dt {} title {} noenhanced",
-                    i == 0 ? "plot" : ",", i, line.strategy + 1, shapes[line.group % std::size(shapes)] - line.curve,
-                    1.1 + 0.4 * static_cast<double>(line.strategy), line.curve + 1, quoted(line.title + alike));
+    plots += fmt::format(
+        "{} $line{} using 1:2 with linespoints lw 2 lc {} pt {} ps {} dt {} title {} noenhanced", i == 0 ? "plot" : ",",
+        i, line.strategy + 1, shapes[line.group % std::size(shapes)] - line.curve,
+        std::max(0.8, 2.0 - 0.4 * static_cast<double>(line.strategy)), line.curve + 1, quoted(title_of(line)));
   }
   return data + plots + "\n";
 }
 
 std::string axes_script(const std::string& title, const char* x, const char* y) {
-  return fmt::format("set title {} noenhanced\nset xlabel {}\nset ylabel {}\nset xtics 1\nset grid\n", quoted(title),
-                     quoted(x), quoted(y));
+  return fmt::format(
+      "set title {} noenhanced\nset xlabel {}\nset ylabel {}\nset xtics 1\nset grid\nset key outside right top\n",
+      quoted(title), quoted(x), quoted(y));
 }
 
 std::vector<Line> scan_lines(std::span<const SweepRow> rows) {
@@ -170,7 +168,7 @@ std::vector<Line> scan_lines(std::span<const SweepRow> rows) {
 std::string scan_script(const std::vector<Line>& lines, const std::string& model) {
   return axes_script(model + ": scan-conversions of primitives",
                      "bits for the classification: given (bits), used (others)", "scan-conversions") +
-         ranges_script(lines, true) + key_script(lines.size(), key_columns(lines)) + lines_script(lines);
+         ranges_script(lines, true) + lines_script(lines);
 }
 
 std::vector<Line> clock_lines(std::span<const SweepRow> rows) {
@@ -180,8 +178,7 @@ std::vector<Line> clock_lines(std::span<const SweepRow> rows) {
 
 std::string clocks_script(const std::vector<Line>& lines, const std::string& model) {
   return axes_script(model + ": what memory buys", "bits of pixel memory that the classification uses", "clocks") +
-         "set format y '%.1s %c'\n" + ranges_script(lines, false) + key_script(lines.size(), key_columns(lines)) +
-         labels_script(lines) + lines_script(lines);
+         "set format y '%.1s %c'\n" + ranges_script(lines, false) + labels_script(lines) + lines_script(lines);
 }
 
 }  // namespace
