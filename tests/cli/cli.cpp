@@ -1,0 +1,56 @@
+#include "tests/cli/cli.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace csgsim::testing::cli {
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+Outcome run(const std::string& words) {
+  const Folder folder;
+  const std::string command = std::string(CSGSIM_BINARY_DIR) + "/csgsim " + words + " >" + (folder / "out") + " 2>" +
+                              (folder / "err") + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
+}
+
+std::string model(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/tests/models/" + name + ".csg"; }
+
+nlohmann::json json(const std::string& path) { return nlohmann::json::parse(std::ifstream(path)); }
+
+bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
+
+void refuses(const std::string& path, const std::string& text) {
+  const Folder folder;
+  const Outcome outcome =
+      run("render " + path + " --size 32x32 -o " + (folder / "p.png") + " --stats " + (folder / "s.json"));
+  CAPTURE(outcome.err.substr(0, 400));
+  CHECK(outcome.code == 1);
+  CHECK(one_line(outcome.err));
+  CHECK(outcome.err.find(text) != std::string::npos);
+  CHECK(folder.files() == 0);
+}
+
+void refuses_text(const std::string& csg, const std::string& text) {
+  const Folder folder;
+  write(folder / "m.csg", csg);
+  refuses(folder / "m.csg", text);
+}
+
+void misused(const std::string& words, const std::string& text) {
+  const Outcome outcome = run(words);
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(one_line(outcome.err));
+  CHECK(outcome.err.find(text) != std::string::npos);
+}
+
+}  // namespace csgsim::testing::cli

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <doctest/doctest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace csgsim::testing::cli {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone afterwards.
+class Folder {
+ public:
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "csgsim-XXXXXX").string();
+    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  [[nodiscard]] std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator{}));
+  }
+
+ private:
+  fs::path path_;
+};
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string content(const std::string& path);
+void write(const std::string& path, const std::string& text);
+/// Runs csgsim with words that need no quoting.
+Outcome run(const std::string& words);
+std::string model(const std::string& name);
+nlohmann::json json(const std::string& path);
+bool one_line(const std::string& text);
+/// A model that cannot be drawn: exit code 1, one line that contains the text, no file left behind.
+void refuses(const std::string& path, const std::string& text);
+void refuses_text(const std::string& csg, const std::string& text);
+void misused(const std::string& words, const std::string& text);
+
+}  // namespace csgsim::testing::cli

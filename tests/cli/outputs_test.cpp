@@ -1,0 +1,142 @@
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+TEST_CASE("a picture's name without a format, or in no folder, is refused and nothing is left behind") {
+  const Folder folder;
+  const std::string options = "render " + model("old_example011") + " --size 16x16 ";
+  CHECK(run(options + "-o " + (folder / "picture.xyz")).code == 1);
+  CHECK(run(options + "-o " + (folder / "none/picture.png")).code == 1);
+  CHECK(run(options + "--stats " + (folder / "none/s.json")).code == 1);
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("an output that is a symbolic link stays one, and what it leads to is written") {
+  const Folder folder;
+  fs::create_directory(folder / "real");
+  write(folder / "real/old.png", "old");
+  fs::create_symlink("real/old.png", folder / "old.png");
+  fs::create_symlink("real/new.json", folder / "new.json");
+  REQUIRE(run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "old.png") + " --stats " +
+              (folder / "new.json"))
+              .code == 0);
+  CHECK(fs::is_symlink(folder / "old.png"));
+  CHECK(fs::is_symlink(folder / "new.json"));
+  CHECK(content(folder / "real/old.png").substr(1, 3) == "PNG");
+  CHECK(json(folder / "real/new.json")["machine"]["width"] == 16);
+  CHECK(folder.files() == 3);
+}
+
+TEST_CASE("an output that is a pipe stays one and gets the whole file") {
+  const Folder folder;
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  for (const std::string& words : {"render " + model("old_example011") + " --size 16x16 --stats ",
+                                   "compile " + model("old_example011") + " --size 16x16 -o "}) {
+    std::string received;
+    std::thread reader([&] { received = content(folder / "pipe"); });
+    const int code = run(words + (folder / "pipe")).code;
+    if (code != 0) ::close(::open((folder / "pipe").c_str(), O_WRONLY | O_NONBLOCK));
+    reader.join();
+    CHECK(code == 0);
+    CHECK(received.size() > 100);
+  }
+  CHECK(fs::is_fifo(folder / "pipe"));
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("standard output can be an output") {
+  const Outcome outcome = run("render " + model("old_example011") + " --size 16x16 --stats /dev/stdout");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.find("\"by_purpose\"") != std::string::npos);
+  CHECK(outcome.out.find("simulated in") != std::string::npos);
+}
+
+TEST_CASE("a folder is no output") {
+  const Folder folder;
+  fs::create_directory(folder / "d.png");
+  const Outcome outcome = run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "d.png"));
+  CHECK(outcome.code == 1);
+  CHECK(one_line(outcome.err));
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("an interrupted command leaves no file behind") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Folder folder;
+    const std::string binary = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
+    const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/terrain_vehicle.csgt";
+    const std::string output = folder / "long.vcd";
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::execl(binary.c_str(), "csgsim", "wave", program.c_str(), "--probe", "1,1", "--window", "0:1000000", "-o",
+              output.c_str(), static_cast<char*>(nullptr));
+      std::_Exit(127);
+    }
+    for (int wait = 0; wait < 500 && folder.files() == 0; ++wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK(folder.files() > 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == signal);
+    CHECK(folder.files() == 0);
+  }
+}
+
+TEST_CASE("outputs that cannot be are told before anything is simulated, and leave nothing") {
+  const Folder folder;
+  const std::string wave = "wave " + model("old_example011") + " --size 16x16 --probe 1,1 -o ";
+  const Outcome no_folder = run(wave + (folder / "none/w.vcd"));
+  CHECK(no_folder.code == 1);
+  CHECK(one_line(no_folder.err));
+  const std::string render = "render " + model("old_example011") + " --size 16x16 ";
+  CHECK(run(render + "-o " + (folder / "p.png") + " --stats " + (folder / "none/s.json")).code == 1);
+  misused(render + "--depth " + (folder / "z.png"), ".exr");
+  misused(render + "--owner " + (folder / "o.jpg"), ".exr");
+  misused(render + "-o " + (folder / "p.exr") + " --depth " + (folder / "none/../p.exr"), "same file");
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("standard output that cannot be written is told") {
+  if (!fs::exists("/dev/full")) return;
+  const Folder folder;
+  const std::string binary = std::string(CSGSIM_BINARY_DIR) + "/csgsim ";
+  const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
+  for (const std::string& words : {"disasm " + program, std::string("isa"), std::string("machines")}) {
+    const int status = std::system((binary + words + " >/dev/full 2>" + (folder / "err")).c_str());
+    CHECK(WEXITSTATUS(status) == 1);
+    CHECK(one_line(content(folder / "err")));
+  }
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which reserves more address space than the limit
+TEST_CASE("a picture that memory does not hold is told with its size") {
+  const Folder folder;
+  const std::string command = "ulimit -v 600000; " + std::string(CSGSIM_BINARY_DIR) + "/csgsim render " +
+                              model("old_example011") + " --size 12000x11000 -o " + (folder / "p.png") + " 2>&1";
+  FILE* const pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string text(1000, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), pipe));
+  CHECK(WEXITSTATUS(::pclose(pipe)) == 1);
+  CHECK(one_line(text));
+  CHECK(text.find("memory for a picture of 12000 x 11000") != std::string::npos);
+  CHECK(folder.files() == 0);
+}
+#endif

@@ -1,0 +1,161 @@
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+TEST_CASE("accuracy measures every knob, draws its plots, and measures nothing twice") {
+  const Folder folder;
+  const std::string command = "accuracy " + model("old_example011") + " --size 48x48 --views 2 -o " + (folder / "a");
+  const Outcome first = run(command);
+  REQUIRE(first.code == 0);
+  const std::string table = content(folder / "a/accuracy.csv");
+  for (const std::string knob : {"z-bits", "fraction-bits", "edge-on", "size", "fn", "tolerance", "pareto"}) {
+    if (knob != "pareto") CHECK(table.find("\n" + knob + ",") != std::string::npos);
+    CHECK(fs::file_size(folder / ("a/" + knob + ".png")) > 1000);
+    CHECK(fs::file_size(folder / ("a/" + knob + ".svg")) > 1000);
+  }
+  CHECK(json(folder / "a/accuracy.json")["points"].size() > 60);
+  // As if interrupted: the last two lines are gone, one of them halfway.
+  const std::string cut = table.substr(0, table.rfind('\n', table.rfind('\n', table.size() - 2) - 1) - 5);
+  write(folder / "a/accuracy.csv", cut);
+  const Outcome second = run(command + " --no-plots");
+  CHECK(second.code == 0);
+  CHECK(content(folder / "a/accuracy.csv") == table);
+  CHECK(run(command + " --projection perspective").code == 1);
+}
+
+TEST_CASE("sweep writes a table, JSON and plots for every model, and measures nothing twice") {
+  const Folder folder;
+  const std::string command = "sweep " + model("old_example011") + " " + model("thesis_fig_2_3") +
+                              " --size 48x36 --threads 2 -o " + (folder / "s") + " --stack-bits ";
+  const Outcome first = run(command + "3..5");
+  CHECK(first.err.empty());
+  REQUIRE(first.code == 0);
+  CHECK(first.out.find("All pictures of a model with the same size and z bits are the same") != std::string::npos);
+  CHECK(first.out.find("number of scan-conversions of primitives in active trees") != std::string::npos);
+  CHECK(first.out.find("fewest clocks: ") != std::string::npos);
+  for (const std::string name : {"old_example011", "thesis_fig_2_3"}) {
+    for (const std::string plot : {"_scan_conversions", "_clocks", "_memory"}) {
+      for (const std::string ending : {".png", ".svg"})
+        CHECK(fs::file_size(folder / ("s/" + name + plot + ending)) > 1000);
+    }
+  }
+  const nlohmann::json points = json(folder / "s/sweep.json")["points"];
+  REQUIRE(points.size() == 2 * 6);
+  CHECK(points[2]["strategy"] == "bits");
+  CHECK(points[2]["stack_bits"] == 3);
+  CHECK(points[0]["clocks"] > 0);
+  // As if interrupted: the last line is gone, and half of the one before. What is left has a mark, and keeps it.
+  const std::string table = content(folder / "s/sweep.csv");
+  const std::string hash = points[0]["model_hash"];
+  const std::string measured = "," + hash + ",stack,rebroadcast,";
+  const std::string marked = "," + hash + ",marked,rebroadcast,";
+  std::string expected = table;
+  expected.replace(expected.find(measured), measured.size(), marked);
+  const std::size_t last = expected.rfind('\n', expected.size() - 2);
+  const std::size_t before = expected.rfind('\n', last - 1);
+  write(folder / "s/sweep.csv", expected.substr(0, before + 30));
+  CHECK(run(command + "3..5 --no-plots").code == 0);
+  CHECK(content(folder / "s/sweep.csv") == expected);
+  // With other ranges only what is new is measured, and what is known stays.
+  REQUIRE(run(command + "6 --no-plots --strategy bits").code == 0);
+  CHECK(json(folder / "s/sweep.json")["points"].size() == 2);
+  REQUIRE(run(command + "3..5 --no-plots").code == 0);
+  CHECK(content(folder / "s/sweep.csv").starts_with(expected));
+  CHECK(run(command + "3..5 --no-plots --projection perspective").code == 1);
+}
+
+TEST_CASE("an interrupted sweep goes on with the same command") {
+  const Folder folder;
+  const std::string output = folder / "s";
+  const std::string whole = folder / "whole";
+  const std::string words = "sweep " + model("carburettor") + " --size 300x300 --strategy bits --stack-bits 3..14" +
+                            " --threads 2 --no-plots -o ";
+  REQUIRE(run(words + whole).code == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string command = "exec " + std::string(CSGSIM_BINARY_DIR) + "/csgsim " + words + output + " >/dev/null";
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
+    std::_Exit(127);
+  }
+  const auto lines = [&] {
+    const std::string text = content(output + "/sweep.csv");
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  for (int wait = 0; wait < 3000 && lines() < 4; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WIFSIGNALED(status));
+  CHECK(lines() >= 4);
+  CHECK(lines() < 14);
+  REQUIRE(run(words + output).code == 0);
+  CHECK(content(output + "/sweep.csv") == content(whole + "/sweep.csv"));
+  CHECK(content(output + "/sweep.json") == content(whole + "/sweep.json"));
+}
+
+TEST_CASE("a point that does not fit is a row that says why, unless none fits") {
+  const Folder folder;
+  const std::string command = "sweep " + model("old_example011") +
+                              " --size 48x36 --no-plots --strategy stack,list --z-bits 20,24 -o " + (folder / "s");
+  const Outcome outcome = run(command + " --memory-bits 70");
+  CHECK(outcome.code == 0);
+  const nlohmann::json points = json(folder / "s/sweep.json")["points"];
+  REQUIRE(points.size() == 4);
+  CHECK(points[0]["clocks"] > 0);
+  CHECK(!points[2].contains("clocks"));
+  CHECK(points[2]["reason"].get<std::string>().find("memory bits") != std::string::npos);
+  CHECK(outcome.out.find("2 of 4 points cannot be compiled") != std::string::npos);
+  const Outcome none = run(command + " --memory-bits 30");
+  CHECK(none.code == 1);
+  CHECK(one_line(none.err));
+}
+
+TEST_CASE("ranges and names that make no sense are refused before anything is done") {
+  const Folder folder;
+  const std::string sweep = "sweep " + model("old_example011") + " -o " + (folder / "s") + " ";
+  misused(sweep + "--stack-bits 8..3", "3..8");
+  misused(sweep + "--stack-bits 2", "3 to 64");
+  misused(sweep + "--z-bits 16,", "comma");
+  misused(sweep + "--strategy stack,lst", "did you mean list?");
+  misused(sweep + "--pruning no-spice", "did you mean no-space?");
+  misused(sweep + "--colouring red", "rebroadcast");
+  misused(sweep + "--threads 0", "--threads");
+  misused("sweep -o " + (folder / "s"), "MODEL");
+  CHECK(run(sweep + "--machine pixel-plane-4").err.find("pixel-planes-4") != std::string::npos);
+  CHECK(run("sweep none.csg -o " + (folder / "s")).code == 1);
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("render tells how right its picture is, and takes the cheapest settings that are right enough") {
+  const Folder folder;
+  const std::string options =
+      "render " + model("old_example002") + " --size 100x80 --check --stats " + (folder / "s.json");
+  REQUIRE(run(options).code == 0);
+  const nlohmann::json fine = json(folder / "s.json");
+  CHECK(fine["accuracy"]["unexplained"] == 0);
+  CHECK(fine["accuracy"]["wrong_pixels"] <= 1);
+  REQUIRE(run(options + " --max-wrong-pixels 40").code == 0);
+  const nlohmann::json coarse = json(folder / "s.json");
+  CHECK(coarse["accuracy"]["wrong_pixels"] <= 40);
+  CHECK(coarse["clocks"] < fine["clocks"]);
+  CHECK(coarse["machine"]["z_bits"] < 20);
+}
+
+TEST_CASE("levels runs a model at every level and finds them equal") {
+  const Outcome outcome = run("levels " + model("old_example011") + " --size 40x30");
+  CHECK(outcome.code == 0);
+  for (const std::string level : {"functional", "cycle", "reference"})
+    CHECK(outcome.out.find(level) != std::string::npos);
+  CHECK(outcome.out.find("DIFFERENT") == std::string::npos);
+}
