@@ -98,14 +98,6 @@ isa::Program compile_as(const Input& input, const Options& options) {
   return program;
 }
 
-std::uint64_t clocks_of(const isa::Program& program, const machines::Machine& machine) {
-  std::uint64_t clocks = 0;
-  for (const isa::Segment& segment : program.segments) {
-    for (const isa::Instruction& instruction : segment.instructions) clocks += machines::clocks(instruction, machine);
-  }
-  return clocks;
-}
-
 /// What there is to choose from.
 std::vector<Options> candidates(const Options& options, const Plan& plan) {
   std::vector<Options> with_strategy;
@@ -152,7 +144,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   for (const Options& one : all) {
     try {
       isa::Program program = compile_as(input, one);
-      const std::uint64_t clocks = clocks_of(program, machine);
+      const std::uint64_t clocks = machines::clocks(program, machine);
       if (!best || clocks < fewest) {
         best = std::move(program);
         fewest = clocks;

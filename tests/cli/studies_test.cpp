@@ -83,6 +83,7 @@ TEST_CASE("an interrupted sweep goes on with the same command") {
                             " --threads 2 --no-plots -o ";
   REQUIRE(run(words + whole).code == 0);
   const pid_t child = ::fork();
+  REQUIRE(child >= 0);
   if (child == 0) {
     const std::string command = "exec " + std::string(CSGSIM_BINARY_DIR) + "/csgsim " + words + output + " >/dev/null";
     ::execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
