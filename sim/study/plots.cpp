@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "sim/study/gnuplot.h"
@@ -33,25 +34,40 @@ constexpr Axis axes[] = {
      &Measurement::facet_wrong, &Measurement::facet_depth_p999, true},
 };
 
+/// The range of an axis that shows values from least to most: gnuplot wants more than one value.
+std::string range_command(const char* axis, double least, double most) {
+  return least < most ? std::string() : fmt::format("set {}range [{}:{}]\n", axis, least / 2.0, most * 2.0);
+}
+
 std::string knob_script(const Axis& axis, std::span<const Measurement> rows, const std::string& model) {
   std::string data;
+  std::vector<double> wrong;
+  std::vector<double> depth;
   for (const Measurement& row : rows) {
+    if (row.knob != axis.knob) continue;
     // Where nothing is wrong a logarithmic axis needs something to show.
-    if (row.knob == axis.knob)
-      data += fmt::format("{} {} {} \"{}\"\n", row.clocks, static_cast<double>(row.*axis.wrong) + 0.5,
-                          row.*axis.depth + 1e-12, row.value);
+    wrong.push_back(static_cast<double>(row.*axis.wrong) + 0.5);
+    depth.push_back(row.*axis.depth + 1e-12);
+    data += fmt::format("{} {} {} \"{}\"\n", row.clocks, wrong.back(), depth.back(), row.value);
   }
   if (data.empty()) return {};
-  return fmt::format(
-      "set title {} noenhanced\nset xlabel 'clocks'\nset ylabel '{} (+ 0.5)'\nset y2label 'depth error, 99.9 % of "
-      "pixels, model "
-      "units'\n"
-      "set logscale {}\nset ytics nomirror\nset y2tics\nset format y2 '%.0e'\nset key outside bottom horizontal\nset "
-      "grid xtics ytics\n"
-      "set offsets graph 0.08, graph 0.12, graph 0.08, graph 0.05\n$data << EOD\n{}EOD\n"
-      "plot $data using 1:2 with linespoints pt 7 lw 2 title '{}', $data using 1:2:4 with labels offset 0,0.9 notitle, "
-      "$data using 1:3 axes x1y2 with linespoints pt 5 dt 2 title 'depth error (right)'\n",
-      quoted(model + ": " + axis.title), axis.error, axis.wide ? "xyy2" : "yy2", data, axis.error);
+  const auto [least_wrong, most_wrong] = std::minmax_element(wrong.begin(), wrong.end());
+  const auto [least_depth, most_depth] = std::minmax_element(depth.begin(), depth.end());
+  const std::string ranges =
+      range_command("y", *least_wrong, *most_wrong) + range_command("y2", *least_depth, *most_depth);
+  return ranges + fmt::format(
+                      "set title {} noenhanced\nset xlabel 'clocks'\nset ylabel '{} (+ 0.5)'\nset y2label 'depth "
+                      "error, 99.9 % of "
+                      "pixels, model "
+                      "units'\n"
+                      "set logscale {}\nset ytics nomirror\nset y2tics\nset format y2 '%.0e'\nset key outside bottom "
+                      "horizontal\nset "
+                      "grid xtics ytics\n"
+                      "set offsets graph 0.08, graph 0.12, graph 0.08, graph 0.05\n$data << EOD\n{}EOD\n"
+                      "plot $data using 1:2 with linespoints pt 7 lw 2 title '{}', $data using 1:2:4 with labels "
+                      "offset 0,0.9 notitle, "
+                      "$data using 1:3 axes x1y2 with linespoints pt 5 dt 2 title 'depth error (right)'\n",
+                      quoted(model + ": " + axis.title), axis.error, axis.wide ? "xyy2" : "yy2", data, axis.error);
 }
 
 std::string front_script(std::span<const Measurement> rows, const std::string& model) {
