@@ -32,7 +32,7 @@ Dyadic::Dyadic(const Real& value) {
 
 double Dyadic::approximately() const {
   if (mantissa_.is_zero()) return 0.0;
-  const Integer size = abs(mantissa_);
+  const Integer size = mantissa_.sign() < 0 ? Integer(-mantissa_) : mantissa_;
   const auto top = static_cast<unsigned>(msb(size)) + 1;
   const unsigned drop = top > word_bits ? top - word_bits : 0;
   const double leading = static_cast<double>(static_cast<std::uint64_t>(size >> drop));
