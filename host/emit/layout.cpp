@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <string>
 
+#include "host/view/projection.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/error.h"
 
 namespace csgsim::emit {
 
 namespace {
-
-constexpr unsigned fewest_z_bits = 4;
 
 std::string parts(const Needs& needs) {
   std::string text = "2 x " + std::to_string(needs.z_bits) + " depth, " + (needs.second_colour ? "2 x " : "") +
@@ -31,7 +30,7 @@ std::string mends(const Needs& needs, std::uint32_t memory_bits) {
   if (needs.second_colour && needs.colour_bits >= missing) text += "take --colouring rebroadcast, or ";
   if (needs.classification.total() >= missing) text += "work with fewer bits by --strategy list or auto, or ";
   const unsigned z_bits = needs.z_bits - std::min(needs.z_bits, (missing + 1) / 2);
-  if (z_bits >= fewest_z_bits) text += "give up depth with --z-bits " + std::to_string(z_bits) + ", or ";
+  if (z_bits >= view::fewest_z_bits) text += "give up depth with --z-bits " + std::to_string(z_bits) + ", or ";
   const unsigned colours = needs.second_colour ? 2 : 1;
   const unsigned colour_bits = needs.colour_bits - std::min(needs.colour_bits, (missing + colours - 1) / colours);
   if (colour_bits >= isa::fewest_colour_bits)

@@ -23,7 +23,9 @@ void check(const Sampling& sampling) {
       sampling.height > isa::max_array_side) {
     throw InputError("the picture's sides have to be 1 to " + std::to_string(isa::max_array_side) + " pixels");
   }
-  if (sampling.z_bits < 4 || sampling.z_bits > 30) throw InputError("z has to have 4 to 30 bits");
+  if (sampling.z_bits < fewest_z_bits || sampling.z_bits > most_z_bits) {
+    throw InputError("z has to have " + std::to_string(fewest_z_bits) + " to " + std::to_string(most_z_bits) + " bits");
+  }
   if (sampling.fraction_bits > 20) throw InputError("coefficients have to have 0 to 20 fraction bits");
   if (!(sampling.edge_on_fraction > 0.0 && sampling.edge_on_fraction <= 1.0)) {
     throw InputError("the edge-on fraction has to be above 0 and at most 1 pixel");

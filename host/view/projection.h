@@ -13,6 +13,9 @@
 
 namespace csgsim::view {
 
+inline constexpr unsigned fewest_z_bits = 4;
+inline constexpr unsigned most_z_bits = 30;
+
 /// How the picture is sampled.
 struct Sampling {
   std::uint32_t width = 512;            ///< pixels

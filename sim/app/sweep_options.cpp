@@ -22,8 +22,6 @@ namespace csgsim::app {
 namespace {
 
 constexpr unsigned most_threads = 1024;
-constexpr unsigned fewest_z_bits = 4;
-constexpr unsigned most_z_bits = 30;
 
 template <class Choices>
 std::vector<std::string> names_of(const Choices& choices) {
@@ -52,7 +50,7 @@ std::vector<unsigned> memory_bits_of(const std::string& text) {
   return study::parse_numbers(text, 1, isa::max_memory_bits);
 }
 std::vector<unsigned> z_bits_of(const std::string& text) {
-  return study::parse_numbers(text, fewest_z_bits, most_z_bits);
+  return study::parse_numbers(text, view::fewest_z_bits, view::most_z_bits);
 }
 std::vector<unsigned> stack_bits_of(const std::string& text) {
   return study::parse_numbers(text, emit::fewest_stack_bits, most_stack_bits);

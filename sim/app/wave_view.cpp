@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 namespace csgsim::app {
@@ -17,12 +18,13 @@ constexpr std::string_view as_comment = "@200\n";
 
 /// Picoseconds a clock, rounded as SystemC does.
 std::uint64_t period(std::uint64_t clock_hz) {
-  return static_cast<std::uint64_t>(1.0 / static_cast<double>(clock_hz) * 1e12 + 0.5);
+  return static_cast<std::uint64_t>(std::llround(1.0 / static_cast<double>(clock_hz) * 1e12));
 }
 
 std::string_view format_of(const isa::NamedField& named) {
   if (named.field.width == 1) return as_bits;
-  return named.role == isa::FieldRole::colour ? as_hexadecimal : as_number;
+  const bool is_colour = named.role == isa::FieldRole::colour || named.role == isa::FieldRole::candidate_colour;
+  return is_colour ? as_hexadecimal : as_number;
 }
 
 std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<isa::NamedField>& fields) {
