@@ -26,6 +26,7 @@ constexpr unsigned most_threads = 1024;
 template <class Choices>
 std::vector<std::string> names_of(const Choices& choices) {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const auto choice : choices) names.emplace_back(emit::name_of(choice));
   return names;
 }

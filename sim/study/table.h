@@ -84,6 +84,7 @@ class Table {
 
   void replace(std::vector<Row> rows) {
     std::vector<std::string> lines;
+    lines.reserve(rows.size());
     for (const Row& row : rows) lines.push_back(to_line(row));
     file_.replace(lines);
     rows_ = std::move(rows);
