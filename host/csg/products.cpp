@@ -2,6 +2,15 @@
 
 namespace csgsim::csg {
 
+RootedTree with_root(const ActiveTree& active) {
+  RootedTree rooted{active.nodes, active.operands.front()};
+  if (active.operands.size() > 1) {
+    rooted.root = static_cast<std::uint32_t>(rooted.nodes.size());
+    rooted.nodes.push_back({false, false, PositiveOperator::intersect, model::no_index, 0, active.operands});
+  }
+  return rooted;
+}
+
 std::vector<std::uint64_t> count_products(const std::vector<ActiveNode>& nodes) {
   std::vector<std::uint64_t> counts(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -10,6 +10,15 @@ namespace csgsim::csg {
 
 inline constexpr std::uint64_t countless = std::numeric_limits<std::uint64_t>::max();
 
+/// An active tree's nodes under one root: its only operand, or the intersection of its operands.
+struct RootedTree {
+  std::vector<ActiveNode> nodes;
+  std::uint32_t root = 0;
+};
+
+/// The tree must have operands.
+RootedTree with_root(const ActiveTree& active);
+
 /// Products of the sum that each node of a tree multiplies out to (thesis 6.3.1): unions add, intersections multiply.
 /// `countless` where the number does not fit.
 std::vector<std::uint64_t> count_products(const std::vector<ActiveNode>& nodes);

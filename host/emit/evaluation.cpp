@@ -24,21 +24,6 @@ bool renders_each_product(const Options& options) {
          (options.strategy == Strategy::bits && options.stack_bits == fewest_stack_bits);
 }
 
-/// The active tree's nodes with one root.
-struct Rooted {
-  std::vector<csg::ActiveNode> nodes;
-  std::uint32_t root = 0;
-};
-
-Rooted with_root(const csg::ActiveTree& active) {
-  Rooted rooted{active.nodes, active.operands.front()};
-  if (active.operands.size() > 1) {
-    rooted.root = static_cast<std::uint32_t>(rooted.nodes.size());
-    rooted.nodes.push_back({false, false, csg::PositiveOperator::intersect, model::no_index, 0, active.operands});
-  }
-  return rooted;
-}
-
 /// Products that a strategy would go through for one primitive.
 std::uint64_t products_of(const Planned& planned, const Options& options) {
   if (planned.active.operands.empty() || options.strategy == Strategy::stack || options.strategy == Strategy::list)
@@ -46,7 +31,7 @@ std::uint64_t products_of(const Planned& planned, const Options& options) {
   if (options.strategy == Strategy::bits && options.stack_bits > fewest_stack_bits) {
     return products_below_levels(planned.active, stack_levels(options));
   }
-  const Rooted rooted = with_root(planned.active);
+  const csg::RootedTree rooted = csg::with_root(planned.active);
   return csg::count_products(rooted.nodes)[rooted.root];
 }
 
@@ -94,7 +79,7 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
 
 /// Thesis 6.3: the products of the restructured tree, one after another.
 void emit_products(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
-  const Rooted rooted = with_root(planned.active);
+  const csg::RootedTree rooted = csg::with_root(planned.active);
   const std::vector<std::uint64_t> products = csg::count_products(rooted.nodes);
   for (std::uint64_t product = 0; product < products[rooted.root]; ++product) {
     std::vector<std::uint32_t> leaves = csg::product_leaves(rooted.nodes, products, rooted.root, product);
@@ -106,7 +91,7 @@ void emit_products(const Context& context, Broadcast& out, const Planned& planne
 
 /// Thesis 6.4 with three bits: the products of one traversal after another.
 void emit_traversals(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
-  const Rooted rooted = with_root(planned.active);
+  const csg::RootedTree rooted = csg::with_root(planned.active);
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
   do {
     emit_product(context, out, planned, rooted.nodes, traversal.leaves(), counts);

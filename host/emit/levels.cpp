@@ -25,7 +25,7 @@ class Classifier {
   void run() {
     const std::vector<std::uint32_t>& operands = planned_.active.operands;
     if (operands.size() > 1 && levels_ == 0) {
-      run_as_products(operands);
+      run_as_products();
       return;
     }
     for (const std::uint32_t operand : operands) {
@@ -48,10 +48,9 @@ class Classifier {
     stack(Opcode::enable_store, context_.layout.mask);
   }
 
-  void run_as_products(const std::vector<std::uint32_t>& operands) {
-    std::vector<csg::ActiveNode> nodes = nodes_;
-    nodes.push_back({false, false, PositiveOperator::intersect, model::no_index, 0, operands});
-    sum_products(nodes, static_cast<std::uint32_t>(nodes.size() - 1), context_.layout.stack[0]);
+  void run_as_products() {
+    const csg::RootedTree whole = csg::with_root(planned_.active);
+    sum_products(whole.nodes, whole.root, context_.layout.stack[0]);
     narrow_mask_by(context_.layout.stack[0]);
   }
 

@@ -38,8 +38,6 @@ std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const
   throw std::logic_error("a level without an engine");
 }
 
-constexpr unsigned max_threads = 1024;
-
 /// For CLI11: what is wrong with the name of a picture that has to be an EXR file, or nothing.
 std::string exr_name(const std::string& name) {
   return ends_in(name, ".exr") ? "" : "'" + name + "' has to end in .exr";
@@ -58,7 +56,7 @@ void RunOptions::add_to(CLI::App& command) {
       ->check(CLI::IsMember(levels))
       ->capture_default_str();
   command.add_option("--threads", threads, "Threads that the functional level works on; the picture is the same")
-      ->check(CLI::Range(1U, max_threads))
+      ->check(CLI::Range(1U, most_threads))
       ->capture_default_str();
   command.add_option("--progress", progress, "auto (when standard error is a terminal) or none")
       ->check(CLI::IsMember({"auto", "none"}))

@@ -12,6 +12,8 @@
 
 namespace csgsim::app {
 
+inline constexpr unsigned most_threads = 1024;
+
 /// Options of every command that runs a Program to a picture.
 struct RunOptions {
   std::string picture;

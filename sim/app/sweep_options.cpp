@@ -14,14 +14,13 @@
 
 #include "hw/isa/error.h"
 #include "hw/isa/instruction.h"
+#include "sim/app/run_options.h"
 #include "sim/study/hash.h"
 #include "sim/study/ranges.h"
 
 namespace csgsim::app {
 
 namespace {
-
-constexpr unsigned most_threads = 1024;
 
 template <class Choices>
 std::vector<std::string> names_of(const Choices& choices) {
