@@ -41,13 +41,16 @@ isa::ModelFacts model_facts(const model::Tree& tree, const facet::Scene& scene) 
   return facts;
 }
 
+std::uint32_t background(const Options& options) {
+  const glm::dvec3& colour = effects::background_colour;
+  return isa::pack_colour({colour.r, colour.g, colour.b}, options.colour_bits);
+}
+
 void emit_setup(const Context& context, Broadcast& out) {
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
-  const glm::dvec3& background = effects::background_colour;
   out.plain(isa::Opcode::enable_all);
   out.plain(isa::Opcode::set_constant, context.layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
-  out.plain(isa::Opcode::set_constant, context.layout.colour, {},
-            isa::pack_colour({background.r, background.g, background.b}, context.options.colour_bits));
+  out.plain(isa::Opcode::set_constant, context.layout.colour, {}, background(context.options));
 }
 
 /// Everything that is compiled from.
@@ -73,7 +76,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.fields = named_fields(layout);
 
   isa::Segment segment{
-      {0, 0, sampling.width, sampling.height}, {}, input.plan.active_primitives, input.plan.active_halfspaces};
+      {0, 0, sampling.width, sampling.height}, {}, input.plan.active_primitives, input.plan.active_halfspaces, 0, 0, 0};
   Broadcast out(segment, sampling);
   const Context context{input.tree, input.scene, input.view, input.plan, layout, options};
   emit_setup(context, out);
@@ -85,6 +88,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   }
   program.compile = {std::string(name_of(options.strategy)),
                      std::string(name_of(options.colouring)),
+                     background(options),
                      sampling.z_bits,
                      sampling.fraction_bits,
                      sampling.edge_on_fraction,

@@ -18,7 +18,7 @@ namespace csgsim::isa {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
-constexpr std::uint8_t version = 1;
+constexpr std::uint8_t version = 2;
 constexpr std::size_t checksum_size = 4;
 constexpr std::uint8_t same_origin = 0x80;
 static_assert(opcode_table.size() <= same_origin);

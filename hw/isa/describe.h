@@ -40,6 +40,7 @@ template <Any<CompileFacts> T, class Visit>
 void describe(T& compile, Visit&& visit) {
   visit("strategy", compile.strategy);
   visit("colouring", compile.colouring);
+  visit("background", compile.background);
   visit("z_bits", compile.z_bits);
   visit("fraction_bits", compile.fraction_bits);
   visit("edge_on_fraction", compile.edge_on_fraction);
@@ -60,6 +61,9 @@ void describe(T& segment, Visit&& visit) {
   visit("height", segment.region.height);
   visit("primitives", segment.primitives);
   visit("halfspaces", segment.halfspaces);
+  visit("kept_primitives", segment.kept_primitives);
+  visit("kept_halfspaces", segment.kept_halfspaces);
+  visit("comparisons", segment.comparisons);
 }
 
 /// Calls visit(name, record) for each record of a Program that stands once.

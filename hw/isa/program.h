@@ -21,12 +21,16 @@ struct Region {
   constexpr bool operator==(const Region&) const = default;
 };
 
-/// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel.
+/// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel. Without
+/// instructions the region shows the background, and no pixel processor works on it.
 struct Segment {
   Region region;
   std::vector<Instruction> instructions;
-  std::uint32_t primitives = 0;  ///< primitives active in the region
-  std::uint32_t halfspaces = 0;  ///< half-spaces of those primitives
+  std::uint32_t primitives = 0;       ///< primitives active in the region
+  std::uint32_t halfspaces = 0;       ///< half-spaces of those primitives
+  std::uint32_t kept_primitives = 0;  ///< of the primitives, those that pruning leaves to be drawn
+  std::uint32_t kept_halfspaces = 0;  ///< of the half-spaces, those that pruning leaves to those primitives' surfaces
+  std::uint32_t comparisons = 0;      ///< of primitives with Z1, to classify it
 
   bool operator==(const Segment&) const = default;
 };
@@ -85,6 +89,7 @@ struct ModelFacts {
 struct CompileFacts {
   std::string strategy;
   std::string colouring;
+  std::uint32_t background = 0;  ///< colour where nothing is seen, as the colour field holds it
   std::uint32_t z_bits = 0;
   std::uint32_t fraction_bits = 0;
   double edge_on_fraction = 0;    ///< of a pixel
@@ -98,7 +103,7 @@ struct CompileFacts {
   bool operator==(const CompileFacts&) const = default;
 };
 
-/// The array that a Program is made for.
+/// Pixels, of an array or of the picture that a Program draws, and the memory of each.
 struct ArrayShape {
   std::uint32_t width = 0;        ///< pixels
   std::uint32_t height = 0;       ///< pixels
@@ -109,7 +114,7 @@ struct ArrayShape {
 
 /// All that crosses from host to machine.
 struct Program {
-  ArrayShape shape;
+  ArrayShape shape;  ///< the whole picture
   std::vector<NamedField> fields;
   std::vector<Segment> segments;
   std::vector<std::string> primitives;  ///< a name for each primitive index that origins use

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "hw/isa/colour_format.h"
 #include "hw/isa/error.h"
 #include "hw/isa/operands.h"
 
@@ -159,6 +160,8 @@ void validate_header(const Program& program) {
           "depth runs from {} to {}; give finite distances, near below far", depth.near, depth.far);
   require(!depth.perspective || depth.near > 0, "near is {} in perspective; put it before the eye, above 0",
           depth.near);
+  require(program.compile.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
+          program.compile.background, most_colour_bits);
   require(std::isfinite(program.compile.edge_on_fraction), "edge_on_fraction is {}; give a finite fraction of a pixel",
           program.compile.edge_on_fraction);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "hw/machines/timing.h"
+
 namespace csgsim::machines {
 
 namespace {
@@ -24,7 +26,18 @@ std::uint32_t evaluator_latency(const isa::ArrayShape& array) {
   return tree_levels(array.width) + tree_levels(array.height);
 }
 
+std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine) {
+  const std::uint64_t word = std::max(machine.scan_line.word_bits, 1U);
+  const std::uint64_t bits = std::max<std::uint64_t>({instruction.linear.width, field_width(instruction), 1});
+  return (bits + word - 1) / word;
+}
+
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) {
+  if (machine.kind == Kind::scan_line) {
+    const bool answers = isa::info(instruction.opcode).clock_class == isa::ClockClass::answer;
+    return packet_words(instruction, machine) * machine.scan_line.packet_interval +
+           (answers ? 2ULL * machine.array.width : 0);
+  }
   switch (isa::info(instruction.opcode).clock_class) {
     case isa::ClockClass::one: return 1;
     case isa::ClockClass::linear_once: return instruction.linear.width;
@@ -37,11 +50,24 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
 }
 
 std::uint64_t clocks(const isa::Program& program, const Machine& machine) {
+  return time_frame(program, machine).clocks;
+}
+
+FrameTiming time_frame(const isa::Program& program, const Machine& machine) {
+  switch (machine.kind) {
+    case Kind::frame_buffer: return time_whole(program, machine);
+    case Kind::scan_line: return time_lines(program, machine);
+    case Kind::pixel_square: return time_squares(program, machine);
+  }
+  return {};
+}
+
+FrameTiming time_whole(const isa::Program& program, const Machine& machine) {
   std::uint64_t total = evaluator_latency(machine.array);
   for (const isa::Segment& segment : program.segments) {
     for (const isa::Instruction& instruction : segment.instructions) total += clocks(instruction, machine);
   }
-  return total;
+  return {total, {}};
 }
 
 }  // namespace csgsim::machines

@@ -41,11 +41,12 @@ class Reader {
   explicit Reader(std::string_view file) : file_(file) {}
 
   Machine read(const toml::table& root) {
+    read_kind(root);
     read_group(root, "");
     machine_.name = text_of(root, "name");
     machine_.description = text_of(root, "description");
     for (const FigureSchema& figure : schema())
-      if (!seen(figure))
+      if (is_figure_here(figure) && !seen(figure))
         fail(root.source().begin,
              fmt::format("key '{0}' is missing; add a table [{0}] with value, unit, provenance and "
                          "source",
@@ -54,6 +55,11 @@ class Reader {
       return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     });
     for (Placed& placed : figures_) machine_.figures.push_back(std::move(placed.figure));
+    if (machine_.kind == Kind::scan_line) {
+      machine_.array.height = 1;
+      machine_.array.memory_bits = machine_.scan_line.words * machine_.scan_line.word_bits;
+    }
+    if (machine_.kind != Kind::frame_buffer) check_picture(root);
     return std::move(machine_);
   }
 
@@ -89,23 +95,44 @@ class Reader {
     return text->get();
   }
 
+  void read_kind(const toml::table& root) {
+    const std::string kind = text_of(root, "kind");
+    const auto found = std::find(kind_names.begin(), kind_names.end(), kind);
+    if (found == kind_names.end()) {
+      fail(root.get("kind")->source().begin,
+           fmt::format("unknown kind '{}'; there are {}", kind, fmt::join(kind_names, ", ")));
+    }
+    machine_.kind = static_cast<Kind>(found - kind_names.begin());
+  }
+
+  void check_picture(const toml::table& root) {
+    try {
+      set_picture_size(machine_, machine_.picture);
+    } catch (const InputError& error) {
+      fail(root.get("picture")->source().begin, error.what());
+    }
+  }
+
+  [[nodiscard]] bool is_figure_here(const FigureSchema& figure) const { return figure.kinds.has(machine_.kind); }
+
   /// The tables above the figures: prefix is "" or a group's name and a dot.
   void read_group(const toml::table& table, const std::string& prefix) {
     std::vector<std::string_view> known;
-    if (prefix.empty()) known = {"name", "description"};
+    if (prefix.empty()) known = {"name", "description", "kind"};
     for (const FigureSchema& figure : schema())
-      if (figure.key.starts_with(prefix)) {
+      if (is_figure_here(figure) && figure.key.starts_with(prefix)) {
         const std::string_view rest = figure.key.substr(prefix.size());
         known.push_back(rest.substr(0, rest.find('.')));
       }
     for (const auto& [key, node] : table) {
       const std::string full = prefix + std::string(key.str());
       if (std::find(known.begin(), known.end(), key.str()) == known.end()) fail_unknown(key, known, prefix);
-      const auto figure = std::find_if(schema().begin(), schema().end(),
-                                       [&full](const FigureSchema& candidate) { return candidate.key == full; });
+      const auto figure = std::find_if(schema().begin(), schema().end(), [&](const FigureSchema& candidate) {
+        return is_figure_here(candidate) && candidate.key == full;
+      });
       if (figure != schema().end())
         read_figure(table_of(node, full), *figure, key.source().begin);
-      else if (full != "name" && full != "description")
+      else if (full != "name" && full != "description" && full != "kind")
         read_group(table_of(node, full), full + ".");
     }
   }
@@ -121,10 +148,14 @@ class Reader {
       if (std::find(std::begin(figure_keys), std::end(figure_keys), key.str()) == std::end(figure_keys))
         fail_unknown(key, figure_keys, std::string(schema.key) + ".");
 
-    const std::int64_t value = value_of(table, schema);
+    const std::int64_t value = schema.names.empty() ? value_of(table, schema) : choice_of(table, schema);
     schema.store(machine_, value);
-    Figure figure{std::string(schema.key), fmt::format("{}", value), text_of(table, "unit"),
+    const std::string text =
+        schema.names.empty() ? fmt::format("{}", value) : std::string(schema.names[static_cast<std::size_t>(value)]);
+    Figure figure{std::string(schema.key), text, schema.unit.empty() ? "" : text_of(table, "unit"),
                   text_of(table, "provenance"), text_of(table, "source")};
+    if (schema.unit.empty() && table.contains("unit"))
+      fail(table.get("unit")->source().begin, fmt::format("{} has no unit; leave it out", schema.key));
     if (figure.unit != schema.unit)
       fail(table.get("unit")->source().begin,
            fmt::format("unit '{}' of {}; it counts in '{}'", figure.unit, schema.key, schema.unit));
@@ -132,6 +163,17 @@ class Reader {
       fail(table.get("provenance")->source().begin,
            fmt::format("provenance '{}' of {}; say 'published' or 'assumed'", figure.provenance, schema.key));
     figures_.push_back({place, std::move(figure)});
+  }
+
+  /// Which of its names the value is.
+  [[nodiscard]] std::int64_t choice_of(const toml::table& table, const FigureSchema& schema) const {
+    const std::string name = text_of(table, "value");
+    const auto found = std::find(schema.names.begin(), schema.names.end(), name);
+    if (found == schema.names.end()) {
+      fail(table.get("value")->source().begin,
+           fmt::format("{} is '{}'; it takes {}", schema.key, name, fmt::join(schema.names, ", ")));
+    }
+    return found - schema.names.begin();
   }
 
   [[nodiscard]] std::int64_t value_of(const toml::table& table, const FigureSchema& schema) const {

@@ -28,6 +28,24 @@ std::string read_file(const std::string& path) {
 
 }  // namespace
 
+Size picture_size(const Machine& machine) {
+  return machine.kind == Kind::frame_buffer ? Size{machine.array.width, machine.array.height} : machine.picture;
+}
+
+void set_picture_size(Machine& machine, Size size) {
+  machine.picture = size;
+  if (machine.kind == Kind::frame_buffer) {
+    machine.array.width = size.width;
+    machine.array.height = size.height;
+  }
+  if (machine.kind == Kind::scan_line && size.width > machine.array.width) {
+    throw InputError(
+        fmt::format("a line of {} pixels is longer than the {} cells of {}; take a narrower picture, or a "
+                    "machine file with more array.width",
+                    size.width, machine.array.width, machine.name));
+  }
+}
+
 std::vector<std::string_view> built_in_names() {
   std::vector<std::string_view> names;
   for (const BuiltIn& machine : built_in()) names.push_back(machine.name);

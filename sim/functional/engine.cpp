@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "hw/machines/clocks.h"
+#include "hw/machines/timing.h"
 #include "sim/functional/bands.h"
 
 namespace csgsim::sim {
@@ -54,6 +55,12 @@ class FunctionalEngine final : public Engine {
         begin += stretch.size();
       }
       for (Observer* const observer : observers) observer->after_segment(s, bands);
+    }
+    if (machine_.kind != machines::Kind::frame_buffer) {
+      machines::FrameTiming timing = machines::time_frame(program, machine_);
+      result.clocks = timing.clocks;
+      result.account = std::move(timing.account);
+      return result;
     }
     result.latency_clocks = machines::evaluator_latency(machine_.array);
     result.clocks += result.latency_clocks;

@@ -13,6 +13,9 @@ std::size_t pixel_count(const isa::Program& program) {
   return static_cast<std::size_t>(program.shape.width) * program.shape.height;
 }
 
+/// All ones.
+std::uint32_t nothing_in(isa::Field depth) { return static_cast<std::uint32_t>((1ULL << depth.width) - 1); }
+
 std::size_t row_words(const isa::Region& region) { return (region.width + word_bits - 1) / word_bits; }
 
 }  // namespace
@@ -20,9 +23,12 @@ std::size_t row_words(const isa::Region& region) { return (region.width + word_b
 FrameObserver::FrameObserver(const isa::Program& program)
     : depth_(isa::field_of(program, isa::FieldRole::depth)),
       colour_(isa::field_of(program, isa::FieldRole::colour)),
-      frame_{program.shape.width, program.shape.height, std::vector<std::uint32_t>(pixel_count(program)),
-             std::vector<std::uint32_t>(pixel_count(program)),
-             std::vector<std::uint32_t>(pixel_count(program), no_owner)} {}
+      frame_{program.shape.width, program.shape.height,
+             std::vector<std::uint32_t>(pixel_count(program), program.compile.background),
+             std::vector<std::uint32_t>(pixel_count(program), nothing_in(depth_)),
+             std::vector<std::uint32_t>(pixel_count(program), no_owner)} {
+  for (const isa::Segment& segment : program.segments) drawn_.push_back(!segment.instructions.empty());
+}
 
 bool FrameObserver::reads_after(const isa::Instruction& instruction) const {
   const bool is_merge = instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
@@ -46,7 +52,8 @@ void FrameObserver::after_instruction(const Step& step, const PixelState& state)
   }
 }
 
-void FrameObserver::after_segment(std::uint32_t /*segment*/, const PixelState& state) {
+void FrameObserver::after_segment(std::uint32_t segment, const PixelState& state) {
+  if (!drawn_[segment]) return;
   if (depth_.width > 0) place(state, depth_, frame_.depth);
   if (colour_.width > 0) place(state, colour_, frame_.colour);
 }

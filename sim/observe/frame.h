@@ -18,8 +18,8 @@ struct Frame {
   std::vector<std::uint32_t> owner;   ///< index of the primitive seen, or no_owner
 };
 
-/// Assembles the picture of a run. Pixel memory has no room for owners: they are taken down from outside, as each
-/// primitive's depth is copied into the depth field.
+/// Assembles the picture of a run, segment by segment, on the background. Pixel memory has no room for owners: they are
+/// taken down from outside, as each primitive's depth is copied into the depth field.
 class FrameObserver : public Observer {
  public:
   explicit FrameObserver(const isa::Program& program);
@@ -36,6 +36,7 @@ class FrameObserver : public Observer {
   isa::Field depth_;
   isa::Field colour_;
   Frame frame_;
+  std::vector<bool> drawn_;  ///< segments that have instructions
   std::vector<std::uint32_t> values_;
   std::vector<std::uint64_t> enable_;
 };

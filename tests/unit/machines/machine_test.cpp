@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "hw/isa/error.h"
 #include "hw/machines/built_in.h"
@@ -65,7 +66,9 @@ TEST_CASE("every built-in machine reads and bears its own name") {
     CAPTURE(name);
     const Machine machine = machines::load(std::string(name));
     CHECK(machine.name == name);
-    CHECK(machine.figures.size() == machines::schema().size());
+    const auto its_kind = [&](const machines::FigureSchema& figure) { return figure.kinds.has(machine.kind); };
+    CHECK(std::cmp_equal(machine.figures.size(),
+                         std::count_if(machines::schema().begin(), machines::schema().end(), its_kind)));
   }
 }
 
@@ -117,7 +120,7 @@ TEST_CASE("a wrong type is pointed at") {
         place_of(number, "72.5") + ": array.memory_bits is a number with a point; make it an integer");
   const std::string text = changed("unit = \"Hz\"", "unit = 7");
   CHECK(message(text) == place_of(text, "7\nprovenance") + ": 'unit' is an integer; make it a string");
-  const std::string plain = "name = \"x\"\ndescription = \"y\"\narray = 3\n";
+  const std::string plain = "name = \"x\"\ndescription = \"y\"\nkind = \"frame-buffer\"\narray = 3\n";
   CHECK(message(plain) == place_of(plain, "3") + ": 'array' is an integer; make it a table");
 }
 
@@ -137,9 +140,31 @@ TEST_CASE("a value out of range, a wrong unit and a wrong provenance are pointed
 TEST_CASE("a missing key is named") {
   CHECK(message_of_change("name = \"pixel-planes-4\"", "").ends_with("key 'name' is missing; add name = \"...\""));
   CHECK(message_of_change("value = 72\n", "").ends_with("array.memory_bits has no value; add value = ..."));
-  const std::string text = "name = \"x\"\ndescription = \"y\"\n";
+  CHECK(message("name = \"x\"\ndescription = \"y\"\n").ends_with("key 'kind' is missing; add kind = \"...\""));
+  const std::string text = "name = \"x\"\ndescription = \"y\"\nkind = \"frame-buffer\"\n";
   CHECK(message(text) ==
         "my.toml:1:1: key 'array.width' is missing; add a table [array.width] with value, unit, provenance and source");
+}
+
+TEST_CASE("a figure that machines of another kind have is unknown") {
+  const std::string text = changed("[memory.writes]", "[refresh.rate]");
+  CHECK(message(text) == place_of(text, "refresh.rate") + ": unknown key 'refresh'; the nearest known is 'name'");
+}
+
+TEST_CASE("an unknown kind and an unknown order name those there are") {
+  const std::string kind = changed("\"frame-buffer\"", "\"frame\"");
+  CHECK(message(kind) ==
+        place_of(kind, "\"frame\"") + ": unknown kind 'frame'; there are frame-buffer, scan-line, pixel-square");
+  std::string order(machines::built_in()[2].text);
+  order.replace(order.find("value = \"rows\""), 14, "value = \"columns\"");
+  CHECK(message(order) ==
+        place_of(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
+}
+
+TEST_CASE("a scan-line machine whose picture is wider than its chain is refused") {
+  std::string text(machines::built_in()[1].text);
+  text.replace(text.find("value = 512"), 11, "value = 511");
+  CHECK(message(text).find("a line of 512 pixels is longer than the 511 cells of scan-line") != std::string::npos);
 }
 
 TEST_CASE("what is not TOML is pointed at") {
