@@ -1,6 +1,8 @@
 #include "host/csg/active_tree.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "host/csg/apart.h"
@@ -22,6 +24,22 @@ void keep(ActiveTree& tree, std::uint32_t index, PositiveOperator op, std::vecto
   if (node.children.size() > operands.size()) std::swap(node.children, operands);
   operands.insert(operands.end(), node.children.begin(), node.children.end());
   node.children.clear();
+}
+
+/// Narrows the depths to those between the solid's fronts and backs over the block's pixels.
+void tighten(Block& block, const view::View& view, const facet::Convex& solid) {
+  for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    const view::ScreenPlane& plane = view.planes[halfspace.plane];
+    if (!plane.representable) continue;
+    const view::Side side = view::side_of(plane, halfspace);
+    if (side == view::Side::front) {
+      block.z_low = std::max(block.z_low, depth_range(plane, view.sampling.fraction_bits, block.pixels).low);
+    } else if (side == view::Side::back) {
+      block.z_high = std::min(block.z_high, depth_range(plane, view.sampling.fraction_bits, block.pixels).high);
+    } else if (locate(view, halfspace, block) == Known::out) {
+      block.z_high = block.z_low - 1;
+    }
+  }
 }
 
 /// Results to hold for an operator whose operands need that many, neediest first (Ershov, Sethi and Ullman).
@@ -57,9 +75,8 @@ struct Pruner::Pruned {
   std::uint32_t node = model::no_index;  ///< in the active tree, if it depends
 };
 
-Pruner::Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree,
-               const view::PixelRect& region, const Pruning& pruning)
-    : scene_(scene), view_(view), tree_(tree), region_(region), pruning_(pruning) {
+Pruner::Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning)
+    : scene_(scene), view_(view), tree_(tree), pruning_(pruning) {
   subtrees_.resize(tree.nodes.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const PositiveNode& node = tree.nodes[i];
@@ -83,10 +100,20 @@ Pruner::Pruner(const facet::Scene& scene, const view::View& view, const Positive
   }
 }
 
-Block Pruner::block_of(std::uint32_t primitive) const {
-  const view::Extent& extent = view_.extents[primitive];
-  if (extent.empty()) return {};
-  return {common(extent.pixels, region_), extent.z_low, extent.z_high};
+Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
+  Block block{region, 0, std::numeric_limits<std::int64_t>::max()};
+  for (const std::uint32_t primitive : set) {
+    const view::Extent& extent = view_.extents[primitive];
+    if (extent.empty()) return {};
+    block.pixels = common(block.pixels, extent.pixels);
+    block.z_low = std::max(block.z_low, extent.z_low);
+    block.z_high = std::min(block.z_high, extent.z_high);
+  }
+  if (block.pixels.empty() || block.z_low > block.z_high) return {};
+  if (pruning_.halfspaces) {
+    for (const std::uint32_t primitive : set) tighten(block, view_, scene_.solids[primitive]);
+  }
+  return block.z_low > block.z_high ? Block{} : block;
 }
 
 bool Pruner::apart(const Subtree& subtree, const Place& place) const {
@@ -94,16 +121,18 @@ bool Pruner::apart(const Subtree& subtree, const Place& place) const {
   const bool picture =
       common(subtree.pixels, block.pixels).empty() || subtree.z_low > block.z_high || subtree.z_high < block.z_low;
   return (pruning_.picture && picture) ||
-         (pruning_.space && csg::apart(subtree.box, view_.extents[place.primitive].box));
+         (pruning_.space && std::any_of(place.set.begin(), place.set.end(), [&](std::uint32_t primitive) {
+            return csg::apart(subtree.box, view_.extents[primitive].box);
+          }));
 }
 
 /// What is known of a leaf, complemented or not.
 Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
   const Known known = [&] {
-    if (pruning_.separation &&
-        separated(view_.extents[leaf.primitive].corners, view_.extents[place.primitive].corners)) {
-      return Known::out;
-    }
+    const auto is_separate = [&](std::uint32_t primitive) {
+      return separated(view_.extents[leaf.primitive].corners, view_.extents[primitive].corners);
+    };
+    if (pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_separate)) return Known::out;
     return pruning_.halfspaces ? locate(view_, scene_, leaf.primitive, place.block) : Known::depends;
   }();
   if (known == Known::depends || !leaf.complemented) return known;
@@ -123,7 +152,9 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree&
     const Subtree& subtree = subtrees_[index];
     if (apart(subtree, place)) return subtree.in_elsewhere ? Known::in : Known::out;
     const PositiveNode& node = tree_.nodes[index];
-    return node.is_leaf ? leaf_known(node, place) : Known::depends;
+    if (!node.is_leaf) return Known::depends;
+    const bool in_set = std::binary_search(place.set.begin(), place.set.end(), node.primitive);
+    return in_set ? Known::in : leaf_known(node, place);
   };
   while (!path.empty()) {
     Frame& frame = path.back();
@@ -133,7 +164,7 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree&
       if (result.known != Known::depends || node.is_leaf) {
         if (result.known == Known::depends) {
           result.node = static_cast<std::uint32_t>(into.nodes.size());
-          into.nodes.push_back({true, node.complemented, node.op, node.primitive, 0, {}});
+          into.nodes.push_back({true, node.complemented, node.op, node.primitive, 0, {}, {}});
         }
         path.pop_back();
         continue;
@@ -152,6 +183,7 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree&
       path.push_back({child});
       continue;
     }
+    join_leaves(into, node.op, frame.kept);
     if (frame.kept.empty()) {
       result = {node.op == PositiveOperator::intersect ? Known::in : Known::out, model::no_index};
     } else if (frame.kept.size() == 1) {
@@ -161,21 +193,35 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree&
                        [&](std::uint32_t a, std::uint32_t b) { return into.nodes[a].bits > into.nodes[b].bits; });
       const std::uint32_t bits = bits_needed(into.nodes, frame.kept);
       result = {Known::depends, static_cast<std::uint32_t>(into.nodes.size())};
-      into.nodes.push_back({false, false, node.op, model::no_index, bits, std::move(frame.kept)});
+      into.nodes.push_back({false, false, node.op, model::no_index, bits, std::move(frame.kept), {}});
     }
     path.pop_back();
   }
   return result;
 }
 
-ActiveTree Pruner::active_tree(std::uint32_t primitive) const {
+/// Complemented leaves of a union, and others of an intersection, become one (thesis 7.3.2).
+void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const {
+  if (!pruning_.sets) return;
+  std::optional<std::uint32_t> first;
+  std::erase_if(operands, [&](std::uint32_t operand) {
+    ActiveNode& node = into.nodes[operand];
+    if (!node.is_leaf || node.complemented != (op == PositiveOperator::unite)) return false;
+    if (!first) {
+      first = operand;
+      return false;
+    }
+    ActiveNode& joined = into.nodes[*first];
+    joined.others.push_back(node.primitive);
+    joined.others.insert(joined.others.end(), node.others.begin(), node.others.end());
+    return true;
+  });
+}
+
+ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& block) const {
   ActiveTree active;
-  const Place place{block_of(primitive), primitive};
-  if (place.block.pixels.empty()) {
-    active.nothing = true;
-    return active;
-  }
-  std::uint32_t below = tree_.leaf_of[primitive];
+  const Place place{block, set};
+  std::uint32_t below = tree_.leaf_of[set.front()];
   for (std::uint32_t at = tree_.nodes[below].parent; at != model::no_index; below = at, at = tree_.nodes[at].parent) {
     if (tree_.nodes[at].op != PositiveOperator::intersect) continue;
     for (const std::uint32_t sibling : tree_.nodes[at].children) {
@@ -189,6 +235,7 @@ ActiveTree Pruner::active_tree(std::uint32_t primitive) const {
       if (pruned.known == Known::depends) keep(active, pruned.node, PositiveOperator::intersect, active.operands);
     }
   }
+  join_leaves(active, PositiveOperator::intersect, active.operands);
   return active;
 }
 

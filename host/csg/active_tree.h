@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "host/csg/convex_sets.h"
 #include "host/csg/locate.h"
 #include "host/csg/positive_tree.h"
 #include "host/csg/pruning.h"
@@ -15,11 +17,15 @@ namespace csgsim::csg {
 /// left to right holds the fewest results at a time. No operand of an operator has the same operator.
 struct ActiveNode {
   bool is_leaf = false;
-  bool complemented = false;
+  bool complemented = false;  ///< leaf: the space outside the intersection of its primitives
   PositiveOperator op = PositiveOperator::unite;
   std::uint32_t primitive = model::no_index;
   std::uint32_t bits = 0;  ///< results to hold while this node is worked out into one of them; 0 for a leaf
   std::vector<std::uint32_t> children;
+  std::vector<std::uint32_t> others;  ///< leaf: primitives besides the first whose intersection it is
+
+  /// How many primitives the leaf stands for.
+  [[nodiscard]] std::uint32_t primitives() const { return 1 + static_cast<std::uint32_t>(others.size()); }
 };
 
 /// What is left of a primitive's I-tree (thesis 6.2) over its block: the intersection of `operands`. The primitive's
@@ -36,17 +42,16 @@ struct ActiveTree {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// Prunes I-trees for one region of the picture. Keeps references to its arguments.
+/// Prunes I-trees for regions of the picture. Keeps references to its arguments.
 class Pruner {
  public:
-  Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const view::PixelRect& region,
-         const Pruning& pruning = {});
+  Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {});
 
-  /// The part of the region and the depths that the primitive's surface can be in; its pixels are empty if there are
-  /// none.
-  [[nodiscard]] Block block_of(std::uint32_t primitive) const;
+  /// The part of the region and the depths that the surface of a set can be in; its pixels are empty if there are none.
+  [[nodiscard]] Block block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
 
-  [[nodiscard]] ActiveTree active_tree(std::uint32_t primitive) const;
+  /// Over a block of the set's, which has pixels.
+  [[nodiscard]] ActiveTree active_tree(std::span<const std::uint32_t> set, const Block& block) const;
 
  private:
   struct Subtree {
@@ -58,19 +63,19 @@ class Pruner {
   };
 
   struct Pruned;
-  /// Where a primitive's surface is looked at.
+  /// Where a set's surface is looked at.
   struct Place {
     Block block;
-    std::uint32_t primitive;
+    std::span<const std::uint32_t> set;
   };
   [[nodiscard]] bool apart(const Subtree& subtree, const Place& place) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Pruned prune(std::uint32_t node, const Place& place, ActiveTree& into) const;
+  void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;
 
   const facet::Scene& scene_;
   const view::View& view_;
   const PositiveTree& tree_;
-  view::PixelRect region_;
   Pruning pruning_;
   std::vector<Subtree> subtrees_;
 };

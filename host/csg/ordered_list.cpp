@@ -305,7 +305,7 @@ OrderedList make_ordered_list(const ActiveTree& active) {
     Target if_in = labeller.target(leaf.if_true);
     Target if_out = labeller.target(leaf.if_false);
     if (source.complemented) std::swap(if_in, if_out);
-    list.leaves.push_back({source.primitive, labeller.label(at), if_in, if_out});
+    list.leaves.push_back({source.primitive, labeller.label(at), if_in, if_out, leaf.source});
   }
   list.true_label = labeller.label(wiring.visible);
   list.labels = labeller.labels();

@@ -27,8 +27,9 @@ struct Target {
 struct ListLeaf {
   std::uint32_t primitive = model::no_index;
   std::uint32_t name = no_label;
-  Target if_in;   ///< in the primitive itself: complements have their targets swapped
-  Target if_out;  ///< out of the primitive itself
+  Target if_in;                          ///< in the primitive itself: complements have their targets swapped
+  Target if_out;                         ///< out of the primitive itself
+  std::uint32_t node = model::no_index;  ///< of the active tree
 
   bool operator==(const ListLeaf&) const = default;
 };

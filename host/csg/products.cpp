@@ -6,7 +6,7 @@ RootedTree with_root(const ActiveTree& active) {
   RootedTree rooted{active.nodes, active.operands.front()};
   if (active.operands.size() > 1) {
     rooted.root = static_cast<std::uint32_t>(rooted.nodes.size());
-    rooted.nodes.push_back({false, false, PositiveOperator::intersect, model::no_index, 0, active.operands});
+    rooted.nodes.push_back({false, false, PositiveOperator::intersect, model::no_index, 0, active.operands, {}});
   }
   return rooted;
 }

@@ -5,7 +5,7 @@
 namespace csgsim::emit {
 
 void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const Planned& of) {
-  out.origin = {isa::Purpose::classify, of.primitive, primitive};
+  out.origin = {isa::Purpose::classify, of.primitive(), primitive};
   const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
   if (shared.empty()) {
     out.nowhere();
@@ -15,11 +15,17 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
   const csg::Block part{shared, of.block.z_low, of.block.z_high};
   emit_edges(context, out, primitive, part);
   for (const view::Side side : {view::Side::front, view::Side::back}) {
-    for (const facet::Halfspace& halfspace : deciding(context, primitive, side, part).halfspaces) {
+    for (const Facet& facet : deciding(context, {&primitive, 1}, side, part).facets) {
       out.surface(side == view::Side::front ? isa::Opcode::linear_le : isa::Opcode::linear_gt, context.layout.candidate,
-                  context.linear_of(halfspace), shared);
+                  context.linear_of(facet.halfspace), shared);
     }
   }
+}
+
+std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of) {
+  emit_comparison(context, out, leaf.primitive, of);
+  for (const std::uint32_t other : leaf.others) emit_comparison(context, out, other, of);
+  return leaf.primitives();
 }
 
 void emit_stack(Broadcast& out, isa::Opcode opcode, isa::Field field, std::uint64_t constant) {

@@ -8,8 +8,10 @@
 
 #include "host/emit/context.h"
 #include "host/emit/evaluation.h"
+#include "host/emit/halfspaces.h"
 #include "hw/isa/error.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/regions.h"
 
 namespace csgsim::emit {
 
@@ -62,6 +64,27 @@ struct Input {
   std::uint32_t memory_bits;
 };
 
+/// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
+isa::Segment compile_segment(const Context& context, ScanConversions& counts) {
+  const SegmentPlan& plan = context.plan;
+  isa::Segment segment{plan.region, {}, plan.active_primitives, plan.active_halfspaces, 0, 0, 0};
+  const view::Sampling& sampling = context.view.sampling;
+  const bool is_whole = plan.region == isa::Region{0, 0, sampling.width, sampling.height};
+  if (plan.surfaces.empty() && !is_whole) return segment;
+  const std::uint64_t classified_before = counts.classified;
+  Broadcast out(segment, sampling);
+  emit_setup(context, out);
+  const std::size_t setup = segment.instructions.size();
+  for (const Planned& one : plan.surfaces) {
+    emit_primitive(context, out, one, counts);
+    segment.kept_primitives += static_cast<std::uint32_t>(one.set.size());
+    segment.kept_halfspaces += count_deciding(context, one.set, {one.block.pixels, 0, context.farthest()});
+  }
+  if (segment.instructions.size() == setup && !is_whole) segment.instructions.clear();
+  segment.comparisons = static_cast<std::uint32_t>(counts.classified - classified_before);
+  return segment;
+}
+
 /// With a strategy and a colouring chosen.
 isa::Program compile_as(const Input& input, const Options& options) {
   const view::Sampling& sampling = input.view.sampling;
@@ -75,16 +98,10 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.model = model_facts(input.tree, input.scene);
   program.fields = named_fields(layout);
 
-  isa::Segment segment{
-      {0, 0, sampling.width, sampling.height}, {}, input.plan.active_primitives, input.plan.active_halfspaces, 0, 0, 0};
-  Broadcast out(segment, sampling);
-  const Context context{input.tree, input.scene, input.view, input.plan, layout, options};
-  emit_setup(context, out);
   ScanConversions counts;
-  std::uint32_t depth = 0;
-  for (const Planned& one : input.plan.primitives) {
-    emit_primitive(context, out, one, counts);
-    depth = std::max(depth, one.active.depth());
+  for (const SegmentPlan& plan : input.plan.segments) {
+    program.segments.push_back(
+        compile_segment({input.tree, input.scene, input.view, input.plan.positive, plan, layout, options}, counts));
   }
   program.compile = {std::string(name_of(options.strategy)),
                      std::string(name_of(options.colouring)),
@@ -93,12 +110,11 @@ isa::Program compile_as(const Input& input, const Options& options) {
                      sampling.fraction_bits,
                      sampling.edge_on_fraction,
                      classification.total() + 1,
-                     depth,
+                     input.plan.depth(),
                      counts.rendered,
                      counts.classified,
                      counts.depth_tests,
                      {"flat"}};
-  program.segments.push_back(std::move(segment));
   return program;
 }
 
@@ -113,12 +129,10 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   if (options.strategy != Strategy::automatic) {
     add(options.strategy, options.stack_bits);
   } else {
-    std::uint32_t depth = 0;
-    for (const Planned& one : plan.primitives) depth = std::max(depth, one.active.depth());
     add(Strategy::stack, options.stack_bits);
     add(Strategy::list, options.stack_bits);
     // Levels beyond the tree's change nothing, and many levels change little.
-    const unsigned most = fewest_stack_bits + std::min(depth, most_levels_tried);
+    const unsigned most = fewest_stack_bits + std::min(plan.depth(), most_levels_tried);
     for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add(Strategy::bits, bits);
   }
   if (options.colouring != Colouring::automatic) return with_strategy;
@@ -136,9 +150,10 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
 
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
                      const machines::Machine& machine, const Options& options) {
-  const view::PixelRect screen{0, 0, static_cast<std::int32_t>(view.sampling.width) - 1,
-                               static_cast<std::int32_t>(view.sampling.height) - 1};
-  const Plan plan = make_plan(tree, scene, view, screen, options.pruning);
+  csg::Pruning pruning = options.pruning;
+  // Chapter 6 multiplies the tree of primitives out as it is.
+  if (options.strategy == Strategy::products) pruning.sets = false;
+  const Plan plan = make_plan(tree, scene, view, machines::regions(machine), pruning);
   const Input input{tree, scene, view, plan, machine.array.memory_bits};
   const std::vector<Options> all = candidates(options, plan);
   if (all.size() == 1) return compile_as(input, all.front());

@@ -9,9 +9,9 @@
 
 namespace csgsim::emit {
 
-/// Compiles a scene, as a view sees it, into a Program with one segment, the whole picture (Pixel-planes). The machine
-/// says how many memory bits there are, and, where something is left to be chosen, what takes the fewest clocks.
-/// Throws InputError where the model does not fit the machine.
+/// Compiles a scene, as a view sees it, into a Program with a segment for each region that the machine works on. The
+/// machine says how many memory bits there are, and, where something is left to be chosen, what takes the fewest
+/// clocks; its picture is as large as the view's. Throws InputError where the model does not fit the machine.
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
                      const machines::Machine& machine, const Options& options = {});
 

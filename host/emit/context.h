@@ -12,17 +12,14 @@ struct Context {
   const model::Tree& tree;
   const facet::Scene& scene;
   const view::View& view;
-  const Plan& plan;
+  const csg::PositiveTree& positive;
+  const SegmentPlan& plan;
   const Layout& layout;
   const Options& options;
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {
-    return plan.positive.nodes[plan.positive.leaf_of[primitive]].complemented;
-  }
-  [[nodiscard]] view::PixelRect screen() const {
-    return {0, 0, static_cast<std::int32_t>(view.sampling.width) - 1,
-            static_cast<std::int32_t>(view.sampling.height) - 1};
+    return positive.nodes[positive.leaf_of[primitive]].complemented;
   }
   [[nodiscard]] const view::FixedLinear& linear_of(facet::Halfspace halfspace) const {
     return view.planes[halfspace.plane].linear;

@@ -37,12 +37,14 @@ std::uint64_t products_of(const Planned& planned, const Options& options) {
 
 void check_products(const model::Tree& tree, const Plan& plan, const Options& options) {
   std::uint64_t total = 0;
-  for (const Planned& one : plan.primitives) {
-    if (!__builtin_add_overflow(total, products_of(one, options), &total) && total <= most_products) continue;
-    const model::Location& location = tree.primitives[one.primitive].location;
-    throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
-                     ": with this primitive the tree multiplies out to more than " + std::to_string(most_products) +
-                     " products; take --strategy stack, list or auto, or more --stack-bits");
+  for (const SegmentPlan& segment : plan.segments) {
+    for (const Planned& one : segment.surfaces) {
+      if (!__builtin_add_overflow(total, products_of(one, options), &total) && total <= most_products) continue;
+      const model::Location& location = tree.primitives[one.primitive()].location;
+      throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
+                       ": with this primitive the tree multiplies out to more than " + std::to_string(most_products) +
+                       " products; take --strategy stack, list or auto, or more --stack-bits");
+    }
   }
 }
 
@@ -50,15 +52,15 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
 void emit_product(const Context& context, Broadcast& out, const Planned& planned,
                   const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves,
                   ScanConversions& counts) {
-  Planned product{planned.primitive, planned.block, {}};
+  Planned product{planned.set, planned.block, {}};
   product.active.nodes = nodes;
   product.active.operands = std::move(leaves);
-  const Surface surface = emit_surface(context, out, planned.primitive, planned.block);
+  const Surface surface = emit_surface(context, out, planned);
   if (surface.nothing) return;
-  ++counts.rendered;
+  counts.rendered += planned.set.size();
   counts.classified += emit_by_levels(context, out, product, all_levels);
   ++counts.depth_tests;
-  emit_merge(context, out, planned.primitive, surface);
+  emit_merge(context, out, planned, surface);
 }
 
 /// A product is empty if two of its solids are apart (thesis 6.3.2).
@@ -103,18 +105,20 @@ void emit_traversals(const Context& context, Broadcast& out, const Planned& plan
 ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan, const Options& options) {
   check_products(tree, plan, options);
   ClassificationBits most;
-  for (const Planned& one : plan.primitives) {
-    ClassificationBits bits;
-    switch (options.strategy) {
-      case Strategy::stack: bits = bits_for_levels(one.active, all_levels); break;
-      case Strategy::list: bits.label = label_bits(one.active); break;
-      case Strategy::bits:
-        if (!renders_each_product(options)) bits = bits_for_levels(one.active, stack_levels(options));
-        break;
-      case Strategy::products: break;
-      case Strategy::automatic: throw std::logic_error("no strategy was chosen");
+  for (const SegmentPlan& segment : plan.segments) {
+    for (const Planned& one : segment.surfaces) {
+      ClassificationBits bits;
+      switch (options.strategy) {
+        case Strategy::stack: bits = bits_for_levels(one.active, all_levels); break;
+        case Strategy::list: bits.label = label_bits(one.active); break;
+        case Strategy::bits:
+          if (!renders_each_product(options)) bits = bits_for_levels(one.active, stack_levels(options));
+          break;
+        case Strategy::products: break;
+        case Strategy::automatic: throw std::logic_error("no strategy was chosen");
+      }
+      most = {std::max(most.stack, bits.stack), std::max(most.product, bits.product), std::max(most.label, bits.label)};
     }
-    most = {std::max(most.stack, bits.stack), std::max(most.product, bits.product), std::max(most.label, bits.label)};
   }
   return most;
 }
@@ -126,9 +130,9 @@ void emit_primitive(const Context& context, Broadcast& out, const Planned& plann
                                            : emit_traversals(context, out, planned, counts);
     return;
   }
-  const Surface surface = emit_surface(context, out, planned.primitive, planned.block);
+  const Surface surface = emit_surface(context, out, planned);
   if (surface.nothing) return;
-  ++counts.rendered;
+  counts.rendered += planned.set.size();
   if (options.strategy == Strategy::list) {
     counts.classified += emit_list(context, out, planned);
   } else if (!planned.active.operands.empty()) {
@@ -136,7 +140,7 @@ void emit_primitive(const Context& context, Broadcast& out, const Planned& plann
         emit_by_levels(context, out, planned, options.strategy == Strategy::bits ? stack_levels(options) : all_levels);
   }
   ++counts.depth_tests;
-  emit_merge(context, out, planned.primitive, surface);
+  emit_merge(context, out, planned, surface);
 }
 
 }  // namespace csgsim::emit

@@ -6,25 +6,24 @@
 
 namespace csgsim::emit {
 
-FacetColour::FacetColour(const Context& context, std::uint32_t primitive)
-    : context_(context),
-      axes_(view::basis(context.view.camera)),
-      complemented_(context.complemented(primitive)),
-      colour_(context.tree.primitives[primitive].colour.value_or(complemented_ ? effects::default_cut_colour
-                                                                               : effects::default_colour)) {}
+namespace {
 
-std::uint32_t FacetColour::shaded(const glm::dvec3& normal) const {
-  const glm::dvec3 colour = effects::shade(context_.options.shading, colour_, normal);
-  return isa::pack_colour({colour.r, colour.g, colour.b}, context_.options.colour_bits);
+/// Out of the solid that is seen, in eye space.
+glm::dvec3 outward(const Context& context, const Facet& facet) {
+  if (facet.cap) return {0, 0, -1};
+  const view::Basis axes = view::basis(context.view.camera);
+  const glm::dvec3& normal = context.scene.planes.planes()[facet.halfspace.plane].normal;
+  const double sign = facet.halfspace.positive != context.complemented(facet.primitive) ? 1.0 : -1.0;
+  return sign * glm::dvec3(glm::dot(normal, axes.right), glm::dot(normal, axes.up), glm::dot(normal, axes.forward));
 }
 
-std::uint32_t FacetColour::of(facet::Halfspace facet) const {
-  const glm::dvec3& normal = context_.scene.planes.planes()[facet.plane].normal;
-  const double sign = facet.positive != complemented_ ? 1.0 : -1.0;
-  return shaded(sign *
-                glm::dvec3(glm::dot(normal, axes_.right), glm::dot(normal, axes_.up), glm::dot(normal, axes_.forward)));
-}
+}  // namespace
 
-std::uint32_t FacetColour::of_cap() const { return shaded({0, 0, -1}); }
+std::uint32_t facet_colour(const Context& context, const Facet& facet) {
+  const glm::dvec3 own = context.tree.primitives[facet.primitive].colour.value_or(
+      context.complemented(facet.primitive) ? effects::default_cut_colour : effects::default_colour);
+  const glm::dvec3 colour = effects::shade(context.options.shading, own, outward(context, facet));
+  return isa::pack_colour({colour.r, colour.g, colour.b}, context.options.colour_bits);
+}
 
 }  // namespace csgsim::emit

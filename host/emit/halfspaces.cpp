@@ -38,13 +38,12 @@ Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels
 
 /// Drops half-spaces that never make the extreme of their side: at every corner another one is beyond them by a whole
 /// depth step at least, hence at every pixel between.
-void drop_outdone(const Context& context, std::vector<facet::Halfspace>& halfspaces, Side side,
-                  const view::PixelRect& pixels) {
+void drop_outdone(const Context& context, std::vector<Facet>& facets, Side side, const view::PixelRect& pixels) {
   const std::int64_t sign = side == Side::front ? 1 : -1;
   const std::int64_t step = std::int64_t{1} << context.view.sampling.fraction_bits;
   std::vector<Corners> values;
-  for (const facet::Halfspace& halfspace : halfspaces) {
-    Corners corners = at_corners(context.linear_of(halfspace), pixels);
+  for (const Facet& facet : facets) {
+    Corners corners = at_corners(context.linear_of(facet.halfspace), pixels);
     for (std::int64_t& value : corners) value *= sign;
     values.push_back(corners);
   }
@@ -61,25 +60,41 @@ void drop_outdone(const Context& context, std::vector<facet::Halfspace>& halfspa
     });
   };
   std::size_t index = 0;
-  std::erase_if(halfspaces, [&](const facet::Halfspace&) { return outdone(values[index++]); });
+  std::erase_if(facets, [&](const Facet&) { return outdone(values[index++]); });
 }
 
 }  // namespace
 
-Deciding deciding(const Context& context, std::uint32_t primitive, Side side, const csg::Block& block) {
+Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
   Deciding result;
-  for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
-    if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
-    const csg::Known known = known_of(context, halfspace, block);
-    if (known == csg::Known::in) continue;
-    result.nothing = result.nothing || known == csg::Known::out;
-    if (known == csg::Known::depends) require_representable(context, primitive, halfspace);
-    result.halfspaces.push_back(halfspace);
+  for (const std::uint32_t primitive : set) {
+    const std::size_t before = result.facets.size();
+    for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+      if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
+      const csg::Known known = known_of(context, halfspace, block);
+      if (known == csg::Known::in) continue;
+      result.nothing = result.nothing || known == csg::Known::out;
+      if (known == csg::Known::depends) require_representable(context, primitive, halfspace);
+      result.facets.push_back({primitive, halfspace});
+    }
+    if (result.facets.size() == before) result.unbounded.push_back(primitive);
   }
-  if (context.options.pruning.halfspaces && !result.nothing && result.halfspaces.size() > 1) {
-    drop_outdone(context, result.halfspaces, side, block.pixels);
+  if (context.options.pruning.halfspaces && !result.nothing && result.facets.size() > 1) {
+    drop_outdone(context, result.facets, side, block.pixels);
   }
   return result;
+}
+
+std::uint32_t count_deciding(const Context& context, std::span<const std::uint32_t> set, const csg::Block& block) {
+  std::size_t count = deciding(context, set, Side::front, block).facets.size() +
+                      deciding(context, set, Side::back, block).facets.size();
+  for (const std::uint32_t primitive : set) {
+    for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+      const bool is_edge = context.view.planes[halfspace.plane].kind == view::PlaneKind::edge;
+      if (is_edge && known_of(context, halfspace, block) != csg::Known::in) ++count;
+    }
+  }
+  return static_cast<std::uint32_t>(count);
 }
 
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block) {

@@ -18,13 +18,15 @@ class ListEmitter {
         planned_(planned),
         label_{context.layout.label.base, static_cast<std::uint16_t>(label_bits)} {}
 
+  [[nodiscard]] std::uint64_t classified() const { return classified_; }
+
   /// E is the mask, and every pixel in it begins at label 0.
   void begin() { write_label(0); }
 
   void emit(const csg::ListLeaf& leaf) {
     emit_stack(out_, Opcode::enable_load, context_.layout.mask);
     keep_label(leaf.name);
-    emit_comparison(context_, out_, leaf.primitive, planned_);
+    classified_ += emit_comparison(context_, out_, planned_.active.nodes[leaf.node], planned_);
     if (!stays(leaf, leaf.if_in)) {
       go(leaf.if_in);
       if (stays(leaf, leaf.if_out)) return;
@@ -69,6 +71,7 @@ class ListEmitter {
   Broadcast& out_;
   const Planned& planned_;
   isa::Field label_;
+  std::uint64_t classified_ = 0;
 };
 
 }  // namespace
@@ -80,7 +83,7 @@ std::uint64_t emit_list(const Context& context, Broadcast& out, const Planned& p
   ListEmitter emitter(context, out, planned, list.label_bits);
   emitter.begin();
   for (const csg::ListLeaf& leaf : list.leaves) emitter.emit(leaf);
-  return list.leaves.size();
+  return emitter.classified();
 }
 
 }  // namespace csgsim::emit

@@ -54,17 +54,14 @@ class Classifier {
     narrow_mask_by(context_.layout.stack[0]);
   }
 
-  /// E := E and "Z1 is in the primitive".
-  void compare(std::uint32_t primitive) {
-    ++classified_;
-    emit_comparison(context_, out_, primitive, planned_);
-  }
+  /// E := E and "Z1 is in the leaf's primitives".
+  void compare(const csg::ActiveNode& leaf) { classified_ += emit_comparison(context_, out_, leaf, planned_); }
 
   /// bit := the leaf.
   void start_leaf(std::uint32_t leaf, isa::Field bit) {
     const csg::ActiveNode& node = nodes_[leaf];
     stack(Opcode::enable_load, context_.layout.mask);
-    compare(node.primitive);
+    compare(node);
     if (node.complemented) stack(Opcode::enable_xor, context_.layout.mask);
     stack(Opcode::enable_store, bit);
   }
@@ -74,7 +71,7 @@ class Classifier {
     const csg::ActiveNode& node = nodes_[leaf];
     const bool intersect = op == PositiveOperator::intersect;
     stack(Opcode::enable_load, intersect ? bit : context_.layout.mask);
-    compare(node.primitive);
+    compare(node);
     if (intersect && !node.complemented) {
       stack(Opcode::enable_store, bit);
     } else if (intersect) {
@@ -121,7 +118,7 @@ class Classifier {
       } else if (!in_enable) {
         stack(Opcode::enable_load, left);
       }
-      compare(nodes[leaf].primitive);
+      compare(nodes[leaf]);
       if (complemented) stack(Opcode::enable_xor, left);
       in_enable = true;
     }

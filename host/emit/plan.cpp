@@ -6,50 +6,81 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Whether a primitive that nothing is taken from fills the block's pixels one depth step before the block, so that no
+/// Whether a solid that nothing is taken from fills the block's pixels one depth step before the block, so that no
 /// surface in it is seen.
 bool hides(const Planned& front, const csg::Block& block, const facet::Scene& scene, const view::View& view,
            const csg::PositiveTree& positive) {
-  if (!front.active.operands.empty() || positive.nodes[positive.leaf_of[front.primitive]].complemented) return false;
+  if (!front.active.operands.empty() || positive.nodes[positive.leaf_of[front.primitive()]].complemented) return false;
   const std::int64_t before = block.z_low - 1;
-  return csg::locate(view, scene, front.primitive, {block.pixels, before, before}) == csg::Known::in;
+  return std::all_of(front.set.begin(), front.set.end(), [&](std::uint32_t primitive) {
+    return csg::locate(view, scene, primitive, {block.pixels, before, before}) == csg::Known::in;
+  });
 }
 
-void drop_hidden(Plan& plan, const facet::Scene& scene, const view::View& view) {
-  // A primitive that hides another may be hidden itself: what hides it hides the other too.
+void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Scene& scene,
+                 const view::View& view) {
+  // A solid that hides another may be hidden itself: what hides it hides the other too.
   std::vector<const Planned*> nearest_first;
-  for (const Planned& one : plan.primitives) nearest_first.push_back(&one);
+  for (const Planned& one : plan.surfaces) nearest_first.push_back(&one);
   std::stable_sort(nearest_first.begin(), nearest_first.end(),
                    [](const Planned* a, const Planned* b) { return a->block.z_low < b->block.z_low; });
   const auto hidden = [&](const Planned& one) {
     for (const Planned* front : nearest_first) {
       if (front->block.z_low >= one.block.z_low) return false;
-      if (hides(*front, one.block, scene, view, plan.positive)) return true;
+      if (hides(*front, one.block, scene, view, positive)) return true;
     }
     return false;
   };
   std::vector<bool> drop;
-  for (const Planned& one : plan.primitives) drop.push_back(one.block.z_low > 0 && hidden(one));
+  for (const Planned& one : plan.surfaces) drop.push_back(one.block.z_low > 0 && hidden(one));
   std::size_t index = 0;
-  std::erase_if(plan.primitives, [&](const Planned&) { return drop[index++]; });
+  std::erase_if(plan.surfaces, [&](const Planned&) { return drop[index++]; });
+}
+
+/// Counts the primitives that have pixels in the region, pruned or not.
+void count_active(SegmentPlan& plan, const facet::Scene& scene, const view::View& view) {
+  for (std::size_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
+    const view::Extent& extent = view.extents[primitive];
+    if (extent.empty() || common(extent.pixels, plan.pixels()).empty()) continue;
+    ++plan.active_primitives;
+    plan.active_halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size());
+  }
 }
 
 }  // namespace
 
+view::PixelRect SegmentPlan::pixels() const {
+  const auto x = static_cast<std::int32_t>(region.x);
+  const auto y = static_cast<std::int32_t>(region.y);
+  return {x, y, x + static_cast<std::int32_t>(region.width) - 1, y + static_cast<std::int32_t>(region.height) - 1};
+}
+
+std::uint32_t Plan::depth() const {
+  std::uint32_t deepest = 0;
+  for (const SegmentPlan& segment : segments) {
+    for (const Planned& one : segment.surfaces) deepest = std::max(deepest, one.active.depth());
+  }
+  return deepest;
+}
+
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-               const view::PixelRect& region, const csg::Pruning& pruning) {
+               const std::vector<isa::Region>& regions, const csg::Pruning& pruning) {
   Plan plan;
   plan.positive = csg::make_positive(tree);
-  const csg::Pruner pruner(scene, view, plan.positive, region, pruning);
-  for (std::uint32_t primitive = 0; primitive < tree.primitives.size(); ++primitive) {
-    const csg::Block block = pruner.block_of(primitive);
-    if (block.pixels.empty()) continue;
-    ++plan.active_primitives;
-    plan.active_halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size());
-    csg::ActiveTree active = pruner.active_tree(primitive);
-    if (!active.nothing) plan.primitives.push_back({primitive, block, std::move(active)});
+  const std::vector<csg::ConvexSet> sets = csg::convex_sets(plan.positive, pruning.sets);
+  const csg::Pruner pruner(scene, view, plan.positive, pruning);
+  for (const isa::Region& region : regions) {
+    SegmentPlan& segment = plan.segments.emplace_back();
+    segment.region = region;
+    count_active(segment, scene, view);
+    for (const csg::ConvexSet& set : sets) {
+      const csg::Block block = pruner.block_of(set, segment.pixels());
+      if (block.pixels.empty()) continue;
+      csg::ActiveTree active = pruner.active_tree(set, block);
+      if (!active.nothing) segment.surfaces.push_back({set, block, std::move(active)});
+    }
+    if (pruning.hidden) drop_hidden(segment, plan.positive, scene, view);
   }
-  if (pruning.hidden) drop_hidden(plan, scene, view);
   return plan;
 }
 

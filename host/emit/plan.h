@@ -7,25 +7,39 @@
 #include "host/emit/options.h"
 #include "host/facet/scene.h"
 #include "host/view/projection.h"
+#include "hw/isa/program.h"
 
 namespace csgsim::emit {
 
-/// What one primitive contributes to a segment.
+/// What is drawn as one surface in a segment: a primitive, or several that make one convex solid.
 struct Planned {
-  std::uint32_t primitive;
+  csg::ConvexSet set;
   csg::Block block;
   csg::ActiveTree active;
+
+  [[nodiscard]] std::uint32_t primitive() const { return set.front(); }
 };
 
 /// What a segment's instructions are made from, whatever the strategy.
+struct SegmentPlan {
+  isa::Region region;
+  std::vector<Planned> surfaces;        ///< in tree order
+  std::uint32_t active_primitives = 0;  ///< with pixels in the region
+  std::uint32_t active_halfspaces = 0;  ///< of these
+
+  [[nodiscard]] view::PixelRect pixels() const;
+};
+
+/// What a Program's instructions are made from.
 struct Plan {
   csg::PositiveTree positive;
-  std::vector<Planned> primitives;      ///< in tree order
-  std::uint32_t active_primitives = 0;  ///< with anything in the region
-  std::uint32_t active_halfspaces = 0;  ///< of these
+  std::vector<SegmentPlan> segments;
+
+  /// Levels of the deepest active tree.
+  [[nodiscard]] std::uint32_t depth() const;
 };
 
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-               const view::PixelRect& region, const csg::Pruning& pruning);
+               const std::vector<isa::Region>& regions, const csg::Pruning& pruning);
 
 }  // namespace csgsim::emit

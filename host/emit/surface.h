@@ -3,22 +3,23 @@
 #include <vector>
 
 #include "host/emit/context.h"
+#include "host/emit/halfspaces.h"
 
 namespace csgsim::emit {
 
-/// A primitive's visible surface: the nearest of its front if it stands for itself, of its back if it is complemented.
+/// A convex solid's visible surface: the nearest of its front if it stands for itself, of its back if it is
+/// complemented.
 struct Surface {
-  bool nothing = false;                  ///< no pixel can have one; then nothing was emitted
-  bool near_cap = false;                 ///< the near plane may cut the solid open: Z1 is 0 there
-  std::vector<facet::Halfspace> facets;  ///< what Z1 can come from, in order of the faces
+  bool nothing = false;       ///< no pixel can have one; then nothing was emitted
+  std::vector<Facet> facets;  ///< what Z1 can come from, in order; at most one is a cap, where Z1 is 0
   csg::Block block;
 };
 
 /// The surface into Z1, and its colour beside it if there is a field for it. Leaves E and the mask 1 where there is
 /// one.
-Surface emit_surface(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block);
+Surface emit_surface(const Context& context, Broadcast& out, const Planned& planned);
 
 /// Depth test of Z1 against Z2 where the mask is 1, copy of the nearer, and its colour.
-void emit_merge(const Context& context, Broadcast& out, std::uint32_t primitive, const Surface& surface);
+void emit_merge(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface);
 
 }  // namespace csgsim::emit

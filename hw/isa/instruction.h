@@ -71,7 +71,8 @@ inline constexpr std::uint32_t no_node = 0xffffffffU;
 struct Origin {
   Purpose purpose = Purpose::setup;
   std::uint32_t primitive = no_primitive;  ///< index into Program::primitives: whose surface is drawn
-  std::uint32_t node = no_node;            ///< the primitive it is compared with while classifying, else no_node
+  std::uint32_t node = no_node;            ///< the primitive it is compared with while classifying; the first of
+                                 ///< several that are drawn as one solid, for its merge and shading; else no_node
 
   constexpr bool operator==(const Origin&) const = default;
 };

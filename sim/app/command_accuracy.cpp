@@ -27,11 +27,12 @@ struct Options {
 };
 
 std::string title_of(const Options& options, const machines::Machine& machine, const view::Camera& camera) {
+  const machines::Size picture = machines::picture_size(machine);
   return fmt::format(
       "csgsim accuracy {} {} {}x{} camera {},{},{},{},{},{} {} views {} z-bits {} fraction-bits {} edge-on {} "
       "tolerance {}",
-      std::filesystem::path(options.model.model).filename().string(), machine.name, machine.array.width,
-      machine.array.height, camera.eye.x, camera.eye.y, camera.eye.z, camera.centre.x, camera.centre.y, camera.centre.z,
+      std::filesystem::path(options.model.model).filename().string(), machine.name, picture.width, picture.height,
+      camera.eye.x, camera.eye.y, camera.eye.z, camera.centre.x, camera.centre.y, camera.centre.z,
       options.model.projection, options.views, options.model.z_bits, options.model.fraction_bits, options.model.edge_on,
       tolerance_text(options.model));
 }

@@ -43,11 +43,11 @@ Outcome run_level(sim::Engine& engine, const isa::Program& program) {
 void compare_levels(const ModelOptions& options) {
   const machines::Machine machine = machine_of(options);
   const isa::Program program = compile_model(options, machine).program;
+  const machines::Size picture = machines::picture_size(machine);
   const std::array<std::unique_ptr<sim::Engine>, 3> engines{
       sim::make_functional_engine(machine), sim::make_cycle_engine(machine), sim::make_reference_engine(machine)};
-  fmt::print("{} at {} x {}\n{:<12}{:>12}{:>12}{:>16}{:>20}  {}\n", options.model, machine.array.width,
-             machine.array.height, "level", "clocks", "wall s", "clocks/s", "times functional",
-             "picture, depth, owner, counts");
+  fmt::print("{} at {} x {}\n{:<12}{:>12}{:>12}{:>16}{:>20}  {}\n", options.model, picture.width, picture.height,
+             "level", "clocks", "wall s", "clocks/s", "times functional", "picture, depth, owner, counts");
   Outcome first;
   for (const std::unique_ptr<sim::Engine>& engine : engines) {
     const Outcome outcome = run_level(*engine, program);

@@ -31,7 +31,7 @@ void add_run(CLI::App& app) {
     RunOutputs outputs(options->run);
     const isa::Program program = isa::load_program(options->program);
     machines::Machine machine = machines::load(options->machine);
-    machine.array = program.shape;
+    machines::adopt(machine, program);
     run_program(program, machine, options->run, outputs);
   });
 }

@@ -43,7 +43,7 @@ void refuse_model_options(const CLI::App& command) {
 isa::Program program_of(const ModelOptions& options, machines::Machine& machine) {
   if (is_model(options.model)) return compile_model(options, machine).program;
   isa::Program program = isa::load_program(options.model);
-  machine.array = program.shape;
+  machines::adopt(machine, program);
   return program;
 }
 
@@ -77,6 +77,12 @@ void record(const Options& options, const CLI::App& command) {
   OutputFile file(options.output);
   OutputFile view(view_path);
   machines::Machine machine = machine_of(options.model);
+  if (machine.kind != machines::Kind::frame_buffer) {
+    throw InputError(
+        fmt::format("{} works on parts of the picture, of which no waves are recorded; take a machine of "
+                    "kind {}",
+                    machine.name, machines::name_of(machines::Kind::frame_buffer)));
+  }
   const isa::Program program = program_of(options.model, machine);
   const pixel_planes::WaveRequest request = request_of(options, program, file.path());
   const sim::RecordedRun run =

@@ -42,11 +42,10 @@ struct NamedPruning {
   bool csg::Pruning::*is_done;
 };
 
-constexpr NamedPruning prunings[] = {{"space", &csg::Pruning::space},
-                                     {"picture", &csg::Pruning::picture},
-                                     {"separation", &csg::Pruning::separation},
-                                     {"halfspaces", &csg::Pruning::halfspaces},
-                                     {"hidden", &csg::Pruning::hidden}};
+constexpr NamedPruning prunings[] = {
+    {"space", &csg::Pruning::space},           {"picture", &csg::Pruning::picture},
+    {"separation", &csg::Pruning::separation}, {"halfspaces", &csg::Pruning::halfspaces},
+    {"hidden", &csg::Pruning::hidden},         {"sets", &csg::Pruning::sets}};
 
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
@@ -120,8 +119,7 @@ machines::Machine machine_of(const ModelOptions& options) {
   machines::Machine machine = machines::load(options.machine);
   if (!options.size.empty()) {
     const auto size = numbers<std::uint32_t>(options.size, 'x', 2, "--size", "WxH");
-    machine.array.width = size[0];
-    machine.array.height = size[1];
+    machines::set_picture_size(machine, {size[0], size[1]});
   }
   if (options.memory_bits) machine.array.memory_bits = *options.memory_bits;
   return machine;
@@ -152,7 +150,8 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
   const facet::Scene scene = facet::make_scene(tree);
   const view::Camera camera = camera_of(options, machine, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
-  const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.array.height, nearest);
+  const double tolerance =
+      options.tolerance->value * view::pixel_size(camera, machines::picture_size(machine).height, nearest);
   fmt::print("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
              options.tolerance->value);
   return {tolerance, std::nullopt};
@@ -162,12 +161,12 @@ view::Sampling sampling_of(const ModelOptions& options, const machines::Machine&
   if (options.near && projections.at(options.projection) != view::Projection::perspective) {
     throw CLI::ValidationError("--near", "an orthographic view has no near plane; leave it out");
   }
-  return {machine.array.width,   machine.array.height, options.z_bits,
-          options.fraction_bits, options.edge_on,      options.near};
+  const machines::Size picture = machines::picture_size(machine);
+  return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, options.near};
 }
 
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene) {
-  const isa::ArrayShape& picture = machine.array;
+  const machines::Size picture = machines::picture_size(machine);
   view::Camera camera = view::default_camera(scene.box, picture.width, picture.height);
   if (!options.camera.empty()) {
     const auto v = numbers<double>(options.camera, ',', 6, "--camera", "ex,ey,ez,cx,cy,cz");

@@ -127,7 +127,8 @@ std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
   for (study::SweepPoint& point : study::points_of(ranges_of(options))) {
     const ModelOptions one = options_of(options, point);
     const machines::Machine machine = machine_of(one);
-    std::shared_ptr<const study::Subject>& subject = subjects[{point.model, machine.array.width, machine.array.height}];
+    const machines::Size picture = machines::picture_size(machine);
+    std::shared_ptr<const study::Subject>& subject = subjects[{point.model, picture.width, picture.height}];
     if (!subject) {
       model::Tree tree = read_model(one);
       facet::Scene scene = facet::make_scene(tree, faceting_of(one, machine, tree));

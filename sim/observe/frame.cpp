@@ -23,16 +23,27 @@ std::size_t row_words(const isa::Region& region) { return (region.width + word_b
 FrameObserver::FrameObserver(const isa::Program& program)
     : depth_(isa::field_of(program, isa::FieldRole::depth)),
       colour_(isa::field_of(program, isa::FieldRole::colour)),
+      candidate_colour_(isa::field_of(program, isa::FieldRole::candidate_colour)),
       frame_{program.shape.width, program.shape.height,
              std::vector<std::uint32_t>(pixel_count(program), program.compile.background),
              std::vector<std::uint32_t>(pixel_count(program), nothing_in(depth_)),
              std::vector<std::uint32_t>(pixel_count(program), no_owner)} {
+  if (candidate_colour_.width > 0) candidate_owner_ = frame_.owner;
   for (const isa::Segment& segment : program.segments) drawn_.push_back(!segment.instructions.empty());
 }
 
+bool FrameObserver::is_merge(const isa::Instruction& instruction) const {
+  return instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
+}
+
+bool FrameObserver::colours_one_of_several(const isa::Instruction& instruction, isa::Field colour) const {
+  return instruction.opcode == isa::Opcode::set_constant && instruction.origin.node != isa::no_node &&
+         colour.width > 0 && instruction.fields[0] == colour;
+}
+
 bool FrameObserver::reads_after(const isa::Instruction& instruction) const {
-  const bool is_merge = instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
-  return is_merge;
+  return is_merge(instruction) || colours_one_of_several(instruction, colour_) ||
+         colours_one_of_several(instruction, candidate_colour_);
 }
 
 void FrameObserver::after_instruction(const Step& step, const PixelState& state) {
@@ -42,11 +53,16 @@ void FrameObserver::after_instruction(const Step& step, const PixelState& state)
   const std::size_t words = row_words(region);
   enable_.resize(words * region.height);
   state.read_enable(enable_);
+  const bool is_candidate = colours_one_of_several(instruction, candidate_colour_);
+  const bool from_candidate =
+      is_merge(instruction) && instruction.origin.node != isa::no_node && candidate_colour_.width > 0;
+  std::vector<std::uint32_t>& owner = is_candidate ? candidate_owner_ : frame_.owner;
   for (std::uint32_t y = 0; y < region.height; ++y) {
-    std::uint32_t* row = &frame_.owner[static_cast<std::size_t>(region.y + y) * frame_.width + region.x];
+    const std::size_t row = static_cast<std::size_t>(region.y + y) * frame_.width + region.x;
     for (std::size_t word = 0; word < words; ++word) {
       for (std::uint64_t bits = enable_[y * words + word]; bits != 0; bits &= bits - 1) {
-        row[word * word_bits + static_cast<std::size_t>(std::countr_zero(bits))] = instruction.origin.primitive;
+        const std::size_t at = row + word * word_bits + static_cast<std::size_t>(std::countr_zero(bits));
+        owner[at] = from_candidate ? candidate_owner_[at] : instruction.origin.primitive;
       }
     }
   }

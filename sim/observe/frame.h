@@ -19,7 +19,8 @@ struct Frame {
 };
 
 /// Assembles the picture of a run, segment by segment, on the background. Pixel memory has no room for owners: they are
-/// taken down from outside, as each primitive's depth is copied into the depth field.
+/// taken down from outside, as each primitive's depth is copied into the depth field; where several are drawn as one
+/// solid, as the colour of each is written.
 class FrameObserver : public Observer {
  public:
   explicit FrameObserver(const isa::Program& program);
@@ -31,12 +32,16 @@ class FrameObserver : public Observer {
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
  private:
+  [[nodiscard]] bool is_merge(const isa::Instruction& instruction) const;
+  [[nodiscard]] bool colours_one_of_several(const isa::Instruction& instruction, isa::Field colour) const;
   void place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
 
   isa::Field depth_;
   isa::Field colour_;
+  isa::Field candidate_colour_;
   Frame frame_;
-  std::vector<bool> drawn_;  ///< segments that have instructions
+  std::vector<std::uint32_t> candidate_owner_;  ///< whose colour is beside Z1, where several are drawn as one
+  std::vector<bool> drawn_;                     ///< segments that have instructions
   std::vector<std::uint32_t> values_;
   std::vector<std::uint64_t> enable_;
 };

@@ -44,8 +44,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
 }
 
 machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
-  machine.array.width = sampling.width;
-  machine.array.height = sampling.height;
+  machines::set_picture_size(machine, {sampling.width, sampling.height});
   return machine;
 }
 

@@ -62,8 +62,8 @@ SweepRow measure(const SweepJob& job, bool draw) {
   SweepRow row;
   row.point = job.point;
   row.model_hash = job.subject->hash;
-  row.width = job.machine.array.width;
-  row.height = job.machine.array.height;
+  row.width = machines::picture_size(job.machine).width;
+  row.height = machines::picture_size(job.machine).height;
   std::optional<isa::Program> program;
   try {
     program = compile(job);

@@ -35,7 +35,7 @@ std::vector<emit::Options> all_options() {
     all.back().pruning = csg::Pruning::none();
   }
   for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
-                                             &csg::Pruning::halfspaces, &csg::Pruning::hidden}) {
+                                             &csg::Pruning::halfspaces, &csg::Pruning::hidden, &csg::Pruning::sets}) {
     all.push_back(with_strategy(Strategy::stack));
     all.back().pruning.*switched = false;
     all.push_back(with_strategy(Strategy::stack));
@@ -54,6 +54,26 @@ testing::Setup setup(const view::Camera& camera, std::uint32_t width, std::uint3
   return made;
 }
 
+/// The same picture in parts: lines, and squares that fit it or do not.
+std::vector<testing::Setup> in_parts(testing::Setup how) {
+  std::vector<testing::Setup> all;
+  how.kind = machines::Kind::scan_line;
+  all.push_back(how);
+  how.kind = machines::Kind::pixel_square;
+  for (const machines::Size& square : {machines::Size{8, 8}, machines::Size{16, 16}, machines::Size{7, 3}}) {
+    how.square = square;
+    how.options = with_strategy(emit::Strategy::stack);
+    all.push_back(how);
+    how.options = with_strategy(emit::Strategy::list);
+    how.options.colouring = emit::Colouring::field;
+    all.push_back(how);
+  }
+  how.options = with_strategy(emit::Strategy::bits, 4);
+  how.options.pruning = csg::Pruning::none();
+  all.push_back(how);
+  return all;
+}
+
 void check_same_pictures(const std::string& text, testing::Setup how) {
   const testing::Compiled first = testing::compile_text(text, how);
   const sim::Frame expected = testing::draw(first.program);
@@ -64,6 +84,12 @@ void check_same_pictures(const std::string& text, testing::Setup how) {
   for (const emit::Options& options : all_options()) {
     how.options = options;
     const sim::Frame frame = testing::draw(testing::compile_text(text, how).program);
+    RC_ASSERT(frame.depth == expected.depth);
+    RC_ASSERT(frame.owner == expected.owner);
+    RC_ASSERT(frame.colour == expected.colour);
+  }
+  for (const testing::Setup& parts : in_parts(how)) {
+    const sim::Frame frame = testing::draw(testing::compile_text(text, parts).program);
     RC_ASSERT(frame.depth == expected.depth);
     RC_ASSERT(frame.owner == expected.owner);
     RC_ASSERT(frame.colour == expected.colour);
@@ -80,19 +106,20 @@ void check_random_models(const view::Camera& camera) {
 
 }  // namespace
 
-TEST_CASE("every strategy, colouring and pruning draws the same picture of random models, orthographic") {
+TEST_CASE("every strategy, colouring, pruning and division draws the same picture of random models, orthographic") {
   check_random_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic});
 }
-TEST_CASE("every strategy, colouring and pruning draws the same picture of random models, perspective") {
+TEST_CASE("every strategy, colouring, pruning and division draws the same picture of random models, perspective") {
   check_random_models({{30, -45, 35}, {0, 0, 0}, view::Projection::perspective});
 }
-TEST_CASE("every strategy, colouring and pruning draws the same picture of random models seen along an axis") {
+TEST_CASE(
+    "every strategy, colouring, pruning and division draws the same picture of random models seen along an axis") {
   check_random_models({{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic});
 }
-TEST_CASE("every strategy, colouring and pruning draws the same picture of random models around the eye") {
+TEST_CASE("every strategy, colouring, pruning and division draws the same picture of random models around the eye") {
   check_random_models({{0.25, -1, 0.5}, {0, 3, 0}, view::Projection::perspective});
 }
-TEST_CASE("every strategy, colouring and pruning draws the same picture of the test models") {
+TEST_CASE("every strategy, colouring, pruning and division draws the same picture of the test models") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
@@ -103,6 +130,14 @@ TEST_CASE("every strategy, colouring and pruning draws the same picture of the t
         CAPTURE(options.stack_bits);
         how.options = options;
         const sim::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
+        CHECK(frame.depth == expected.depth);
+        CHECK(frame.owner == expected.owner);
+        CHECK(frame.colour == expected.colour);
+      }
+      for (const testing::Setup& parts : in_parts(how)) {
+        CAPTURE(machines::name_of(parts.kind));
+        CAPTURE(parts.square.width);
+        const sim::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), parts).program);
         CHECK(frame.depth == expected.depth);
         CHECK(frame.owner == expected.owner);
         CHECK(frame.colour == expected.colour);

@@ -14,7 +14,14 @@ Compiled compile_tree(model::Tree tree, const Setup& setup) {
   facet::Scene scene = facet::make_scene(tree);
   view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
   machines::Machine machine;
+  machine.kind = setup.kind;
   machine.array = {setup.sampling.width, setup.sampling.height, setup.memory_bits};
+  machine.picture = {setup.sampling.width, setup.sampling.height};
+  if (setup.kind == machines::Kind::scan_line) machine.array.height = 1;
+  if (setup.kind == machines::Kind::pixel_square) {
+    machine.array.width = setup.square.width;
+    machine.array.height = setup.square.height;
+  }
   machine.clock_hz = 10'000'000;
   isa::Program program = emit::compile(tree, scene, view, machine, setup.options);
   isa::validate(program);

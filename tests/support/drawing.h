@@ -9,6 +9,7 @@
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
+#include "hw/machines/machine.h"
 #include "sim/observe/frame.h"
 
 namespace csgsim::testing {
@@ -26,6 +27,9 @@ struct Setup {
   view::Sampling sampling;
   std::uint32_t memory_bits = 72;
   emit::Options options{};
+  /// What the machine works on at a time: the whole picture, a line, or a square of that many pixels.
+  machines::Kind kind = machines::Kind::frame_buffer;
+  machines::Size square{};
 };
 
 Compiled compile_text(const std::string& csg, const Setup& setup);

@@ -57,7 +57,12 @@ struct Prepared {
   view::View view;
   csg::PositiveTree positive;
 
-  [[nodiscard]] csg::Pruner pruner() const { return {scene, view, positive, {0, 0, 511, 511}}; }
+  /// Of the whole picture.
+  [[nodiscard]] csg::ActiveTree active_tree(std::uint32_t primitive, const csg::Pruning& pruning = {}) const {
+    const csg::Pruner pruner(scene, view, positive, pruning);
+    const csg::Block block = pruner.block_of({&primitive, 1}, {0, 0, 511, 511});
+    return pruner.active_tree({&primitive, 1}, block);
+  }
 };
 
 Prepared prepare(const std::string& text) {
@@ -89,30 +94,30 @@ TEST_CASE("the positive form of a tree has its value for every state of the prim
 TEST_CASE("primitives under unions alone have nothing to be classified against") {
   const Prepared p = prepare("union(){" + box(0, 2) + box(1, 2) + box(2, 2) + "}");
   for (std::uint32_t i = 0; i < 3; ++i) {
-    CHECK_FALSE(p.pruner().active_tree(i).nothing);
-    CHECK(p.pruner().active_tree(i).operands.empty());
+    CHECK_FALSE(p.active_tree(i).nothing);
+    CHECK(p.active_tree(i).operands.empty());
   }
 }
 
 TEST_CASE("operands that are apart are pruned, and take with them what they would have left") {
   const Prepared p =
       prepare("union(){difference(){" + box(0, 2) + box(30, 2) + "}intersection(){" + box(0, 2) + box(30, 2) + "}}");
-  CHECK(p.pruner().active_tree(0).operands.empty());
-  CHECK_FALSE(p.pruner().active_tree(0).nothing);
-  CHECK(p.pruner().active_tree(1).nothing);
-  CHECK(p.pruner().active_tree(2).nothing);
-  CHECK(p.pruner().active_tree(3).nothing);
+  CHECK(p.active_tree(0).operands.empty());
+  CHECK_FALSE(p.active_tree(0).nothing);
+  CHECK(p.active_tree(1).nothing);
+  CHECK(p.active_tree(2).nothing);
+  CHECK(p.active_tree(3).nothing);
 }
 
 TEST_CASE("an operand that surrounds a primitive is pruned") {
   const Prepared p = prepare("intersection(){" + box(0, 2) + box(0, 20) + "}");
-  CHECK_FALSE(p.pruner().active_tree(0).nothing);
-  CHECK(p.pruner().active_tree(0).operands.empty());
+  CHECK_FALSE(p.active_tree(0).nothing);
+  CHECK(p.active_tree(0).operands.empty());
 }
 
 TEST_CASE("what a surrounding solid takes away leaves nothing") {
   const Prepared p = prepare("difference(){" + box(0, 2) + box(0, 20) + "}");
-  CHECK(p.pruner().active_tree(0).nothing);
+  CHECK(p.active_tree(0).nothing);
 }
 
 TEST_CASE("the deepest operand is worked out first, so that a chain needs one bit") {
@@ -121,7 +126,7 @@ TEST_CASE("the deepest operand is worked out first, so that a chain needs one bi
     chain = "intersection(){" + box(0.1 * i, 4) + "union(){" + box(0.2 * i, 3) + chain + "}}";
   }
   const Prepared p = prepare("intersection(){" + box(0.3, 4.1) + chain + "}");
-  CHECK(p.pruner().active_tree(0).bits() == 1);
+  CHECK(p.active_tree(0).bits() == 1);
 }
 
 TEST_CASE("a balanced tree of alternating operators needs a bit a level") {
@@ -130,7 +135,9 @@ TEST_CASE("a balanced tree of alternating operators needs a bit a level") {
   const std::string other = "union(){" + pair(0.2) + pair(0.4) + "}";
   const Prepared p = prepare("intersection(){" + box(0.05, 4.1) + "union(){intersection(){" + four + other +
                              "}intersection(){" + other + four + "}}}");
-  CHECK(p.pruner().active_tree(0).bits() == 4);
+  csg::Pruning each_alone;
+  each_alone.sets = false;
+  CHECK(p.active_tree(0, each_alone).bits() == 4);
 }
 
 TEST_CASE("a tree ten thousand levels deep is pruned without recursion") {
@@ -141,5 +148,61 @@ TEST_CASE("a tree ten thousand levels deep is pruned without recursion") {
   for (int i = 0; i < depth; ++i) text += box(i % 3 == 0 ? 100 : 0.1, 2) + "}";
   const Prepared p = prepare(text);
   CHECK(p.tree.primitives.size() == depth + 1);
-  CHECK_NOTHROW(p.pruner().active_tree(0));
+  CHECK_NOTHROW(p.active_tree(0));
+}
+
+TEST_CASE("the I-tree of a primitive holds what it is intersected with, its active tree what of that it touches") {
+  // A tree of the kind of the thesis's figure 6.1: ((((P u A) n B) - (C - D)) u (E - F), with D away from P.
+  const Prepared p =
+      prepare("union(){difference(){intersection(){union(){" + box(0, 2) + box(9, 2) + "}" + box(0.5, 2) +
+              "}difference(){" + box(1, 2) + box(9.5, 2) + "}}difference(){" + box(0.1, 2) + box(0.2, 2) + "}}");
+  enum : std::uint32_t { P, A, B, C, D, E, F };
+  std::vector<bool> complemented;
+  for (const std::uint32_t leaf : p.positive.leaf_of) complemented.push_back(p.positive.nodes[leaf].complemented);
+  CHECK(complemented == std::vector<bool>{false, false, false, true, false, false, true});
+
+  const csg::ActiveTree i_tree = p.active_tree(P, csg::Pruning::none());
+  REQUIRE(i_tree.operands.size() == 2);
+  CHECK(i_tree.nodes[i_tree.operands[0]].primitive == B);
+  const csg::ActiveNode& hollow = i_tree.nodes[i_tree.operands[1]];
+  CHECK(hollow.op == csg::PositiveOperator::unite);
+  REQUIRE(hollow.children.size() == 2);
+  CHECK(i_tree.nodes[hollow.children[0]].primitive == C);
+  CHECK(i_tree.nodes[hollow.children[0]].complemented);
+  CHECK(i_tree.nodes[hollow.children[1]].primitive == D);
+  CHECK_FALSE(i_tree.nodes[hollow.children[1]].complemented);
+
+  const csg::ActiveTree active = p.active_tree(P);
+  REQUIRE(active.operands.size() == 2);
+  CHECK(active.nodes[active.operands[0]].primitive == B);
+  CHECK(active.nodes[active.operands[1]].primitive == C);
+  CHECK(active.nodes[active.operands[1]].complemented);
+}
+
+TEST_CASE("primitives that only intersections join are one convex solid, complemented ones are not") {
+  const Prepared p =
+      prepare("difference(){intersection(){" + box(0, 2) + "intersection(){" + box(0.5, 2) + box(1, 2) + "}union(){" +
+              box(0, 3) + box(1, 3) + "}}intersection(){" + box(0, 1) + box(0.5, 1) + "}}");
+  using Sets = std::vector<csg::ConvexSet>;
+  CHECK(csg::convex_sets(p.positive, true) == Sets{{0, 1, 2}, {3}, {4}, {5}, {6}});
+  CHECK(csg::convex_sets(p.positive, false) == Sets{{0}, {1}, {2}, {3}, {4}, {5}, {6}});
+}
+
+TEST_CASE("primitives with a complemented one between them are not drawn as one") {
+  const Prepared p =
+      prepare("intersection(){difference(){" + box(0, 2) + box(0.5, 1) + "}" + box(0, 3) + box(1, 3) + "}");
+  CHECK(csg::convex_sets(p.positive, true) == std::vector<csg::ConvexSet>{{0}, {1}, {2, 3}});
+}
+
+TEST_CASE("what is left after an intersection has been taken away is one leaf, and one product") {
+  std::string text = "difference(){" + box(0, 10);
+  for (int i = 0; i < 50; ++i) text += "intersection(){" + box(0.01 * i, 2) + box(0.5 + 0.01 * i, 2) + "}";
+  const Prepared p = prepare(text + "}");
+  const csg::ActiveTree active = p.active_tree(0);
+  REQUIRE(active.operands.size() == 50);
+  for (const std::uint32_t operand : active.operands) {
+    CHECK(active.nodes[operand].complemented);
+    CHECK(active.nodes[operand].primitives() == 2);
+  }
+  CHECK(active.bits() == 0);
 }

@@ -19,12 +19,12 @@ using csg::PositiveOperator;
 // Primitives are numbered from left to right, each in one leaf.
 
 inline std::uint32_t add_leaf(ActiveTree& tree, std::uint32_t primitive, bool complemented = false) {
-  tree.nodes.push_back({true, complemented, PositiveOperator::unite, primitive, 0, {}});
+  tree.nodes.push_back({true, complemented, PositiveOperator::unite, primitive, 0, {}, {}});
   return static_cast<std::uint32_t>(tree.nodes.size() - 1);
 }
 
 inline std::uint32_t add_operator(ActiveTree& tree, PositiveOperator op, std::vector<std::uint32_t> children) {
-  tree.nodes.push_back({false, false, op, model::no_index, 0, std::move(children)});
+  tree.nodes.push_back({false, false, op, model::no_index, 0, std::move(children), {}});
   return static_cast<std::uint32_t>(tree.nodes.size() - 1);
 }
 
@@ -99,7 +99,9 @@ inline bool evaluate(const ActiveTree& tree, const std::vector<bool>& in) {
     const csg::ActiveNode& node = tree.nodes[i];
     const auto is_in = [&](std::uint32_t child) { return value[child]; };
     if (node.is_leaf) {
-      value[i] = in[node.primitive] != node.complemented;
+      const bool inside =
+          in[node.primitive] && std::ranges::all_of(node.others, [&](std::uint32_t other) { return in[other]; });
+      value[i] = inside != node.complemented;
     } else {
       value[i] = node.op == PositiveOperator::intersect ? std::ranges::all_of(node.children, is_in)
                                                         : std::ranges::any_of(node.children, is_in);

@@ -17,10 +17,10 @@ namespace {
 using csg::ActiveNode;
 using csg::PositiveOperator;
 
-ActiveNode leaf(std::uint32_t primitive) { return {true, false, PositiveOperator::unite, primitive, 0, {}}; }
+ActiveNode leaf(std::uint32_t primitive) { return {true, false, PositiveOperator::unite, primitive, 0, {}, {}}; }
 
 ActiveNode node(PositiveOperator op, std::vector<std::uint32_t> children) {
-  return {false, false, op, model::no_index, 0, std::move(children)};
+  return {false, false, op, model::no_index, 0, std::move(children), {}};
 }
 
 /// All products by repeated traversal, as primitives.
@@ -88,7 +88,9 @@ TEST_CASE("figure 6.2 of the thesis: what does not touch P is pruned from its tr
   const facet::Scene scene = facet::make_scene(tree);
   const view::View view = view::make_view(scene, tree, {{30, -40, 400}, {0, 0, 0}, view::Projection::orthographic}, {});
   const csg::PositiveTree positive = csg::make_positive(tree);
-  const csg::ActiveTree active = csg::Pruner(scene, view, positive, {0, 0, 511, 511}).active_tree(P);
+  const csg::Pruner pruner(scene, view, positive);
+  const csg::ConvexSet set{P};
+  const csg::ActiveTree active = pruner.active_tree(set, pruner.block_of(set, {0, 0, 511, 511}));
   REQUIRE(active.operands.size() == 2);
   const auto union_of = [&](std::uint32_t operand) {
     const ActiveNode& at = active.nodes[operand];

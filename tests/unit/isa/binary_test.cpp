@@ -128,7 +128,7 @@ TEST_CASE("random bytes behind a sound magic, version and checksum are refused o
     const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
     ByteWriter out;
-    for (const char c : {'C', 'S', 'G', 'T', '\x01'}) out.byte(static_cast<std::uint8_t>(c));
+    for (const char c : {'C', 'S', 'G', 'T', '\x02'}) out.byte(static_cast<std::uint8_t>(c));
     out.block(noise);
     out.block(std::vector<std::uint8_t>(checksum_size));
     Bytes bytes = out.take();
@@ -140,7 +140,7 @@ TEST_CASE("random bytes behind a sound magic, version and checksum are refused o
 TEST_CASE("metadata nested a million deep is refused without running out of stack") {
   constexpr std::size_t depth = 1000000;
   ByteWriter out;
-  for (const char c : {'C', 'S', 'G', 'T', '\x01'}) out.byte(static_cast<std::uint8_t>(c));
+  for (const char c : {'C', 'S', 'G', 'T', '\x02'}) out.byte(static_cast<std::uint8_t>(c));
   out.varint(depth);
   out.block(std::vector<std::uint8_t>(depth, 0x81));
   out.block(std::vector<std::uint8_t>(checksum_size));
@@ -175,8 +175,8 @@ TEST_CASE("what is wrong with the bytes is said") {
 
 TEST_CASE("a count beyond the bytes that are there is refused before anything is reserved") {
   Bytes bytes = encode(sample_program());
-  // The instruction count of the first segment, 8, is the last element of its row: 0x08 before the next row's 0x87.
-  constexpr std::array pattern{std::byte{0x08}, std::byte{0x87}};
+  // The instruction count of the first segment, 8, is the last element of its row: 0x08 before the next row's 0x8a.
+  constexpr std::array pattern{std::byte{0x08}, std::byte{0x8a}};
   const auto row = std::search(bytes.begin(), bytes.end(), pattern.begin(), pattern.end());
   REQUIRE(row != bytes.end());
   *row = std::byte{0x17};

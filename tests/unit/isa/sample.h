@@ -19,8 +19,8 @@ inline isa::Program sample_program() {
   program.primitives = {"cube \"a\"", "ball\n"};
   program.depth_scale = {true, 0.1, 1e300};
   program.model = {"dir/model.csg", 2, 1, 0, 0, 12};
-  program.compile = {"auto", "field", 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
-  isa::Segment segment{{1, 0, 7, 4}, {}, 2, 12};
+  program.compile = {"auto", "field", 0x00a0b0, 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
+  isa::Segment segment{{1, 0, 7, 4}, {}, 2, 12, 1, 9, 4};
   const auto add = [&](const isa::Instruction& instruction) { segment.instructions.push_back(instruction); };
   add({Opcode::enable_all, {}, {}, 0, {}});
   add({Opcode::set_constant, {{{8, 8}}}, {}, 255, {}});
@@ -31,7 +31,7 @@ inline isa::Program sample_program() {
   add({Opcode::bit_and_not, {{{16, 1}, {16, 1}, {39, 1}}}, {}, 0, {Purpose::stack, 1, isa::no_node}});
   add({Opcode::copy, {{{8, 8}, {0, 8}}}, {}, 0, {Purpose::merge, 1, isa::no_node}});
   add({Opcode::global_or, {}, {}, 0, {Purpose::merge, 1, isa::no_node}});
-  program.segments = {segment, {{0, 3, 1, 1}, {}, 0, 0}};
+  program.segments = {segment, {{0, 3, 1, 1}, {}, 0, 0, 0, 0, 0}};
   return program;
 }
 

@@ -33,14 +33,14 @@ TEST_CASE("the sample is printed so") {
 .array width=8 height=4 memory_bits=40
 .depth perspective=true near=0.1 far=1e+300
 .model file="dir/model.csg" primitives=2 unions=1 differences=0 intersections=0 halfspaces=12
-.compile strategy="auto" colouring="field" z_bits=8 fraction_bits=4 edge_on_fraction=0.3 stack_bits=1 tree_depth=2 rendered=2 classified=1 depth_tests=3 effects=["shadow", "fog, thick"]
+.compile strategy="auto" colouring="field" background=41136 z_bits=8 fraction_bits=4 edge_on_fraction=0.3 stack_bits=1 tree_depth=2 rendered=2 classified=1 depth_tests=3 effects=["shadow", "fog, thick"]
 .field Z1 [0+:8] candidate_depth
 .field in [16] stack
 .field "two words" [8+:8] depth
 .primitive "cube \"a\""  # p0
 .primitive "ball\x0a"  # p1
 
-.segment x=1 y=0 width=7 height=4 primitives=2 halfspaces=12
+.segment x=1 y=0 width=7 height=4 primitives=2 halfspaces=12 kept_primitives=1 kept_halfspaces=9 comparisons=4
   enable_all                                            ; setup
   set_constant "two words", 255                         ; setup
   keep_max Z1, 12*x - 7*y + 991 (w20 >> 4)              ; render p0
@@ -50,7 +50,7 @@ TEST_CASE("the sample is printed so") {
   copy "two words", Z1                                  ; merge p1
   global_or                                             ; merge p1
 
-.segment x=0 y=3 width=1 height=1 primitives=0 halfspaces=0
+.segment x=0 y=3 width=1 height=1 primitives=0 halfspaces=0 kept_primitives=0 kept_halfspaces=0 comparisons=0
 )");
 }
 
