@@ -12,6 +12,8 @@ void add_disasm(CLI::App& app);
 void add_wave(CLI::App& app);
 void add_accuracy(CLI::App& app);
 void add_sweep(CLI::App& app);
+void add_compare(CLI::App& app);
+void add_subdivide(CLI::App& app);
 void add_levels(CLI::App& app);
 void add_machines(CLI::App& app);
 void add_isa(CLI::App& app);

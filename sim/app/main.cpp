@@ -60,6 +60,8 @@ int main(int argc, char** argv) {
   csgsim::app::add_wave(app);
   csgsim::app::add_accuracy(app);
   csgsim::app::add_sweep(app);
+  csgsim::app::add_compare(app);
+  csgsim::app::add_subdivide(app);
   csgsim::app::add_levels(app);
   csgsim::app::add_machines(app);
   csgsim::app::add_isa(app);

@@ -87,7 +87,7 @@ void ModelOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--without", without,
-                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, or all")
+                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, sets, or all")
       ->delimiter(',')
       ->check(CLI::IsMember(pruning_names()));
 }

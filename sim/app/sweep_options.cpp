@@ -3,19 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
-#include <sstream>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "hw/isa/error.h"
 #include "hw/isa/instruction.h"
+#include "sim/app/model_hash.h"
 #include "sim/app/run_options.h"
-#include "sim/study/hash.h"
 #include "sim/study/ranges.h"
 
 namespace csgsim::app {
@@ -107,15 +105,6 @@ ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& po
   one.strategy = point.strategy;
   if (point.stack_bits > 0) one.stack_bits = point.stack_bits;
   return one;
-}
-
-std::string hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream content;
-  content << file.rdbuf();
-  study::Hash hash;
-  hash.add(content.str());
-  return hash.text();
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
-#include "sim/study/hash.h"
+#include "sim/study/frame_hash.h"
 
 namespace csgsim::study {
 
@@ -27,10 +27,7 @@ std::string hash_of_picture(const isa::Program& program, const machines::Machine
   const std::array<sim::Observer*, 1> observers{&observer};
   const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
   if (result.overflows > 0) return std::string(overflow);
-  const sim::Frame& frame = observer.frame();
-  Hash hash;
-  for (const std::vector<std::uint32_t>* values : {&frame.depth, &frame.owner, &frame.colour}) hash.add(*values);
-  return hash.text();
+  return hash_of(observer.frame());
 }
 
 isa::Program compile(const SweepJob& job) {

@@ -1,0 +1,210 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "hw/isa/error.h"
+#include "hw/isa/output_file.h"
+#include "sim/app/commands.h"
+#include "sim/app/memory.h"
+#include "sim/app/model_hash.h"
+#include "sim/app/model_options.h"
+#include "sim/app/numbers.h"
+#include "sim/app/sweep_progress.h"
+#include "sim/study/comparison.h"
+#include "sim/study/ranges.h"
+#include "sim/study/table.h"
+
+namespace csgsim::app {
+
+namespace {
+
+using Rows = std::vector<study::ComparisonRow>;
+using Table = study::Table<study::ComparisonRow>;
+
+constexpr unsigned most_fragments = 4096;
+
+struct Options {
+  ModelOptions model;
+  std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5";
+  std::string sides = "128,256,512";
+  std::string fragments = "8,16,32,64";
+  std::string folder;
+  bool no_plots = false;
+  std::string progress = "auto";
+};
+
+/// The machine, with the picture that --size asks for.
+machines::Machine machine_named(const Options& options, const std::string& name) {
+  ModelOptions one = options.model;
+  one.machine = name;
+  return machine_of(one);
+}
+
+/// The machine's own picture, with every number of fragments, and pictures of every size.
+std::vector<study::ComparisonPoint> points_of(const Options& options, const std::string& machine,
+                                              const machines::Size& base) {
+  std::vector<study::ComparisonPoint> points{{machine, base.width, base.height, 0}};
+  const auto add = [&](const study::ComparisonPoint& point) {
+    if (std::find(points.begin(), points.end(), point) == points.end()) points.push_back(point);
+  };
+  if (!options.fragments.empty()) {
+    for (const unsigned fragments : study::parse_numbers(options.fragments, 3, most_fragments))
+      add({machine, base.width, base.height, static_cast<double>(fragments)});
+  }
+  if (!options.sides.empty()) {
+    for (const unsigned side : study::parse_numbers(options.sides, 1, isa::max_array_side))
+      add({machine, side, side, 0});
+  }
+  return points;
+}
+
+struct Study {
+  model::Tree tree;
+  std::vector<study::ComparisonJob> jobs;
+  machines::Size base;  ///< of the first machine's picture
+};
+
+Study study_of(const Options& options) {
+  Study study{read_model(options.model), {}, {}};
+  const facet::Scene scene = facet::make_scene(study.tree);
+  const std::string hash = hash_of_file(options.model.model);
+  for (const std::string& name : study::parse_words(options.machines)) {
+    const machines::Machine machine = machine_named(options, name);
+    const machines::Size base = machines::picture_size(machine);
+    if (study.jobs.empty()) study.base = base;
+    for (study::ComparisonPoint& point : points_of(options, name, base)) {
+      view::Sampling sampling = sampling_of(options.model, machine);
+      sampling.width = point.width;
+      sampling.height = point.height;
+      study.jobs.push_back({{std::move(point), hash},
+                            machine,
+                            camera_of(options.model, machine, scene),
+                            sampling,
+                            emit_options_of(options.model)});
+    }
+  }
+  return study;
+}
+
+std::string title_of(const Options& options) {
+  const ModelOptions& model = options.model;
+  const auto or_own = [](const std::string& text) { return text.empty() ? "default" : text; };
+  std::string without;
+  for (const std::string& name : model.without) without += " " + name;
+  return fmt::format(
+      "csgsim {} compare camera {}{} {} near {} z-bits {} fraction-bits {} edge-on {} strategy {} stack-bits {} "
+      "colouring "
+      "{} colour-bits {} memory-bits {} without{}",
+      CSGSIM_VERSION, or_own(model.camera), model.view_all ? " view-all" : "", model.projection,
+      model.near.value_or(0.0), model.z_bits, model.fraction_bits, model.edge_on, model.strategy, model.stack_bits,
+      model.colouring, model.colour_bits, model.memory_bits.value_or(0), without.empty() ? " none" : without);
+}
+
+Rows complete(const Options& options, const Study& study, Table& table) {
+  std::size_t known = 0;
+  for (const study::ComparisonJob& job : study.jobs) {
+    if (table.find(job.wanted) != nullptr) ++known;
+  }
+  SweepProgress progress(study.jobs.size(), known, options.progress == "auto");
+  Rows rows;
+  for (const study::ComparisonJob& job : study.jobs) {
+    if (table.find(job.wanted) == nullptr) {
+      table.add(with_memory_for({job.wanted.point.width, job.wanted.point.height, job.machine.array.memory_bits},
+                                [&] { return study::measure(job, study.tree); }));
+      progress.done();
+    }
+    rows.push_back(*table.find(job.wanted));
+  }
+  return rows;
+}
+
+void print_row(const study::ComparisonRow& row) {
+  const std::string facets = row.point.fragments == 0 ? "own" : fmt::format("{}", row.point.fragments);
+  fmt::print("{:<16}{:>11}{:>7}", row.point.machine, fmt::format("{}x{}", row.point.width, row.point.height), facets);
+  if (!row.drawn()) {
+    fmt::print("  {}\n", row.reason);
+    return;
+  }
+  fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>8.3f}\n", row.halfspaces, grouped(row.clocks),
+             row.seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations), grouped(row.processors),
+             grouped(row.processor_clocks), grouped(row.memory_bits), 100.0 * row.utilisation);
+}
+
+void print_rows(const Rows& rows) {
+  fmt::print("{:<16}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>8}\n", "machine", "picture", "$fn",
+             "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.", "processor clocks", "memory bits",
+             "busy %");
+  for (const study::ComparisonRow& row : rows) print_row(row);
+}
+
+/// Pictures of the same size and facets have to be the same on every machine.
+void refuse_differences(const Rows& rows) {
+  for (const study::ComparisonRow& row : rows) {
+    const auto first = std::find_if(rows.begin(), rows.end(), [&](const study::ComparisonRow& other) {
+      return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
+             other.point.fragments == row.point.fragments;
+    });
+    if (row.drawn() && first->picture != row.picture) {
+      throw InputError(
+          fmt::format("{} draws {}x{} pixels otherwise than {}; this is a fault of csgsim, please report it",
+                      row.point.machine, row.point.width, row.point.height, first->point.machine));
+    }
+  }
+  if (std::none_of(rows.begin(), rows.end(), [](const study::ComparisonRow& row) { return row.drawn(); }))
+    throw InputError(rows.front().reason);
+  fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
+}
+
+void run(const Options& options) {
+  const Study study = study_of(options);
+  const std::string stem = std::filesystem::path(options.model.model).stem().string();
+  const std::filesystem::path folder = options.folder.empty() ? stem + "-compare" : options.folder;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.string() + ": cannot be made a folder (" + error.message() + ")");
+  const std::string title = title_of(options);
+  Table table(folder / "compare.csv", title);
+  const Rows rows = complete(options, study, table);
+  nlohmann::ordered_json json{{"study", title}, {"points", nlohmann::ordered_json::array()}};
+  for (const study::ComparisonRow& row : rows) json["points"].push_back(study::to_json(row));
+  write_file(folder / "compare.json", json.dump(2) + "\n");
+  print_rows(rows);
+  if (!options.no_plots) study::draw_comparison(rows, study.base, stem, folder);
+  refuse_differences(rows);
+  fmt::print("{}: compare.csv, compare.json{}\n", folder.string(),
+             options.no_plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("compare", "Draw a model on several machines: clocks, time, memory, utilisation, growth");
+  command.footer(
+      "Example:\n  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5\n"
+      "  csgsim compare carburettor.csg --machines pixel-planes-4,mine.toml --sides 64,128 --fragments 8,16 -o out\n"
+      "What has been measured is in compare.csv at once; the same command goes on after an interruption.");
+  options->model.add_to(command);
+  command.remove_option(command.get_option("--machine"));
+  command.remove_option(command.get_option("--tolerance"));
+  command.add_option("--machines", options->machines, "List of machines, by name or .toml file")->capture_default_str();
+  command
+      .add_option("--fragments", options->fragments,
+                  "Numbers: $fn of all curved solids, to vary half-spaces; empty for the model's own only")
+      ->capture_default_str();
+  command.add_option("--sides", options->sides, "Numbers: sides of square pictures in pixels; empty for one size only")
+      ->capture_default_str();
+  command.add_option("-o,--output", options->folder,
+                     "Folder for compare.csv, compare.json and the plots; MODEL-compare if not given");
+  command.add_flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  command.add_option("--progress", options->progress, "auto (when standard error is a terminal) or none")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->capture_default_str();
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace csgsim::app

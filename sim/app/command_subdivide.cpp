@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "hw/isa/error.h"
+#include "hw/isa/output_file.h"
+#include "sim/app/commands.h"
+#include "sim/app/memory.h"
+#include "sim/app/model_options.h"
+#include "sim/app/numbers.h"
+#include "sim/study/ranges.h"
+#include "sim/study/subdivision.h"
+
+namespace csgsim::app {
+
+namespace {
+
+/// Subsegments of a segment along a side: those of thesis 7.4.
+constexpr std::uint32_t subsegments_a_side = 4;
+
+struct Options {
+  ModelOptions model;
+  std::string levels = "4,6,8";
+  std::string tolerances;
+  std::string json;
+};
+
+/// One column of the tables.
+struct Column {
+  unsigned levels = 0;  ///< of binary subdivision, into segments
+  std::optional<double> tolerance;
+  std::uint64_t primitives = 0;
+  std::uint64_t halfspaces = 0;
+  study::Squares segments;
+  study::Squares subsegments;
+};
+
+/// Rounded up, so that the squares cover the picture.
+std::uint32_t part_of(std::uint32_t side, std::uint32_t parts) { return std::max((side + parts - 1) / parts, 1U); }
+
+Column measure(const Options& options, unsigned levels, const std::optional<double>& tolerance) {
+  const machines::Machine machine = machine_of(options.model);
+  if (machine.kind != machines::Kind::pixel_square)
+    throw InputError(machine.name + " does not draw square by square; take a machine of kind pixel-square");
+  const model::Tree tree = read_model(options.model);
+  const facet::Scene scene = facet::make_scene(
+      tree, tolerance ? facet::Faceting{tolerance, std::nullopt} : faceting_of(options.model, machine, tree));
+  const view::View view =
+      view::make_view(scene, tree, camera_of(options.model, machine, scene), sampling_of(options.model, machine));
+  const study::Subdivided subdivided{tree, scene, view, machine, emit_options_of(options.model)};
+  const machines::Size picture = machines::picture_size(machine);
+  const auto squares = [&](std::uint32_t columns, std::uint32_t rows) {
+    return study::measure_squares(subdivided, {part_of(picture.width, columns), part_of(picture.height, rows)});
+  };
+  Column column{levels, tolerance, tree.primitives.size(), 0, {}, {}};
+  for (const facet::Convex& solid : scene.solids) column.halfspaces += solid.halfspaces.size();
+  const std::uint32_t columns = 1U << (levels + 1) / 2;
+  const std::uint32_t rows = 1U << levels / 2;
+  column.segments = squares(columns, rows);
+  column.subsegments = squares(columns * subsegments_a_side, rows * subsegments_a_side);
+  return column;
+}
+
+template <class Text>
+void print_line(const char* what, const std::vector<Column>& columns, Text text) {
+  fmt::print("  {:<66}", what);
+  for (const Column& column : columns) fmt::print("{:>12}", text(column));
+  fmt::print("\n");
+}
+
+std::string mean_text(double mean) { return fmt::format("{:.1f}", mean); }
+
+void print_table(const std::vector<Column>& columns) {
+  if (columns.front().tolerance) {
+    print_line("tolerance, model units", columns, [](const Column& c) { return fmt::format("{:g}", *c.tolerance); });
+  }
+  print_line("levels of subdivision", columns, [](const Column& c) { return c.levels; });
+  print_line("segments", columns, [](const Column& c) { return c.segments.count; });
+  print_line("  of them touched by a primitive", columns, [](const Column& c) { return c.segments.touched; });
+  print_line("subsegments", columns, [](const Column& c) { return c.subsegments.count; });
+  print_line("  of them touched by a primitive", columns, [](const Column& c) { return c.subsegments.touched; });
+  print_line("primitives in the model", columns, [](const Column& c) { return c.primitives; });
+  print_line("  mean in a segment", columns, [](const Column& c) { return mean_text(c.segments.primitives); });
+  print_line("  mean drawn in a segment", columns,
+             [](const Column& c) { return mean_text(c.segments.kept_primitives); });
+  print_line("  mean comparisons in a segment", columns,
+             [](const Column& c) { return mean_text(c.segments.comparisons); });
+  print_line("half-spaces in the model", columns, [](const Column& c) { return c.halfspaces; });
+  print_line("  mean of the primitives in a segment", columns,
+             [](const Column& c) { return mean_text(c.segments.halfspaces); });
+  print_line("  mean in a segment after the first pruning", columns,
+             [](const Column& c) { return mean_text(c.segments.kept_halfspaces); });
+  print_line("  mean in a subsegment after the second pruning", columns,
+             [](const Column& c) { return mean_text(c.subsegments.kept_halfspaces); });
+  print_line("clocks of a frame, squares as large as segments", columns,
+             [](const Column& c) { return grouped(c.segments.clocks); });
+  print_line("clocks of a frame, squares as large as subsegments", columns,
+             [](const Column& c) { return grouped(c.subsegments.clocks); });
+}
+
+nlohmann::ordered_json to_json(const study::Squares& squares) {
+  return {{"count", squares.count},
+          {"touched", squares.touched},
+          {"primitives_mean", squares.primitives},
+          {"halfspaces_mean", squares.halfspaces},
+          {"kept_primitives_mean", squares.kept_primitives},
+          {"kept_halfspaces_mean", squares.kept_halfspaces},
+          {"comparisons_mean", squares.comparisons},
+          {"clocks", squares.clocks},
+          {"instruction_clocks", squares.instruction_clocks}};
+}
+
+nlohmann::ordered_json to_json(const std::vector<Column>& columns) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Column& column : columns) {
+    nlohmann::ordered_json one{{"levels", column.levels}};
+    if (column.tolerance) one["tolerance"] = *column.tolerance;
+    one["primitives"] = column.primitives;
+    one["halfspaces"] = column.halfspaces;
+    one["segments"] = to_json(column.segments);
+    one["subsegments"] = to_json(column.subsegments);
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+std::vector<double> tolerances_of(const std::string& text) {
+  std::vector<double> tolerances;
+  for (const std::string& word : study::parse_words(text)) {
+    tolerances.push_back(numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
+    if (!(tolerances.back() > 0)) throw CLI::ValidationError("--tolerances", "a tolerance has to be above 0");
+  }
+  return tolerances;
+}
+
+void run(const Options& options) {
+  constexpr unsigned most_levels = 20;
+  const std::vector<unsigned> levels = study::parse_numbers(options.levels, 0, most_levels);
+  std::vector<Column> columns;
+  const auto add = [&](unsigned level, const std::optional<double>& tolerance) {
+    columns.push_back(measure(options, level, tolerance));
+  };
+  fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
+             options.model.model);
+  const std::vector<double> tolerances =
+      options.tolerances.empty() ? std::vector<double>{} : tolerances_of(options.tolerances);
+  for (const unsigned level : levels) {
+    if (tolerances.empty()) add(level, std::nullopt);
+    for (const double tolerance : tolerances) add(level, tolerance);
+  }
+  print_table(columns);
+  if (!options.json.empty()) write_file(options.json, to_json(columns).dump(2) + "\n");
+}
+
+}  // namespace
+
+void add_subdivide(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  options->model.machine = "pixel-square";
+  CLI::App& command = *app.add_subcommand("subdivide", "Show what subdividing the picture leaves to do in each square");
+  command.footer(
+      "Example:\n  csgsim subdivide carburettor.csg --size 256x256 --camera 220,-255,135,2,0,5\n"
+      "  csgsim subdivide carburettor.csg --size 256x256 --levels 6 --tolerances 0.2,0.05,0.01\n"
+      "Levels are binary subdivisions of the picture into segments; each has 4 x 4 subsegments.");
+  options->model.add_to(command);
+  command.add_option("--levels", options->levels, "Numbers: levels of binary subdivision")->capture_default_str();
+  command.add_option("--tolerances", options->tolerances,
+                     "List of tolerances, model units, that curved solids are faceted with");
+  command.add_option("-o,--output", options->json, "The same figures, .json");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace csgsim::app

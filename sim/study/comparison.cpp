@@ -1,0 +1,92 @@
+#include "sim/study/comparison.h"
+
+#include <algorithm>
+#include <array>
+
+#include "host/emit/compile.h"
+#include "hw/isa/error.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/stats.h"
+#include "sim/study/frame_hash.h"
+
+namespace csgsim::study {
+
+namespace {
+
+facet::Faceting faceting_of(const ComparisonPoint& point) {
+  if (point.fragments == 0) return {};
+  return {std::nullopt, point.fragments};
+}
+
+std::uint64_t memory_bits(const machines::Machine& machine, const isa::Program& program) {
+  const std::uint64_t pixels = std::uint64_t{program.shape.width} * program.shape.height;
+  const bool beside = machine.kind == machines::Kind::pixel_square;
+  return processors(machine) * machine.array.memory_bits +
+         (beside ? pixels * isa::field_of(program, isa::FieldRole::colour).width : 0);
+}
+
+void count(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
+  row.primitives = program.model.primitives;
+  row.halfspaces = program.model.halfspaces;
+  row.segments = program.segments.size();
+  for (const isa::Segment& segment : program.segments) {
+    row.instructions += segment.instructions.size();
+    if (!segment.instructions.empty()) ++row.drawn_segments;
+  }
+  row.processors = processors(machine);
+  row.memory_bits = memory_bits(machine, program);
+}
+
+void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
+  sim::FrameObserver frame(program);
+  sim::StatsObserver stats(program);
+  const std::array<sim::Observer*, 2> observers{&frame, &stats};
+  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
+  row.clocks = result.clocks;
+  row.seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
+  row.frames_per_second = 1.0 / row.seconds;
+  row.pixel_operations = stats.stats().total.pixel_operations;
+  row.enabled = stats.stats().total.enabled;
+  row.processor_clocks = row.processors * row.clocks;
+  row.utilisation = static_cast<double>(row.enabled) / static_cast<double>(row.processor_clocks);
+  row.picture = hash_of(frame.frame());
+}
+
+}  // namespace
+
+std::uint64_t processors(const machines::Machine& machine) {
+  const std::uint64_t of_one = std::uint64_t{machine.array.width} * machine.array.height;
+  switch (machine.kind) {
+    case machines::Kind::frame_buffer: return of_one;
+    case machines::Kind::scan_line: return of_one * machine.scan_line.chains;
+    case machines::Kind::pixel_square: return of_one * machine.pixel_square.renderers;
+  }
+  return of_one;
+}
+
+ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
+  ComparisonRow row;
+  const auto begin = [&] {
+    row = {};
+    row.point = job.wanted.point;
+    row.model_hash = job.wanted.model_hash;
+  };
+  begin();
+  try {
+    machines::Machine machine = job.machine;
+    machines::set_picture_size(machine, {row.point.width, row.point.height});
+    const facet::Scene scene = facet::make_scene(tree, faceting_of(row.point));
+    const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
+    const isa::Program program = emit::compile(tree, scene, view, machine, job.options);
+    count(program, machine, row);
+    draw(program, machine, row);
+  } catch (const InputError& error) {
+    begin();
+    row.reason = error.what();
+  }
+  return row;
+}
+
+}  // namespace csgsim::study

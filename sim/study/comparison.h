@@ -1,0 +1,115 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "host/emit/options.h"
+#include "host/model/tree.h"
+#include "host/view/camera.h"
+#include "host/view/projection.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::study {
+
+/// One picture of the model on one machine.
+struct ComparisonPoint {
+  std::string machine;
+  std::uint32_t width = 0;   ///< pixels
+  std::uint32_t height = 0;  ///< pixels
+  double fragments = 0;      ///< of a circle; 0 for facets as the model asks for them
+
+  bool operator==(const ComparisonPoint&) const = default;
+};
+
+/// What a point takes. Where `reason` says why the machine cannot draw it, the counts are 0.
+struct ComparisonRow {
+  ComparisonPoint point;
+  std::string model_hash;  ///< of the model's file
+  std::uint64_t primitives = 0;
+  std::uint64_t halfspaces = 0;
+  std::uint64_t segments = 0;        ///< parts of the picture
+  std::uint64_t drawn_segments = 0;  ///< of these, those that something touches
+  std::uint64_t instructions = 0;    ///< in all segments
+  std::uint64_t clocks = 0;          ///< of a frame
+  double seconds = 0;                ///< of a frame, at the machine's clock rate
+  double frames_per_second = 0;
+  std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
+  std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
+  std::uint64_t processors = 0;
+  std::uint64_t processor_clocks = 0;  ///< processors times clocks: what was paid for
+  std::uint64_t memory_bits = 0;       ///< of all processors, and of a frame buffer beside them
+  double utilisation = 0;              ///< enabled pixel operations in processor clocks
+  std::string picture;                 ///< hash of depth, owner and colour of every pixel
+  std::string reason;
+
+  [[nodiscard]] bool drawn() const { return reason.empty(); }
+};
+
+template <class Point, class Visitor>
+requires std::same_as<std::remove_const_t<Point>, ComparisonPoint>
+void visit_columns(Point& point, Visitor&& visit) {
+  visit("machine", point.machine);
+  visit("width", point.width);
+  visit("height", point.height);
+  visit("fragments", point.fragments);
+}
+
+template <class Row, class Visitor>
+requires std::same_as<std::remove_const_t<Row>, ComparisonRow>
+void visit_columns(Row& row, Visitor&& visit) {
+  visit_columns(row.point, visit);
+  visit("model_hash", row.model_hash);
+  visit("primitives", row.primitives);
+  visit("halfspaces", row.halfspaces);
+  visit("segments", row.segments);
+  visit("drawn_segments", row.drawn_segments);
+  visit("instructions", row.instructions);
+  visit("clocks", row.clocks);
+  visit("seconds", row.seconds);
+  visit("frames_per_second", row.frames_per_second);
+  visit("pixel_operations", row.pixel_operations);
+  visit("enabled", row.enabled);
+  visit("processors", row.processors);
+  visit("processor_clocks", row.processor_clocks);
+  visit("memory_bits", row.memory_bits);
+  visit("utilisation", row.utilisation);
+  visit("picture", row.picture);
+  visit("reason", row.reason);
+}
+
+/// A point of a model's file, as it is now.
+struct WantedComparison {
+  ComparisonPoint point;
+  std::string model_hash;
+};
+
+inline bool measures(const ComparisonRow& row, const WantedComparison& wanted) {
+  return row.point == wanted.point && row.model_hash == wanted.model_hash;
+}
+
+/// All that a point is made from, but for what the point says.
+struct ComparisonJob {
+  WantedComparison wanted;
+  machines::Machine machine;
+  view::Camera camera;
+  view::Sampling sampling;
+  emit::Options options;
+};
+
+/// Pixel processors of the whole machine: cells of all chains, pixels of all renderers.
+std::uint64_t processors(const machines::Machine& machine);
+
+/// Compiles the point and draws it at the functional level.
+ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
+
+/// Time of a frame against half-spaces and against pixels, a line a machine; returns the files. The rows are of one
+/// model, `base` is the picture size at which half-spaces vary.
+std::vector<std::filesystem::path> draw_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
+                                                   const std::string& model, const std::filesystem::path& folder);
+
+}  // namespace csgsim::study

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host/emit/options.h"
+#include "host/facet/scene.h"
+#include "host/model/tree.h"
+#include "host/view/projection.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::study {
+
+/// A picture cut into squares: what is left to do in each (thesis 7.3.3, 7.4.3). Means are over the squares that
+/// something touches.
+struct Squares {
+  std::uint64_t count = 0;
+  std::uint64_t touched = 0;             ///< by the rectangle of pixels of a primitive
+  double primitives = 0;                 ///< mean of those that touch a square
+  double halfspaces = 0;                 ///< mean of theirs
+  double kept_primitives = 0;            ///< mean of those that pruning leaves to be drawn
+  double kept_halfspaces = 0;            ///< mean of those that pruning leaves to their surfaces
+  double comparisons = 0;                ///< mean, of primitives with Z1
+  std::uint64_t clocks = 0;              ///< of the frame, on the machine with renderers as large as the squares
+  std::uint64_t instruction_clocks = 0;  ///< of the renderers, in all
+};
+
+/// What is looked at, and how.
+struct Subdivided {
+  const model::Tree& tree;
+  const facet::Scene& scene;
+  const view::View& view;
+  machines::Machine machine;  ///< of kind pixel-square; its squares are replaced
+  emit::Options options;
+};
+
+/// Squares of that many pixels a side. Throws InputError where the model does not fit the machine.
+Squares measure_squares(const Subdivided& subdivided, const machines::Size& square);
+
+}  // namespace csgsim::study
