@@ -26,6 +26,7 @@ struct Machine {
   isa::ArrayShape array;           ///< pixel processors and memory bits of each
   std::uint64_t clock_hz = 0;      ///< instruction bit steps a second
   std::uint32_t memory_reads = 1;  ///< reads of pixel memory a clock: 1 or 2
+  std::uint32_t alu_bits = 1;      ///< adjacent bits of a field that the ALU works on, and a port delivers, in a clock
   std::vector<Figure> figures;     ///< every figure of the file, in its order
 };
 

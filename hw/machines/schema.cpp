@@ -20,6 +20,8 @@ constexpr auto table = std::to_array<FigureSchema>({
      [](Machine& machine, std::int64_t value) { machine.clock_hz = static_cast<std::uint64_t>(value); }},
     {"memory.reads", "a clock", 1, 2, "reads of a pixel's memory",
      [](Machine& machine, std::int64_t value) { machine.memory_reads = static_cast<std::uint32_t>(value); }},
+    {"alu.bits", "bits", 1, isa::max_field_width, "bits of a field that the ALU works on in a clock",
+     [](Machine& machine, std::int64_t value) { machine.alu_bits = static_cast<std::uint32_t>(value); }},
     {"memory.writes", "a clock", 1, 1, "writes of a pixel's memory", store_nothing},
     {"evaluator.level_latency", "clocks", 1, 1, "from one level of a multiplier tree to the next", store_nothing},
 });
