@@ -22,6 +22,17 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
   }
 }
 
+void emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of,
+                       isa::Field bit) {
+  emit_stack(out, isa::Opcode::enable_load, bit);
+  emit_comparison(context, out, leaf.primitive, of);
+  if (leaf.complemented) {
+    emit_stack(out, isa::Opcode::set_constant, bit, 0);
+  } else {
+    emit_stack(out, isa::Opcode::enable_store, bit);
+  }
+}
+
 void emit_stack(Broadcast& out, isa::Opcode opcode, isa::Field field, std::uint64_t constant) {
   out.origin = {isa::Purpose::stack, out.origin.primitive, isa::no_node};
   out.plain(opcode, field, {}, constant);

@@ -8,6 +8,10 @@ namespace csgsim::emit {
 /// whose surface is in Z1. The origin of what comes after is left to whoever emits it.
 void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const Planned& of);
 
+/// bit := bit and the leaf.
+void emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of,
+                       isa::Field bit);
+
 /// Appends an instruction that belongs to working out the classification of a primitive's surface.
 void emit_stack(Broadcast& out, isa::Opcode opcode, isa::Field field, std::uint64_t constant = 0);
 

@@ -57,6 +57,7 @@ struct Input {
   const view::View& view;
   const Plan& plan;
   std::uint32_t memory_bits;
+  std::uint32_t alu_bits;
 };
 
 /// With a strategy and a colouring chosen.
@@ -75,7 +76,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   isa::Segment segment{
       {0, 0, sampling.width, sampling.height}, {}, input.plan.active_primitives, input.plan.active_halfspaces};
   Broadcast out(segment, sampling);
-  const Context context{input.tree, input.scene, input.view, input.plan, layout, options};
+  const Context context{input.tree, input.scene, input.view, input.plan, layout, options, input.alu_bits};
   emit_setup(context, out);
   ScanConversions counts;
   std::uint32_t depth = 0;
@@ -113,6 +114,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
     for (const Planned& one : plan.primitives) depth = std::max(depth, one.active.depth());
     add(Strategy::stack, options.stack_bits);
     add(Strategy::list, options.stack_bits);
+    add(Strategy::parallel, options.stack_bits);
     // Levels beyond the tree's change nothing, and many levels change little.
     const unsigned most = fewest_stack_bits + std::min(depth, most_levels_tried);
     for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add(Strategy::bits, bits);
@@ -135,7 +137,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   const view::PixelRect screen{0, 0, static_cast<std::int32_t>(view.sampling.width) - 1,
                                static_cast<std::int32_t>(view.sampling.height) - 1};
   const Plan plan = make_plan(tree, scene, view, screen, options.pruning);
-  const Input input{tree, scene, view, plan, machine.array.memory_bits};
+  const Input input{tree, scene, view, plan, machine.array.memory_bits, machine.alu_bits};
   const std::vector<Options> all = candidates(options, plan);
   if (all.size() == 1) return compile_as(input, all.front());
   std::optional<isa::Program> best;
