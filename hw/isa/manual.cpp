@@ -62,11 +62,11 @@ nothing in the segment needs more.
 constexpr std::string_view clocks_text = R"(## How clocks are counted
 
 Each instruction expands to bit steps, and each bit step takes one clock. A machine's ALU works on one bit of a field
-in a clock, or on several adjacent ones (`alu.bits`); linear expressions come one bit a clock in any case. Instructions follow back to back: while the
-last bits of one expression run down the multiplier trees the first bits of the next enter at the root. So the clocks of
-a Program are the sum of the table below over its instructions, plus the latency of the trees once, at the end. The
-latency is one clock a level: ceil(log2 width) + ceil(log2 height) of the machine's array. `global_or` pays it too, as
-the controller waits for the answer.
+in a clock, or on several adjacent ones (`alu.bits`); linear expressions come one bit a clock in any case. Instructions
+follow back to back: while the last bits of one expression run down the multiplier trees the first bits of the next
+enter at the root. So the clocks of a Program are the sum of the table below over its instructions, plus the latency of
+the trees once, at the end. The latency is one clock a level: ceil(log2 width) + ceil(log2 height) of the machine's
+array. `global_or` pays it too, as the controller waits for the answer.
 
 | clocks | instructions |
 |---|---|
@@ -79,7 +79,7 @@ std::string_view clocks_of(ClockClass clock_class) {
     case ClockClass::linear_twice: return "twice the width of the linear expression: to compare, then to write";
     case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
     case ClockClass::two_fields:
-      return "twice that for the width of the fields; once on machines that read twice a clock";
+      return "twice as many for the width of the fields; once on machines that read twice a clock";
     case ClockClass::answer: return "1 + latency of the trees";
   }
   return {};

@@ -168,7 +168,7 @@ TEST_CASE("what is wrong with the bytes is said") {
   CHECK(contains(said(), "1 bytes left over"));
 
   bytes = encode(sample_program());
-  bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | 0x1d};  // the last instruction's opcode
+  bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | 0x1e};  // the last instruction's opcode
   seal(bytes);
   CHECK(contains(said(), "undefined opcode 30"));
 }
