@@ -32,6 +32,10 @@ void Broadcast::plain(isa::Opcode opcode, isa::Field first, isa::Field second, s
   segment_.instructions.push_back({opcode, {first, second, {}}, {}, constant, origin});
 }
 
+void Broadcast::bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right) {
+  segment_.instructions.push_back({opcode, {target, left, right}, {}, 0, origin});
+}
+
 void Broadcast::nowhere() {
   segment_.instructions.push_back({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin});
 }

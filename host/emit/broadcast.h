@@ -19,6 +19,9 @@ class Broadcast {
   /// An instruction without a linear expression.
   void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
 
+  /// An instruction on three fields, element by element.
+  void bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right);
+
   /// E := 0.
   void nowhere();
 

@@ -28,6 +28,18 @@ std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg:
   return leaf.primitives();
 }
 
+std::uint32_t emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of,
+                                isa::Field bit) {
+  emit_stack(out, isa::Opcode::enable_load, bit);
+  const std::uint32_t compared = emit_comparison(context, out, leaf, of);
+  if (leaf.complemented) {
+    emit_stack(out, isa::Opcode::set_constant, bit, 0);
+  } else {
+    emit_stack(out, isa::Opcode::enable_store, bit);
+  }
+  return compared;
+}
+
 void emit_stack(Broadcast& out, isa::Opcode opcode, isa::Field field, std::uint64_t constant) {
   out.origin = {isa::Purpose::stack, out.origin.primitive, isa::no_node};
   out.plain(opcode, field, {}, constant);

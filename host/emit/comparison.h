@@ -11,6 +11,10 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
 /// The same for the intersection of all primitives of a leaf, complemented or not. Returns how many these are.
 std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of);
 
+/// bit := bit and the leaf. Returns how many primitives were compared.
+std::uint32_t emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of,
+                                isa::Field bit);
+
 /// Appends an instruction that belongs to working out the classification of a primitive's surface.
 void emit_stack(Broadcast& out, isa::Opcode opcode, isa::Field field, std::uint64_t constant = 0);
 

@@ -62,6 +62,7 @@ struct Input {
   const view::View& view;
   const Plan& plan;
   std::uint32_t memory_bits;
+  std::uint32_t alu_bits;
 };
 
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
@@ -100,8 +101,8 @@ isa::Program compile_as(const Input& input, const Options& options) {
 
   ScanConversions counts;
   for (const SegmentPlan& plan : input.plan.segments) {
-    program.segments.push_back(
-        compile_segment({input.tree, input.scene, input.view, input.plan.positive, plan, layout, options}, counts));
+    program.segments.push_back(compile_segment(
+        {input.tree, input.scene, input.view, input.plan.positive, plan, layout, options, input.alu_bits}, counts));
   }
   program.compile = {std::string(name_of(options.strategy)),
                      std::string(name_of(options.colouring)),
@@ -131,6 +132,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   } else {
     add(Strategy::stack, options.stack_bits);
     add(Strategy::list, options.stack_bits);
+    add(Strategy::parallel, options.stack_bits);
     // Levels beyond the tree's change nothing, and many levels change little.
     const unsigned most = fewest_stack_bits + std::min(plan.depth(), most_levels_tried);
     for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add(Strategy::bits, bits);
@@ -154,7 +156,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   // Chapter 6 multiplies the tree of primitives out as it is.
   if (options.strategy == Strategy::products) pruning.sets = false;
   const Plan plan = make_plan(tree, scene, view, machines::regions(machine), pruning);
-  const Input input{tree, scene, view, plan, machine.array.memory_bits};
+  const Input input{tree, scene, view, plan, machine.array.memory_bits, machine.alu_bits};
   const std::vector<Options> all = candidates(options, plan);
   if (all.size() == 1) return compile_as(input, all.front());
   std::optional<isa::Program> best;

@@ -16,6 +16,7 @@ struct Context {
   const SegmentPlan& plan;
   const Layout& layout;
   const Options& options;
+  unsigned alu_bits;  ///< of the machine
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {

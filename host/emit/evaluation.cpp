@@ -8,6 +8,7 @@
 #include "host/csg/products.h"
 #include "host/emit/labels.h"
 #include "host/emit/levels.h"
+#include "host/emit/parallel.h"
 #include "host/emit/surface.h"
 #include "hw/isa/error.h"
 
@@ -24,10 +25,11 @@ bool renders_each_product(const Options& options) {
          (options.strategy == Strategy::bits && options.stack_bits == fewest_stack_bits);
 }
 
+bool multiplies_out(Strategy strategy) { return strategy == Strategy::bits || strategy == Strategy::products; }
+
 /// Products that a strategy would go through for one primitive.
 std::uint64_t products_of(const Planned& planned, const Options& options) {
-  if (planned.active.operands.empty() || options.strategy == Strategy::stack || options.strategy == Strategy::list)
-    return 1;
+  if (planned.active.operands.empty() || !multiplies_out(options.strategy)) return 1;
   if (options.strategy == Strategy::bits && options.stack_bits > fewest_stack_bits) {
     return products_below_levels(planned.active, stack_levels(options));
   }
@@ -115,6 +117,7 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
           if (!renders_each_product(options)) bits = bits_for_levels(one.active, stack_levels(options));
           break;
         case Strategy::products: break;
+        case Strategy::parallel: bits.stack = string_bits(one.active); break;
         case Strategy::automatic: throw std::logic_error("no strategy was chosen");
       }
       most = {std::max(most.stack, bits.stack), std::max(most.product, bits.product), std::max(most.label, bits.label)};
@@ -135,6 +138,8 @@ void emit_primitive(const Context& context, Broadcast& out, const Planned& plann
   counts.rendered += planned.set.size();
   if (options.strategy == Strategy::list) {
     counts.classified += emit_list(context, out, planned);
+  } else if (options.strategy == Strategy::parallel) {
+    counts.classified += emit_parallel(context, out, planned);
   } else if (!planned.active.operands.empty()) {
     counts.classified +=
         emit_by_levels(context, out, planned, options.strategy == Strategy::bits ? stack_levels(options) : all_levels);

@@ -69,17 +69,14 @@ class Classifier {
   /// bit := bit op the leaf.
   void combine_leaf(std::uint32_t leaf, PositiveOperator op, isa::Field bit) {
     const csg::ActiveNode& node = nodes_[leaf];
-    const bool intersect = op == PositiveOperator::intersect;
-    stack(Opcode::enable_load, intersect ? bit : context_.layout.mask);
-    compare(node);
-    if (intersect && !node.complemented) {
-      stack(Opcode::enable_store, bit);
-    } else if (intersect) {
-      set_bit(bit, false);
-    } else {
-      if (node.complemented) stack(Opcode::enable_xor, context_.layout.mask);
-      set_bit(bit, true);
+    if (op == PositiveOperator::intersect) {
+      classified_ += emit_intersection(context_, out_, node, planned_, bit);
+      return;
     }
+    stack(Opcode::enable_load, context_.layout.mask);
+    compare(node);
+    if (node.complemented) stack(Opcode::enable_xor, context_.layout.mask);
+    set_bit(bit, true);
   }
 
   /// bit := bit op the result above it on the stack.

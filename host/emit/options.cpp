@@ -8,6 +8,7 @@ std::string_view name_of(Strategy strategy) {
     case Strategy::list: return "list";
     case Strategy::bits: return "bits";
     case Strategy::products: return "products";
+    case Strategy::parallel: return "parallel";
     case Strategy::automatic: return "auto";
   }
   return {};

@@ -16,11 +16,12 @@ enum class Strategy : std::uint8_t {
   list,       ///< ordered Boolean list: the label of the leaf that a pixel waits for
   bits,       ///< thesis 6.4: the first levels by a stack, subtrees below by repeated traversal
   products,   ///< thesis 6.3: sum of products, a primitive rendered once for each
+  parallel,   ///< thesis 4.4.2: one bit a leaf, all nodes of a level at once
   automatic,  ///< whichever takes the fewest clocks and fits
 };
 
-inline constexpr std::array strategies{Strategy::stack, Strategy::list, Strategy::bits, Strategy::products,
-                                       Strategy::automatic};
+inline constexpr std::array strategies{Strategy::stack,    Strategy::list,     Strategy::bits,
+                                       Strategy::products, Strategy::parallel, Strategy::automatic};
 
 /// The strategy's name on the command line and in the stats.
 std::string_view name_of(Strategy strategy);

@@ -5,9 +5,10 @@
 
 namespace csgsim::array {
 
-/// What the one-bit ALU of every pixel does in one clock. In the meanings E is the enable bit, K the carry bit, L the
-/// operand latch, P whether the pixel is part of the region, M[w] the memory bit written; x and y are the operands and
-/// maj(a, b, c) the carry of a full adder. Columns: function, reads x, reads y, writes memory, meaning.
+/// What the ALU of every pixel does in one clock, with one bit of its operands or with several, bit after bit from the
+/// least significant: see function_of_bit. In the meanings E is the enable bit, K the carry bit, L the operand latch, P
+/// whether the pixel is part of the region, M[w] the memory bit written; x and y are the operands, k is the constant
+/// and maj(a, b, c) the carry of a full adder. Columns: function, reads x, reads y, writes memory, meaning.
 // clang-format off
 #define CSGSIM_ALU_FUNCTIONS(F)                                                                          \
   F(idle,               false, false, false, "nothing")                                                  \
@@ -35,8 +36,8 @@ namespace csgsim::array {
   F(store_x,            true,  false, true,  "M[w] := x where E")                                        \
   F(store_x_selected,   true,  false, true,  "M[w] := x where E and K")                                  \
   F(store_not_x,        true,  false, true,  "M[w] := not x where E")                                    \
-  F(store_0,            false, false, true,  "M[w] := 0 where E")                                        \
-  F(store_1,            false, false, true,  "M[w] := 1 where E")                                        \
+  F(store_constant,     false, false, true,  "M[w] := k where E")                                        \
+  F(store_xor_constant, true,  false, true,  "M[w] := x xor k where E")                                  \
   F(store_and,          true,  true,  true,  "M[w] := x and y where E")                                  \
   F(store_or,           true,  true,  true,  "M[w] := x or y where E")                                   \
   F(store_xor,          true,  true,  true,  "M[w] := x xor y where E")                                  \
@@ -81,9 +82,58 @@ struct ArrayStep {
   std::uint16_t x = 0;                         ///< address of operand x, if it comes from memory
   std::uint16_t y = 0;                         ///< address of operand y
   std::uint16_t write = 0;                     ///< address written
+  std::uint16_t bits = 1;                      ///< adjacent bits worked on; the addresses are those of the first
+  std::uint32_t constant = 0;                  ///< as many bits, the first lowest
 
   constexpr bool operator==(const ArrayStep&) const = default;
 };
+
+/// The function that a step carries out on one of its bits. Of a comparison the first bit sets the carry, which
+/// ripples, and the last decides.
+constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
+  const bool first = bit == 0;
+  const bool last = bit + 1U == step.bits;
+  switch (step.function) {
+    case AluFunction::compare_from_0:
+    case AluFunction::compare_from_1: return first ? step.function : AluFunction::compare;
+    case AluFunction::less_from_0:
+      if (last) return first ? step.function : AluFunction::less;
+      return first ? AluFunction::compare_from_0 : AluFunction::compare;
+    case AluFunction::less_from_1:
+      if (last) return first ? step.function : AluFunction::less;
+      return first ? AluFunction::compare_from_1 : AluFunction::compare;
+    case AluFunction::less: return last ? step.function : AluFunction::compare;
+    case AluFunction::idle:
+    case AluFunction::latch_x:
+    case AluFunction::enable_all:
+    case AluFunction::enable_invert:
+    case AluFunction::enable_load:
+    case AluFunction::enable_and:
+    case AluFunction::enable_and_not:
+    case AluFunction::enable_or:
+    case AluFunction::enable_xor:
+    case AluFunction::enable_equal:
+    case AluFunction::compare:
+    case AluFunction::compare_with_0:
+    case AluFunction::sign_enable:
+    case AluFunction::sign_enable_not:
+    case AluFunction::sign_select:
+    case AluFunction::sign_select_not:
+    case AluFunction::enable_fits:
+    case AluFunction::store_x:
+    case AluFunction::store_x_selected:
+    case AluFunction::store_not_x:
+    case AluFunction::store_constant:
+    case AluFunction::store_xor_constant:
+    case AluFunction::store_and:
+    case AluFunction::store_or:
+    case AluFunction::store_xor:
+    case AluFunction::store_and_not:
+    case AluFunction::store_enable:
+    case AluFunction::answer: break;
+  }
+  return step.function;
+}
 
 /// Read ports of pixel memory that a step occupies.
 constexpr unsigned memory_reads(const ArrayStep& step) {

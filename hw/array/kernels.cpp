@@ -115,8 +115,10 @@ void AluStep(AluFunction function, const AluPlanes& p) {
     case AluFunction::store_x: return store_where(p, enable, x);
     case AluFunction::store_x_selected: return store_where(p, selected, x);
     case AluFunction::store_not_x: return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::Not(x(i)); });
-    case AluFunction::store_0: return store_where(p, enable, always_0);
-    case AluFunction::store_1: return store_where(p, enable, always_1);
+    case AluFunction::store_constant:
+      return p.constant ? store_where(p, enable, always_1) : store_where(p, enable, always_0);
+    case AluFunction::store_xor_constant:
+      return AluStep(p.constant ? AluFunction::store_not_x : AluFunction::store_x, p);
     case AluFunction::store_and:
       return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::And(x(i), load(p.y, i)); });
     case AluFunction::store_or:

@@ -8,7 +8,7 @@
 /// The loops over whole planes, compiled for every vector unit and chosen at run time.
 namespace csgsim::array::kernels {
 
-/// The planes of one bit step. Operands that the function does not use may be null. `words` is a multiple of 8.
+/// The planes of one bit of a step. Operands that the function does not use may be null. `words` is a multiple of 8.
 struct AluPlanes {
   const std::uint64_t* x = nullptr;
   const std::uint64_t* y = nullptr;
@@ -17,10 +17,11 @@ struct AluPlanes {
   std::uint64_t* carry = nullptr;
   std::uint64_t* latch = nullptr;
   std::uint64_t* write = nullptr;
+  bool constant = false;
   std::size_t words = 0;
 };
 
-/// One clock of every pixel's ALU.
+/// One bit of what every pixel's ALU does in a clock.
 void alu_step(AluFunction function, const AluPlanes& planes);
 
 /// One clock of one level of the Y tree. Node p's stream is row p of `in`; its left child (row 2p of `out`) gets it

@@ -6,19 +6,20 @@
 
 namespace csgsim::array {
 
-PixelArray::PixelArray(const isa::ArrayShape& shape)
+PixelArray::PixelArray(const isa::ArrayShape& shape, unsigned alu_bits)
     : shape_{shape.width, shape.height},
       memory_(shape.memory_bits, Words(shape_.padded_words())),
       enable_(shape_.padded_words()),
       carry_(shape_.padded_words()),
-      latch_(shape_.padded_words()),
+      latch_(alu_bits, Words(shape_.padded_words())),
       present_(shape_.padded_words()) {
   reset(shape.width, shape.height);
 }
 
 void PixelArray::reset(std::uint32_t width, std::uint32_t height) {
   for (Words& plane : memory_) std::fill(plane.begin(), plane.end(), 0);
-  for (Words* plane : {&enable_, &carry_, &latch_, &present_}) std::fill(plane->begin(), plane->end(), 0);
+  for (Words& plane : latch_) std::fill(plane.begin(), plane.end(), 0);
+  for (Words* plane : {&enable_, &carry_, &present_}) std::fill(plane->begin(), plane->end(), 0);
   for (std::uint32_t y = 0; y < height; ++y) {
     for (std::uint32_t x = 0; x < width; x += word_bits) present_[shape_.word_of(x, y)] = low_bits(width - x);
   }
@@ -26,24 +27,29 @@ void PixelArray::reset(std::uint32_t width, std::uint32_t height) {
 
 void PixelArray::step(const ArrayStep& step, std::span<const std::uint64_t> tree) {
   if (step.function == AluFunction::idle || step.function == AluFunction::answer) return;
+  for (unsigned bit = 0; bit < step.bits; ++bit) bit_step(step, bit, tree);
+}
+
+void PixelArray::bit_step(const ArrayStep& step, unsigned bit, std::span<const std::uint64_t> tree) {
   const AluInfo& row = info(step.function);
   const auto operand_x = [&]() -> const std::uint64_t* {
     if (!row.reads_x) return nullptr;
     switch (step.source) {
       case OperandSource::tree: return tree.data();
-      case OperandSource::latch: return latch_.data();
-      case OperandSource::memory: return memory_[step.x].data();
+      case OperandSource::latch: return latch_[bit].data();
+      case OperandSource::memory: return memory_[step.x + bit].data();
     }
     return nullptr;
   };
-  kernels::alu_step(step.function, {.x = operand_x(),
-                                    .y = row.reads_y ? memory_[step.y].data() : nullptr,
-                                    .present = present_.data(),
-                                    .enable = enable_.data(),
-                                    .carry = carry_.data(),
-                                    .latch = latch_.data(),
-                                    .write = row.writes ? memory_[step.write].data() : nullptr,
-                                    .words = shape_.padded_words()});
+  kernels::alu_step(function_of_bit(step, bit), {.x = operand_x(),
+                                                 .y = row.reads_y ? memory_[step.y + bit].data() : nullptr,
+                                                 .present = present_.data(),
+                                                 .enable = enable_.data(),
+                                                 .carry = carry_.data(),
+                                                 .latch = latch_[bit].data(),
+                                                 .write = row.writes ? memory_[step.write + bit].data() : nullptr,
+                                                 .constant = (step.constant >> bit & 1U) != 0,
+                                                 .words = shape_.padded_words()});
 }
 
 bool PixelArray::any_enabled() const { return kernels::any_ones(enable_.data(), enable_.size()); }
@@ -65,10 +71,14 @@ void PixelArray::read_field(isa::Field field, std::uint32_t width, std::uint32_t
 }
 
 PixelProbe PixelArray::probe(std::uint32_t x, std::uint32_t y, std::span<const std::uint64_t> tree) const {
+  std::uint32_t latch = 0;
+  for (unsigned bit = 0; bit < latch_.size(); ++bit) {
+    latch |= static_cast<std::uint32_t>(bit_of(latch_[bit], shape_, x, y)) << bit;
+  }
   return {.tree = bit_of(tree, shape_, x, y),
           .carry = bit_of(carry_, shape_, x, y),
           .enable = bit_of(enable_, shape_, x, y),
-          .latch = bit_of(latch_, shape_, x, y)};
+          .latch = latch};
 }
 
 }  // namespace csgsim::array

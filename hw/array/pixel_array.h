@@ -16,13 +16,14 @@ struct PixelProbe {
   bool tree = false;
   bool carry = false;
   bool enable = false;
-  bool latch = false;
+  std::uint32_t latch = 0;  ///< a bit a bit of the ALU
 };
 
 /// The pixel processors and memories of the whole array: each register and each memory bit is a plane.
 class PixelArray {
  public:
-  explicit PixelArray(const isa::ArrayShape& shape);
+  /// `alu_bits`: most bits that a step may work on.
+  PixelArray(const isa::ArrayShape& shape, unsigned alu_bits);
 
   [[nodiscard]] const PlaneShape& shape() const { return shape_; }
   [[nodiscard]] std::uint32_t memory_bits() const { return static_cast<std::uint32_t>(memory_.size()); }
@@ -55,11 +56,13 @@ class PixelArray {
   }
 
  private:
+  void bit_step(const ArrayStep& step, unsigned bit, std::span<const std::uint64_t> tree);
+
   PlaneShape shape_;
   std::vector<Words> memory_;
   Words enable_;
   Words carry_;
-  Words latch_;
+  std::vector<Words> latch_;
   Words present_;
 };
 

@@ -1,5 +1,9 @@
 #include "hw/array/sequencer.h"
 
+#include <algorithm>
+
+#include "hw/array/plane.h"
+
 namespace csgsim::array {
 
 namespace {
@@ -39,19 +43,19 @@ BitStep Sequencer::issue() {
     case Opcode::load_linear: return stream_bit(load_step(store_x, enable_and_not), 1);
     case Opcode::keep_max: return stream_bit(keep_step(compare_from_0, sign_select), 2);
     case Opcode::keep_min: return stream_bit(keep_step(compare_from_1, sign_select_not), 2);
-    case Opcode::set_constant:
-      return field_bit(store_step(((i.constant >> bit_) & 1U) != 0 ? store_1 : store_0), i.fields[0].width);
-    case Opcode::copy: return field_bit(store_step(store_x), i.fields[0].width);
-    case Opcode::field_lt: return two_operand_bit(less_step(compare_from_1, less_from_1));
-    case Opcode::field_le: return two_operand_bit(less_step(compare_from_0, less_from_0));
+    case Opcode::set_constant: return field_bits(store_step(store_constant));
+    case Opcode::copy: return field_bits(store_step(store_x));
+    case Opcode::field_lt: return two_operand_bits(less_step(compare_from_1, less_from_1));
+    case Opcode::field_le: return two_operand_bits(less_step(compare_from_0, less_from_0));
     case Opcode::field_eq:
-      return two_operand_bit({.function = enable_equal, .x = field_address(0), .y = field_address(1)});
-    case Opcode::bit_and: return two_operand_bit(store_step(store_and));
-    case Opcode::bit_or: return two_operand_bit(store_step(store_or));
-    case Opcode::bit_xor: return two_operand_bit(store_step(store_xor));
-    case Opcode::bit_and_not: return two_operand_bit(store_step(store_and_not));
-    case Opcode::bit_not: return field_bit(store_step(store_not_x), i.fields[0].width);
+      return two_operand_bits({.function = enable_equal, .x = field_address(0), .y = field_address(1)});
+    case Opcode::bit_and: return two_operand_bits(store_step(store_and));
+    case Opcode::bit_or: return two_operand_bits(store_step(store_or));
+    case Opcode::bit_xor: return two_operand_bits(store_step(store_xor));
+    case Opcode::bit_and_not: return two_operand_bits(store_step(store_and_not));
+    case Opcode::bit_not: return field_bits(store_step(store_not_x));
     case Opcode::global_or: return once({.function = answer});
+    case Opcode::xor_constant: return field_bits(change_step(store_xor_constant));
   }
   busy_ = false;
   return {};
@@ -77,22 +81,27 @@ BitStep Sequencer::stream_bit(ArrayStep step, unsigned passes) {
   return {.root = root, .pixels = step, .last = !busy_};
 }
 
-BitStep Sequencer::field_bit(ArrayStep step, unsigned width) {
-  busy_ = ++bit_ < width;
+/// As many bits of a field instruction as the ALU takes in a clock.
+BitStep Sequencer::field_bits(ArrayStep step) {
+  step.bits = step_bits();
+  bit_ += step.bits;
+  busy_ = bit_ < instruction_.fields[0].width;
   return {.root = {}, .pixels = step, .last = !busy_};
 }
 
-/// One bit of an instruction with two source operands x and y. With one read port x is read into the operand latch in
+/// The same of an instruction with two source operands x and y. With one read port x is read into the operand latch in
 /// the clock before.
-BitStep Sequencer::two_operand_bit(ArrayStep step) {
+BitStep Sequencer::two_operand_bits(ArrayStep step) {
   if (!two_ports_ && pass_ == 0) {
     pass_ = 1;
-    return {.root = {}, .pixels = {.function = AluFunction::latch_x, .source = OperandSource::memory, .x = step.x}};
+    return {.root = {},
+            .pixels = {
+                .function = AluFunction::latch_x, .source = OperandSource::memory, .x = step.x, .bits = step_bits()}};
   }
   step.source = two_ports_ ? OperandSource::memory : OperandSource::latch;
   if (!two_ports_) step.x = 0;
   pass_ = 0;
-  return field_bit(step, instruction_.fields[1].width);
+  return field_bits(step);
 }
 
 Sequencer::Place Sequencer::place() const {
@@ -105,6 +114,11 @@ Sequencer::Place Sequencer::place() const {
 /// The address of the current bit of an operand's field; of a linear instruction's field, the bit that meets F.
 std::uint16_t Sequencer::field_address(unsigned operand) const {
   return static_cast<std::uint16_t>(instruction_.fields[operand].base + bit_ - instruction_.linear.shift);
+}
+
+/// Bits of the fields that the step to come works on.
+std::uint16_t Sequencer::step_bits() const {
+  return static_cast<std::uint16_t>(std::min(alu_bits_, instruction_.fields[0].width - bit_));
 }
 
 ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
@@ -162,13 +176,21 @@ ArrayStep Sequencer::store_step(AluFunction function) const {
           .source = row.reads_x ? OperandSource::memory : OperandSource::tree,
           .x = row.reads_x ? address(1) : std::uint16_t{0},
           .y = row.reads_y ? address(2) : std::uint16_t{0},
-          .write = address(0)};
+          .write = address(0),
+          .constant = static_cast<std::uint32_t>(instruction_.constant >> bit_ & low_bits(step_bits()))};
 }
 
-/// s - r by its carry; the last bit decides.
+/// Reads the target, operand 0, and writes it back.
+ArrayStep Sequencer::change_step(AluFunction function) const {
+  ArrayStep step = store_step(function);
+  step.x = step.write;
+  return step;
+}
+
+/// s - r by its carry; the step with the last bit decides.
 ArrayStep Sequencer::less_step(AluFunction compare_first, AluFunction decide_first) const {
   const bool first = bit_ == 0;
-  const bool last = bit_ + 1U == instruction_.fields[0].width;
+  const bool last = bit_ + step_bits() == instruction_.fields[0].width;
   const AluFunction compare = first ? compare_first : AluFunction::compare;
   const AluFunction decide = first ? decide_first : AluFunction::less;
   return {.function = last ? decide : compare, .x = field_address(0), .y = field_address(1)};

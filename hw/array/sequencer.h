@@ -15,11 +15,12 @@ struct BitStep {
   bool last = false;  ///< of its instruction
 };
 
-/// Expands one instruction into bit steps, a step a clock.
+/// Expands one instruction into bit steps, a step a clock. A step on fields works on as many adjacent bits as the ALU
+/// is wide; linear expressions come one bit a clock.
 class Sequencer {
  public:
-  /// `memory_reads`: read ports of pixel memory, 1 or 2.
-  explicit Sequencer(unsigned memory_reads) : two_ports_(memory_reads >= 2) {}
+  /// `memory_reads`: read ports of pixel memory, 1 or 2. `alu_bits`: bits that the ALU works on in a clock.
+  Sequencer(unsigned memory_reads, unsigned alu_bits) : two_ports_(memory_reads >= 2), alu_bits_(alu_bits) {}
 
   void begin(const isa::Instruction& instruction);
   [[nodiscard]] bool busy() const { return busy_; }
@@ -28,7 +29,7 @@ class Sequencer {
   BitStep issue();
 
   [[nodiscard]] const isa::Instruction& instruction() const { return instruction_; }
-  [[nodiscard]] std::uint32_t bit() const { return bit_; }    ///< of the field or stream, of the step to come
+  [[nodiscard]] std::uint32_t bit() const { return bit_; }    ///< of the field or stream, the first of the step to come
   [[nodiscard]] std::uint32_t pass() const { return pass_; }  ///< times the stream or the memory read has been repeated
 
  private:
@@ -37,11 +38,12 @@ class Sequencer {
 
   BitStep once(ArrayStep step);
   BitStep stream_bit(ArrayStep step, unsigned passes);
-  BitStep field_bit(ArrayStep step, unsigned width);
-  BitStep two_operand_bit(ArrayStep step);
+  BitStep field_bits(ArrayStep step);
+  BitStep two_operand_bits(ArrayStep step);
 
   [[nodiscard]] Place place() const;
   [[nodiscard]] std::uint16_t field_address(unsigned operand) const;
+  [[nodiscard]] std::uint16_t step_bits() const;
 
   [[nodiscard]] ArrayStep enable_from_memory(AluFunction function) const;
   [[nodiscard]] ArrayStep edge_step(AluFunction on_sign) const;
@@ -50,9 +52,11 @@ class Sequencer {
   [[nodiscard]] ArrayStep load_step(AluFunction write, AluFunction check) const;
   [[nodiscard]] ArrayStep keep_step(AluFunction first, AluFunction on_sign) const;
   [[nodiscard]] ArrayStep store_step(AluFunction function) const;
+  [[nodiscard]] ArrayStep change_step(AluFunction function) const;
   [[nodiscard]] ArrayStep less_step(AluFunction compare_first, AluFunction decide_first) const;
 
   bool two_ports_;
+  unsigned alu_bits_;
   isa::Instruction instruction_;
   bool busy_ = false;
   std::uint32_t bit_ = 0;

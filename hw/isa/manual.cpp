@@ -61,11 +61,12 @@ nothing in the segment needs more.
 
 constexpr std::string_view clocks_text = R"(## How clocks are counted
 
-Each instruction expands to bit steps, and each bit step takes one clock. Instructions follow back to back: while the
-last bits of one expression run down the multiplier trees the first bits of the next enter at the root. So the clocks of
-a Program are the sum of the table below over its instructions, plus the latency of the trees once, at the end. The
-latency is one clock a level: ceil(log2 width) + ceil(log2 height) of the machine's array. `global_or` pays it too, as
-the controller waits for the answer.
+Each instruction expands to bit steps, and each bit step takes one clock. A machine's ALU works on one bit of a field
+in a clock, or on several adjacent ones (`alu.bits`); linear expressions come one bit a clock in any case. Instructions
+follow back to back: while the last bits of one expression run down the multiplier trees the first bits of the next
+enter at the root. So the clocks of a Program are the sum of the table below over its instructions, plus the latency of
+the trees once, at the end. The latency is one clock a level: ceil(log2 width) + ceil(log2 height) of the machine's
+array. `global_or` pays it too, as the controller waits for the answer.
 
 | clocks | instructions |
 |---|---|
@@ -76,8 +77,9 @@ std::string_view clocks_of(ClockClass clock_class) {
     case ClockClass::one: return "1";
     case ClockClass::linear_once: return "width of the linear expression";
     case ClockClass::linear_twice: return "twice the width of the linear expression: to compare, then to write";
-    case ClockClass::field: return "width of the field";
-    case ClockClass::two_fields: return "twice the width of the fields; once on machines that read two bits a clock";
+    case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
+    case ClockClass::two_fields:
+      return "twice as many for the width of the fields; once on machines that read twice a clock";
     case ClockClass::answer: return "1 + latency of the trees";
   }
   return {};
@@ -98,7 +100,8 @@ std::string_view widths_of(const OpcodeInfo& row) {
   if (!is_field(row.operands[0])) return "";
   switch (field_widths(row.opcode)) {
     case FieldWidths::free: return "any";
-    case FieldWidths::equal: return "equal";
+    case FieldWidths::equal:
+    case FieldWidths::elementwise: return "equal";
     case FieldWidths::one: return "1 bit";
   }
   return {};
@@ -124,8 +127,7 @@ void put_opcodes(std::string& page) {
     put(page, "| {} | `{}` | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
         widths_of(row), row.meaning);
   put(page,
-      "\nThe fields of one instruction do not overlap, except that the single bits of the `bit_` instructions may be "
-      "the "
+      "\nThe fields of one instruction do not overlap, except that those of the `bit_` instructions may be the "
       "same.\n\n");
 }
 

@@ -21,8 +21,8 @@ enum class ClockClass : std::uint8_t {
   one,           ///< one bit step
   linear_once,   ///< the linear expression is streamed once: its width
   linear_twice,  ///< streamed once to compare, once to write: twice its width
-  field,         ///< one bit step a bit of the target field
-  two_fields,    ///< two memory reads a bit of the source fields
+  field,         ///< one bit step a bit of the target field, or for as many as the ALU is wide
+  two_fields,    ///< as `field`, with two memory reads of the source fields
   answer,        ///< one bit step, then the controller waits for the answer
 };
 
@@ -60,12 +60,13 @@ enum class ClockClass : std::uint8_t {
   OP(field_lt,          source, source,   none,   two_fields,   "E := E and s < r")                                    \
   OP(field_le,          source, source,   none,   two_fields,   "E := E and s <= r")                                   \
   OP(field_eq,          source, source,   none,   two_fields,   "E := E and s = r")                                    \
-  OP(bit_and,           target, source,   source, two_fields,   "where E: t := s and r, one bit each")                 \
-  OP(bit_or,            target, source,   source, two_fields,   "where E: t := s or r, one bit each")                  \
-  OP(bit_xor,           target, source,   source, two_fields,   "where E: t := s xor r, one bit each")                 \
-  OP(bit_and_not,       target, source,   source, two_fields,   "where E: t := s and not r, one bit each")             \
-  OP(bit_not,           target, source,   none,   field,        "where E: t := not s, one bit each")                   \
-  OP(global_or,         none,   none,     none,   answer,       "the host is told whether E is 1 at any pixel")
+  OP(bit_and,           target, source,   source, two_fields,   "where E: t := s and r, bit by bit")                   \
+  OP(bit_or,            target, source,   source, two_fields,   "where E: t := s or r, bit by bit")                    \
+  OP(bit_xor,           target, source,   source, two_fields,   "where E: t := s xor r, bit by bit")                   \
+  OP(bit_and_not,       target, source,   source, two_fields,   "where E: t := s and not r, bit by bit")               \
+  OP(bit_not,           target, source,   none,   field,        "where E: t := not s, bit by bit")                     \
+  OP(global_or,         none,   none,     none,   answer,       "the host is told whether E is 1 at any pixel")        \
+  OP(xor_constant,      target, constant, none,   field,        "where E: t := t xor k, bit by bit")
 // clang-format on
 
 enum class Opcode : std::uint8_t {

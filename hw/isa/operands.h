@@ -9,9 +9,10 @@ namespace csgsim::isa {
 
 /// What an opcode asks of the widths of its fields.
 enum class FieldWidths : std::uint8_t {
-  free,   ///< any width
-  equal,  ///< all equally wide
-  one,    ///< one bit each; these alone may coincide
+  free,         ///< any width
+  equal,        ///< all equally wide
+  elementwise,  ///< all equally wide; these alone may coincide, but overlap in whole only
+  one,          ///< one bit each
 };
 
 constexpr FieldWidths field_widths(Opcode opcode) {
@@ -23,12 +24,12 @@ constexpr FieldWidths field_widths(Opcode opcode) {
     case Opcode::enable_and_not:
     case Opcode::enable_or:
     case Opcode::enable_xor:
-    case Opcode::enable_store:
+    case Opcode::enable_store: return FieldWidths::one;
     case Opcode::bit_and:
     case Opcode::bit_or:
     case Opcode::bit_xor:
     case Opcode::bit_and_not:
-    case Opcode::bit_not: return FieldWidths::one;
+    case Opcode::bit_not: return FieldWidths::elementwise;
     case Opcode::copy:
     case Opcode::field_lt:
     case Opcode::field_le:
@@ -44,7 +45,8 @@ constexpr FieldWidths field_widths(Opcode opcode) {
     case Opcode::keep_max:
     case Opcode::keep_min:
     case Opcode::set_constant:
-    case Opcode::global_or: return FieldWidths::free;
+    case Opcode::global_or:
+    case Opcode::xor_constant: return FieldWidths::free;
   }
   return FieldWidths::free;
 }

@@ -46,10 +46,16 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
     for (std::size_t j = 0; j < i; ++j) {
       if (!is_field(row.operands[j])) continue;
       const Field other = instruction.fields[j];
-      require(widths != FieldWidths::equal || field.width == other.width,
-              "{}: fields {} and {} differ in width; make them equally wide", row.name, show(other), show(field));
-      require(widths == FieldWidths::one || !field.overlaps(other), "{}: fields {} and {} overlap; keep them apart",
-              row.name, show(other), show(field));
+      require(field.width == other.width, "{}: fields {} and {} differ in width; make them equally wide", row.name,
+              show(other), show(field));
+      if (widths == FieldWidths::elementwise) {
+        require(field == other || !field.overlaps(other),
+                "{}: fields {} and {} overlap in part; take the same field or keep them apart", row.name, show(other),
+                show(field));
+      } else {
+        require(!field.overlaps(other), "{}: fields {} and {} overlap; keep them apart", row.name, show(other),
+                show(field));
+      }
     }
   }
 }

@@ -20,6 +20,11 @@ std::uint64_t field_width(const isa::Instruction& instruction) {
   return width;
 }
 
+/// Clocks in which every bit of the widest memory operand has passed the ALU.
+std::uint64_t field_clocks(const isa::Instruction& instruction, const Machine& machine) {
+  return (field_width(instruction) + machine.alu_bits - 1) / machine.alu_bits;
+}
+
 }  // namespace
 
 std::uint32_t evaluator_latency(const isa::ArrayShape& array) {
@@ -42,8 +47,8 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
     case isa::ClockClass::one: return 1;
     case isa::ClockClass::linear_once: return instruction.linear.width;
     case isa::ClockClass::linear_twice: return 2ULL * instruction.linear.width;
-    case isa::ClockClass::field: return field_width(instruction);
-    case isa::ClockClass::two_fields: return field_width(instruction) * (machine.memory_reads >= 2 ? 1 : 2);
+    case isa::ClockClass::field: return field_clocks(instruction, machine);
+    case isa::ClockClass::two_fields: return field_clocks(instruction, machine) * (machine.memory_reads >= 2 ? 1 : 2);
     case isa::ClockClass::answer: return 1ULL + evaluator_latency(machine.array);
   }
   return 0;

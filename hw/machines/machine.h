@@ -84,6 +84,7 @@ struct Machine {
   Size picture;                    ///< where the array is not the whole of it
   std::uint64_t clock_hz = 0;      ///< instruction bit steps, or packets, a second
   std::uint32_t memory_reads = 1;  ///< reads of pixel memory a clock: 1 or 2
+  std::uint32_t alu_bits = 1;      ///< adjacent bits of a field that the ALU works on, and a port delivers, in a clock
   ScanLine scan_line;
   PixelSquare pixel_square;
   std::vector<Figure> figures;  ///< every figure of the file, in its order

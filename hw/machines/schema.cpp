@@ -44,6 +44,8 @@ constexpr auto table = std::to_array<FigureSchema>({
     {every_kind, "clock.frequency", "Hz", 1, 1'000'000'000, "steps a second", store<&Machine::clock_hz>},
     {bit_serial, "memory.reads", "a clock", 1, 2, "reads of a pixel's memory", store<&Machine::memory_reads>},
     {bit_serial, "memory.writes", "a clock", 1, 1, "writes of a pixel's memory", store_nothing},
+    {bit_serial, "alu.bits", "bits", 1, isa::max_field_width, "bits of a field that the ALU works on in a clock",
+     store<&Machine::alu_bits>},
     {bit_serial, "evaluator.level_latency", "clocks", 1, 1, "from one level of a multiplier tree to the next",
      store_nothing},
     {by_lines, "chains.count", "chains", 1, 1024, "lines worked on in parallel",

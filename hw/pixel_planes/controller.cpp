@@ -2,8 +2,8 @@
 
 namespace csgsim::pixel_planes {
 
-Controller::Controller(sc_core::sc_module_name name, unsigned memory_reads, unsigned latency)
-    : sc_core::sc_module(name), latency_(latency), sequencer_(memory_reads) {
+Controller::Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, unsigned latency)
+    : sc_core::sc_module(name), latency_(latency), sequencer_(sequencer) {
   SC_HAS_PROCESS(Controller);
   SC_METHOD(on_clock);
   dont_initialize();

@@ -13,7 +13,7 @@ struct ControllerStatus {
   bool busy = false;          ///< with an instruction
   std::uint64_t ordinal = 0;  ///< of the instruction within the program
   isa::Instruction instruction;
-  std::uint32_t bit = 0;     ///< of the stream or field, of the step on the wires
+  std::uint32_t bit = 0;     ///< of the stream or field, the first of the step on the wires
   std::uint32_t pass = 0;    ///< of a stream that is sent twice, or of a memory read
   std::uint64_t clocks = 0;  ///< since the program's first step
 };
@@ -32,7 +32,7 @@ class Controller final : public sc_core::sc_module {
   sc_core::sc_out<std::uint64_t> programs{"programs"};  ///< carried out to their end
 
   /// `latency`: clocks from the roots of the multiplier trees to the pixels.
-  Controller(sc_core::sc_module_name name, unsigned memory_reads, unsigned latency);
+  Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, unsigned latency);
 
   /// Clocks counted for the program that is running or ran last, the final latency included.
   [[nodiscard]] std::uint64_t clocks() const { return status_.clocks; }

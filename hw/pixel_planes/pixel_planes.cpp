@@ -29,12 +29,12 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
       link_("link", link_words),
       tree_bits_("tree_bits", plane_shape(machine)),
       accounts_("accounts", static_cast<int>(latency_) + 2),
-      controller_("controller", machine.memory_reads, latency_),
+      controller_("controller", array::Sequencer(machine.memory_reads, machine.alu_bits), latency_),
       control_delay_("control_delay", latency_),
       evaluator_("evaluator", plane_shape(machine)),
-      processors_("processors", machine.array),
+      processors_("processors", machine.array, machine.alu_bits),
       scan_out_("scan_out", plane_shape(machine)),
-      wave_("wave", {clock_, controller_, processors_, root_, control_at_pixels_, answer_}) {
+      wave_("wave", {clock_, controller_, processors_, root_, control_at_pixels_, answer_}, machine.alu_bits) {
   SC_HAS_PROCESS(PixelPlanes);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 

@@ -2,8 +2,8 @@
 
 namespace csgsim::pixel_planes {
 
-PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape)
-    : sc_core::sc_module(name), pixels_(shape) {
+PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape, unsigned alu_bits)
+    : sc_core::sc_module(name), pixels_(shape, alu_bits) {
   SC_HAS_PROCESS(PixelProcessors);
   refresh.bind(*this);
   enable_lines.bind(*this);

@@ -35,7 +35,7 @@ class PixelProcessors final : public sc_core::sc_module, public RefreshPort, pub
   sc_core::sc_export<RefreshPort> refresh{"refresh"};
   sc_core::sc_export<EnableLines> enable_lines{"enable_lines"};
 
-  PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape);
+  PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape, unsigned alu_bits);
 
   [[nodiscard]] std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const override {
     return pixels_.memory_row(address, row);

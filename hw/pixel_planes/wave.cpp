@@ -51,7 +51,14 @@ void TextBus::set(std::string_view text) {
   }
 }
 
-WaveRecorder::WaveRecorder(sc_core::sc_module_name name, const WaveTaps& taps) : sc_core::sc_module(name), taps_(taps) {
+WaveRecorder::Pixel::Pixel(unsigned alu_bits)
+    : latch(static_cast<int>(alu_bits)),
+      read_x(static_cast<int>(alu_bits)),
+      read_y(static_cast<int>(alu_bits)),
+      written(static_cast<int>(alu_bits)) {}
+
+WaveRecorder::WaveRecorder(sc_core::sc_module_name name, const WaveTaps& taps, unsigned alu_bits)
+    : sc_core::sc_module(name), taps_(taps), alu_bits_(alu_bits) {
   SC_HAS_PROCESS(WaveRecorder);
   SC_METHOD(proceed);
   dont_initialize();
@@ -138,7 +145,7 @@ void WaveRecorder::trace_pixel(const WaveProbe& probe, const Pixel& pixel) {
   sc_trace(file_, pixel.registers.tree, prefix + "tree_bit");
   sc_trace(file_, pixel.registers.carry, prefix + "carry");
   sc_trace(file_, pixel.registers.enable, prefix + "enable");
-  sc_trace(file_, pixel.registers.latch, prefix + "latch");
+  sc_trace(file_, pixel.latch, prefix + "latch");
   sc_trace(file_, pixel.read_x, prefix + "mem_read_x");
   sc_trace(file_, pixel.read_y, prefix + "mem_read_y");
   sc_trace(file_, pixel.written, prefix + "mem_written");
@@ -156,8 +163,8 @@ void WaveRecorder::sample() {
   executed_ = std::exchange(arriving_, taps_.control_at_pixels.read());
   function_text_.set(array::info(arriving_.step.function).name);
   if (pixels_.size() != request_.probes.size()) {
-    pixels_.resize(request_.probes.size());
-    for (Pixel& pixel : pixels_) {
+    for (std::size_t i = 0; i < request_.probes.size(); ++i) {
+      Pixel& pixel = pixels_.emplace_back(alu_bits_);
       for (const isa::NamedField& named : request_.fields) pixel.fields.emplace_back(named.field.width);
     }
   }
@@ -165,14 +172,14 @@ void WaveRecorder::sample() {
 }
 
 void WaveRecorder::sample_pixel(const WaveProbe& probe, const ControlWord& word, Pixel& pixel) const {
-  const array::PixelArray& array = taps_.processors.pixels();
   const array::AluInfo& row = array::info(word.step.function);
   const bool x_from_memory = row.reads_x && word.step.source == array::OperandSource::memory;
   pixel.registers = taps_.processors.probe(probe.x, probe.y);
-  pixel.read_x = x_from_memory && array.memory_bit(word.step.x, probe.x, probe.y);
-  pixel.read_y = row.reads_y && array.memory_bit(word.step.y, probe.x, probe.y);
-  pixel.written =
-      array::info(executed_.step.function).writes && array.memory_bit(executed_.step.write, probe.x, probe.y);
+  pixel.latch = pixel.registers.latch;
+  pixel.read_x = x_from_memory ? field_value(probe, {word.step.x, word.step.bits}) : 0;
+  pixel.read_y = row.reads_y ? field_value(probe, {word.step.y, word.step.bits}) : 0;
+  const bool writes = array::info(executed_.step.function).writes;
+  pixel.written = writes ? field_value(probe, {executed_.step.write, executed_.step.bits}) : 0;
   for (std::size_t i = 0; i < pixel.fields.size(); ++i) {
     pixel.fields[i] = field_value(probe, request_.fields[i].field);
   }

@@ -44,7 +44,8 @@ class TextBus {
 /// probed pixels. The file exists from the window's first clock on. Outside a window the recorder does nothing.
 class WaveRecorder final : public sc_core::sc_module {
  public:
-  WaveRecorder(sc_core::sc_module_name name, const WaveTaps& taps);
+  /// `alu_bits`: width of the buses from and to pixel memory.
+  WaveRecorder(sc_core::sc_module_name name, const WaveTaps& taps, unsigned alu_bits);
 
   /// Records the run that starts now.
   void arm(WaveRequest request);
@@ -57,10 +58,13 @@ class WaveRecorder final : public sc_core::sc_module {
 
   /// One probed pixel in the current clock.
   struct Pixel {
+    explicit Pixel(unsigned alu_bits);
+
     array::PixelProbe registers;
-    bool read_x = false;   ///< memory bit on the first read port
-    bool read_y = false;   ///< on the second, or on the only one if operand x is not from memory
-    bool written = false;  ///< memory bit that the step before has written
+    sc_dt::sc_uint_base latch;
+    sc_dt::sc_uint_base read_x;   ///< memory bits on the first read port
+    sc_dt::sc_uint_base read_y;   ///< on the second, or on the only one if operand x is not from memory
+    sc_dt::sc_uint_base written;  ///< memory bits that the step before has written
     std::vector<sc_dt::sc_uint_base> fields;
   };
 
@@ -74,6 +78,7 @@ class WaveRecorder final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t field_value(const WaveProbe& probe, isa::Field field) const;
 
   WaveTaps taps_;
+  unsigned alu_bits_;
   WaveRequest request_;
   Phase phase_ = Phase::idle;
   sc_core::sc_time next_edge_;

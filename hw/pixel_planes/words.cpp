@@ -33,6 +33,8 @@ void sc_trace(sc_core::sc_trace_file* file, const ControlWord& word, const std::
   sc_core::sc_trace(file, word.step.x, name + ".read_x");
   sc_core::sc_trace(file, word.step.y, name + ".read_y");
   sc_core::sc_trace(file, word.step.write, name + ".write");
+  sc_core::sc_trace(file, word.step.bits, name + ".bits");
+  sc_core::sc_trace(file, word.step.constant, name + ".constant");
   sc_core::sc_trace(file, word.last, name + ".last");
   sc_core::sc_trace(file, word.ordinal, name + ".instruction");
 }

@@ -93,7 +93,7 @@ void record(const Options& options, const CLI::App& command) {
                     run.result.clocks, options.window));
   }
   refuse_overflow(run.result);
-  view.write(gtkwave_view(request, options.output, machine.clock_hz));
+  view.write(gtkwave_view(request, options.output, machine));
   file.commit();
   view.commit();
   fmt::print("{}: clocks {} of {}, {} pixels; to look at it: gtkwave {}\n", options.output, options.window,

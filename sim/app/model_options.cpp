@@ -70,8 +70,9 @@ void ModelOptions::add_to(CLI::App& command) {
   add_view_to(command);
   command.add_option("--z-bits", z_bits, "Bits of depth")->capture_default_str();
   command
-      .add_option("--strategy", strategy,
-                  "How classifications are worked out: stack, list, bits (with --stack-bits), products, or auto")
+      .add_option(
+          "--strategy", strategy,
+          "How classifications are worked out: stack, list, bits (with --stack-bits), products, parallel, or auto")
       ->check(CLI::IsMember(by_name(emit::strategies)))
       ->capture_default_str();
   command

@@ -136,7 +136,7 @@ void SweepOptions::add_to(CLI::App& command) {
   const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
     command.add_option(name, value, help)->check(is_read_by(parse))->capture_default_str();
   };
-  add_list("--strategy", strategies, strategies_of, "List of stack, list, bits, products, auto");
+  add_list("--strategy", strategies, strategies_of, "List of stack, list, bits, products, parallel, auto");
   add_list("--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
   add_list("--z-bits", z_bits, z_bits_of, "Numbers: bits of depth");
   add_list("--colouring", colourings, colourings_of, "List of rebroadcast, field, auto");

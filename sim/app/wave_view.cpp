@@ -27,15 +27,19 @@ std::string_view format_of(const isa::NamedField& named) {
   return is_colour ? as_hexadecimal : as_number;
 }
 
-std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<isa::NamedField>& fields) {
+/// What GTKWave appends to the name of a bus.
+std::string bus(unsigned width) { return width > 1 ? fmt::format("[{}:0]", width - 1) : ""; }
+
+std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<isa::NamedField>& fields,
+                       unsigned alu_bits) {
   const std::string pixel = fmt::format("SystemC.pixel_{}_{}.", probe.x, probe.y);
   std::string view = fmt::format("{}-pixel {},{}\n{}", as_comment, probe.x, probe.y, as_bits);
-  for (const std::string_view wire : {"tree_bit", "carry", "enable", "mem_read_x", "mem_written"})
-    view += pixel + std::string(wire) + "\n";
+  for (const std::string_view wire : {"tree_bit", "carry", "enable"}) view += pixel + std::string(wire) + "\n";
+  for (const std::string_view port : {"mem_read_x", "mem_written"})
+    view += pixel + std::string(port) + bus(alu_bits) + "\n";
   for (const isa::NamedField& named : fields) {
     view += format_of(named);
-    view += pixel + pixel_planes::wave_identifier(named.name) +
-            (named.field.width > 1 ? fmt::format("[{}:0]", named.field.width - 1) : "") + "\n";
+    view += pixel + pixel_planes::wave_identifier(named.name) + bus(named.field.width) + "\n";
   }
   return view;
 }
@@ -43,8 +47,8 @@ std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<i
 }  // namespace
 
 std::string gtkwave_view(const pixel_planes::WaveRequest& request, const std::string& waveform,
-                         std::uint64_t clock_hz) {
-  const std::uint64_t start = (request.begin + 1) * period(clock_hz);
+                         const machines::Machine& machine) {
+  const std::uint64_t start = (request.begin + 1) * period(machine.clock_hz);
   std::string view = fmt::format("[dumpfile] \"{}\"\n[timestart] {}\n*-20.0 {}\n", waveform, start, start);
   view += as_bits;
   view += "SystemC.clock\n";
@@ -58,7 +62,8 @@ std::string gtkwave_view(const pixel_planes::WaveRequest& request, const std::st
   view += "SystemC.pixels.function_text[159:0]\n";
   view += as_number;
   view += "SystemC.pixels.read_x[15:0]\nSystemC.pixels.write[15:0]\n";
-  for (const pixel_planes::WaveProbe& probe : request.probes) view += pixel_view(probe, request.fields);
+  for (const pixel_planes::WaveProbe& probe : request.probes)
+    view += pixel_view(probe, request.fields, machine.alu_bits);
   return view;
 }
 

@@ -79,7 +79,8 @@ class Relay final : public pixel_planes::RunListener {
 };
 
 bool same_hardware(const machines::Machine& one, const machines::Machine& other) {
-  return one.array == other.array && one.clock_hz == other.clock_hz && one.memory_reads == other.memory_reads;
+  return one.array == other.array && one.clock_hz == other.clock_hz && one.memory_reads == other.memory_reads &&
+         one.alu_bits == other.alu_bits;
 }
 
 void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& array) {

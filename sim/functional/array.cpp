@@ -69,7 +69,8 @@ Recipe recipe_for(Opcode opcode, unsigned shift) {
     case Opcode::bit_xor:
     case Opcode::bit_and_not:
     case Opcode::bit_not:
-    case Opcode::global_or: break;
+    case Opcode::global_or:
+    case Opcode::xor_constant: break;
   }
   return {};
 }
@@ -138,6 +139,7 @@ std::uint64_t Array::execute(const Instruction& instruction) {
     case Opcode::bit_and_not:
     case Opcode::bit_not: combine_bits(instruction); return 0;
     case Opcode::global_or: return 0;
+    case Opcode::xor_constant: xor_constant(fields[0], instruction.constant); return 0;
   }
   return 0;
 }
@@ -334,12 +336,18 @@ void Array::compare(Opcode opcode, Field left, Field right) {
 }
 
 void Array::combine_bits(const Instruction& instruction) {
-  const Rect bounds = enable_.bounds();
   const auto [target, left, right] = instruction.fields;
-  BitPlane& t = memory_.plane(target.base);
-  const BitPlane& s = memory_.read(left.base, bounds, first_copy_);
-  const bool is_not = instruction.opcode == Opcode::bit_not;
-  const BitPlane& r = is_not ? s : memory_.read(right.base, bounds, second_copy_);
+  for (unsigned bit = 0; bit < target.width; ++bit) {
+    combine_bit(instruction.opcode, target.base + bit, left.base + bit, right.base + bit);
+  }
+}
+
+void Array::combine_bit(Opcode opcode, unsigned target, unsigned left, unsigned right) {
+  const Rect bounds = enable_.bounds();
+  BitPlane& t = memory_.plane(target);
+  const BitPlane& s = memory_.read(left, bounds, first_copy_);
+  const bool is_not = opcode == Opcode::bit_not;
+  const BitPlane& r = is_not ? s : memory_.read(right, bounds, second_copy_);
   const auto write = [&](const Rect& ones, auto combine) {
     write_where(enable_, t, ones, [&s, &r, combine](std::uint32_t row, std::uint32_t column) {
       return combine(s.word(row, column), r.word(row, column));
@@ -348,14 +356,20 @@ void Array::combine_bits(const Instruction& instruction) {
   using Word = std::uint64_t;
   if (is_not)
     write(bounds, [](Word a, Word) { return ~a; });
-  else if (instruction.opcode == Opcode::bit_and)
+  else if (opcode == Opcode::bit_and)
     write(intersection(s.bounds(), r.bounds()), [](Word a, Word b) { return a & b; });
-  else if (instruction.opcode == Opcode::bit_or)
+  else if (opcode == Opcode::bit_or)
     write(hull(s.bounds(), r.bounds()), [](Word a, Word b) { return a | b; });
-  else if (instruction.opcode == Opcode::bit_xor)
+  else if (opcode == Opcode::bit_xor)
     write(hull(s.bounds(), r.bounds()), [](Word a, Word b) { return a ^ b; });
   else
     write(s.bounds(), [](Word a, Word b) { return a & ~b; });
+}
+
+void Array::xor_constant(Field target, std::uint64_t constant) {
+  for (unsigned bit = 0; bit < target.width; ++bit) {
+    if ((constant >> bit & 1U) != 0) combine_bit(Opcode::bit_not, target.base + bit, target.base + bit, 0);
+  }
 }
 
 }  // namespace csgsim::sim

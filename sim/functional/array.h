@@ -52,6 +52,8 @@ class Array {
   void copy(isa::Field target, isa::Field source);
   void compare(isa::Opcode opcode, isa::Field left, isa::Field right);
   void combine_bits(const isa::Instruction& instruction);
+  void combine_bit(isa::Opcode opcode, unsigned target, unsigned left, unsigned right);
+  void xor_constant(isa::Field target, std::uint64_t constant);
   [[nodiscard]] bool as_bits(isa::Field first, isa::Field second) const;
 
   std::uint32_t width_;

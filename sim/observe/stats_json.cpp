@@ -32,6 +32,7 @@ Json machine_json(const Report& report) {
           {"memory_bits", machine.array.memory_bits},
           {"clock_hz", machine.clock_hz},
           {"memory_reads_per_clock", machine.memory_reads},
+          {"alu_bits", machine.alu_bits},
           {"evaluator_latency", machines::evaluator_latency(machine.array)},
           {"z_bits", compile.z_bits},
           {"fraction_bits", compile.fraction_bits},

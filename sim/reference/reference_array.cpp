@@ -63,6 +63,7 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
   const auto& [first, second, third] = instruction.fields;
   const isa::Linear& linear = instruction.linear;
   const bool e = enable_[pixel];
+  const auto bits = [&](isa::Field field) { return static_cast<std::uint64_t>(get(pixel, field)); };
 
   const bool streams = linear.width > 0;
   const Wide sum = streams ? exact_sum(linear, x, y) : 0;
@@ -98,27 +99,30 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
       if (e) put(pixel, first, instruction.constant);
       break;
     case Opcode::copy:
-      if (e) put(pixel, first, static_cast<std::uint64_t>(get(pixel, second)));
+      if (e) put(pixel, first, bits(second));
       break;
     case Opcode::field_lt: enable_[pixel] = e && get(pixel, first) < get(pixel, second); break;
     case Opcode::field_le: enable_[pixel] = e && get(pixel, first) <= get(pixel, second); break;
     case Opcode::field_eq: enable_[pixel] = e && get(pixel, first) == get(pixel, second); break;
     case Opcode::bit_and:
-      if (e) put(pixel, first, get(pixel, second) == 1 && get(pixel, third) == 1 ? 1 : 0);
+      if (e) put(pixel, first, bits(second) & bits(third));
       break;
     case Opcode::bit_or:
-      if (e) put(pixel, first, get(pixel, second) == 1 || get(pixel, third) == 1 ? 1 : 0);
+      if (e) put(pixel, first, bits(second) | bits(third));
       break;
     case Opcode::bit_xor:
-      if (e) put(pixel, first, get(pixel, second) != get(pixel, third) ? 1 : 0);
+      if (e) put(pixel, first, bits(second) ^ bits(third));
       break;
     case Opcode::bit_and_not:
-      if (e) put(pixel, first, get(pixel, second) == 1 && get(pixel, third) == 0 ? 1 : 0);
+      if (e) put(pixel, first, bits(second) & ~bits(third));
       break;
     case Opcode::bit_not:
-      if (e) put(pixel, first, get(pixel, second) == 0 ? 1 : 0);
+      if (e) put(pixel, first, ~bits(second));
       break;
     case Opcode::global_or: break;
+    case Opcode::xor_constant:
+      if (e) put(pixel, first, bits(first) ^ instruction.constant);
+      break;
   }
 }
 

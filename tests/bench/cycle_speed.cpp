@@ -28,7 +28,7 @@ void report(const char* what, Run run) {
 /// Calls use(step) with every bit step of the Program.
 template <class Use>
 std::uint64_t each_step(const isa::Program& program, Use use) {
-  array::Sequencer sequencer(1);
+  array::Sequencer sequencer(1, 1);
   std::uint64_t clocks = 0;
   for (const isa::Instruction& instruction : program.segments.front().instructions) {
     sequencer.begin(instruction);
@@ -40,7 +40,7 @@ std::uint64_t each_step(const isa::Program& program, Use use) {
 void run(isa::ArrayShape shape, unsigned primitives) {
   const isa::Program program = typical_mix(shape, primitives);
   array::LinearEvaluator evaluator({shape.width, shape.height});
-  array::PixelArray pixels(shape);
+  array::PixelArray pixels(shape, 1);
   array::Words leaves(pixels.shape().padded_words());
 
   report("sequencer", [&] { return each_step(program, [](const array::BitStep&) {}); });

@@ -114,8 +114,8 @@ TEST_CASE("strategy, colouring, prunings and threads change counts, not pictures
   const std::string draw = "render " + model("old_example002") + " --size 90x70 --memory-bits 100 ";
   REQUIRE(run(draw + "-o " + (folder / "p.png")).code == 0);
   for (const std::string options :
-       {"--strategy list", "--strategy bits --stack-bits 3", "--strategy products", "--strategy auto",
-        "--colouring field", "--without all", "--without space,hidden --threads 3"}) {
+       {"--strategy list", "--strategy bits --stack-bits 3", "--strategy products", "--strategy parallel",
+        "--strategy auto", "--colouring field", "--without all", "--without space,hidden --threads 3"}) {
     CAPTURE(options);
     CHECK(run(draw + options + " -o " + (folder / "q.png") + " --stats " + (folder / "s.json")).code == 0);
     CHECK(content(folder / "q.png") == content(folder / "p.png"));

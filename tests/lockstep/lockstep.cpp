@@ -113,12 +113,14 @@ void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program&
   check_clocks(actual_result, actual, program, machine, engine.level());
 }
 
-machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads) {
+machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, std::uint32_t alu_bits) {
   machines::Machine machine;
-  machine.name = fmt::format("test-{}x{}x{}-{}", shape.width, shape.height, shape.memory_bits, memory_reads);
+  machine.name =
+      fmt::format("test-{}x{}x{}-{}-{}", shape.width, shape.height, shape.memory_bits, memory_reads, alu_bits);
   machine.array = shape;
   machine.clock_hz = 10'000'000;
   machine.memory_reads = memory_reads;
+  machine.alu_bits = alu_bits;
   return machine;
 }
 

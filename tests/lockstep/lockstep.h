@@ -34,6 +34,6 @@ void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program&
                     const machines::Machine& machine);
 
 /// A machine with made-up figures for that array.
-machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads);
+machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, std::uint32_t alu_bits = 1);
 
 }  // namespace csgsim::test

@@ -1,6 +1,6 @@
-// lockstep_LEVEL WIDTH HEIGHT MEMORY_BITS MEMORY_READS PROGRAMS INSTRUCTIONS: holds that many random Programs, of at
-// most so many instructions a segment, against the reference engine. One shape a process, as SystemC elaborates once.
-// RC_PARAMS overrides the seed and the number of Programs.
+// lockstep_LEVEL WIDTH HEIGHT MEMORY_BITS MEMORY_READS ALU_BITS PROGRAMS INSTRUCTIONS: holds that many random Programs,
+// of at most so many instructions a segment, against the reference engine. One shape a process, as SystemC elaborates
+// once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 
@@ -30,8 +30,8 @@ bool agree_on_random_programs(const machines::Machine& machine, std::size_t inst
 
 int run(std::span<const std::uint32_t> arguments) {
   const isa::ArrayShape shape{arguments[0], arguments[1], arguments[2]};
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", arguments[4]).c_str(), 0);
-  return agree_on_random_programs(machine_of(shape, arguments[3]), arguments[5]) ? 0 : 1;
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", arguments[5]).c_str(), 0);
+  return agree_on_random_programs(machine_of(shape, arguments[3], arguments[4]), arguments[6]) ? 0 : 1;
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ int main(int argc, char** argv) {
   try {
     std::vector<std::uint32_t> arguments;
     for (int i = 1; i < argc; ++i) arguments.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
-    if (arguments.size() == 6) return csgsim::test::run(arguments);
-    fmt::print(stderr, "usage: {} WIDTH HEIGHT MEMORY_BITS MEMORY_READS PROGRAMS INSTRUCTIONS\n", argv[0]);
+    if (arguments.size() == 7) return csgsim::test::run(arguments);
+    fmt::print(stderr, "usage: {} WIDTH HEIGHT MEMORY_BITS MEMORY_READS ALU_BITS PROGRAMS INSTRUCTIONS\n", argv[0]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

@@ -1,6 +1,7 @@
 #include "tests/support/random_program.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,32 +49,34 @@ unsigned fields_of(const OpcodeInfo& row) {
 
 /// Can the opcode's fields be placed in that memory?
 bool fits(const OpcodeInfo& row, std::uint32_t memory_bits) {
-  return isa::field_widths(row.opcode) == FieldWidths::one || fields_of(row) <= memory_bits;
+  const FieldWidths widths = isa::field_widths(row.opcode);
+  return widths == FieldWidths::one || widths == FieldWidths::elementwise || fields_of(row) <= memory_bits;
 }
 
 /// Fields lie at multiples of a coarse grid or a little beside it: they coincide or overlap often between instructions.
 unsigned pick_base(unsigned room) { return std::min(room, pick(0U, room / 8U) * 8U + pick_near({0}, 0, 7)); }
 
-/// Disjoint fields, equally wide, in any order; or single bits, which may coincide.
+/// Disjoint fields, equally wide, in any order; where they may coincide, also fewer of them than operands.
 void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
   const OpcodeInfo& row = info(instruction.opcode);
   const unsigned count = fields_of(row);
   if (count == 0) return;
-  if (isa::field_widths(row.opcode) == FieldWidths::one) {
-    for (unsigned i = 0; i < count; ++i)
-      instruction.fields[i] = Field{static_cast<std::uint16_t>(pick_base(memory_bits - 1)), 1};
-    return;
-  }
-  const unsigned width = pick_near({1, 2, 4, 8, 20, 31, 32}, 1, std::min(isa::max_field_width, memory_bits / count));
-  unsigned room = memory_bits - count * width;
+  const FieldWidths widths = isa::field_widths(row.opcode);
+  const bool coincide = widths == FieldWidths::elementwise;
+  const unsigned places = coincide ? pick(1U, std::min(count, memory_bits)) : count;
+  const unsigned widest = widths == FieldWidths::one ? 1 : std::min(isa::max_field_width, memory_bits / places);
+  const unsigned width = pick_near({1, 2, 4, 8, 20, 31, 32}, 1, widest);
+  unsigned room = memory_bits - places * width;
   unsigned base = 0;
-  for (unsigned i = 0; i < count; ++i) {
+  std::array<Field, isa::max_operands> placed;
+  for (unsigned i = 0; i < places; ++i) {
     const unsigned gap = pick_base(room);
-    instruction.fields[i] = Field{static_cast<std::uint16_t>(base + gap), static_cast<std::uint16_t>(width)};
+    placed[i] = Field{static_cast<std::uint16_t>(base + gap), static_cast<std::uint16_t>(width)};
     room -= gap;
     base += gap + width;
   }
-  if (pick(0, 1) == 1) std::reverse(instruction.fields.begin(), instruction.fields.begin() + count);
+  if (pick(0, 1) == 1) std::reverse(placed.begin(), placed.begin() + places);
+  for (unsigned i = 0; i < count; ++i) instruction.fields[i] = placed[coincide ? pick(0U, places - 1) : i];
 }
 
 /// A coefficient of either sign and at most that magnitude.

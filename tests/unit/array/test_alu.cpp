@@ -30,7 +30,7 @@ struct Pixel {
 bool majority(bool a, bool b, bool c) { return (a ? 1 : 0) + (b ? 1 : 0) + (c ? 1 : 0) >= 2; }
 
 /// The meanings of the table, a pixel at a time.
-Pixel expected_after(AluFunction function, Pixel p) {
+Pixel expected_after(AluFunction function, bool constant, Pixel p) {
   const auto less = [&p](bool carry_in) {
     p.carry = majority(p.x, !p.y, carry_in);
     p.enable = p.enable && !p.carry;
@@ -78,8 +78,8 @@ Pixel expected_after(AluFunction function, Pixel p) {
       if (p.carry) write(p.x);
       break;
     case AluFunction::store_not_x: write(!p.x); break;
-    case AluFunction::store_0: write(false); break;
-    case AluFunction::store_1: write(true); break;
+    case AluFunction::store_constant: write(constant); break;
+    case AluFunction::store_xor_constant: write(p.x != constant); break;
     case AluFunction::store_and: write(p.x && p.y); break;
     case AluFunction::store_or: write(p.x || p.y); break;
     case AluFunction::store_xor: write(p.x != p.y); break;
@@ -128,13 +128,17 @@ TEST_CASE("every ALU function does what its meaning says, for every state of a p
   for (std::size_t row = 0; row < std::size(csgsim::array::alu_table); ++row) {
     const auto function = static_cast<AluFunction>(row);
     CAPTURE(std::string(csgsim::array::info(function).name));
-    Planes after = before;
-    kernels::alu_step(function, operands(after));
-    bool all_right = true;
-    for (std::size_t pixel = 0; pixel < before[0].size() * 64; ++pixel) {
-      all_right = all_right && pixel_of(after, pixel) == expected_after(function, pixel_of(before, pixel));
+    for (const bool constant : {false, true}) {
+      Planes after = before;
+      kernels::AluPlanes planes = operands(after);
+      planes.constant = constant;
+      kernels::alu_step(function, planes);
+      bool all_right = true;
+      for (std::size_t pixel = 0; pixel < before[0].size() * 64; ++pixel) {
+        all_right = all_right && pixel_of(after, pixel) == expected_after(function, constant, pixel_of(before, pixel));
+      }
+      CHECK(all_right);
     }
-    CHECK(all_right);
   }
 }
 

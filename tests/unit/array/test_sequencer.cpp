@@ -1,7 +1,12 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "hw/array/sequencer.h"
+#include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
 #include "tests/support/random_program.h"
 
@@ -12,22 +17,27 @@ using csgsim::array::BitStep;
 using csgsim::array::Sequencer;
 namespace isa = csgsim::isa;
 
-csgsim::machines::Machine machine_with(std::uint32_t reads) {
+csgsim::machines::Machine machine_with(std::uint32_t reads, std::uint32_t alu_bits) {
   csgsim::machines::Machine machine;
   machine.array = {1, 1, 64};  // no latency: a question is one clock, as is its step
   machine.memory_reads = reads;
+  machine.alu_bits = alu_bits;
   return machine;
 }
+
+/// Read ports of pixel memory and bits of the ALU.
+constexpr std::pair<std::uint32_t, std::uint32_t> hardware[] = {{1, 1}, {2, 1}, {1, 2}, {1, 3},  {1, 4},
+                                                                {2, 4}, {1, 8}, {2, 8}, {1, 32}, {2, 32}};
 
 isa::Instruction some_instruction() { return *csgsim::test::arbitrary_instruction({8, 8, 64}, 64, 1); }
 
 }  // namespace
 
 TEST_CASE("an instruction has as many bit steps as the table has clocks, and only the last says so") {
-  for (const std::uint32_t reads : {1U, 2U}) {
-    CHECK(rc::check([reads] {
+  for (const auto& [reads, alu_bits] : hardware) {
+    CHECK(rc::check([reads = reads, alu_bits = alu_bits] {
       const isa::Instruction instruction = some_instruction();
-      Sequencer sequencer(reads);
+      Sequencer sequencer(reads, alu_bits);
       sequencer.begin(instruction);
       std::uint64_t steps = 0;
       while (sequencer.busy()) {
@@ -35,15 +45,15 @@ TEST_CASE("an instruction has as many bit steps as the table has clocks, and onl
         const bool last = sequencer.issue().last;
         RC_ASSERT(last == !sequencer.busy());
       }
-      RC_ASSERT(steps == csgsim::machines::clocks(instruction, machine_with(reads)));
+      RC_ASSERT(steps == csgsim::machines::clocks(instruction, machine_with(reads, alu_bits)));
     }));
   }
 }
 
 TEST_CASE("no step reads pixel memory more often than it has ports") {
-  for (const std::uint32_t reads : {1U, 2U}) {
-    CHECK(rc::check([reads] {
-      Sequencer sequencer(reads);
+  for (const auto& [reads, alu_bits] : hardware) {
+    CHECK(rc::check([reads = reads, alu_bits = alu_bits] {
+      Sequencer sequencer(reads, alu_bits);
       sequencer.begin(some_instruction());
       while (sequencer.busy()) RC_ASSERT(memory_reads(sequencer.issue().pixels) <= reads);
     }));
@@ -51,7 +61,7 @@ TEST_CASE("no step reads pixel memory more often than it has ports") {
 }
 
 TEST_CASE("coefficients are sent LSB first in two's complement, with the bit's number") {
-  Sequencer sequencer(1);
+  Sequencer sequencer(1, 1);
   sequencer.begin({.opcode = isa::Opcode::edge_negative, .linear = {.a = -2, .b = 5, .c = 1, .width = 4}});
   for (unsigned j = 0; j < 4; ++j) {
     const BitStep step = sequencer.issue();
@@ -65,7 +75,7 @@ TEST_CASE("coefficients are sent LSB first in two's complement, with the bit's n
 }
 
 TEST_CASE("with one read port the first source is latched a clock before the second is read") {
-  Sequencer sequencer(1);
+  Sequencer sequencer(1, 1);
   sequencer.begin({.opcode = isa::Opcode::bit_and, .fields = {isa::Field{3, 1}, isa::Field{4, 1}, isa::Field{5, 1}}});
   const BitStep first = sequencer.issue();
   CHECK(first.pixels.function == AluFunction::latch_x);
@@ -76,4 +86,70 @@ TEST_CASE("with one read port the first source is latched a clock before the sec
   CHECK(second.pixels.y == 5);
   CHECK(second.pixels.write == 3);
   CHECK(second.last);
+}
+
+TEST_CASE("every opcode with fields of every width takes the clocks of the table, whatever the ALU's width") {
+  for (const auto& [reads, alu_bits] : hardware) {
+    for (const isa::OpcodeInfo& row : isa::opcode_table) {
+      for (std::uint16_t width = 1; width <= isa::max_field_width; ++width) {
+        isa::Instruction instruction{.opcode = row.opcode};
+        for (unsigned i = 0; i < isa::max_operands; ++i) {
+          if (isa::is_field(row.operands[i])) {
+            instruction.fields[i] = {static_cast<std::uint16_t>(i * isa::max_field_width), width};
+          }
+        }
+        const bool single = isa::field_widths(row.opcode) == isa::FieldWidths::one;
+        if (single && width > 1) continue;
+        if (isa::has_operand(row, isa::OperandKind::linear)) {
+          instruction.linear = {1, 1, 1, static_cast<std::uint16_t>(width + 3), 2};
+        }
+        Sequencer sequencer(reads, alu_bits);
+        sequencer.begin(instruction);
+        std::uint64_t steps = 0;
+        for (; sequencer.busy(); ++steps) sequencer.issue();
+        CAPTURE(std::string(row.name));
+        CAPTURE(width);
+        CAPTURE(alu_bits);
+        CHECK(steps == csgsim::machines::clocks(instruction, machine_with(reads, alu_bits)));
+      }
+    }
+  }
+}
+
+TEST_CASE("the steps of a constant write each bit of the field once, in order, with its bit of the constant") {
+  for (const auto& [reads, alu_bits] : hardware) {
+    constexpr std::uint64_t constant = 0xb3a5;
+    for (const isa::Opcode opcode : {isa::Opcode::set_constant, isa::Opcode::xor_constant}) {
+      Sequencer sequencer(reads, alu_bits);
+      sequencer.begin({.opcode = opcode, .fields = {isa::Field{7, 17}}, .constant = constant});
+      std::uint64_t written = 0;
+      unsigned next = 7;
+      while (sequencer.busy()) {
+        const csgsim::array::ArrayStep step = sequencer.issue().pixels;
+        CHECK(step.write == next);
+        CHECK(step.bits <= alu_bits);
+        written |= std::uint64_t{step.constant} << (next - 7);
+        next += step.bits;
+      }
+      CHECK(next == 7 + 17);
+      CHECK(written == constant);
+    }
+  }
+}
+
+TEST_CASE("a comparison begins its carry at the first bit, ripples it, and decides at the last") {
+  for (const auto& [reads, alu_bits] : hardware) {
+    Sequencer sequencer(reads, alu_bits);
+    sequencer.begin({.opcode = isa::Opcode::field_lt, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}});
+    std::vector<AluFunction> functions;
+    while (sequencer.busy()) {
+      const csgsim::array::ArrayStep step = sequencer.issue().pixels;
+      if (step.function == AluFunction::latch_x) continue;
+      for (unsigned bit = 0; bit < step.bits; ++bit) functions.push_back(function_of_bit(step, bit));
+    }
+    std::vector<AluFunction> expected(9, AluFunction::compare);
+    expected.front() = AluFunction::compare_from_1;
+    expected.back() = AluFunction::less;
+    CHECK(functions == expected);
+  }
 }

@@ -62,7 +62,8 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring, and says w
     CHECK(best.compile.strategy != "auto");
     CHECK(best.compile.colouring != "auto");
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
-      for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits}) {
+      for (const emit::Strategy strategy :
+           {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits, emit::Strategy::parallel}) {
         for (const unsigned bits : {3U, 4U, 5U, 6U}) {
           how.options.strategy = strategy;
           how.options.stack_bits = bits;

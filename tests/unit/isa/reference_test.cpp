@@ -284,6 +284,34 @@ TEST_CASE("a bit instruction may write one of its sources") {
   CHECK(values(array, s1) == Values{0, 0});
 }
 
+TEST_CASE("bit instructions work bit by bit on fields, and leave a disabled pixel alone") {
+  const auto worked = [](Opcode opcode) {
+    ReferenceArray array = row(2);
+    set(array, t, {0b1001, 0b1001});
+    set(array, s, {0b0011, 0b0011});
+    set(array, {8, 4}, {0b0101, 0b0101});
+    enable(array, {1, 0});
+    array.execute(on_fields(opcode, t, s, opcode == Opcode::bit_not ? Field{} : Field{8, 4}));
+    CHECK(values(array, s) == Values{0b0011, 0b0011});
+    return values(array, t);
+  };
+  CHECK(worked(Opcode::bit_and) == Values{0b0001, 0b1001});
+  CHECK(worked(Opcode::bit_or) == Values{0b0111, 0b1001});
+  CHECK(worked(Opcode::bit_xor) == Values{0b0110, 0b1001});
+  CHECK(worked(Opcode::bit_and_not) == Values{0b0010, 0b1001});
+  CHECK(worked(Opcode::bit_not) == Values{0b1100, 0b1001});
+}
+
+TEST_CASE("xor_constant inverts the target where the constant is 1") {
+  ReferenceArray array = row(3);
+  set(array, t, {0b0000, 0b1010, 0b1010});
+  set(array, s, {15, 0, 15});
+  enable(array, {1, 1, 0});
+  array.execute({Opcode::xor_constant, {t}, {}, 0b0110, {}});
+  CHECK(values(array, t) == Values{0b0110, 0b1100, 0b1010});
+  CHECK(values(array, s) == Values{15, 0, 15});
+}
+
 TEST_CASE("global_or changes nothing") {
   ReferenceArray array = row(2);
   enable(array, {0, 1});

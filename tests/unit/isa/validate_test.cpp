@@ -36,7 +36,7 @@ TEST_CASE("the sample is valid") { CHECK(refusal_of(sample_program()).empty()); 
 TEST_CASE("an opcode has to be in the table") {
   Instruction instruction;
   instruction.opcode = static_cast<Opcode>(opcode_table.size());
-  CHECK(contains(refusal_of(instruction), "opcode 29 is undefined"));
+  CHECK(contains(refusal_of(instruction), "opcode 30 is undefined"));
 }
 
 TEST_CASE("a purpose has to be in the table") {
@@ -63,22 +63,34 @@ TEST_CASE("fields lie inside the memory and are 1 to 32 bits wide") {
   CHECK(contains(refusal_of(on(Opcode::set_constant, {0, 33})), "33 bits wide"));
 }
 
-TEST_CASE("enable and bit instructions take single bits") {
+TEST_CASE("enable instructions take single bits") {
   CHECK(refusal_of(on(Opcode::enable_store, {5, 1})).empty());
   CHECK(contains(refusal_of(on(Opcode::enable_store, {5, 2})), "single bit"));
-  CHECK(contains(refusal_of(on(Opcode::bit_not, {5, 1}, {8, 2})), "single bit"));
 }
 
-TEST_CASE("single bits of a bit instruction may coincide, other fields may not overlap") {
+TEST_CASE("fields of a bit instruction may coincide, but overlap in whole only") {
   CHECK(refusal_of(on(Opcode::bit_and, {5, 1}, {5, 1}, {5, 1})).empty());
+  CHECK(refusal_of(on(Opcode::bit_xor, {0, 32}, {0, 32}, {32, 32})).empty());
+  CHECK(refusal_of(on(Opcode::bit_or, {0, 9}, {20, 9}, {20, 9})).empty());
+  CHECK(refusal_of(on(Opcode::bit_not, {8, 4}, {4, 4})).empty());
+  for (const Opcode opcode : {Opcode::bit_and, Opcode::bit_or, Opcode::bit_xor, Opcode::bit_and_not}) {
+    CHECK(contains(refusal_of(on(opcode, {0, 8}, {0, 8}, {1, 8})), "overlap in part"));
+    CHECK(contains(refusal_of(on(opcode, {0, 8}, {7, 8}, {20, 8})), "overlap in part"));
+    CHECK(contains(refusal_of(on(opcode, {40, 8}, {0, 8}, {7, 8})), "overlap in part"));
+    CHECK(contains(refusal_of(on(opcode, {40, 8}, {0, 8}, {20, 7})), "equally wide"));
+  }
+  CHECK(contains(refusal_of(on(Opcode::bit_not, {0, 8}, {1, 8})), "overlap in part"));
+}
+
+TEST_CASE("fields of other instructions may not overlap") {
   CHECK(refusal_of(on(Opcode::copy, {0, 8}, {8, 8})).empty());
   CHECK(contains(refusal_of(on(Opcode::copy, {0, 8}, {7, 8})), "overlap"));
   CHECK(contains(refusal_of(on(Opcode::field_lt, {0, 8}, {0, 8})), "overlap"));
   CHECK(contains(refusal_of(on(Opcode::copy, {5, 1}, {5, 1})), "overlap"));
 }
 
-TEST_CASE("fields that are copied or compared are equally wide") {
-  for (const Opcode opcode : {Opcode::copy, Opcode::field_lt, Opcode::field_le, Opcode::field_eq}) {
+TEST_CASE("fields that are copied, compared or inverted are equally wide") {
+  for (const Opcode opcode : {Opcode::copy, Opcode::field_lt, Opcode::field_le, Opcode::field_eq, Opcode::bit_not}) {
     CHECK(refusal_of(on(opcode, {0, 7}, {8, 7})).empty());
     CHECK(contains(refusal_of(on(opcode, {0, 8}, {8, 7})), "equally wide"));
   }
@@ -100,6 +112,8 @@ TEST_CASE("F has a bit more than the field it meets") {
 }
 
 TEST_CASE("a constant fits its target") {
+  CHECK(refusal_of({Opcode::xor_constant, {{{3, 5}}}, {}, 31, {}}).empty());
+  CHECK(contains(refusal_of({Opcode::xor_constant, {{{3, 5}}}, {}, 32, {}}), "does not fit 5 bits"));
   CHECK(refusal_of({Opcode::set_constant, {{{0, 8}}}, {}, 255, {}}).empty());
   CHECK(contains(refusal_of({Opcode::set_constant, {{{0, 8}}}, {}, 256, {}}), "does not fit 8 bits"));
   CHECK(refusal_of({Opcode::set_constant, {{{0, 32}}}, {}, 0xffffffffU, {}}).empty());

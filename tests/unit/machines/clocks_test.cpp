@@ -81,4 +81,35 @@ TEST_CASE("two source bits take two clocks with one read of memory a clock, else
   }
 }
 
+TEST_CASE("a wider ALU works on as many bits of a field in a clock, the last of them too few to fill it or not") {
+  Instruction instruction;
+  instruction.fields = {Field{0, 20}, Field{20, 20}, Field{40, 20}};
+  const auto with = [&](Opcode opcode, std::uint32_t alu_bits, std::uint32_t memory_reads = 1) {
+    instruction.opcode = opcode;
+    machines::Machine wide = machine(memory_reads);
+    wide.alu_bits = alu_bits;
+    return machines::clocks(instruction, wide);
+  };
+  CHECK(with(Opcode::copy, 1) == 20);
+  CHECK(with(Opcode::copy, 2) == 10);
+  CHECK(with(Opcode::copy, 8) == 3);
+  CHECK(with(Opcode::set_constant, 32) == 1);
+  CHECK(with(Opcode::xor_constant, 19) == 2);
+  CHECK(with(Opcode::bit_and, 8) == 6);
+  CHECK(with(Opcode::bit_and, 8, 2) == 3);
+  CHECK(with(Opcode::field_lt, 20) == 2);
+}
+
+TEST_CASE("linear expressions, the enable register and answers gain nothing from a wider ALU") {
+  machines::Machine wide = machine(1);
+  wide.alu_bits = 16;
+  Instruction instruction;
+  instruction.opcode = Opcode::keep_max;
+  instruction.fields[0] = {0, 20};
+  instruction.linear = {.a = 1, .b = -2, .c = 3, .width = 34, .shift = 12};
+  CHECK(machines::clocks(instruction, wide) == 68);
+  CHECK(machines::clocks({.opcode = Opcode::enable_load, .fields = {Field{7, 1}}}, wide) == 1);
+  CHECK(machines::clocks({.opcode = Opcode::global_or}, wide) == 1 + 18);
+}
+
 TEST_CASE("an answer takes a clock and the way through the trees") { CHECK(clocks(Opcode::global_or) == 1 + 18); }

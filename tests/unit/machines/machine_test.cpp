@@ -59,6 +59,7 @@ TEST_CASE("pixel-planes-4 is built in, with the published figures") {
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
   CHECK(machine.clock_hz == 10'000'000);
   CHECK(machine.memory_reads == 1);
+  CHECK(machine.alu_bits == 1);
 }
 
 TEST_CASE("every built-in machine reads and bears its own name") {
@@ -82,7 +83,7 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
     CHECK_FALSE(figure.source.empty());
   }
   CHECK(keys ==
-        "array.width array.height array.memory_bits clock.frequency memory.reads memory.writes "
+        "array.width array.height array.memory_bits clock.frequency alu.bits memory.reads memory.writes "
         "evaluator.level_latency ");
   CHECK(machine.figures[3].value == "10000000");
   CHECK(machine.figures[3].unit == "Hz");
@@ -92,6 +93,10 @@ TEST_CASE("a machine file is read by its path, whatever its name") {
   const std::string path = std::string(CSGSIM_BINARY_DIR) + "/machine_test_two_reads.toml";
   std::ofstream(path) << changed("[memory.reads]\nvalue = 1", "[memory.reads]\nvalue = 2");
   CHECK(machines::load(path).memory_reads == 2);
+}
+
+TEST_CASE("a machine file says how wide the ALU is") {
+  CHECK(read_description(changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 16"), "my.toml").alu_bits == 16);
 }
 
 TEST_CASE("an unknown machine names the nearest known") {
@@ -128,6 +133,8 @@ TEST_CASE("a value out of range, a wrong unit and a wrong provenance are pointed
   const std::string big = changed("value = 72", "value = 4097");
   CHECK(message(big) == place_of(big, "4097") + ": array.memory_bits is 4097; it takes 1 to 4096 bits");
   CHECK(message_of_change("value = 512", "value = 0").ends_with("array.width is 0; it takes 1 to 16384 pixels"));
+  CHECK(message_of_change("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 33")
+            .ends_with("alu.bits is 33; it takes 1 to 32 bits"));
   CHECK(message_of_change("[memory.writes]\nvalue = 1", "[memory.writes]\nvalue = 2")
             .ends_with("memory.writes is 2; the simulator knows 1 only"));
   const std::string unit = changed("unit = \"Hz\"", "unit = \"MHz\"");
