@@ -78,8 +78,8 @@ class Development {
   [[nodiscard]] std::pair<Part, Part> halves(const Part& part) const {
     Part first{part.op, {}};
     Part second{part.op, {}};
-    std::uint64_t lead =
-        0;  // of the first half, in weights of the item at hand; more than the items that are left is as good
+    // Of the first half, in weights of the item at hand, and no more than the items left can make up.
+    std::uint64_t lead = 0;
     std::uint32_t depth = depths_[part.items.front()];
     for (const std::uint32_t item : part.items) {
       for (; depth > depths_[item]; --depth) lead = std::min<std::uint64_t>(2 * lead, part.items.size());
