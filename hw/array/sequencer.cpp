@@ -51,7 +51,8 @@ BitStep Sequencer::issue() {
     case Opcode::bit_xor: return two_operand_bit(store_step(store_xor));
     case Opcode::bit_and_not: return two_operand_bit(store_step(store_and_not));
     case Opcode::bit_not: return field_bit(store_step(store_not_x), i.fields[0].width);
-    case Opcode::global_or: return once({.function = answer});
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return once({.function = answer});
   }
   busy_ = false;
   return {};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hw/isa/instruction.h"
 #include "hw/machines/machine.h"
@@ -15,7 +16,11 @@ std::uint32_t evaluator_latency(const isa::ArrayShape& array);
 /// Clocks that the controller spends on an instruction, without the program's final latency.
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine);
 
-/// Clocks of a whole run, latency included.
+/// Clocks that the controller spends on these, if none is skipped.
+std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine);
+
+/// Clocks of a whole run in which no instruction is skipped, latency included: no run takes more. What a run really
+/// takes, only the run tells (sim::RunResult).
 std::uint64_t clocks(const isa::Program& program, const Machine& machine);
 
 }  // namespace csgsim::machines

@@ -26,6 +26,7 @@ struct Machine {
   isa::ArrayShape array;           ///< pixel processors and memory bits of each
   std::uint64_t clock_hz = 0;      ///< instruction bit steps a second
   std::uint32_t memory_reads = 1;  ///< reads of pixel memory a clock: 1 or 2
+  bool has_global_or = true;       ///< the controller learns whether any pixel is enabled
   std::vector<Figure> figures;     ///< every figure of the file, in its order
 };
 

@@ -21,6 +21,8 @@ constexpr auto table = std::to_array<FigureSchema>({
     {"memory.reads", "a clock", 1, 2, "reads of a pixel's memory",
      [](Machine& machine, std::int64_t value) { machine.memory_reads = static_cast<std::uint32_t>(value); }},
     {"memory.writes", "a clock", 1, 1, "writes of a pixel's memory", store_nothing},
+    {"global_or.present", "lines", 0, 1, "wired OR of all enable bits, back to the controller",
+     [](Machine& machine, std::int64_t value) { machine.has_global_or = value != 0; }},
     {"evaluator.level_latency", "clocks", 1, 1, "from one level of a multiplier tree to the next", store_nothing},
 });
 

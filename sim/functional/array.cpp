@@ -69,7 +69,8 @@ Recipe recipe_for(Opcode opcode, unsigned shift) {
     case Opcode::bit_xor:
     case Opcode::bit_and_not:
     case Opcode::bit_not:
-    case Opcode::global_or: break;
+    case Opcode::global_or:
+    case Opcode::skip_if_none: break;
   }
   return {};
 }
@@ -137,7 +138,8 @@ std::uint64_t Array::execute(const Instruction& instruction) {
     case Opcode::bit_xor:
     case Opcode::bit_and_not:
     case Opcode::bit_not: combine_bits(instruction); return 0;
-    case Opcode::global_or: return 0;
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return 0;
   }
   return 0;
 }

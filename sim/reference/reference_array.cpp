@@ -118,7 +118,8 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
     case Opcode::bit_not:
       if (e) put(pixel, first, get(pixel, second) == 0 ? 1 : 0);
       break;
-    case Opcode::global_or: break;
+    case Opcode::global_or:
+    case Opcode::skip_if_none: break;
   }
 }
 
