@@ -131,7 +131,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
 }  // namespace
 
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                     const machines::Machine& machine, const Options& options) {
+                     const machines::Machine& machine, const Options& options, const ClockCounter& count) {
   const view::PixelRect screen{0, 0, static_cast<std::int32_t>(view.sampling.width) - 1,
                                static_cast<std::int32_t>(view.sampling.height) - 1};
   const Plan plan = make_plan(tree, scene, view, screen, options.pruning);
@@ -144,7 +144,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   for (const Options& one : all) {
     try {
       isa::Program program = compile_as(input, one);
-      const std::uint64_t clocks = machines::clocks(program, machine);
+      const std::uint64_t clocks = count ? count(program) : machines::clocks(program, machine);
       if (!best || clocks < fewest) {
         best = std::move(program);
         fewest = clocks;

@@ -14,6 +14,7 @@
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
+#include "sim/functional/clocks.h"
 
 namespace csgsim::app {
 
@@ -192,7 +193,8 @@ CompiledModel compile(const ModelOptions& options, const machines::Machine& mach
   const view::Camera camera = camera_of(options, machine, scene);
   const view::View view = view::make_view(scene, tree, camera, sampling_of(options, machine));
   warn_of_coarse_depth(view);
-  isa::Program program = emit::compile(tree, scene, view, machine, emit_options_of(options));
+  isa::Program program = emit::compile(tree, scene, view, machine, emit_options_of(options),
+                                       [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
   return {std::move(tree), std::move(scene), camera, std::move(program)};
 }
 

@@ -8,14 +8,20 @@
 
 namespace csgsim::testing {
 
+machines::Machine machine_of(const isa::ArrayShape& array) {
+  machines::Machine machine;
+  machine.array = array;
+  machine.clock_hz = 10'000'000;
+  return machine;
+}
+
 namespace {
 
 Compiled compile_tree(model::Tree tree, const Setup& setup) {
   facet::Scene scene = facet::make_scene(tree);
   view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
-  machines::Machine machine;
-  machine.array = {setup.sampling.width, setup.sampling.height, setup.memory_bits};
-  machine.clock_hz = 10'000'000;
+  machines::Machine machine = machine_of({setup.sampling.width, setup.sampling.height, setup.memory_bits});
+  machine.has_global_or = setup.has_global_or;
   isa::Program program = emit::compile(tree, scene, view, machine, setup.options);
   isa::validate(program);
   return {std::move(tree), std::move(scene), std::move(view), std::move(program)};
@@ -39,9 +45,7 @@ Compiled compile_default_view(const std::string& path, Setup setup, view::Projec
 }
 
 sim::Frame draw(const isa::Program& program, unsigned threads) {
-  machines::Machine machine;
-  machine.array = program.shape;
-  machine.clock_hz = 10'000'000;
+  const machines::Machine machine = machine_of(program.shape);
   sim::FrameObserver frame(program);
   const std::array<sim::Observer*, 1> observers{&frame};
   const sim::RunResult result = sim::make_functional_engine(machine, threads)->run(program, observers);

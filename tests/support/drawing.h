@@ -13,6 +13,9 @@
 
 namespace csgsim::testing {
 
+/// A machine with that array.
+machines::Machine machine_of(const isa::ArrayShape& array);
+
 /// A model taken all the way to a Program.
 struct Compiled {
   model::Tree tree;
@@ -26,6 +29,7 @@ struct Setup {
   view::Sampling sampling;
   std::uint32_t memory_bits = 72;
   emit::Options options{};
+  bool has_global_or = true;
 };
 
 Compiled compile_text(const std::string& csg, const Setup& setup);
