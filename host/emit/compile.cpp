@@ -56,17 +56,18 @@ struct Input {
   const facet::Scene& scene;
   const view::View& view;
   const Plan& plan;
-  std::uint32_t memory_bits;
+  const machines::Machine& machine;
 };
 
 /// With a strategy and a colouring chosen.
 isa::Program compile_as(const Input& input, const Options& options) {
   const view::Sampling& sampling = input.view.sampling;
   const ClassificationBits classification = classification_bits(input.tree, input.plan, options);
+  const std::uint32_t memory_bits = input.machine.array.memory_bits;
   const Layout layout = plan_layout(
-      {sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, classification}, input.memory_bits);
+      {sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, classification}, memory_bits);
   isa::Program program;
-  program.shape = {sampling.width, sampling.height, input.memory_bits};
+  program.shape = {sampling.width, sampling.height, memory_bits};
   program.primitives = primitive_names(input.tree);
   program.depth_scale = input.view.depth;
   program.model = model_facts(input.tree, input.scene);
@@ -75,7 +76,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   isa::Segment segment{
       {0, 0, sampling.width, sampling.height}, {}, input.plan.active_primitives, input.plan.active_halfspaces};
   Broadcast out(segment, sampling);
-  const Context context{input.tree, input.scene, input.view, input.plan, layout, options};
+  const Context context{input.tree, input.scene, input.view, input.plan, layout, options, input.machine};
   emit_setup(context, out);
   ScanConversions counts;
   std::uint32_t depth = 0;
@@ -135,7 +136,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   const view::PixelRect screen{0, 0, static_cast<std::int32_t>(view.sampling.width) - 1,
                                static_cast<std::int32_t>(view.sampling.height) - 1};
   const Plan plan = make_plan(tree, scene, view, screen, options.pruning);
-  const Input input{tree, scene, view, plan, machine.array.memory_bits};
+  const Input input{tree, scene, view, plan, machine};
   const std::vector<Options> all = candidates(options, plan);
   if (all.size() == 1) return compile_as(input, all.front());
   std::optional<isa::Program> best;

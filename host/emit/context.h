@@ -4,6 +4,7 @@
 #include "host/emit/layout.h"
 #include "host/emit/options.h"
 #include "host/emit/plan.h"
+#include "hw/machines/machine.h"
 
 namespace csgsim::emit {
 
@@ -15,6 +16,7 @@ struct Context {
   const Plan& plan;
   const Layout& layout;
   const Options& options;
+  const machines::Machine& machine;
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {

@@ -43,11 +43,10 @@ struct NamedPruning {
   bool csg::Pruning::*is_done;
 };
 
-constexpr NamedPruning prunings[] = {{"space", &csg::Pruning::space},
-                                     {"picture", &csg::Pruning::picture},
-                                     {"separation", &csg::Pruning::separation},
-                                     {"halfspaces", &csg::Pruning::halfspaces},
-                                     {"hidden", &csg::Pruning::hidden}};
+constexpr NamedPruning prunings[] = {
+    {"space", &csg::Pruning::space},           {"picture", &csg::Pruning::picture},
+    {"separation", &csg::Pruning::separation}, {"halfspaces", &csg::Pruning::halfspaces},
+    {"hidden", &csg::Pruning::hidden},         {"early-out", &csg::Pruning::early_out}};
 
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
@@ -89,7 +88,8 @@ void ModelOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--without", without,
-                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, or all")
+                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, early-out, or "
+                  "all")
       ->delimiter(',')
       ->check(CLI::IsMember(pruning_names()));
 }
