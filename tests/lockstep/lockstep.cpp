@@ -118,6 +118,8 @@ void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program&
   }
   require(expected.segments == actual.segments, "the ends of the segments differ");
   require(expected_result.answers == actual_result.answers, "the answers differ");
+  require(expected_result.overflows == actual_result.overflows,
+          fmt::format("{} overflows, not {}", actual_result.overflows, expected_result.overflows));
   check_clocks(expected_result, expected, program, machine, judge.level());
   check_clocks(actual_result, actual, program, machine, engine.level());
 }

@@ -296,6 +296,25 @@ TEST_CASE("a window of a run is recorded as VCD, and what lies outside it is not
   CHECK(contents(file) == text);
 }
 
+TEST_CASE("after a skip the wave shows the next instruction in the very clock in which the answer has come") {
+  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_skip.vcd";
+  PixelPlanes machine("machine", machine_8x8());
+  RunListener nobody;
+  const Instruction all{.opcode = Opcode::enable_all};
+  const std::vector<Segment> program{segment_of({skip(2), all, all, {.opcode = Opcode::enable_invert}, all})};
+  machine.record({.file = file, .begin = 4, .end = 11, .probes = {}, .fields = {}});
+  CHECK(machine.run(program, nobody).recorded);
+  const std::string text = contents(file);
+  const auto between = [&](const char* from, const char* to) {
+    const std::size_t begin = text.find(from);
+    return text.substr(begin, text.find(to) - begin);
+  };
+  // controller.instruction: the question until clock 6, then the fourth and the fifth instruction.
+  CHECK(between("\n#600000\n", "\n#800000\n").find("\nb11 ") == std::string::npos);
+  CHECK(between("\n#800000\n", "\n#900000\n").find("\nb11 ") != std::string::npos);
+  CHECK(between("\n#900000\n", "\n#1000000\n").find("\nb100 ") != std::string::npos);
+}
+
 TEST_CASE("a window beyond the program's end is closed with the program, and probes outside the array are refused") {
   const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_end.vcd";
   PixelPlanes machine("machine", machine_8x8());
