@@ -10,9 +10,10 @@ struct Pruning {
   bool halfspaces = true;  ///< half-spaces that hold all or nothing of the block, or never make the surface there
   bool hidden = true;      ///< primitives behind a finished nearer one
   bool sets = true;        ///< primitives that only intersections join are one convex solid (thesis 7.3.2)
+  bool early_out = true;   ///< while it runs, what no pixel is left for, if the machine has a global OR
 
   /// The I-trees as they are.
-  static constexpr Pruning none() { return {false, false, false, false, false, false}; }
+  static constexpr Pruning none() { return {false, false, false, false, false, false, false}; }
 };
 
 }  // namespace csgsim::csg

@@ -40,6 +40,10 @@ void Broadcast::nowhere() {
   segment_.instructions.push_back({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin});
 }
 
+void Broadcast::insert(std::size_t place, const isa::Instruction& instruction) {
+  segment_.instructions.insert(segment_.instructions.begin() + static_cast<std::ptrdiff_t>(place), instruction);
+}
+
 void Broadcast::linear(isa::Opcode opcode, isa::Field field, view::FixedLinear plane, unsigned shift,
                        const view::PixelRect& pixels) {
   const unsigned needed =

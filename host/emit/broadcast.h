@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/view/fixed_point.h"
@@ -24,6 +26,17 @@ class Broadcast {
 
   /// E := 0.
   void nowhere();
+
+  /// Instructions in the segment so far.
+  [[nodiscard]] std::size_t size() const { return segment_.instructions.size(); }
+
+  /// Those from that one on.
+  [[nodiscard]] std::span<const isa::Instruction> from(std::size_t begin) const {
+    return std::span<const isa::Instruction>(segment_.instructions).subspan(begin);
+  }
+
+  /// Puts an instruction before that one. No skip may reach over the place.
+  void insert(std::size_t place, const isa::Instruction& instruction);
 
   /// A surface plane against a depth field, as wide as its values over `pixels` ask; E has to be 0 outside `pixels`.
   void surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane, const view::PixelRect& pixels);

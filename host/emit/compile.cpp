@@ -61,8 +61,7 @@ struct Input {
   const facet::Scene& scene;
   const view::View& view;
   const Plan& plan;
-  std::uint32_t memory_bits;
-  std::uint32_t alu_bits;
+  const machines::Machine& machine;
 };
 
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
@@ -90,10 +89,11 @@ isa::Segment compile_segment(const Context& context, ScanConversions& counts) {
 isa::Program compile_as(const Input& input, const Options& options) {
   const view::Sampling& sampling = input.view.sampling;
   const ClassificationBits classification = classification_bits(input.tree, input.plan, options);
+  const std::uint32_t memory_bits = input.machine.array.memory_bits;
   const Layout layout = plan_layout(
-      {sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, classification}, input.memory_bits);
+      {sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, classification}, memory_bits);
   isa::Program program;
-  program.shape = {sampling.width, sampling.height, input.memory_bits};
+  program.shape = {sampling.width, sampling.height, memory_bits};
   program.primitives = primitive_names(input.tree);
   program.depth_scale = input.view.depth;
   program.model = model_facts(input.tree, input.scene);
@@ -102,7 +102,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   ScanConversions counts;
   for (const SegmentPlan& plan : input.plan.segments) {
     program.segments.push_back(compile_segment(
-        {input.tree, input.scene, input.view, input.plan.positive, plan, layout, options, input.alu_bits}, counts));
+        {input.tree, input.scene, input.view, input.plan.positive, plan, layout, options, input.machine}, counts));
   }
   program.compile = {std::string(name_of(options.strategy)),
                      std::string(name_of(options.colouring)),
@@ -151,12 +151,12 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
 }  // namespace
 
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                     const machines::Machine& machine, const Options& options) {
+                     const machines::Machine& machine, const Options& options, const ClockCounter& count) {
   csg::Pruning pruning = options.pruning;
   // Chapter 6 multiplies the tree of primitives out as it is.
   if (options.strategy == Strategy::products) pruning.sets = false;
   const Plan plan = make_plan(tree, scene, view, machines::regions(machine), pruning);
-  const Input input{tree, scene, view, plan, machine.array.memory_bits, machine.alu_bits};
+  const Input input{tree, scene, view, plan, machine};
   const std::vector<Options> all = candidates(options, plan);
   if (all.size() == 1) return compile_as(input, all.front());
   std::optional<isa::Program> best;
@@ -165,7 +165,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   for (const Options& one : all) {
     try {
       isa::Program program = compile_as(input, one);
-      const std::uint64_t clocks = machines::clocks(program, machine);
+      const std::uint64_t clocks = count ? count(program) : machines::clocks(program, machine);
       if (!best || clocks < fewest) {
         best = std::move(program);
         fewest = clocks;

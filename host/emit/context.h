@@ -4,6 +4,7 @@
 #include "host/emit/layout.h"
 #include "host/emit/options.h"
 #include "host/emit/plan.h"
+#include "hw/machines/machine.h"
 
 namespace csgsim::emit {
 
@@ -16,7 +17,7 @@ struct Context {
   const SegmentPlan& plan;
   const Layout& layout;
   const Options& options;
-  unsigned alu_bits;  ///< of the machine
+  const machines::Machine& machine;
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {

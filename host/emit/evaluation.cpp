@@ -6,6 +6,7 @@
 
 #include "host/csg/apart.h"
 #include "host/csg/products.h"
+#include "host/emit/early_out.h"
 #include "host/emit/labels.h"
 #include "host/emit/levels.h"
 #include "host/emit/parallel.h"
@@ -50,6 +51,27 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
   }
 }
 
+/// Draws the surface in Z1 where it is nearer than Z2 and what is left of the mask by `classify`, which returns the
+/// number of primitives compared. The depth test comes first: where it leaves nothing, nothing has to be classified.
+template <class Classify>
+void emit_visible(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface,
+                  ScanConversions& counts, const Classify& classify) {
+  counts.rendered += planned.set.size();
+  ++counts.depth_tests;
+  emit_depth_test(context, out, planned.primitive());
+  const std::size_t classification = out.size();
+  counts.classified += classify();
+  const bool is_classified = out.size() > classification;
+  const isa::Origin merging{isa::Purpose::merge, planned.primitive(), isa::no_node};
+  out.origin = merging;
+  if (is_classified) out.plain(isa::Opcode::enable_load, context.layout.mask);
+  const std::size_t merge = out.size();
+  emit_merge(context, out, planned, surface);
+  emit_early_out(context, out, merge, merging);
+  if (is_classified)
+    emit_early_out(context, out, classification, {isa::Purpose::classify, planned.primitive(), isa::no_node});
+}
+
 /// Renders, classifies and merges one product.
 void emit_product(const Context& context, Broadcast& out, const Planned& planned,
                   const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves,
@@ -59,10 +81,8 @@ void emit_product(const Context& context, Broadcast& out, const Planned& planned
   product.active.operands = std::move(leaves);
   const Surface surface = emit_surface(context, out, planned);
   if (surface.nothing) return;
-  counts.rendered += planned.set.size();
-  counts.classified += emit_by_levels(context, out, product, all_levels);
-  ++counts.depth_tests;
-  emit_merge(context, out, planned, surface);
+  emit_visible(context, out, planned, surface, counts,
+               [&] { return emit_by_levels(context, out, product, all_levels); });
 }
 
 /// A product is empty if two of its solids are apart (thesis 6.3.2).
@@ -135,17 +155,13 @@ void emit_primitive(const Context& context, Broadcast& out, const Planned& plann
   }
   const Surface surface = emit_surface(context, out, planned);
   if (surface.nothing) return;
-  counts.rendered += planned.set.size();
-  if (options.strategy == Strategy::list) {
-    counts.classified += emit_list(context, out, planned);
-  } else if (options.strategy == Strategy::parallel) {
-    counts.classified += emit_parallel(context, out, planned);
-  } else if (!planned.active.operands.empty()) {
-    counts.classified +=
-        emit_by_levels(context, out, planned, options.strategy == Strategy::bits ? stack_levels(options) : all_levels);
-  }
-  ++counts.depth_tests;
-  emit_merge(context, out, planned, surface);
+  emit_visible(context, out, planned, surface, counts, [&]() -> std::uint64_t {
+    if (planned.active.operands.empty()) return 0;
+    if (options.strategy == Strategy::list) return emit_list(context, out, planned);
+    if (options.strategy == Strategy::parallel) return emit_parallel(context, out, planned);
+    return emit_by_levels(context, out, planned,
+                          options.strategy == Strategy::bits ? stack_levels(options) : all_levels);
+  });
 }
 
 }  // namespace csgsim::emit

@@ -62,7 +62,7 @@ class ParallelEmitter {
     }
     emit_stack(out_, Opcode::enable_load, context_.layout.mask);
     const isa::Field result = context_.layout.stack.front();
-    emit_string_levels(out_, string, result.base, context_.alu_bits);
+    emit_string_levels(out_, string, result.base, context_.machine.alu_bits);
     emit_stack(out_, string.inverted ? Opcode::enable_and_not : Opcode::enable_and, result);
     emit_stack(out_, Opcode::enable_store, context_.layout.mask);
   }

@@ -183,22 +183,23 @@ Surface emit_surface(const Context& context, Broadcast& out, const Planned& plan
                 context.linear_of(other.halfspace), block.pixels);
   }
   if (complemented) emit_near_test(context, out, surface);
-  out.plain(Opcode::enable_store, context.layout.mask);
   return surface;
+}
+
+void emit_depth_test(const Context& context, Broadcast& out, std::uint32_t primitive) {
+  out.origin = {isa::Purpose::merge, primitive, isa::no_node};
+  out.plain(Opcode::field_lt, context.layout.candidate, context.layout.depth);
+  out.plain(Opcode::enable_store, context.layout.mask);
 }
 
 void emit_merge(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface) {
   const Layout& layout = context.layout;
   out.origin = {isa::Purpose::merge, planned.primitive(), planned.set.size() > 1 ? planned.primitive() : isa::no_node};
-  out.plain(Opcode::enable_load, layout.mask);
-  out.plain(Opcode::field_lt, layout.candidate, layout.depth);
+  out.plain(Opcode::copy, layout.depth, layout.candidate);
   if (layout.candidate_colour.width > 0) {
-    out.plain(Opcode::copy, layout.depth, layout.candidate);
     out.plain(Opcode::copy, layout.colour, layout.candidate_colour);
     return;
   }
-  out.plain(Opcode::enable_store, layout.mask);
-  out.plain(Opcode::copy, layout.depth, layout.candidate);
   emit_colours(context, out, planned, surface);
 }
 

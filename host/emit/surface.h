@@ -15,11 +15,13 @@ struct Surface {
   csg::Block block;
 };
 
-/// The surface into Z1, and its colour beside it if there is a field for it. Leaves E and the mask 1 where there is
-/// one.
+/// The surface into Z1, and its colour beside it if there is a field for it. Leaves E 1 where there is one.
 Surface emit_surface(const Context& context, Broadcast& out, const Planned& planned);
 
-/// Depth test of Z1 against Z2 where the mask is 1, copy of the nearer, and its colour.
+/// Depth test: leaves E and the mask 1 where E is 1 and Z1 is nearer than Z2.
+void emit_depth_test(const Context& context, Broadcast& out, std::uint32_t primitive);
+
+/// Copy of Z1 to Z2 where E is 1, and its colour. The mask has to be E.
 void emit_merge(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface);
 
 }  // namespace csgsim::emit

@@ -54,7 +54,8 @@ BitStep Sequencer::issue() {
     case Opcode::bit_xor: return two_operand_bits(store_step(store_xor));
     case Opcode::bit_and_not: return two_operand_bits(store_step(store_and_not));
     case Opcode::bit_not: return field_bits(store_step(store_not_x));
-    case Opcode::global_or: return once({.function = answer});
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return once({.function = answer});
     case Opcode::xor_constant: return field_bits(change_step(store_xor_constant));
   }
   busy_ = false;

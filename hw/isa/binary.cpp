@@ -63,7 +63,8 @@ void write_operand(ByteWriter& out, const Instruction& instruction, std::size_t 
       out.varint(linear.width);
       out.varint(linear.shift);
       break;
-    case OperandKind::constant: out.varint(instruction.constant); break;
+    case OperandKind::constant:
+    case OperandKind::count: out.varint(instruction.constant); break;
   }
 }
 
@@ -81,7 +82,8 @@ void read_operand(ByteReader& in, Instruction& instruction, std::size_t operand)
       linear.width = read_short(in);
       linear.shift = read_short(in);
       break;
-    case OperandKind::constant: instruction.constant = in.varint(); break;
+    case OperandKind::constant:
+    case OperandKind::count: instruction.constant = in.varint(); break;
   }
 }
 

@@ -18,8 +18,8 @@ namespace csgsim::isa {
 ///
 /// An instruction is its opcode's number, plus 128 if its origin is that of the instruction before; else the origin
 /// follows: purpose, primitive + 1 and node + 1, 0 for none. Then its operands as the opcode table lists them: a field
-/// is base and width; a linear expression A, B, C (zigzag), width and shift; a constant itself. All are varints
-/// (LEB128).
+/// is base and width; a linear expression A, B, C (zigzag), width and shift; a constant or a count itself. All are
+/// varints (LEB128).
 std::vector<std::byte> encode(const Program& program);
 
 /// Does a file that begins so claim to be of the binary form?

@@ -78,7 +78,7 @@ struct Origin {
 };
 
 /// One broadcast instruction. Operand i of the opcode's row is fields[i] if it is a target or source, `linear` if it is
-/// linear, `constant` if it is a constant; members that the row does not name are zero.
+/// linear, `constant` if it is a constant or a count; members that the row does not name are zero.
 struct Instruction {
   Opcode opcode = Opcode::enable_all;
   std::array<Field, max_operands> fields{};

@@ -27,7 +27,8 @@ This page is generated from the tables in `hw/isa/`; the machines and the host u
 A **Program** is all that crosses from the host to a machine. It is a list of **segments**, each a rectangle of the
 picture and the instructions broadcast to its pixels: the whole screen on Pixel-planes, a line on the scan-line array,
 a square on the pixel-square renderer. A machine carries out the same instruction at every pixel of the segment at
-once. There are no jumps: what differs from pixel to pixel is whether a pixel takes part.
+once: what differs from pixel to pixel is whether a pixel takes part. The only jump is forward, over instructions for
+which no pixel is left: `skip_if_none`.
 
 ## The state of a pixel
 
@@ -66,7 +67,8 @@ in a clock, or on several adjacent ones (`alu.bits`); linear expressions come on
 follow back to back: while the last bits of one expression run down the multiplier trees the first bits of the next
 enter at the root. So the clocks of a Program are the sum of the table below over its instructions, plus the latency of
 the trees once, at the end. The latency is one clock a level: ceil(log2 width) + ceil(log2 height) of the machine's
-array. `global_or` pays it too, as the controller waits for the answer.
+array. `global_or` and `skip_if_none` pay it too, as the controller waits for the answer; instructions that are skipped
+take no clock. Both need a machine with a global OR.
 
 | clocks | instructions |
 |---|---|
@@ -92,6 +94,7 @@ std::string_view operand_name(OperandKind kind) {
     case OperandKind::source: return "source";
     case OperandKind::linear: return "linear";
     case OperandKind::constant: return "constant";
+    case OperandKind::count: return "count";
   }
   return {};
 }
@@ -120,8 +123,8 @@ std::string operands_of(const OpcodeInfo& row) {
 void put_opcodes(std::string& page) {
   put(page,
       "## Instructions\n\n"
-      "E is the enable bit, t a target field, s and r source fields in the order of the operands, k a constant, F the\n"
-      "value of the linear expression.\n\n"
+      "E is the enable bit, t a target field, s and r source fields in the order of the operands, k a constant or a\n"
+      "count, F the value of the linear expression.\n\n"
       "| number | instruction | operands | fields | meaning |\n|---|---|---|---|---|\n");
   for (const OpcodeInfo& row : opcode_table)
     put(page, "| {} | `{}` | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
@@ -183,6 +186,7 @@ enable_all
 set_constant Z1, 0 ; render p0
 edge_not_negative 40*x - 3*y - 812 (w16) ; render p0
 keep_max Z1, 12*x - 7*y + 991 (w35 >> 12) ; render p0
+skip_if_none 2 ; classify p0
 linear_le Z1, 3*x + 77 (w33 >> 12) ; classify p0 against p1
 enable_store in ; classify p0 against p1
 set_constant [41+:8], 0xff ; shade p0
@@ -209,7 +213,7 @@ void put_text_form(std::string& page) {
       "- A field is a name that `.field` gave it, `[bit]`, or `[base+:width]`.\n"
       "- A linear expression is a sum of A\\*x, B\\*y and C, each at most once, then `(wWIDTH)` or `(wWIDTH >> "
       "SHIFT)`.\n"
-      "- A constant is decimal, or hexadecimal after `0x`.\n"
+      "- A constant or a count is decimal, or hexadecimal after `0x`.\n"
       "- After `;` stands the origin: the purpose, `pN` for a primitive, `against pN` for the one it is compared "
       "with.\n"
       "  Primitives count from 0 in the order of the `.primitive` lines. Without `;` the purpose is `{}`.\n"

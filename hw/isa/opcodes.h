@@ -14,6 +14,7 @@ enum class OperandKind : std::uint8_t {
   source,    ///< a field of pixel memory that is read
   linear,    ///< A, B, C, width, shift of a linear expression
   constant,  ///< an unsigned constant as wide as the target field
+  count,     ///< a number of instructions, 1 at least
 };
 
 /// How many clocks an instruction takes (see hw/machines/clocks.h for the figures).
@@ -28,10 +29,10 @@ enum class ClockClass : std::uint8_t {
 
 /// The broadcast instruction set. Columns: opcode, operands (at most three), clock class, meaning.
 ///
-/// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant, and F the
-/// pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number, shifted
-/// right by `shift` with floor; x and y are the pixel's column and row in its segment. Fields are unsigned. Memory is
-/// written only where E is 1, but for enable_store.
+/// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant or a count, and
+/// F the pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number,
+/// shifted right by `shift` with floor; x and y are the pixel's column and row in its segment. Fields are unsigned.
+/// Memory is written only where E is 1, but for enable_store.
 // clang-format off
 #define CSGSIM_OPCODES(OP)                                                                                             \
   OP(enable_all,        none,   none,     none,   one,          "E := 1")                                              \
@@ -66,7 +67,9 @@ enum class ClockClass : std::uint8_t {
   OP(bit_and_not,       target, source,   source, two_fields,   "where E: t := s and not r, bit by bit")               \
   OP(bit_not,           target, source,   none,   field,        "where E: t := not s, bit by bit")                     \
   OP(global_or,         none,   none,     none,   answer,       "the host is told whether E is 1 at any pixel")        \
-  OP(xor_constant,      target, constant, none,   field,        "where E: t := t xor k, bit by bit")
+  OP(xor_constant,      target, constant, none,   field,        "where E: t := t xor k, bit by bit")                    \
+  OP(skip_if_none,      count,  none,     none,   answer,                                                              \
+     "if E is 1 at no pixel, the next k instructions of the segment are not carried out")
 // clang-format on
 
 enum class Opcode : std::uint8_t {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "hw/isa/instruction.h"
 
@@ -46,7 +47,9 @@ constexpr FieldWidths field_widths(Opcode opcode) {
     case Opcode::keep_min:
     case Opcode::set_constant:
     case Opcode::global_or:
-    case Opcode::xor_constant: return FieldWidths::free;
+    case Opcode::xor_constant:
+
+    case Opcode::skip_if_none: return FieldWidths::free;
   }
   return FieldWidths::free;
 }
@@ -55,6 +58,14 @@ constexpr bool is_field(OperandKind kind) { return kind == OperandKind::target |
 
 constexpr bool has_operand(const OpcodeInfo& row, OperandKind kind) {
   return std::find(row.operands.begin(), row.operands.end(), kind) != row.operands.end();
+}
+
+/// Does it need the global OR of the machine?
+constexpr bool asks(Opcode opcode) { return info(opcode).clock_class == ClockClass::answer; }
+
+/// Instructions after this one that are not carried out, if so many pixels are enabled.
+constexpr std::uint64_t skipped_after(const Instruction& instruction, std::uint64_t enabled_pixels) {
+  return instruction.opcode == Opcode::skip_if_none && enabled_pixels == 0 ? instruction.constant : 0;
 }
 
 /// Is there a row for it? A value read from a file need not have one.

@@ -130,8 +130,8 @@ Field field_of(const Program& program, FieldRole role);
 
 /// Throws InputError unless the instruction can run on an array of that memory: opcode in the table, fields inside the
 /// memory and of the widths the opcode asks for, fields of one instruction disjoint (single bits may coincide), linear
-/// width and shift in range and wide enough for the field it meets, constant no wider than its target, unused operands
-/// zero.
+/// width and shift in range and wide enough for the field it meets, constant no wider than its target, count not 0,
+/// unused operands zero.
 void validate(const Instruction& instruction, std::uint32_t memory_bits);
 
 /// Throws InputError unless every part of the Program is sound; says which segment and instruction is not.

@@ -32,7 +32,7 @@ namespace csgsim::isa {
 /// - A field is the name of a `.field`, `[bit]`, or `[base+:width]`: width bits of pixel memory, the least significant
 ///   at base.
 /// - A linear expression is a sum of A*x, B*y and C, each once at most, then `(wWIDTH)` or `(wWIDTH >> SHIFT)`.
-/// - A constant is decimal, or hexadecimal after `0x`.
+/// - A constant or a count is decimal, or hexadecimal after `0x`.
 /// - After `;` stands the origin: a purpose, `pN` for the primitive with index N, counted from 0 in the order of the
 ///   `.primitive` lines, and `against pN` for the one it is compared with. Without `;` it is `setup`.
 /// - Words are letters, digits, `_` and `.`, not beginning with a digit or dot. Names of fields that are no words are

@@ -50,12 +50,14 @@ struct hexadecimal : plus<xdigit> {};
 struct decimal : number {};
 struct constant_operand : sor<if_must<string<'0', 'x'>, hexadecimal>, decimal> {};
 
+struct instruction_count : seq<constant_operand> {};
+
 struct comma : seq<gap, one<','>> {};
 
 /// The operands that the instruction's row in the opcode table asks for.
 struct operands {
   using rule_t = operands;
-  using subs_t = type_list<comma, gap, field_operand, linear_operand, constant_operand>;
+  using subs_t = type_list<comma, gap, field_operand, linear_operand, constant_operand, instruction_count>;
 
   template <apply_mode A, rewind_mode M, template <typename...> class Action, template <typename...> class Control,
             typename ParseInput>
@@ -75,6 +77,7 @@ struct operands {
           break;
         case OperandKind::linear: demand(std::type_identity<linear_operand>{}); break;
         case OperandKind::constant: demand(std::type_identity<constant_operand>{}); break;
+        case OperandKind::count: demand(std::type_identity<instruction_count>{}); break;
       }
     }
     return true;
@@ -175,6 +178,8 @@ template <>
 inline constexpr const char* message<hexadecimal> = "expected hexadecimal digits after 0x";
 template <>
 inline constexpr const char* message<constant_operand> = "expected a constant, as in 255 or 0xff";
+template <>
+inline constexpr const char* message<instruction_count> = "expected a number of instructions, as in skip_if_none 12";
 template <>
 inline constexpr const char* message<comma> = "expected a comma and one more operand";
 template <>

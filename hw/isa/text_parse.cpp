@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <string>
 #include <utility>
 
@@ -56,7 +54,6 @@ CSGSIM_WHEN(mnemonic) { reading.begin_instruction(matched); }
 CSGSIM_WHEN(purpose) { reading.set_purpose(matched); }
 CSGSIM_WHEN(primitive) { reading.instruction.origin.primitive = Reading::index(matched); }
 CSGSIM_WHEN(node) { reading.instruction.origin.node = Reading::index(matched); }
-CSGSIM_WHEN(instruction) { reading.end_instruction(); }
 
 CSGSIM_WHEN(directive_name) { reading.begin_directive(std::string(matched)); }
 CSGSIM_WHEN(key) { reading.key = matched; }
@@ -71,6 +68,16 @@ CSGSIM_WHEN(directive) { reading.end_directive(); }
 
 #undef CSGSIM_WHEN
 
+template <>
+struct Action<grammar::instruction> : Located<Action<grammar::instruction>> {
+  template <typename ActionInput>
+  static void apply(const ActionInput& in, Reading& reading) {
+    Located::apply(in, reading);
+    reading.place_instruction(in.iterator().line, in.iterator().column);
+  }
+  static void read(std::string_view /*matched*/, Reading& reading) { reading.end_instruction(); }
+};
+
 }  // namespace
 
 Program parse(std::string_view text, std::string_view name) {
@@ -78,11 +85,9 @@ Program parse(std::string_view text, std::string_view name) {
   Reading reading;
   try {
     tao::pegtl::parse<grammar::file, Action, grammar::Control>(in, reading);
-    return reading.finish();
+    return reading.finish(name);
   } catch (const tao::pegtl::parse_error& error) {
     throw InputError(error.what());
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", name, error.what()));
   }
 }
 

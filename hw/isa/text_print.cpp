@@ -93,7 +93,8 @@ void put_operand(Buffer& out, const Instruction& instruction, std::size_t operan
     case OperandKind::target:
     case OperandKind::source: put_field(out, instruction.fields[operand], program); break;
     case OperandKind::linear: put_linear(out, instruction.linear); break;
-    case OperandKind::constant: put(out, "{}", instruction.constant); break;
+    case OperandKind::constant:
+    case OperandKind::count: put(out, "{}", instruction.constant); break;
   }
 }
 

@@ -191,8 +191,23 @@ void Reading::end_instruction() {
   segment.instructions.push_back(instruction);
 }
 
-Program Reading::finish() {
-  if (records_seen_.empty()) refuse("there is no .array; begin with .array width=... height=... memory_bits=...");
+void Reading::place_instruction(std::size_t line, std::size_t column) {
+  const std::vector<Instruction>& instructions = program_.segments.back().instructions;
+  if (has_operand(info(instructions.back().opcode), OperandKind::count))
+    skips_.push_back({program_.segments.size() - 1, instructions.size() - 1, line, column});
+}
+
+Program Reading::finish(std::string_view name) {
+  if (records_seen_.empty())
+    refuse("{}: there is no .array; begin with .array width=... height=... memory_bits=...", name);
+  for (const Skip& skip : skips_) {
+    const std::vector<Instruction>& instructions = program_.segments[skip.segment].instructions;
+    try {
+      validate_reach(instructions[skip.index], instructions.size() - 1 - skip.index);
+    } catch (const InputError& error) {
+      refuse("{}:{}:{}: {}", name, skip.line, skip.column, error.what());
+    }
+  }
   return std::move(program_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -45,6 +46,8 @@ class Reading {
   void refer_to_field(std::string_view name);
   void set_purpose(std::string_view name);
   void end_instruction();
+  /// Where the instruction stands that has just ended.
+  void place_instruction(std::size_t line, std::size_t column);
 
   /// The terms of the linear expression: sign, magnitude and variable, then the end of the term.
   void set_negative() { term_.negative = true; }
@@ -61,8 +64,9 @@ class Reading {
     return value;
   }
 
-  /// The Program, once all of it has been read.
-  Program finish();
+  /// The Program, once all of it has been read; the file's name and the place stand before an error that shows only
+  /// then.
+  Program finish(std::string_view name);
 
   /// The index of a primitive.
   static std::uint32_t index(std::string_view digits) {
@@ -80,7 +84,16 @@ class Reading {
     char variable = '1';
   };
 
+  /// An instruction that says how many others follow it.
+  struct Skip {
+    std::size_t segment = 0;
+    std::size_t index = 0;  ///< within the segment
+    std::size_t line = 0;
+    std::size_t column = 0;
+  };
+
   Program program_;
+  std::vector<Skip> skips_;
   std::set<std::string> records_seen_;
   std::string name_;                 ///< of the directive
   std::set<std::string> keys_seen_;  ///< of the directive

@@ -84,6 +84,10 @@ void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
 }
 
 void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
+  if (has_operand(row, OperandKind::count)) {
+    require(instruction.constant >= 1, "{} 0 skips nothing; skip an instruction at least, or leave it out", row.name);
+    return;
+  }
   if (!has_operand(row, OperandKind::constant)) {
     require(instruction.constant == 0, "{} has no constant; leave it zero", row.name);
     return;
@@ -139,6 +143,13 @@ void validate_placed(const Instruction& instruction, const Region& region, const
   check_index(instruction.origin.node, no_node, program, "node");
 }
 
+void validate_reach(const Instruction& instruction, std::size_t following) {
+  const OpcodeInfo& row = info(instruction.opcode);
+  require(!has_operand(row, OperandKind::count) || instruction.constant <= following,
+          "{} {} leaves the segment, which has {} more instructions; skip no more than these", row.name,
+          instruction.constant, following);
+}
+
 void validate_field(const NamedField& named, const ArrayShape& shape) {
   require(!named.name.empty(), "field {} has an empty name; name it", show(named.field));
   require(static_cast<std::size_t>(named.role) < field_role_names.size(), "field role {} is undefined; there are {}",
@@ -183,9 +194,13 @@ void validate(const Program& program) {
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const Segment& segment = program.segments[s];
     at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
-    for (std::size_t i = 0; i < segment.instructions.size(); ++i)
-      at([&] { validate_placed(segment.instructions[i], segment.region, program); }, "segment {}, instruction {}", s,
-         i);
+    for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
+      const auto check = [&] {
+        validate_placed(segment.instructions[i], segment.region, program);
+        validate_reach(segment.instructions[i], segment.instructions.size() - 1 - i);
+      };
+      at(check, "segment {}, instruction {}", s, i);
+    }
   }
 }
 

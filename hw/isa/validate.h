@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "hw/isa/program.h"
 
 namespace csgsim::isa {
@@ -17,5 +19,8 @@ void validate_region(const Region& region, const ArrayShape& shape);
 
 /// An instruction where it stands: also the primitives of its origin and the range of its linear expression.
 void validate_placed(const Instruction& instruction, const Region& region, const Program& program);
+
+/// An instruction that so many of its segment follow.
+void validate_reach(const Instruction& instruction, std::size_t following);
 
 }  // namespace csgsim::isa

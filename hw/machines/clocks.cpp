@@ -54,6 +54,12 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
   return 0;
 }
 
+std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine) {
+  std::uint64_t total = 0;
+  for (const isa::Instruction& instruction : instructions) total += clocks(instruction, machine);
+  return total;
+}
+
 std::uint64_t clocks(const isa::Program& program, const Machine& machine) {
   return time_frame(program, machine).clocks;
 }
@@ -69,9 +75,7 @@ FrameTiming time_frame(const isa::Program& program, const Machine& machine) {
 
 FrameTiming time_whole(const isa::Program& program, const Machine& machine) {
   std::uint64_t total = evaluator_latency(machine.array);
-  for (const isa::Segment& segment : program.segments) {
-    for (const isa::Instruction& instruction : segment.instructions) total += clocks(instruction, machine);
-  }
+  for (const isa::Segment& segment : program.segments) total += clocks(segment.instructions, machine);
   return {total, {}};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hw/isa/instruction.h"
 #include "hw/machines/machine.h"
@@ -19,7 +20,11 @@ std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& m
 /// the entry of its packet to that of the next; an answer has to come back through the chain.
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine);
 
-/// Clocks of a whole run, latency included.
+/// Clocks that the controller spends on these, if none is skipped.
+std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine);
+
+/// Clocks of a whole run in which no instruction is skipped, latency included: no run takes more. What a run really
+/// takes, only the run tells (sim::RunResult).
 std::uint64_t clocks(const isa::Program& program, const Machine& machine);
 
 }  // namespace csgsim::machines

@@ -28,6 +28,8 @@ std::string read_file(const std::string& path) {
 
 }  // namespace
 
+bool answers(const Machine& machine) { return machine.kind == Kind::frame_buffer && machine.has_global_or; }
+
 Size picture_size(const Machine& machine) {
   return machine.kind == Kind::frame_buffer ? Size{machine.array.width, machine.array.height} : machine.picture;
 }

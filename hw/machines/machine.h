@@ -85,10 +85,14 @@ struct Machine {
   std::uint64_t clock_hz = 0;      ///< instruction bit steps, or packets, a second
   std::uint32_t memory_reads = 1;  ///< reads of pixel memory a clock: 1 or 2
   std::uint32_t alu_bits = 1;      ///< adjacent bits of a field that the ALU works on, and a port delivers, in a clock
+  bool has_global_or = true;       ///< the controller learns whether any pixel is enabled; see answers()
   ScanLine scan_line;
   PixelSquare pixel_square;
   std::vector<Figure> figures;  ///< every figure of the file, in its order
 };
+
+/// Whether the controller learns if any pixel is enabled. A chain of cells and a renderer have no such line.
+bool answers(const Machine& machine);
 
 /// Pixels of the picture that the machine draws.
 Size picture_size(const Machine& machine);

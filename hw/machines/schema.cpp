@@ -8,6 +8,7 @@ namespace csgsim::machines {
 namespace {
 
 constexpr Kinds every_kind{};
+constexpr Kinds whole_picture{true, false, false};
 constexpr Kinds bit_serial{true, false, true};
 constexpr Kinds by_lines{false, true, false};
 constexpr Kinds by_squares{false, false, true};
@@ -46,6 +47,8 @@ constexpr auto table = std::to_array<FigureSchema>({
     {bit_serial, "memory.writes", "a clock", 1, 1, "writes of a pixel's memory", store_nothing},
     {bit_serial, "alu.bits", "bits", 1, isa::max_field_width, "bits of a field that the ALU works on in a clock",
      store<&Machine::alu_bits>},
+    {whole_picture, "global_or.present", "lines", 0, 1, "wired OR of all enable bits, back to the controller",
+     store<&Machine::has_global_or>},
     {bit_serial, "evaluator.level_latency", "clocks", 1, 1, "from one level of a multiplier tree to the next",
      store_nothing},
     {by_lines, "chains.count", "chains", 1, 1024, "lines worked on in parallel",

@@ -1,5 +1,7 @@
 #include "hw/pixel_planes/controller.h"
 
+#include "hw/isa/operands.h"
+
 namespace csgsim::pixel_planes {
 
 Controller::Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, unsigned latency)
@@ -10,13 +12,17 @@ Controller::Controller(sc_core::sc_module_name name, const array::Sequencer& seq
   sensitive << clock.pos();
 }
 
+/// Runs at the edge, and once more within the clock period when the first word after a jump has come.
 void Controller::on_clock() {
+  if (state_ == State::jumping) state_ = State::issuing;
   if (state_ == State::waiting) take_answer();
+  if (state_ == State::jumping) return next_trigger(link->data_written_event());
   if (state_ == State::idle || (state_ == State::issuing && !sequencer_.busy())) fetch();
   switch (state_) {
     case State::idle: break;
     case State::issuing: sequencer_.busy() ? issue() : rest(); break;
     case State::waiting: rest(); break;
+    case State::jumping: break;
     case State::draining: drain(); break;
   }
 }
@@ -64,8 +70,22 @@ void Controller::rest() {
 
 void Controller::take_answer() {
   if (!answer.read().valid) return;
-  accounts.nb_write({.clocks = instruction_clocks_, .answered = true, .answer = answer.read().any_enabled});
+  const isa::Instruction& question = status_.instruction;
+  const bool any_enabled = answer.read().any_enabled;
+  const std::uint64_t skipped = isa::skipped_after(question, any_enabled ? 1 : 0);
+  accounts.nb_write({.clocks = instruction_clocks_,
+                     .answered = question.opcode == isa::Opcode::global_or,
+                     .answer = any_enabled,
+                     .skipped = skipped});
   state_ = State::issuing;
+  if (skipped > 0) jump(skipped);
+}
+
+void Controller::jump(std::uint64_t skipped) {
+  HostWord dropped;
+  while (link.nb_read(dropped)) continue;
+  jumps.nb_write(status_.ordinal + 1 + skipped);
+  state_ = State::jumping;
 }
 
 void Controller::drain() {

@@ -19,12 +19,14 @@ struct ControllerStatus {
 };
 
 /// Takes instructions from the host and issues a bit step at each rising edge. An instruction's clocks are the clock
-/// periods in which one of its steps is on the wires, and, for a question, those until the answer has come. After the
-/// end word it waits `latency` clocks for the last step to reach the pixels.
+/// periods in which one of its steps is on the wires, and, for a question, those until the answer has come. If
+/// instructions are to be skipped then, it drops what the link holds and jumps: the host goes on from another place
+/// within the same clock period. After the end word it waits `latency` clocks for the last step to reach the pixels.
 class Controller final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<HostWord> link{"link"};
+  sc_core::sc_fifo_out<std::uint64_t> jumps{"jumps"};  ///< ordinals of instructions that the host has to go on from
   sc_core::sc_in<Answer> answer{"answer"};
   sc_core::sc_out<RootWord> root{"root"};
   sc_core::sc_out<ControlWord> control{"control"};
@@ -39,13 +41,14 @@ class Controller final : public sc_core::sc_module {
   [[nodiscard]] const ControllerStatus& status() const { return status_; }
 
  private:
-  enum class State : std::uint8_t { idle, issuing, waiting, draining };
+  enum class State : std::uint8_t { idle, issuing, waiting, jumping, draining };
 
   void on_clock();
   void fetch();
   void issue();
   void rest();
   void take_answer();
+  void jump(std::uint64_t skipped);
   void drain();
 
   const unsigned latency_;

@@ -39,9 +39,11 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
   host_.link(link_);
+  host_.jumps(jumps_);
 
   controller_.clock(clock_);
   controller_.link(link_);
+  controller_.jumps(jumps_);
   controller_.answer(answer_);
   controller_.root(root_);
   controller_.control(control_);
@@ -97,6 +99,7 @@ RunReport PixelPlanes::run(std::span<const isa::Segment> segments, RunListener& 
   retirement_.rethrow();
   return {.clocks = controller_.clocks(),
           .latency_clocks = latency_,
+          .skipped = retirement_.skipped(),
           .answers = retirement_.answers(),
           .recorded = recorded};
 }

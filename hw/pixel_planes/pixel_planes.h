@@ -24,7 +24,8 @@ namespace csgsim::pixel_planes {
 struct RunReport {
   std::uint64_t clocks = 0;          ///< from the first step on the wires until the last has been carried out
   std::uint64_t latency_clocks = 0;  ///< of these, after the last instruction's
-  std::vector<bool> answers;         ///< to questions, in order
+  std::uint64_t skipped = 0;         ///< instructions that were not carried out
+  std::vector<bool> answers;         ///< to the host's questions, in order
   bool recorded = false;             ///< the run reached the window of clocks that was to be recorded
 };
 
@@ -62,6 +63,7 @@ class PixelPlanes final : public sc_core::sc_module {
 
   sc_core::sc_clock clock_;
   sc_core::sc_fifo<HostWord> link_;
+  sc_core::sc_fifo<std::uint64_t> jumps_{"jumps", 1};
   sc_core::sc_signal<RootWord> root_{"root_bits"};
   sc_core::sc_signal<ControlWord> control_{"control"};
   sc_core::sc_signal<ControlWord> control_at_pixels_{"control_at_pixels"};

@@ -17,6 +17,7 @@ void Retirement::begin(std::span<const isa::Segment> segments, RunListener& list
   segment_ = 0;
   index_ = 0;
   enabled_ = 0;
+  skipped_ = 0;
   answers_.clear();
   thrown_ = nullptr;
   if (!segments_.empty()) enable->reset(segments_.front().region);
@@ -33,14 +34,18 @@ void Retirement::retire() {
   if (account.answered) answers_.push_back(account.answer);
   tell(account);
   enabled_ = enable->count_enabled();
-  ++index_;
+  skipped_ += account.skipped;
+  index_ += static_cast<std::uint32_t>(1 + account.skipped);
   finish_segments();
 }
 
 void Retirement::tell(const Account& account) {
   guarded([&] {
-    listener_->after_instruction(
-        {.segment = segment_, .index = index_, .clocks = account.clocks, .enabled_pixels = enabled_});
+    listener_->after_instruction({.segment = segment_,
+                                  .index = index_,
+                                  .clocks = account.clocks,
+                                  .enabled_pixels = enabled_,
+                                  .skipped = account.skipped});
   });
 }
 

@@ -19,6 +19,7 @@ struct Retired {
   std::uint32_t index = 0;           ///< within the segment
   std::uint64_t clocks = 0;          ///< that the controller counted
   std::uint64_t enabled_pixels = 0;  ///< pixels whose E was 1 when the instruction began
+  std::uint64_t skipped = 0;         ///< instructions after it that are not carried out
 };
 
 /// Sees a run go by. Memory and enable hold what the instruction left.
@@ -42,8 +43,11 @@ class Retirement final : public sc_core::sc_module {
   /// Resets the pixels for the first segment. The segments and the listener have to live until the program is done.
   void begin(std::span<const isa::Segment> segments, RunListener& listener);
 
-  /// Answers to questions, in order, since begin.
+  /// Answers to the host's questions, in order, since begin.
   [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
+
+  /// Instructions that were not carried out, since begin.
+  [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
 
   /// Throws what the listener threw, if it did: the machine ran to its end without it.
   void rethrow();
@@ -61,6 +65,7 @@ class Retirement final : public sc_core::sc_module {
   std::uint32_t segment_ = 0;
   std::uint32_t index_ = 0;
   std::uint64_t enabled_ = 0;
+  std::uint64_t skipped_ = 0;
   std::vector<bool> answers_;
   std::exception_ptr thrown_;
 };

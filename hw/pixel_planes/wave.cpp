@@ -13,7 +13,7 @@ namespace csgsim::pixel_planes {
 namespace {
 
 /// Delta cycles after an edge within which every wire has its new value.
-constexpr unsigned deltas_to_settle = 5;
+constexpr unsigned deltas_to_settle = 7;
 
 std::string name_of(const WaveProbe& probe) {
   return "pixel_" + std::to_string(probe.x) + "_" + std::to_string(probe.y);

@@ -46,8 +46,9 @@ struct Answer {
 /// What the controller counted for one instruction.
 struct Account {
   std::uint64_t clocks = 0;
-  bool answered = false;  ///< the instruction was a question
+  bool answered = false;  ///< the instruction was a question of the host's
   bool answer = false;
+  std::uint64_t skipped = 0;  ///< instructions after it that are not carried out
 };
 
 std::ostream& operator<<(std::ostream& stream, const HostWord& word);

@@ -14,6 +14,7 @@
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
+#include "sim/functional/clocks.h"
 
 namespace csgsim::app {
 
@@ -45,7 +46,8 @@ struct NamedPruning {
 constexpr NamedPruning prunings[] = {
     {"space", &csg::Pruning::space},           {"picture", &csg::Pruning::picture},
     {"separation", &csg::Pruning::separation}, {"halfspaces", &csg::Pruning::halfspaces},
-    {"hidden", &csg::Pruning::hidden},         {"sets", &csg::Pruning::sets}};
+    {"hidden", &csg::Pruning::hidden},         {"sets", &csg::Pruning::sets},
+    {"early-out", &csg::Pruning::early_out}};
 
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
@@ -88,7 +90,8 @@ void ModelOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--without", without,
-                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, sets, or all")
+                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, sets, "
+                  "early-out, or all")
       ->delimiter(',')
       ->check(CLI::IsMember(pruning_names()));
 }
@@ -192,7 +195,8 @@ CompiledModel compile(const ModelOptions& options, const machines::Machine& mach
   const view::Camera camera = camera_of(options, machine, scene);
   const view::View view = view::make_view(scene, tree, camera, sampling_of(options, machine));
   warn_of_coarse_depth(view);
-  isa::Program program = emit::compile(tree, scene, view, machine, emit_options_of(options));
+  isa::Program program = emit::compile(tree, scene, view, machine, emit_options_of(options),
+                                       [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
   return {std::move(tree), std::move(scene), camera, std::move(program)};
 }
 

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "hw/isa/error.h"
-#include "hw/machines/clocks.h"
 #include "sim/app/memory.h"
 #include "sim/app/paths.h"
 #include "sim/app/run_outputs.h"
@@ -78,7 +77,7 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
   std::vector<sim::Observer*> observers{&frame, &stats};
   std::unique_ptr<sim::ProgressObserver> progress;
   if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) {
-    progress = std::make_unique<sim::ProgressObserver>(machines::clocks(program, machine));
+    progress = std::make_unique<sim::ProgressObserver>(program, machine);
     observers.push_back(progress.get());
   }
   const std::unique_ptr<sim::Engine> engine = make_engine(machine, options);

@@ -63,7 +63,8 @@ void print_summary(const sim::Report& report) {
   print_machine(report);
   fmt::print("{:<18}{} = {} at the machine's clock rate\n", "clocks", grouped(report.result.clocks),
              time_text(simulated));
-  fmt::print("{:<18}{}\n", "instructions", grouped(total.instructions));
+  fmt::print("{:<18}{} carried out, {} skipped\n", "instructions", grouped(total.instructions),
+             grouped(report.result.skipped));
   fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {} depth tests\n", "scan-conversions",
              grouped(compile.rendered), grouped(compile.classified), grouped(compile.depth_tests));
   fmt::print("{:<18}{} bit steps, {} of them at enabled pixels: the array was {:.2f} % busy\n", "pixel operations",

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hw/isa/error.h"
+#include "hw/machines/requirements.h"
 #include "hw/pixel_planes/pixel_planes.h"
 #include "sim/cycle/overflow.h"
 #include "sim/cycle/record.h"
@@ -55,7 +56,8 @@ class Relay final : public pixel_planes::RunListener {
                     .clocks = retired.clocks,
                     .enabled_pixels = retired.enabled_pixels};
     for (Observer* observer : observers_) observer->after_instruction(step, state);
-    if (retired.index + 1 < segment.instructions.size()) before_instruction(segment, retired.index + 1);
+    const std::uint64_t next = retired.index + 1 + retired.skipped;
+    if (next < segment.instructions.size()) before_instruction(segment, next);
   }
 
   void after_segment(std::uint32_t segment) override {
@@ -67,7 +69,7 @@ class Relay final : public pixel_planes::RunListener {
 
  private:
   /// A segment's first instruction finds no pixel enabled.
-  void before_instruction(const isa::Segment& segment, std::uint32_t index) {
+  void before_instruction(const isa::Segment& segment, std::uint64_t index) {
     overflows_ += count_overflows(segment.instructions[index].linear, segment.region, pixels_.enable(),
                                   pixels_.shape().row_words());
   }
@@ -101,7 +103,9 @@ bool fills_array(const isa::Program& program, array::PlaneShape shape) {
   return program.segments.size() == 1 && program.segments.front().region == whole;
 }
 
-RecordedRun run_on(PixelPlanes& hardware, const isa::Program& program, std::span<Observer* const> observers) {
+RecordedRun run_on(PixelPlanes& hardware, const machines::Machine& machine, const isa::Program& program,
+                   std::span<Observer* const> observers) {
+  machines::require_answers(program, machine);
   const array::PixelArray& pixels = hardware.processors().pixels();
   check_fits(program.shape, {pixels.shape().width, pixels.shape().height, pixels.memory_bits()});
   Relay relay(program, pixels, observers);
@@ -109,6 +113,7 @@ RecordedRun run_on(PixelPlanes& hardware, const isa::Program& program, std::span
   RecordedRun run{.result = {.clocks = report.clocks,
                              .latency_clocks = report.latency_clocks,
                              .overflows = relay.overflows(),
+                             .skipped = report.skipped,
                              .answers = std::move(report.answers)},
                   .window_reached = report.recorded};
   if (const isa::Field colour = isa::field_of(program, isa::FieldRole::colour); colour.width > 0) {
@@ -121,15 +126,16 @@ RecordedRun run_on(PixelPlanes& hardware, const isa::Program& program, std::span
 
 class CycleEngine final : public Engine {
  public:
-  explicit CycleEngine(PixelPlanes& hardware) : hardware_(hardware) {}
+  CycleEngine(machines::Machine machine, PixelPlanes& hardware) : machine_(std::move(machine)), hardware_(hardware) {}
 
   [[nodiscard]] std::string_view level() const override { return "cycle"; }
 
   RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
-    return run_on(hardware_, program, observers).result;
+    return run_on(hardware_, machine_, program, observers).result;
   }
 
  private:
+  machines::Machine machine_;
   PixelPlanes& hardware_;
 };
 
@@ -147,14 +153,14 @@ PixelPlanes& hardware_of(const machines::Machine& machine) {
 }  // namespace
 
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine) {
-  return std::make_unique<CycleEngine>(hardware_of(machine));
+  return std::make_unique<CycleEngine>(machine, hardware_of(machine));
 }
 
 RecordedRun run_and_record(const machines::Machine& machine, const isa::Program& program,
                            std::span<Observer* const> observers, const pixel_planes::WaveRequest& request) {
   PixelPlanes& hardware = hardware_of(machine);
   hardware.record(request);
-  return run_on(hardware, program, observers);
+  return run_on(hardware, machine, program, observers);
 }
 
 }  // namespace csgsim::sim

@@ -27,7 +27,7 @@ class PixelState {
   virtual void read_enable(std::span<std::uint64_t> words) const = 0;
 };
 
-/// An instruction that has just been carried out.
+/// An instruction that has just been carried out; one that is skipped is none.
 struct Step {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;  ///< within the segment
@@ -54,6 +54,7 @@ struct RunResult {
       0;  ///< of these, for the last instruction to reach the pixels, where the array is the whole picture
   std::uint64_t scan_out_clocks = 0;  ///< of the frame's scan-out, where the engine simulates it; not part of clocks
   std::uint64_t overflows = 0;  ///< enabled pixels at which A*x + B*y + C did not fit the width (0 if not checked)
+  std::uint64_t skipped = 0;    ///< instructions that a skip_if_none left out
   std::vector<bool> answers;    ///< of global_or, in order
   /// Colour of every pixel of the picture, in row order, as the machine's scan-out delivers it; empty where the engine
   /// simulates none.
@@ -68,7 +69,8 @@ class Engine {
   virtual ~Engine() = default;
   [[nodiscard]] virtual std::string_view level() const = 0;
 
-  /// Runs every segment. Observers are called in the order given. The Program must be valid (isa::validate).
+  /// Runs every segment. Observers are called in the order given. The Program must be valid (isa::validate). Throws
+  /// InputError before it begins if the machine lacks what the Program needs (machines::require_answers).
   virtual RunResult run(const isa::Program& program, std::span<Observer* const> observers) = 0;
 };
 

@@ -70,7 +70,9 @@ Recipe recipe_for(Opcode opcode, unsigned shift) {
     case Opcode::bit_and_not:
     case Opcode::bit_not:
     case Opcode::global_or:
-    case Opcode::xor_constant: break;
+    case Opcode::xor_constant:
+
+    case Opcode::skip_if_none: break;
   }
   return {};
 }
@@ -138,7 +140,8 @@ std::uint64_t Array::execute(const Instruction& instruction) {
     case Opcode::bit_xor:
     case Opcode::bit_and_not:
     case Opcode::bit_not: combine_bits(instruction); return 0;
-    case Opcode::global_or: return 0;
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return 0;
     case Opcode::xor_constant: xor_constant(fields[0], instruction.constant); return 0;
   }
   return 0;

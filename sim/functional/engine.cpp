@@ -4,7 +4,9 @@
 #include <memory>
 #include <stdexcept>
 
+#include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/requirements.h"
 #include "hw/machines/timing.h"
 #include "sim/functional/bands.h"
 
@@ -12,12 +14,17 @@ namespace csgsim::sim {
 
 namespace {
 
-/// Instructions until one, inclusive, after which an observer looks at the pixels; few enough to show progress.
-std::size_t unread_stretch(std::span<const isa::Instruction> instructions, std::span<Observer* const> observers) {
+using Instructions = std::span<const isa::Instruction>;
+using Observers = std::span<Observer* const>;
+
+/// Instructions until one, inclusive, after which an observer looks at the pixels or some may be skipped; few enough to
+/// show progress.
+std::size_t unread_stretch(Instructions instructions, Observers observers) {
   constexpr std::size_t most = 1024;
   std::size_t count = 0;
   while (count < std::min(most, instructions.size())) {
     const isa::Instruction& instruction = instructions[count++];
+    if (instruction.opcode == isa::Opcode::skip_if_none) break;
     if (std::any_of(observers.begin(), observers.end(),
                     [&](const Observer* one) { return one->reads_after(instruction); })) {
       break;
@@ -34,26 +41,13 @@ class FunctionalEngine final : public Engine {
 
   [[nodiscard]] std::string_view level() const override { return "functional"; }
 
-  RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+  RunResult run(const isa::Program& program, Observers observers) override {
+    machines::require_answers(program, machine_);
     RunResult result;
     Bands bands(program, threads_);
     for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
       bands.begin(program.segments[s].region);
-      const std::span<const isa::Instruction> all = program.segments[s].instructions;
-      for (std::size_t begin = 0; begin < all.size();) {
-        const std::span<const isa::Instruction> stretch =
-            all.subspan(begin, unread_stretch(all.subspan(begin), observers));
-        const Bands::Tally tally = bands.execute(stretch);
-        result.overflows += tally.overflows;
-        for (std::size_t i = 0; i < stretch.size(); ++i) {
-          const Step step{s, static_cast<std::uint32_t>(begin + i), stretch[i], machines::clocks(stretch[i], machine_),
-                          tally.enabled[i]};
-          result.clocks += step.clocks;
-          if (step.instruction.opcode == isa::Opcode::global_or) result.answers.push_back(step.enabled_pixels != 0);
-          for (Observer* const observer : observers) observer->after_instruction(step, bands);
-        }
-        begin += stretch.size();
-      }
+      run_segment(program.segments[s].instructions, s, bands, observers, result);
       for (Observer* const observer : observers) observer->after_segment(s, bands);
     }
     if (machine_.kind != machines::Kind::frame_buffer) {
@@ -68,6 +62,25 @@ class FunctionalEngine final : public Engine {
   }
 
  private:
+  void run_segment(Instructions all, std::uint32_t segment, Bands& bands, Observers observers,
+                   RunResult& result) const {
+    for (std::size_t begin = 0; begin < all.size();) {
+      const Instructions stretch = all.subspan(begin, unread_stretch(all.subspan(begin), observers));
+      const Bands::Tally tally = bands.execute(stretch);
+      result.overflows += tally.overflows;
+      for (std::size_t i = 0; i < stretch.size(); ++i) {
+        const Step step{segment, static_cast<std::uint32_t>(begin + i), stretch[i],
+                        machines::clocks(stretch[i], machine_), tally.enabled[i]};
+        result.clocks += step.clocks;
+        if (step.instruction.opcode == isa::Opcode::global_or) result.answers.push_back(step.enabled_pixels != 0);
+        for (Observer* const observer : observers) observer->after_instruction(step, bands);
+      }
+      const std::uint64_t skipped = isa::skipped_after(stretch.back(), tally.enabled.back());
+      result.skipped += skipped;
+      begin += stretch.size() + skipped;
+    }
+  }
+
   machines::Machine machine_;
   unsigned threads_;
 };

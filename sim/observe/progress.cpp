@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <span>
+
+#include "hw/isa/operands.h"
+#include "hw/machines/clocks.h"
 
 namespace csgsim::sim {
 
@@ -13,7 +17,8 @@ constexpr std::uint64_t look_every = 64;
 
 }  // namespace
 
-ProgressObserver::ProgressObserver(std::uint64_t total_clocks) : total_(total_clocks) {}
+ProgressObserver::ProgressObserver(const isa::Program& program, const machines::Machine& machine)
+    : program_(program), machine_(machine), total_(machines::clocks(program, machine)) {}
 
 ProgressObserver::~ProgressObserver() {
   if (shown_) fmt::print(stderr, "\r\x1b[K");
@@ -21,6 +26,10 @@ ProgressObserver::~ProgressObserver() {
 
 void ProgressObserver::after_instruction(const Step& step, const PixelState& /*state*/) {
   done_ += step.clocks;
+  if (const std::uint64_t skipped = isa::skipped_after(step.instruction, step.enabled_pixels); skipped > 0) {
+    const std::span<const isa::Instruction> all = program_.segments[step.segment].instructions;
+    total_ -= machines::clocks(all.subspan(step.index + 1, skipped), machine_);
+  }
   if (++instructions_ % look_every != 0) return;
   const Clock::time_point now = Clock::now();
   const std::chrono::duration<double> since_told = now - told_;

@@ -11,7 +11,8 @@ namespace csgsim::sim {
 /// second.
 class ProgressObserver : public Observer {
  public:
-  explicit ProgressObserver(std::uint64_t total_clocks);
+  /// The clocks of what turns out to be skipped are taken off the total. Program and machine have to outlive it.
+  ProgressObserver(const isa::Program& program, const machines::Machine& machine);
   ~ProgressObserver() override;
   ProgressObserver(const ProgressObserver&) = delete;
   ProgressObserver& operator=(const ProgressObserver&) = delete;
@@ -21,6 +22,8 @@ class ProgressObserver : public Observer {
 
  private:
   using Clock = std::chrono::steady_clock;
+  const isa::Program& program_;
+  const machines::Machine& machine_;
   std::uint64_t total_;
   std::uint64_t done_ = 0;
   std::uint64_t instructions_ = 0;

@@ -40,13 +40,14 @@ Json machine_json(const Report& report) {
           {"colouring", compile.colouring}};
 }
 
-Json instructions_json(const Stats& stats) {
+Json instructions_json(const Report& report) {
+  const Stats& stats = report.stats;
   Json by_name = Json::object();
   for (const isa::OpcodeInfo& row : isa::opcode_table) {
     const Cost& cost = stats.by_opcode[static_cast<std::size_t>(row.opcode)];
     if (cost.instructions > 0) by_name[std::string(row.name)] = {{"count", cost.instructions}, {"clocks", cost.clocks}};
   }
-  return {{"total", stats.total.instructions}, {"by_name", by_name}};
+  return {{"total", stats.total.instructions}, {"skipped", report.result.skipped}, {"by_name", by_name}};
 }
 
 Json memory_json(const Report& report) {
@@ -114,7 +115,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["strategy"] = compile.strategy;
   json["clocks"] = report.result.clocks;
   json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
-  json["instructions"] = instructions_json(report.stats);
+  json["instructions"] = instructions_json(report);
   json["pixel_operations"] = pixel_operations(report.stats.total);
   json["scan_conversions"] = {{"rendered", compile.rendered}, {"classified", compile.classified}};
   json["depth_tests"] = compile.depth_tests;

@@ -119,7 +119,8 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
     case Opcode::bit_not:
       if (e) put(pixel, first, ~bits(second));
       break;
-    case Opcode::global_or: break;
+    case Opcode::global_or:
+    case Opcode::skip_if_none: break;
     case Opcode::xor_constant:
       if (e) put(pixel, first, bits(first) ^ instruction.constant);
       break;

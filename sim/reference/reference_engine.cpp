@@ -1,4 +1,5 @@
 #include "hw/machines/clocks.h"
+#include "hw/machines/requirements.h"
 #include "sim/reference/reference_array.h"
 
 namespace csgsim::sim {
@@ -12,6 +13,7 @@ class ReferenceEngine final : public Engine {
   [[nodiscard]] std::string_view level() const override { return "reference"; }
 
   RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+    machines::require_answers(program, machine_);
     RunResult result;
     for (std::size_t s = 0; s < program.segments.size(); ++s) run_segment(program, s, observers, result);
     result.latency_clocks = machines::evaluator_latency(machine_.array);
@@ -25,15 +27,19 @@ class ReferenceEngine final : public Engine {
     const isa::Segment& segment = program.segments[s];
     const auto number = static_cast<std::uint32_t>(s);
     ReferenceArray array(segment.region, program.shape.memory_bits);
-    std::uint32_t index = 0;
-    for (const isa::Instruction& instruction : segment.instructions) {
+    for (std::size_t index = 0; index < segment.instructions.size(); ++index) {
+      const isa::Instruction& instruction = segment.instructions[index];
       const std::uint64_t enabled = array.enabled_pixels();
       const std::uint64_t clocks = machines::clocks(instruction, machine_);
       array.execute(instruction);
       result.clocks += clocks;
       if (instruction.opcode == isa::Opcode::global_or) result.answers.push_back(enabled > 0);
-      const Step step{number, index++, instruction, clocks, enabled};
+      const Step step{number, static_cast<std::uint32_t>(index), instruction, clocks, enabled};
       for (Observer* observer : observers) observer->after_instruction(step, array);
+      if (instruction.opcode == isa::Opcode::skip_if_none && enabled == 0) {
+        index += instruction.constant;
+        result.skipped += instruction.constant;
+      }
     }
     result.overflows += array.overflows();
     for (Observer* observer : observers) observer->after_segment(number, array);

@@ -11,11 +11,11 @@
 #include "host/emit/compile.h"
 #include "host/view/projection.h"
 #include "hw/isa/error.h"
-#include "hw/machines/clocks.h"
 #include "sim/accuracy/analytic.h"
 #include "sim/accuracy/explain.h"
 #include "sim/accuracy/truth.h"
 #include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
 #include "sim/observe/stats_json.h"
 
 namespace csgsim::study {
@@ -113,7 +113,7 @@ std::uint64_t Meter::clocks(const Settings& settings) {
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const isa::Program program =
         compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine);
-    clocks += machines::clocks(program, machine);
+    clocks += sim::clocks_of_run(program, machine);
   }
   return clocks;
 }

@@ -83,7 +83,7 @@ class Meter {
 
   Measurement measure(const Settings& settings);
 
-  /// Clocks of the settings over all views, without running anything.
+  /// Clocks of the settings over all views, without judging any picture.
   std::uint64_t clocks(const Settings& settings);
 
  private:

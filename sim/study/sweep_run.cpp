@@ -12,8 +12,8 @@
 
 #include "host/emit/compile.h"
 #include "hw/isa/error.h"
-#include "hw/machines/clocks.h"
 #include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
 #include "sim/study/frame_hash.h"
@@ -22,27 +22,32 @@ namespace csgsim::study {
 
 namespace {
 
-std::string hash_of_picture(const isa::Program& program, const machines::Machine& machine) {
+/// Of one picture, or `overflow`.
+std::string picture_of(const sim::FrameObserver& observer, const sim::RunResult& result) {
+  if (result.overflows > 0) return std::string(overflow);
+  return hash_of(observer.frame());
+}
+
+void draw(const isa::Program& program, const machines::Machine& machine, SweepRow& row) {
   sim::FrameObserver observer(program);
   const std::array<sim::Observer*, 1> observers{&observer};
   const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
-  if (result.overflows > 0) return std::string(overflow);
-  return hash_of(observer.frame());
+  row.clocks = result.clocks;
+  row.picture = picture_of(observer, result);
 }
 
 isa::Program compile(const SweepJob& job) {
   const Subject& subject = *job.subject;
   const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
-  return emit::compile(subject.tree, subject.scene, view, job.machine, job.options);
+  return emit::compile(subject.tree, subject.scene, view, job.machine, job.options,
+                       [&](const isa::Program& program) { return sim::clocks_of_run(program, job.machine); });
 }
 
-void count(const isa::Program& program, const machines::Machine& machine, SweepRow& row) {
+void count(const isa::Program& program, SweepRow& row) {
   row.strategy_used = program.compile.strategy;
   row.colouring_used = program.compile.colouring;
   row.primitives = program.model.primitives;
   row.halfspaces = program.model.halfspaces;
-  row.clocks = machines::clocks(program, machine);
-  row.simulated_seconds = static_cast<double>(row.clocks) / static_cast<double>(machine.clock_hz);
   for (const isa::Segment& segment : program.segments) row.instructions += segment.instructions.size();
   row.rendered = program.compile.rendered;
   row.classified = program.compile.classified;
@@ -55,7 +60,7 @@ void count(const isa::Program& program, const machines::Machine& machine, SweepR
 
 }  // namespace
 
-SweepRow measure(const SweepJob& job, bool draw) {
+SweepRow measure(const SweepJob& job, bool is_drawn) {
   SweepRow row;
   row.point = job.point;
   row.model_hash = job.subject->hash;
@@ -68,12 +73,17 @@ SweepRow measure(const SweepJob& job, bool draw) {
     row.reason = error.what();
     return row;
   }
-  count(*program, job.machine, row);
-  if (draw) row.picture = hash_of_picture(*program, job.machine);
+  count(*program, row);
+  if (is_drawn) {
+    draw(*program, job.machine, row);
+  } else {
+    row.clocks = sim::clocks_of_run(*program, job.machine);
+  }
+  row.simulated_seconds = static_cast<double>(row.clocks) / static_cast<double>(job.machine.clock_hz);
   return row;
 }
 
-void measure_all(std::span<const SweepJob> jobs, bool draw, unsigned threads,
+void measure_all(std::span<const SweepJob> jobs, bool is_drawn, unsigned threads,
                  const std::function<void(SweepRow)>& finished) {
   std::atomic<std::size_t> next = 0;
   std::mutex lock;
@@ -81,7 +91,7 @@ void measure_all(std::span<const SweepJob> jobs, bool draw, unsigned threads,
   const auto work = [&] {
     for (std::size_t i = next++; i < jobs.size(); i = next++) {
       try {
-        SweepRow row = measure(jobs[i], draw);
+        SweepRow row = measure(jobs[i], is_drawn);
         const std::lock_guard guard(lock);
         if (!failure) finished(std::move(row));
       } catch (...) {

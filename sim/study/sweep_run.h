@@ -32,13 +32,13 @@ struct SweepJob {
   emit::Options options;
 };
 
-/// Compiles the point, counts, and, if asked to, draws it at the functional level. A model that does not fit is a row
-/// that says why.
-SweepRow measure(const SweepJob& job, bool draw);
+/// Compiles the point, counts, and, if asked to, draws it at the functional level. The clocks are those of a run. A
+/// model that does not fit is a row that says why.
+SweepRow measure(const SweepJob& job, bool is_drawn);
 
 /// Measures all jobs on that many threads; each holds one Program at a time. `finished` gets the rows one at a time, in
 /// the order in which they are done. The first exception ends it and is thrown again.
-void measure_all(std::span<const SweepJob> jobs, bool draw, unsigned threads,
+void measure_all(std::span<const SweepJob> jobs, bool is_drawn, unsigned threads,
                  const std::function<void(SweepRow)>& finished);
 
 }  // namespace csgsim::study

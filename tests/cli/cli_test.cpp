@@ -113,15 +113,41 @@ TEST_CASE("strategy, colouring, prunings and threads change counts, not pictures
   const Folder folder;
   const std::string draw = "render " + model("old_example002") + " --size 90x70 --memory-bits 100 ";
   REQUIRE(run(draw + "-o " + (folder / "p.png")).code == 0);
-  for (const std::string options :
-       {"--strategy list", "--strategy bits --stack-bits 3", "--strategy products", "--strategy parallel",
-        "--strategy auto", "--colouring field", "--without all", "--without space,hidden --threads 3"}) {
+  for (const std::string options : {"--strategy list", "--strategy bits --stack-bits 3", "--strategy products",
+                                    "--strategy parallel", "--strategy auto", "--colouring field", "--without all",
+                                    "--without early-out", "--without space,hidden --threads 3"}) {
     CAPTURE(options);
     CHECK(run(draw + options + " -o " + (folder / "q.png") + " --stats " + (folder / "s.json")).code == 0);
     CHECK(content(folder / "q.png") == content(folder / "p.png"));
     const nlohmann::json stats = json(folder / "s.json");
     CHECK(stats["strategy"] != "auto");
     CHECK(stats["memory_bits"]["tree_depth"] >= 2);
+  }
+}
+
+TEST_CASE("early out is asked for where the machine has a global OR, and runs nowhere else") {
+  const Folder folder;
+  std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
+  const std::string present = "[global_or.present]\nvalue = 1";
+  REQUIRE(text.find(present) != std::string::npos);
+  text.replace(text.find(present) + present.size() - 1, 1, "0");
+  write(folder / "deaf.toml", text);
+  const std::string compile = "compile " + model("old_example002") + " --size 60x50 -o ";
+  REQUIRE(run(compile + (folder / "asks.csgt")).code == 0);
+  REQUIRE(run(compile + (folder / "deaf.csgt") + " --machine " + (folder / "deaf.toml")).code == 0);
+  REQUIRE(run(compile + (folder / "mute.csgt") + " --without early-out").code == 0);
+  CHECK(run("disasm " + (folder / "asks.csgt")).out.find("skip_if_none") != std::string::npos);
+  CHECK(run("disasm " + (folder / "deaf.csgt")).out.find("skip_if_none") == std::string::npos);
+  CHECK(content(folder / "deaf.csgt") == content(folder / "mute.csgt"));
+
+  const std::string on_deaf = " --machine " + (folder / "deaf.toml") + " -o " + (folder / "p.png");
+  CHECK(run("run " + (folder / "deaf.csgt") + on_deaf).code == 0);
+  fs::remove(folder / "p.png");
+  for (const char* level : {"functional", "cycle", "reference"}) {
+    const Outcome refused = run("run " + (folder / "asks.csgt") + on_deaf + " --level " + level);
+    CHECK(refused.code == 1);
+    CHECK(refused.err.find("needs a global OR") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "p.png"));
   }
 }
 

@@ -210,9 +210,56 @@ TEST_CASE("several threads make the same bits and the same tallies as one") {
       const sim::RunResult result = engine->run(program, {});
       RC_ASSERT(result.overflows == expected.overflows);
       RC_ASSERT(result.answers == expected.answers);
+      RC_ASSERT(result.skipped == expected.skipped);
       RC_ASSERT(result.clocks == expected.clocks);
     }
   }));
+}
+
+TEST_CASE("random Programs skip, and have skips that skip nothing") {
+  struct Skips final : sim::Observer {
+    void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+      if (step.instruction.opcode == Opcode::skip_if_none) ++(step.enabled_pixels == 0 ? taken : passed);
+    }
+    std::uint64_t taken = 0;
+    std::uint64_t passed = 0;
+  } skips;
+  sim::Observer* const observers[] = {&skips};
+  CHECK(rc::check([&] {
+    const Program program = *test::arbitrary_program({8, 8, 72}, 40);
+    sim::make_reference_engine(test::machine_of(program.shape, 1))->run(program, observers);
+  }));
+  CHECK(skips.taken > 30);
+  CHECK(skips.passed > 30);
+}
+
+TEST_CASE("one pixel in any band of rows keeps all bands from skipping") {
+  const ArrayShape shape{70, 13, 40};
+  const machines::Machine machine = test::machine_of(shape, 1);
+  Instruction skip = op(Opcode::skip_if_none);
+  skip.constant = 1;
+  for (std::int64_t row = 0; row <= 13; ++row) {
+    CAPTURE(row);
+    const Program program =
+        program_of(shape, {op(Opcode::enable_all), with(Opcode::edge_not_negative, {}, {.a = 1, .c = -69, .width = 8}),
+                           with(Opcode::edge_not_negative, {}, {.b = 1, .c = -row, .width = 6}),
+                           with(Opcode::edge_not_negative, {}, {.b = -1, .c = row, .width = 6}), skip, set({0, 8}, 7)});
+    for (const unsigned threads : {1U, 2U, 5U}) {
+      const auto engine = sim::make_functional_engine(machine, threads);
+      test::check_lockstep(*sim::make_reference_engine(machine), *engine, program, machine);
+      CHECK(engine->run(program, {}).skipped == (row == 13 ? 1 : 0));
+    }
+  }
+}
+
+TEST_CASE("what is skipped does not overflow") {
+  Instruction skip = op(Opcode::skip_if_none);
+  skip.constant = 2;
+  const isa::Linear narrow{.a = 1, .b = 0, .c = 100, .width = 3, .shift = 0};
+  const Program program = program_of({9, 2, 8}, {skip, op(Opcode::enable_all), with(Opcode::edge_negative, {}, narrow),
+                                                 op(Opcode::enable_all), with(Opcode::edge_negative, {}, narrow)});
+  CHECK(difference(program) == "");
+  CHECK(sim::make_reference_engine(test::machine_of(program.shape, 1))->run(program, {}).overflows == 18);
 }
 
 TEST_CASE("axis-parallel and slanting edges cut a full array at the exact pixel") {

@@ -76,6 +76,12 @@ void check_boundary(const Boundary& expected, const Boundary& actual, const isa:
                                isa::info(instruction.opcode).name, what_differs(expected, actual)));
 }
 
+std::size_t instructions_of(const isa::Program& program) {
+  return std::accumulate(
+      program.segments.begin(), program.segments.end(), std::size_t{0},
+      [](std::size_t sum, const isa::Segment& segment) { return sum + segment.instructions.size(); });
+}
+
 void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::Program& program,
                   const machines::Machine& machine, std::string_view level) {
   std::uint64_t sum = 0;
@@ -89,6 +95,9 @@ void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::
           fmt::format("{} engine: latency {}", level, result.latency_clocks));
   require(result.clocks == sum + result.latency_clocks,
           fmt::format("{} engine: {} clocks in all, {} by instruction", level, result.clocks, sum));
+  require(run.boundaries.size() + result.skipped == instructions_of(program),
+          fmt::format("{} engine: {} instructions carried out and {} skipped, of {}", level, run.boundaries.size(),
+                      result.skipped, instructions_of(program)));
 }
 
 }  // namespace
@@ -109,6 +118,8 @@ void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program&
   }
   require(expected.segments == actual.segments, "the ends of the segments differ");
   require(expected_result.answers == actual_result.answers, "the answers differ");
+  require(expected_result.overflows == actual_result.overflows,
+          fmt::format("{} overflows, not {}", actual_result.overflows, expected_result.overflows));
   check_clocks(expected_result, expected, program, machine, judge.level());
   check_clocks(actual_result, actual, program, machine, engine.level());
 }

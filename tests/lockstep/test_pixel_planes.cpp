@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hw/pixel_planes/pixel_planes.h"
@@ -62,6 +63,8 @@ Instruction pixel_number(Field field) {
   return {.opcode = Opcode::load_linear, .fields = {field}, .linear = {.a = 1, .b = 8, .width = 8}};
 }
 
+Instruction skip(std::uint64_t count) { return {.opcode = Opcode::skip_if_none, .constant = count}; }
+
 std::string contents(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -101,6 +104,79 @@ TEST_CASE("a question takes its own clock and the latency, and the controller go
   CHECK(watch.clocks == std::vector<std::uint64_t>{1, question, 1, question, question});
   CHECK(watch.edges == std::vector<double>{7, 8, 15, 16, 23});
   CHECK(report.clocks == 2 + 3 * question + latency_8x8);
+}
+
+TEST_CASE("skipped instructions take no clock, however many there are") {
+  PixelPlanes machine("machine", machine_8x8());
+  constexpr std::uint64_t question = 1 + latency_8x8;
+  for (const std::uint64_t count : {1U, 2U, 14U, 15U, 16U, 17U, 33U, 1000U}) {
+    CAPTURE(count);
+    std::vector<Instruction> instructions{{.opcode = Opcode::enable_all}, {.opcode = Opcode::enable_invert}};
+    instructions.push_back(skip(count));
+    instructions.insert(instructions.end(), count, {.opcode = Opcode::enable_all});
+    instructions.push_back({.opcode = Opcode::global_or});
+    instructions.push_back({.opcode = Opcode::enable_all});
+    const std::vector<Segment> program{segment_of(instructions)};
+    Stopwatch watch(machine);
+    const auto report = machine.run(program, watch);
+    CHECK(watch.clocks == std::vector<std::uint64_t>{1, 1, question, question, 1});
+    CHECK(watch.edges == std::vector<double>{7, 8, 9, 16, 23});
+    CHECK(report.answers == std::vector<bool>{false});
+    CHECK(report.skipped == count);
+    CHECK(report.clocks == 3 + 2 * question + latency_8x8);
+  }
+}
+
+TEST_CASE("where a pixel is enabled nothing is skipped, and the host has no answer") {
+  PixelPlanes machine("machine", machine_8x8());
+  const std::vector<Segment> program{segment_of(
+      {{.opcode = Opcode::enable_all}, skip(2), {.opcode = Opcode::enable_invert}, {.opcode = Opcode::enable_invert}})};
+  Stopwatch watch(machine);
+  const auto report = machine.run(program, watch);
+  CHECK(watch.edges == std::vector<double>{7, 8, 15, 16});
+  CHECK(watch.enabled == std::vector<std::uint64_t>{0, 64, 64, 0});
+  CHECK(report.answers.empty());
+  CHECK(report.skipped == 0);
+}
+
+TEST_CASE("a skip to the end of its segment ends the segment, and at the end of the program the program") {
+  struct Segments final : RunListener {
+    void after_instruction(const Retired& retired) override { seen.push_back({retired.segment, retired.index}); }
+    void after_segment(std::uint32_t segment) override { ends.push_back(segment); }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;
+    std::vector<std::uint32_t> ends;
+  };
+  PixelPlanes machine("machine", machine_8x8());
+  const Instruction all{.opcode = Opcode::enable_all};
+  const std::vector<Segment> program{
+      segment_of({skip(2), all, all}), segment_of({}), segment_of({all, skip(1), {.opcode = Opcode::global_or}}, 3, 5),
+      segment_of({skip(1), all}), segment_of({skip(20), all, all, all, all, all, all, all, all, all, all,
+                                              all,      all, all, all, all, all, all, all, all, all})};
+  constexpr std::uint64_t question = 1 + latency_8x8;
+  for (int run = 0; run < 2; ++run) {
+    Segments listener;
+    const auto report = machine.run(program, listener);
+    CHECK(listener.seen ==
+          std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 0}, {2, 0}, {2, 1}, {2, 2}, {3, 0}, {4, 0}});
+    CHECK(listener.ends == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
+    CHECK(report.answers == std::vector<bool>{true});
+    CHECK(report.skipped == 2 + 1 + 20);
+    CHECK(report.clocks == 1 + 5 * question + latency_8x8);
+  }
+}
+
+TEST_CASE("without tree levels a skip is over in one clock too") {
+  PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
+  const Instruction all{.opcode = Opcode::enable_all};
+  const Instruction invert{.opcode = Opcode::enable_invert};
+  const std::vector<Segment> program{
+      segment_of({skip(1), all, skip(1), all, all, skip(1), invert, invert, skip(2), all, all}, 1, 1)};
+  Stopwatch watch(machine);
+  const auto report = machine.run(program, watch);
+  CHECK(watch.enabled == std::vector<std::uint64_t>{0, 0, 0, 1, 1, 0, 1, 1, 1});
+  CHECK(watch.edges == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  CHECK(report.skipped == 2);
+  CHECK(report.clocks == 9);
 }
 
 TEST_CASE("without tree levels a step is carried out at the end of its own clock") {
@@ -218,6 +294,25 @@ TEST_CASE("a window of a run is recorded as VCD, and what lies outside it is not
   machine.record({.file = file, .begin = 1000, .end = 1001, .probes = {}, .fields = {}});
   CHECK_FALSE(machine.run(program, nobody).recorded);
   CHECK(contents(file) == text);
+}
+
+TEST_CASE("after a skip the wave shows the next instruction in the very clock in which the answer has come") {
+  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_skip.vcd";
+  PixelPlanes machine("machine", machine_8x8());
+  RunListener nobody;
+  const Instruction all{.opcode = Opcode::enable_all};
+  const std::vector<Segment> program{segment_of({skip(2), all, all, {.opcode = Opcode::enable_invert}, all})};
+  machine.record({.file = file, .begin = 4, .end = 11, .probes = {}, .fields = {}});
+  CHECK(machine.run(program, nobody).recorded);
+  const std::string text = contents(file);
+  const auto between = [&](const char* from, const char* to) {
+    const std::size_t begin = text.find(from);
+    return text.substr(begin, text.find(to) - begin);
+  };
+  // controller.instruction: the question until clock 6, then the fourth and the fifth instruction.
+  CHECK(between("\n#600000\n", "\n#800000\n").find("\nb11 ") == std::string::npos);
+  CHECK(between("\n#800000\n", "\n#900000\n").find("\nb11 ") != std::string::npos);
+  CHECK(between("\n#900000\n", "\n#1000000\n").find("\nb100 ") != std::string::npos);
 }
 
 TEST_CASE("a window beyond the program's end is closed with the program, and probes outside the array are refused") {

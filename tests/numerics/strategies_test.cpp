@@ -35,8 +35,16 @@ std::vector<emit::Options> all_options() {
     all.push_back(with_strategy(strategy, 4));
     all.back().pruning = csg::Pruning::none();
   }
-  for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
-                                             &csg::Pruning::halfspaces, &csg::Pruning::hidden, &csg::Pruning::sets}) {
+  for (const emit::Strategy strategy : {Strategy::list, Strategy::bits, Strategy::products}) {
+    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
+      all.push_back(with_strategy(strategy));
+      all.back().colouring = colouring;
+      all.back().pruning.early_out = false;
+    }
+  }
+  for (bool csg::Pruning::*const switched :
+       {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation, &csg::Pruning::halfspaces,
+        &csg::Pruning::hidden, &csg::Pruning::sets, &csg::Pruning::early_out}) {
     all.push_back(with_strategy(Strategy::stack));
     all.back().pruning.*switched = false;
     all.push_back(with_strategy(Strategy::stack));

@@ -8,21 +8,27 @@
 
 namespace csgsim::testing {
 
+machines::Machine machine_of(const isa::ArrayShape& array) {
+  machines::Machine machine;
+  machine.array = array;
+  machine.clock_hz = 10'000'000;
+  return machine;
+}
+
 namespace {
 
 Compiled compile_tree(model::Tree tree, const Setup& setup) {
   facet::Scene scene = facet::make_scene(tree);
   view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
-  machines::Machine machine;
+  machines::Machine machine = machine_of({setup.sampling.width, setup.sampling.height, setup.memory_bits});
   machine.kind = setup.kind;
-  machine.array = {setup.sampling.width, setup.sampling.height, setup.memory_bits};
   machine.picture = {setup.sampling.width, setup.sampling.height};
   if (setup.kind == machines::Kind::scan_line) machine.array.height = 1;
   if (setup.kind == machines::Kind::pixel_square) {
     machine.array.width = setup.square.width;
     machine.array.height = setup.square.height;
   }
-  machine.clock_hz = 10'000'000;
+  machine.has_global_or = setup.has_global_or;
   isa::Program program = emit::compile(tree, scene, view, machine, setup.options);
   isa::validate(program);
   return {std::move(tree), std::move(scene), std::move(view), std::move(program)};
@@ -46,9 +52,7 @@ Compiled compile_default_view(const std::string& path, Setup setup, view::Projec
 }
 
 sim::Frame draw(const isa::Program& program, unsigned threads) {
-  machines::Machine machine;
-  machine.array = program.shape;
-  machine.clock_hz = 10'000'000;
+  const machines::Machine machine = machine_of(program.shape);
   sim::FrameObserver frame(program);
   const std::array<sim::Observer*, 1> observers{&frame};
   const sim::RunResult result = sim::make_functional_engine(machine, threads)->run(program, observers);

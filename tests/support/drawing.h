@@ -14,6 +14,9 @@
 
 namespace csgsim::testing {
 
+/// A machine with that array.
+machines::Machine machine_of(const isa::ArrayShape& array);
+
 /// A model taken all the way to a Program.
 struct Compiled {
   model::Tree tree;
@@ -30,6 +33,7 @@ struct Setup {
   /// What the machine works on at a time: the whole picture, a line, or a square of that many pixels.
   machines::Kind kind = machines::Kind::frame_buffer;
   machines::Size square{};
+  bool has_global_or = true;
 };
 
 Compiled compile_text(const std::string& csg, const Setup& setup);

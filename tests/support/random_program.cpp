@@ -30,6 +30,9 @@ using isa::Opcode;
 using isa::OpcodeInfo;
 using isa::OperandKind;
 
+/// More than the machine's link to the host holds.
+constexpr unsigned most_skipped = 40;
+
 /// Any number of `least` to `most`, whatever the size that rapidcheck has come to.
 template <class Integer>
 Integer pick(Integer least, Integer most) {
@@ -137,7 +140,7 @@ isa::Origin pick_origin(std::uint32_t primitives) {
   return origin;
 }
 
-/// Every opcode, with those that enable pixels, and those that make patterns of enabled pixels, more often.
+/// Every opcode, with those that enable pixels, make patterns of enabled pixels, or skip, more often.
 Opcode pick_opcode(std::uint32_t memory_bits) {
   switch (pick(0, 19)) {
     case 0: return Opcode::enable_all;
@@ -145,6 +148,7 @@ Opcode pick_opcode(std::uint32_t memory_bits) {
     case 2: return Opcode::edge_not_negative;
     case 3: return Opcode::edge_negative;
     case 4: return Opcode::load_linear;
+    case 5: return Opcode::skip_if_none;
     default: break;
   }
   std::vector<Opcode> opcodes;
@@ -185,6 +189,17 @@ std::vector<Instruction> revived(const std::vector<Instruction>& instructions) {
   return out;
 }
 
+/// Skips reach no farther than the segment; one that nothing follows only asks.
+void fit_skips(std::vector<Instruction>& instructions) {
+  for (std::size_t i = 0; i < instructions.size(); ++i) {
+    Instruction& instruction = instructions[i];
+    if (!isa::has_operand(info(instruction.opcode), OperandKind::count)) continue;
+    const std::size_t following = instructions.size() - 1 - i;
+    if (following == 0) instruction = {Opcode::global_or, {}, {}, 0, instruction.origin};
+    instruction.constant = std::min<std::uint64_t>(instruction.constant, following);
+  }
+}
+
 isa::Segment pick_segment(isa::ArrayShape shape, std::size_t max_instructions, std::uint32_t primitives) {
   isa::Segment segment;
   segment.region = pick_region(shape);
@@ -196,6 +211,7 @@ isa::Segment pick_segment(isa::ArrayShape shape, std::size_t max_instructions, s
       rc::gen::container<std::vector<Instruction>>(arbitrary_instruction(region, shape.memory_bits, primitives)));
   segment.instructions = revived(instructions);
   segment.instructions.resize(std::min(segment.instructions.size(), max_instructions));
+  fit_skips(segment.instructions);
   return segment;
 }
 
@@ -249,6 +265,7 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
     const OpcodeInfo& row = info(instruction.opcode);
     if (isa::has_operand(row, OperandKind::linear)) pick_linear(instruction, region);
     if (isa::has_operand(row, OperandKind::constant)) instruction.constant = pick_constant(instruction.fields[0].width);
+    if (isa::has_operand(row, OperandKind::count)) instruction.constant = pick_near({1, 2, 3}, 1, most_skipped);
     return instruction;
   });
 }

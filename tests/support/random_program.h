@@ -19,7 +19,8 @@ namespace csgsim::test {
 
 /// Valid instructions for pixels of that memory in a region of that shape. Every opcode that fits the memory occurs;
 /// fields are few and shared, so that values meet; widths, shifts, coefficients and constants prefer their bounds; F
-/// mostly crosses the range of the field it meets, and sometimes does not fit its width.
+/// mostly crosses the range of the field it meets, and sometimes does not fit its width. A skip may reach beyond the
+/// segment that it is put into.
 rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uint32_t memory_bits,
                                                 std::uint32_t primitives);
 

@@ -75,6 +75,22 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring, and says w
   }
 }
 
+TEST_CASE("auto goes by the clocks that it is told") {
+  testing::Setup how = setup(emit::Strategy::automatic);
+  how.options.colouring = emit::Colouring::automatic;
+  const testing::Compiled model = testing::compile_file(testing::model_path("old_example002"), how);
+  const machines::Machine machine = testing::machine_of(model.program.shape);
+  const auto compile_by = [&](const emit::ClockCounter& count) {
+    return emit::compile(model.tree, model.scene, model.view, machine, how.options, count);
+  };
+  const auto prefer = [](const std::string& strategy) {
+    return [=](const isa::Program& program) { return program.compile.strategy == strategy ? 1ULL : 2ULL; };
+  };
+  CHECK(compile_by(prefer("list")).compile.strategy == "list");
+  CHECK(compile_by(prefer("stack")).compile.strategy == "stack");
+  CHECK(compile_by({}) == model.program);
+}
+
 TEST_CASE("auto takes what fits where the fastest does not") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;

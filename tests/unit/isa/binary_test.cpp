@@ -168,15 +168,15 @@ TEST_CASE("what is wrong with the bytes is said") {
   CHECK(contains(said(), "1 bytes left over"));
 
   bytes = encode(sample_program());
-  bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | 0x1e};  // the last instruction's opcode
+  bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | 0x1f};  // the last instruction's opcode
   seal(bytes);
-  CHECK(contains(said(), "undefined opcode 30"));
+  CHECK(contains(said(), "undefined opcode 31"));
 }
 
 TEST_CASE("a count beyond the bytes that are there is refused before anything is reserved") {
   Bytes bytes = encode(sample_program());
-  // The instruction count of the first segment, 8, is the last element of its row: 0x08 before the next row's 0x8a.
-  constexpr std::array pattern{std::byte{0x08}, std::byte{0x8a}};
+  // The instruction count of the first segment, 9, is the last element of its row: 0x09 before the next row's 0x8a.
+  constexpr std::array pattern{std::byte{0x09}, std::byte{0x8a}};
   const auto row = std::search(bytes.begin(), bytes.end(), pattern.begin(), pattern.end());
   REQUIRE(row != bytes.end());
   *row = std::byte{0x17};

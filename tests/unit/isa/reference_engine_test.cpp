@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "hw/isa/error.h"
 #include "hw/machines/clocks.h"
 #include "sim/engine/engine.h"
 
@@ -94,6 +95,85 @@ TEST_CASE("overflows add up over segments") {
   program.segments[0].instructions.push_back(narrow);
   program.segments[1].instructions.push_back(narrow);
   CHECK(make_reference_engine(machine_of({8, 4, 16}))->run(program, {}).overflows == 32 + 2);
+}
+
+isa::Instruction skip(std::uint64_t count) { return {Opcode::skip_if_none, {}, {}, count, {}}; }
+
+const isa::Instruction all{Opcode::enable_all, {}, {}, 0, {}};
+const isa::Instruction invert{Opcode::enable_invert, {}, {}, 0, {}};
+const isa::Instruction ask{Opcode::global_or, {}, {}, 0, {}};
+
+/// Runs one segment after another on 8x4 pixels, with a latency of 5 clocks.
+RunResult run(const std::vector<std::vector<isa::Instruction>>& segments, Recorder& recorder) {
+  isa::Program program;
+  program.shape = {8, 4, 16};
+  for (const std::vector<isa::Instruction>& instructions : segments)
+    program.segments.push_back({{0, 0, 8, 4}, instructions, 0, 0});
+  isa::validate(program);
+  const std::array<Observer*, 1> observers{&recorder};
+  return make_reference_engine(machine_of(program.shape))->run(program, observers);
+}
+
+TEST_CASE("where no pixel is enabled a skip leaves out just what it says, at no clock") {
+  Recorder recorder;
+  const RunResult result = run({{skip(2), all, all, ask, all}}, recorder);
+  CHECK(recorder.steps == std::vector<Record>{{0, 0, 6, 0}, {0, 3, 6, 0}, {0, 4, 1, 0}});
+  CHECK(result.clocks == 6 + 6 + 1 + 5);
+  CHECK(result.skipped == 2);
+  CHECK(result.answers == std::vector<bool>{false});
+}
+
+TEST_CASE("where one pixel is enabled a skip leaves out nothing") {
+  Recorder recorder;
+  const isa::Instruction last_column{Opcode::edge_not_negative, {}, {1, 0, -7, 4, 0}, 0, {}};
+  const isa::Instruction last_row{Opcode::edge_not_negative, {}, {0, 1, -3, 3, 0}, 0, {}};
+  const RunResult result = run({{all, last_column, last_row, skip(1), all, ask}}, recorder);
+  CHECK(recorder.steps ==
+        std::vector<Record>{{0, 0, 1, 0}, {0, 1, 4, 32}, {0, 2, 3, 4}, {0, 3, 6, 1}, {0, 4, 1, 1}, {0, 5, 6, 32}});
+  CHECK(result.skipped == 0);
+  CHECK(result.answers == std::vector<bool>{true});
+}
+
+TEST_CASE("a skip to the end of its segment goes on with the next segment") {
+  Recorder recorder;
+  const RunResult result = run({{skip(2), all, ask}, {all, ask}, {skip(1), all}}, recorder);
+  CHECK(recorder.steps == std::vector<Record>{{0, 0, 6, 0}, {1, 0, 1, 0}, {1, 1, 6, 32}, {2, 0, 6, 0}});
+  CHECK(recorder.segments == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(result.skipped == 3);
+  CHECK(result.answers == std::vector<bool>{true});
+}
+
+TEST_CASE("a skipped skip skips nothing, and one that is skipped to does") {
+  Recorder skipped;
+  CHECK(run({{skip(1), skip(2), all, ask}}, skipped).answers == std::vector<bool>{true});
+  Recorder reached;
+  const RunResult result = run({{skip(1), all, skip(1), all, ask, all, skip(1), invert, ask}}, reached);
+  CHECK(result.answers == std::vector<bool>{false, false});
+  CHECK(result.skipped == 2);
+}
+
+TEST_CASE("what is skipped does not overflow") {
+  const isa::Instruction narrow{Opcode::edge_negative, {}, {0, 0, 2, 2, 0}, 0, {}};
+  Recorder recorder;
+  CHECK(run({{skip(2), all, narrow, all, narrow}}, recorder).overflows == 32);
+}
+
+TEST_CASE("a Program that asks is refused before it begins on a machine without a global OR") {
+  machines::Machine machine = machine_of({8, 4, 16});
+  machine.has_global_or = false;
+  machine.name = "deaf";
+  isa::Program program = two_segments();
+  Recorder recorder;
+  const std::array<Observer*, 1> observers{&recorder};
+  CHECK_THROWS_WITH_AS(make_reference_engine(machine)->run(program, observers),
+                       "segment 0, instruction 2: global_or needs a global OR, which the machine deaf does not have; "
+                       "compile the model for this machine, or take one whose global_or.present is 1",
+                       InputError);
+  CHECK(recorder.steps.empty());
+  program.segments = {{{0, 0, 8, 4}, {all, skip(1), all}, 0, 0}};
+  CHECK_THROWS_AS(make_reference_engine(machine)->run(program, {}), InputError);
+  program.segments = {{{0, 0, 8, 4}, {all, all}, 0, 0}};
+  CHECK_NOTHROW(make_reference_engine(machine)->run(program, {}));
 }
 
 TEST_CASE("the engine is the reference") {

@@ -30,6 +30,7 @@ inline isa::Program sample_program() {
   segment.instructions.back().linear.width = 1;
   add({Opcode::bit_and_not, {{{16, 1}, {16, 1}, {39, 1}}}, {}, 0, {Purpose::stack, 1, isa::no_node}});
   add({Opcode::copy, {{{8, 8}, {0, 8}}}, {}, 0, {Purpose::merge, 1, isa::no_node}});
+  add({Opcode::skip_if_none, {}, {}, 1, {Purpose::merge, 1, isa::no_node}});
   add({Opcode::global_or, {}, {}, 0, {Purpose::merge, 1, isa::no_node}});
   program.segments = {segment, {{0, 3, 1, 1}, {}, 0, 0, 0, 0, 0}};
   return program;

@@ -87,6 +87,17 @@ TEST_CASE("what is not valid is told with its place") {
   CHECK(error_of(".array width=8 height=8 memory_bits=9999").starts_with("t:1:1: a pixel has 9999 memory bits"));
 }
 
+TEST_CASE("a skip that cannot be is told with its place, also when that shows at the end of its segment only") {
+  CHECK(error_in_line_5("skip_if_none 1").empty());
+  CHECK(error_in_line_5("skip_if_none").starts_with("t:5:13: expected a number of instructions"));
+  CHECK(error_in_line_5("skip_if_none Z1").starts_with("t:5:14: expected a number of instructions"));
+  CHECK(error_in_line_5("  skip_if_none 0").starts_with("t:5:3: skip_if_none 0 skips nothing"));
+  CHECK(error_in_line_5("enable_all\n  skip_if_none 2").starts_with("t:6:3: skip_if_none 2 leaves the segment"));
+  CHECK(error_in_line_5("skip_if_none 18446744073709551615").starts_with("t:5:1: skip_if_none 18446744073709551615"));
+  const std::string end = ".segment width=8 height=8\nenable_all\nenable_all";
+  CHECK(error_in_line_5("skip_if_none 1\n" + end).starts_with("t:5:1: skip_if_none 1 leaves the segment, which has 0"));
+}
+
 TEST_CASE("directives come in order") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));

@@ -48,6 +48,7 @@ TEST_CASE("the sample is printed so") {
   edge_negative 0 (w1)                                  ; classify against p1
   bit_and_not in, in, [39]                              ; stack p1
   copy "two words", Z1                                  ; merge p1
+  skip_if_none 1                                        ; merge p1
   global_or                                             ; merge p1
 
 .segment x=0 y=3 width=1 height=1 primitives=0 halfspaces=0 kept_primitives=0 kept_halfspaces=0 comparisons=0

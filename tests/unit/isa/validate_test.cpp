@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "tests/unit/isa/sample.h"
 
@@ -36,7 +38,7 @@ TEST_CASE("the sample is valid") { CHECK(refusal_of(sample_program()).empty()); 
 TEST_CASE("an opcode has to be in the table") {
   Instruction instruction;
   instruction.opcode = static_cast<Opcode>(opcode_table.size());
-  CHECK(contains(refusal_of(instruction), "opcode 30 is undefined"));
+  CHECK(contains(refusal_of(instruction), "opcode 31 is undefined"));
 }
 
 TEST_CASE("a purpose has to be in the table") {
@@ -118,6 +120,26 @@ TEST_CASE("a constant fits its target") {
   CHECK(contains(refusal_of({Opcode::set_constant, {{{0, 8}}}, {}, 256, {}}), "does not fit 8 bits"));
   CHECK(refusal_of({Opcode::set_constant, {{{0, 32}}}, {}, 0xffffffffU, {}}).empty());
   CHECK_FALSE(refusal_of({Opcode::set_constant, {{{0, 32}}}, {}, 1ULL << 32U, {}}).empty());
+}
+
+TEST_CASE("a skip leaves out one instruction at least, and none beyond its segment") {
+  const auto skip = [](std::uint64_t count) { return Instruction{Opcode::skip_if_none, {}, {}, count, {}}; };
+  CHECK(refusal_of(skip(1)).empty());
+  CHECK(refusal_of(skip(0)) == "skip_if_none 0 skips nothing; skip an instruction at least, or leave it out");
+  Program program = sample_program();
+  std::vector<Instruction>& instructions = program.segments[0].instructions;
+  const std::size_t last = instructions.size() - 1;
+  instructions[0] = skip(last);
+  CHECK(refusal_of(program).empty());
+  for (const std::uint64_t count : {last + 1, std::numeric_limits<std::uint64_t>::max()}) {
+    instructions[0] = skip(count);
+    CHECK(refusal_of(program).starts_with("segment 0, instruction 0: skip_if_none " + std::to_string(count) +
+                                          " leaves the segment, which has " + std::to_string(last) + " more"));
+  }
+  instructions[0] = skip(1);
+  instructions[last] = skip(1);
+  program.segments[1].instructions = {skip(1), skip(1), instructions[1]};
+  CHECK(refusal_of(program).starts_with("segment 0, instruction " + std::to_string(last) + ": "));
 }
 
 TEST_CASE("an error in a Program says the segment and the instruction") {

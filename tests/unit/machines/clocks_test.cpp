@@ -112,4 +112,17 @@ TEST_CASE("linear expressions, the enable register and answers gain nothing from
   CHECK(machines::clocks({.opcode = Opcode::global_or}, wide) == 1 + 18);
 }
 
-TEST_CASE("an answer takes a clock and the way through the trees") { CHECK(clocks(Opcode::global_or) == 1 + 18); }
+TEST_CASE("an answer takes a clock and the way through the trees") {
+  CHECK(clocks(Opcode::global_or) == 1 + 18);
+  CHECK(clocks(Opcode::skip_if_none) == 1 + 18);
+}
+
+TEST_CASE("the clocks of a Program are those of a run that skips nothing") {
+  isa::Program program;
+  program.shape = {512, 512, 72};
+  const Instruction all{Opcode::enable_all, {}, {}, 0, {}};
+  const Instruction skip{Opcode::skip_if_none, {}, {}, 1, {}};
+  program.segments = {{{0, 0, 512, 512}, {skip, all, all}, 0, 0}, {{0, 0, 8, 8}, {all}, 0, 0}};
+  CHECK(machines::clocks(program.segments[0].instructions, machine(1)) == 19 + 2);
+  CHECK(machines::clocks(program, machine(1)) == 19 + 2 + 1 + 18);
+}

@@ -60,6 +60,7 @@ TEST_CASE("pixel-planes-4 is built in, with the published figures") {
   CHECK(machine.clock_hz == 10'000'000);
   CHECK(machine.memory_reads == 1);
   CHECK(machine.alu_bits == 1);
+  CHECK(machine.has_global_or);
 }
 
 TEST_CASE("every built-in machine reads and bears its own name") {
@@ -84,7 +85,7 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
   }
   CHECK(keys ==
         "array.width array.height array.memory_bits clock.frequency alu.bits memory.reads memory.writes "
-        "evaluator.level_latency ");
+        "global_or.present evaluator.level_latency ");
   CHECK(machine.figures[3].value == "10000000");
   CHECK(machine.figures[3].unit == "Hz");
 }
@@ -97,6 +98,13 @@ TEST_CASE("a machine file is read by its path, whatever its name") {
 
 TEST_CASE("a machine file says how wide the ALU is") {
   CHECK(read_description(changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 16"), "my.toml").alu_bits == 16);
+}
+
+TEST_CASE("a machine has a global OR or has none") {
+  CHECK_FALSE(read_description(changed("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 0"), "my.toml")
+                  .has_global_or);
+  CHECK(message_of_change("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 2")
+            .ends_with("global_or.present is 2; it takes 0 to 1 lines"));
 }
 
 TEST_CASE("an unknown machine names the nearest known") {

@@ -1,0 +1,22 @@
+#include "host/emit/early_out.h"
+
+#include "hw/machines/clocks.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+/// Clocks that can be saved for one of the question.
+constexpr std::uint64_t least_gain = 4;
+
+}  // namespace
+
+void emit_early_out(const Context& context, Broadcast& out, std::size_t begin, const isa::Origin& origin) {
+  if (!context.options.pruning.early_out || !machines::answers(context.machine)) return;
+  const std::span<const isa::Instruction> guarded = out.from(begin);
+  const isa::Instruction question{isa::Opcode::skip_if_none, {}, {}, guarded.size(), origin};
+  if (machines::clocks(guarded, context.machine) >= least_gain * machines::clocks(question, context.machine))
+    out.insert(begin, question);
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::sim {
+
+/// Clocks that the Program takes on the machine. Where instructions may be skipped, it is run to find them.
+std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine);
+
+}  // namespace csgsim::sim

@@ -1,0 +1,132 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "hw/isa/operands.h"
+#include "hw/machines/clocks.h"
+#include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
+#include "sim/observe/stats.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+using isa::Instruction;
+using isa::Opcode;
+
+namespace {
+
+bool is_skip(const Instruction& instruction) { return instruction.opcode == Opcode::skip_if_none; }
+
+std::vector<Instruction> without_skips(std::vector<Instruction> instructions) {
+  std::erase_if(instructions, is_skip);
+  return instructions;
+}
+
+const std::vector<Instruction>& instructions_of(const isa::Program& program) {
+  return program.segments.at(0).instructions;
+}
+
+/// A cube in front of all else, and behind it a ball with a hole.
+constexpr const char* behind_a_cube =
+    "multmatrix([[1,0,0,0],[0,1,0,-20],[0,0,1,0],[0,0,0,1]]){cube(size=[30,2,30],center=true);}"
+    "difference(){sphere($fn=24,r=9);cylinder($fn=24,h=30,r1=3,r2=3,center=true);}";
+
+testing::Setup setup(emit::Strategy strategy = emit::Strategy::stack,
+                     emit::Colouring colouring = emit::Colouring::rebroadcast) {
+  testing::Setup made;
+  made.camera = {{5, -90, 10}, {0, 0, 0}, view::Projection::orthographic};
+  made.sampling.width = 64;
+  made.sampling.height = 64;
+  made.memory_bits = 120;
+  made.options.strategy = strategy;
+  made.options.colouring = colouring;
+  made.options.pruning.hidden = false;
+  return made;
+}
+
+struct Ran {
+  sim::RunResult result;
+  sim::Stats stats;
+};
+
+Ran run(const isa::Program& program) {
+  sim::StatsObserver stats(program);
+  const std::array<sim::Observer*, 1> observers{&stats};
+  sim::RunResult result = sim::make_reference_engine(testing::machine_of(program.shape))->run(program, observers);
+  return {std::move(result), stats.stats()};
+}
+
+}  // namespace
+
+TEST_CASE("early out adds questions and changes nothing else, with every strategy and colouring") {
+  for (const emit::Strategy strategy :
+       {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits, emit::Strategy::products}) {
+    for (const emit::Colouring colouring : {emit::Colouring::rebroadcast, emit::Colouring::field}) {
+      CAPTURE(emit::name_of(strategy));
+      testing::Setup how = setup(strategy, colouring);
+      const isa::Program asks = testing::compile_text(behind_a_cube, how).program;
+      how.options.pruning.early_out = false;
+      const isa::Program never = testing::compile_text(behind_a_cube, how).program;
+      CHECK(std::none_of(instructions_of(never).begin(), instructions_of(never).end(), is_skip));
+      CHECK(instructions_of(asks).size() > instructions_of(never).size());
+      CHECK(without_skips(instructions_of(asks)) == instructions_of(never));
+      how.options.pruning.early_out = true;
+      how.has_global_or = false;
+      CHECK(testing::compile_text(behind_a_cube, how).program == never);
+    }
+  }
+}
+
+TEST_CASE("a question guards at least four times its clocks, of one primitive, and the guards nest") {
+  for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
+    CAPTURE(one.name);
+    testing::Setup how = setup();
+    how.camera = one.camera;
+    const isa::Program program = testing::compile_file(testing::model_path(one.name), how).program;
+    const machines::Machine machine = testing::machine_of(program.shape);
+    const std::span<const Instruction> all = instructions_of(program);
+    std::size_t end_before = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!is_skip(all[i])) continue;
+      const std::span<const Instruction> guarded = all.subspan(i + 1, all[i].constant);
+      const std::size_t end = i + 1 + guarded.size();
+      CHECK(machines::clocks(guarded, machine) >= 4 * machines::clocks(all[i], machine));
+      CHECK(std::all_of(guarded.begin(), guarded.end(), [&](const Instruction& instruction) {
+        const bool shades_set =
+            instruction.origin.purpose == isa::Purpose::shade && instruction.origin.node == all[i].origin.primitive;
+        return shades_set || instruction.origin.primitive == all[i].origin.primitive;
+      }));
+      CHECK((i >= end_before || end == end_before));
+      end_before = std::max(end_before, end);
+    }
+  }
+}
+
+TEST_CASE("what is hidden is skipped, and what is left adds up") {
+  const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
+  testing::Setup how = setup();
+  how.options.pruning.early_out = false;
+  const Ran asks = run(program);
+  const Ran never = run(testing::compile_text(behind_a_cube, how).program);
+  CHECK(asks.result.skipped > 0);
+  CHECK(asks.result.clocks < never.result.clocks);
+  CHECK(asks.result.clocks < machines::clocks(program, testing::machine_of(program.shape)));
+  CHECK(asks.stats.total.instructions + asks.result.skipped == instructions_of(program).size());
+  CHECK(asks.stats.total.clocks + asks.result.latency_clocks == asks.result.clocks);
+  sim::Cost by_purpose;
+  for (const sim::Cost& cost : asks.stats.by_purpose) by_purpose += cost;
+  CHECK(by_purpose == asks.stats.total);
+  const auto of = [](const Ran& ran, isa::Purpose purpose) {
+    return ran.stats.by_purpose[static_cast<std::size_t>(purpose)];
+  };
+  CHECK(of(asks, isa::Purpose::render) == of(never, isa::Purpose::render));
+  CHECK(of(asks, isa::Purpose::shade).clocks < of(never, isa::Purpose::shade).clocks);
+}
+
+TEST_CASE("the clocks of a run are those of the reference, skips and all") {
+  const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
+  CHECK(sim::clocks_of_run(program, testing::machine_of(program.shape)) == run(program).result.clocks);
+}
