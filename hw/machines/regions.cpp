@@ -1,7 +1,11 @@
 #include "hw/machines/regions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
+
+#include "hw/isa/error.h"
 
 namespace csgsim::machines {
 
@@ -63,6 +67,19 @@ std::vector<isa::Region> squares(const Size& picture, const isa::ArrayShape& arr
   return all;
 }
 
+void refuse_answers(const isa::Segment& segment, std::size_t number, const Machine& machine) {
+  const auto asks =
+      std::find_if(segment.instructions.begin(), segment.instructions.end(), [](const isa::Instruction& instruction) {
+        return isa::info(instruction.opcode).clock_class == isa::ClockClass::answer;
+      });
+  if (asks == segment.instructions.end()) return;
+  throw InputError(
+      fmt::format("segment {}, instruction {}: {} asks for an answer, and no wire of {} brings it back to the host; "
+                  "leave it out, or take a machine of the kind {}",
+                  number, asks - segment.instructions.begin(), isa::info(asks->opcode).name, machine.name,
+                  name_of(Kind::frame_buffer)));
+}
+
 }  // namespace
 
 std::vector<isa::Region> regions(const Machine& machine) {
@@ -72,6 +89,26 @@ std::vector<isa::Region> regions(const Machine& machine) {
     case Kind::pixel_square: return squares(machine.picture, machine.array, machine.pixel_square.order);
   }
   return {};
+}
+
+void check_parts(const isa::Program& program, const Machine& machine) {
+  if (machine.kind == Kind::frame_buffer) return;
+  if (program.shape.memory_bits > machine.array.memory_bits) {
+    throw InputError(fmt::format("the Program is for pixels of {} bits, {} has {}; compile it for this machine",
+                                 program.shape.memory_bits, machine.name, machine.array.memory_bits));
+  }
+  Machine drawing = machine;
+  set_picture_size(drawing, {program.shape.width, program.shape.height});
+  const std::vector<isa::Region> parts = regions(drawing);
+  const bool alike = std::equal(parts.begin(), parts.end(), program.segments.begin(), program.segments.end(),
+                                [](const isa::Region& part, const isa::Segment& one) { return part == one.region; });
+  if (!alike) {
+    throw InputError(
+        fmt::format("the Program's segments are not the {} regions in which {} draws a picture of {}x{}; "
+                    "compile it for this machine",
+                    parts.size(), machine.name, program.shape.width, program.shape.height));
+  }
+  for (std::size_t s = 0; s < program.segments.size(); ++s) refuse_answers(program.segments[s], s, machine);
 }
 
 }  // namespace csgsim::machines
