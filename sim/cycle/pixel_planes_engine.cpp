@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "hw/isa/error.h"
 #include "hw/pixel_planes/pixel_planes.h"
+#include "sim/cycle/engines.h"
 #include "sim/cycle/overflow.h"
 #include "sim/cycle/record.h"
 
@@ -78,10 +78,6 @@ class Relay final : public pixel_planes::RunListener {
   std::uint64_t overflows_ = 0;
 };
 
-bool same_hardware(const machines::Machine& one, const machines::Machine& other) {
-  return one.array == other.array && one.clock_hz == other.clock_hz && one.memory_reads == other.memory_reads;
-}
-
 void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& array) {
   if (program.width <= array.width && program.height <= array.height && program.memory_bits <= array.memory_bits) {
     return;
@@ -118,9 +114,9 @@ RecordedRun run_on(PixelPlanes& hardware, const isa::Program& program, std::span
   return run;
 }
 
-class CycleEngine final : public Engine {
+class PixelPlanesEngine final : public Engine {
  public:
-  explicit CycleEngine(PixelPlanes& hardware) : hardware_(hardware) {}
+  explicit PixelPlanesEngine(PixelPlanes& hardware) : hardware_(hardware) {}
 
   [[nodiscard]] std::string_view level() const override { return "cycle"; }
 
@@ -132,25 +128,26 @@ class CycleEngine final : public Engine {
   PixelPlanes& hardware_;
 };
 
-/// SystemC elaborates once a process: all engines of a process share one machine, and have to be alike.
 PixelPlanes& hardware_of(const machines::Machine& machine) {
-  static const machines::Machine elaborated = machine;
-  static const auto hardware = std::make_unique<PixelPlanes>("pixel_planes", elaborated);
-  if (!same_hardware(machine, elaborated)) {
-    throw std::logic_error("SystemC elaborates once a process, which has been done for " + elaborated.name +
-                           "; simulate " + machine.name + " clock by clock in a process of its own");
-  }
+  static const std::unique_ptr<PixelPlanes> hardware = std::make_unique<PixelPlanes>("pixel_planes", machine);
   return *hardware;
 }
 
 }  // namespace
 
-std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine) {
-  return std::make_unique<CycleEngine>(hardware_of(machine));
+std::unique_ptr<Engine> make_pixel_planes_engine(const machines::Machine& machine) {
+  claim_kernel(machine);
+  return std::make_unique<PixelPlanesEngine>(hardware_of(machine));
 }
 
 RecordedRun run_and_record(const machines::Machine& machine, const isa::Program& program,
                            std::span<Observer* const> observers, const pixel_planes::WaveRequest& request) {
+  if (machine.kind != machines::Kind::frame_buffer) {
+    throw InputError("waves show machines of the kind " + std::string(name_of(machines::Kind::frame_buffer)) +
+                     ", and " + machine.name + " is of the kind " + std::string(name_of(machine.kind)) +
+                     "; take another --machine");
+  }
+  claim_kernel(machine);
   PixelPlanes& hardware = hardware_of(machine);
   hardware.record(request);
   return run_on(hardware, program, observers);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hw/machines/clocks.h"
+#include "hw/machines/timing.h"
 
 namespace csgsim::test {
 
@@ -76,6 +77,15 @@ void check_boundary(const Boundary& expected, const Boundary& actual, const isa:
                                isa::info(instruction.opcode).name, what_differs(expected, actual)));
 }
 
+/// Of a machine that works on parts of the picture: instructions of different parts go on side by side.
+void check_frame(const sim::RunResult& result, const isa::Program& program, const machines::Machine& machine,
+                 std::string_view level) {
+  const machines::FrameTiming expected = machines::time_frame(program, machine);
+  require(result.clocks == expected.clocks,
+          fmt::format("{} engine: {} clocks in all, not {}", level, result.clocks, expected.clocks));
+  require(result.account == expected.account, fmt::format("{} engine: another account", level));
+}
+
 void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::Program& program,
                   const machines::Machine& machine, std::string_view level) {
   std::uint64_t sum = 0;
@@ -85,6 +95,7 @@ void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::
             fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::info(instruction.opcode).name));
     sum += boundary.clocks;
   }
+  if (machine.kind != machines::Kind::frame_buffer) return check_frame(result, program, machine, level);
   require(result.latency_clocks == machines::evaluator_latency(machine.array),
           fmt::format("{} engine: latency {}", level, result.latency_clocks));
   require(result.clocks == sum + result.latency_clocks,
@@ -108,6 +119,8 @@ void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program&
     check_boundary(expected.boundaries[i], actual.boundaries[i], program, engine.level());
   }
   require(expected.segments == actual.segments, "the ends of the segments differ");
+  require(expected_result.overflows == actual_result.overflows,
+          fmt::format("{} overflows, not {}", actual_result.overflows, expected_result.overflows));
   require(expected_result.answers == actual_result.answers, "the answers differ");
   check_clocks(expected_result, expected, program, machine, judge.level());
   check_clocks(actual_result, actual, program, machine, engine.level());
