@@ -8,18 +8,20 @@
 
 namespace csgsim::machines {
 
-/// How the frame of a scan-line array went by. Clocks count from the entry of the first line's first packet.
+/// How the frame of a scan-line array went by. Clocks count from the first in which a packet's word is entering. A line
+/// is its packets, one an instruction, and a mark, which is one word long. The clocks of the chain that ends last are
+/// its part of entry_clocks and refresh_clocks, and drain_clocks.
 struct LineAccount {
   std::uint64_t lines = 0;
-  std::uint64_t packets = 0;         ///< in all; an instruction is one
+  std::uint64_t packets = 0;         ///< in all, without the marks
   std::uint64_t most_packets = 0;    ///< of a line
   std::uint64_t line_budget = 0;     ///< clocks that the refresh gives a line, times the chains that share the lines
-  std::uint64_t late_lines = 0;      ///< lines whose packets alone take more than that
-  std::uint64_t entry_clocks = 0;    ///< in which a packet entered a chain, summed over the chains
-  std::uint64_t refresh_clocks = 0;  ///< in which a line's end waited for the refresh path, summed over the chains
-  std::uint64_t fill_clocks = 0;     ///< until the first packet is in the last cell of the picture
-  std::uint64_t drain_clocks = 0;    ///< from the last packet's entry until the last intensity is at the refresh port
-  std::uint64_t busy_cells = 0;      ///< clocks in which a cell worked, summed over the cells of all chains
+  std::uint64_t late_lines = 0;      ///< lines whose words alone take more than that to enter
+  std::uint64_t entry_clocks = 0;    ///< in which a word was entering a chain, summed over the chains
+  std::uint64_t refresh_clocks = 0;  ///< in which a mark waited for the refresh path, summed over the chains
+  std::uint64_t fill_clocks = 0;     ///< until a packet or mark was in the last cell of a line for the first time
+  std::uint64_t drain_clocks = 0;    ///< from the last mark's entry until the last colour was at the refresh port
+  std::uint64_t busy_cells = 0;      ///< clocks in which a packet's word was in a cell, summed over the lines' cells
 
   bool operator==(const LineAccount&) const = default;
 };

@@ -39,9 +39,7 @@ std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& m
 
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) {
   if (machine.kind == Kind::scan_line) {
-    const bool answers = isa::info(instruction.opcode).clock_class == isa::ClockClass::answer;
-    return packet_words(instruction, machine) * machine.scan_line.packet_interval +
-           (answers ? 2ULL * machine.array.width : 0);
+    return packet_words(instruction, machine) * machine.scan_line.packet_interval;
   }
   switch (isa::info(instruction.opcode).clock_class) {
     case isa::ClockClass::one: return 1;

@@ -16,8 +16,8 @@ std::uint32_t evaluator_latency(const isa::ArrayShape& array);
 /// Words of a scan-line array's packet: as many as the instruction's widest operand has, one at least.
 std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine);
 
-/// Clocks that the controller spends on an instruction, without the program's final latency. A scan-line array's: from
-/// the entry of its packet to that of the next; an answer has to come back through the chain.
+/// Clocks that the controller spends on an instruction, without the program's final latency. A scan-line array's:
+/// those in which its packet's words enter.
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine);
 
 /// Clocks that the controller spends on these, if none is skipped.

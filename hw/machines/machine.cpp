@@ -51,13 +51,6 @@ void set_picture_size(Machine& machine, Size size) {
 void adopt(Machine& machine, const isa::Program& program) {
   set_picture_size(machine, {program.shape.width, program.shape.height});
   machine.array.memory_bits = program.shape.memory_bits;
-  for (const isa::Segment& segment : program.segments) {
-    if (segment.region.width <= machine.array.width && segment.region.height <= machine.array.height) continue;
-    throw InputError(fmt::format(
-        "the Program works on regions of {}x{} pixels, and {} has {}x{} processors; compile the "
-        "model for this machine",
-        segment.region.width, segment.region.height, machine.name, machine.array.width, machine.array.height));
-  }
 }
 
 std::vector<std::string_view> built_in_names() {

@@ -101,8 +101,7 @@ Size picture_size(const Machine& machine);
 /// InputError where its lines are longer than a chain of cells.
 void set_picture_size(Machine& machine, Size size);
 
-/// Makes the machine draw the Program's picture with its memory. Throws InputError where a region of the Program is
-/// larger than the array.
+/// Makes the machine draw the Program's picture with its memory. Throws as set_picture_size does.
 void adopt(Machine& machine, const isa::Program& program);
 
 /// Names of the machines that come with csgsim.

@@ -3,9 +3,7 @@
 #include <utility>
 
 #include "hw/machines/clocks.h"
-
-/// Debian's libsystemc refers to the entry point of programs that leave main to it. This one has a main of its own.
-int sc_main(int /*argc*/, char* /*argv*/[]) { return 0; }
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_planes {
 
@@ -15,17 +13,12 @@ constexpr int link_words = 16;  ///< of the host link's FIFO: more than the cont
 
 array::PlaneShape plane_shape(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
 
-/// The first rising edge is one period after the start, not at time 0.
-sc_core::sc_time period_of(const machines::Machine& machine) {
-  return {1.0 / static_cast<double>(machine.clock_hz), sc_core::SC_SEC};
-}
-
 }  // namespace
 
 PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       latency_(machines::evaluator_latency(machine.array)),
-      clock_("clock", period_of(machine), 0.5, period_of(machine)),
+      clock_("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)),
       link_("link", link_words),
       tree_bits_("tree_bits", plane_shape(machine)),
       accounts_("accounts", static_cast<int>(latency_) + 2),

@@ -91,9 +91,13 @@ std::uint64_t count_in_row(const isa::Linear& linear, std::uint32_t y, std::span
 
 }  // namespace
 
+bool can_overflow(const isa::Linear& linear, const isa::Region& region) {
+  return linear.width > 0 && !fits(linear, Box{0, region.width - 1, 0, region.height - 1});
+}
+
 std::uint64_t count_overflows(const isa::Linear& linear, const isa::Region& region,
                               std::span<const std::uint64_t> enable, std::size_t row_words) {
-  if (linear.width == 0 || fits(linear, Box{0, region.width - 1, 0, region.height - 1})) return 0;
+  if (!can_overflow(linear, region)) return 0;
   const std::optional<Box> box = Bounds(enable, row_words, region.height).box();
   if (!box || fits(linear, *box)) return 0;
   std::uint64_t count = 0;

@@ -8,6 +8,9 @@
 
 namespace csgsim::sim {
 
+/// Does A*x + B*y + C leave the expression's width in two's complement at any pixel of the region?
+bool can_overflow(const isa::Linear& linear, const isa::Region& region);
+
 /// Enabled pixels of the region at which A*x + B*y + C does not fit the expression's width in two's complement.
 /// Enable bits as in PixelState, but `row_words` words a row; none outside the region.
 std::uint64_t count_overflows(const isa::Linear& linear, const isa::Region& region,

@@ -70,7 +70,7 @@ class Engine {
   [[nodiscard]] virtual std::string_view level() const = 0;
 
   /// Runs every segment. Observers are called in the order given. The Program must be valid (isa::validate). Throws
-  /// InputError before it begins if the machine lacks what the Program needs (machines::require_answers).
+  /// InputError before it begins if the machine lacks what the Program needs (machines::check_runs_on).
   virtual RunResult run(const isa::Program& program, std::span<Observer* const> observers) = 0;
 };
 

@@ -6,7 +6,7 @@
 
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
-#include "hw/machines/requirements.h"
+#include "hw/machines/runs_on.h"
 #include "hw/machines/timing.h"
 #include "sim/functional/bands.h"
 
@@ -42,7 +42,7 @@ class FunctionalEngine final : public Engine {
   [[nodiscard]] std::string_view level() const override { return "functional"; }
 
   RunResult run(const isa::Program& program, Observers observers) override {
-    machines::require_answers(program, machine_);
+    machines::check_runs_on(program, machine_);
     RunResult result;
     Bands bands(program, threads_);
     for (std::uint32_t s = 0; s < program.segments.size(); ++s) {

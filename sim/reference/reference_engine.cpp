@@ -1,5 +1,8 @@
+#include <utility>
+
 #include "hw/machines/clocks.h"
-#include "hw/machines/requirements.h"
+#include "hw/machines/runs_on.h"
+#include "hw/machines/timing.h"
 #include "sim/reference/reference_array.h"
 
 namespace csgsim::sim {
@@ -13,9 +16,15 @@ class ReferenceEngine final : public Engine {
   [[nodiscard]] std::string_view level() const override { return "reference"; }
 
   RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
-    machines::require_answers(program, machine_);
+    machines::check_runs_on(program, machine_);
     RunResult result;
     for (std::size_t s = 0; s < program.segments.size(); ++s) run_segment(program, s, observers, result);
+    if (machine_.kind != machines::Kind::frame_buffer) {
+      machines::FrameTiming timing = machines::time_frame(program, machine_);
+      result.clocks = timing.clocks;
+      result.account = std::move(timing.account);
+      return result;
+    }
     result.latency_clocks = machines::evaluator_latency(machine_.array);
     result.clocks += result.latency_clocks;
     return result;

@@ -29,7 +29,7 @@ class Difference : public std::runtime_error {
 };
 
 /// Runs the Program on both engines and throws Difference unless they agree at every instruction boundary, in the
-/// answers, the overflows and the clocks, and the clocks are those of the table and add up.
+/// answers, overflows and clocks, and the clocks are those of hw/machines and add up.
 void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
                     const machines::Machine& machine);
 

@@ -200,20 +200,28 @@ void fit_skips(std::vector<Instruction>& instructions) {
   }
 }
 
-isa::Segment pick_segment(isa::ArrayShape shape, std::size_t max_instructions, std::uint32_t primitives) {
+std::vector<Instruction> pick_instructions(const isa::Region& region, std::uint32_t memory_bits,
+                                           std::size_t max_instructions, std::uint32_t primitives) {
+  const isa::ArrayShape shape{region.width, region.height, memory_bits};
+  std::vector<Instruction> instructions = revived(*rc::gen::resize(
+      static_cast<int>(max_instructions),
+      rc::gen::container<std::vector<Instruction>>(arbitrary_instruction(shape, memory_bits, primitives))));
+  instructions.resize(std::min(instructions.size(), max_instructions));
+  fit_skips(instructions);
+  return instructions;
+}
+
+isa::Segment pick_segment(const isa::Region& region, std::uint32_t memory_bits, std::size_t max_instructions,
+                          std::uint32_t primitives) {
   isa::Segment segment;
-  segment.region = pick_region(shape);
+  segment.region = region;
   segment.primitives = pick(0U, primitives);
   segment.halfspaces = segment.primitives * 6;
-  const isa::ArrayShape region{segment.region.width, segment.region.height, shape.memory_bits};
-  const auto instructions = *rc::gen::resize(
-      static_cast<int>(max_instructions),
-      rc::gen::container<std::vector<Instruction>>(arbitrary_instruction(region, shape.memory_bits, primitives)));
-  segment.instructions = revived(instructions);
-  segment.instructions.resize(std::min(segment.instructions.size(), max_instructions));
-  fit_skips(segment.instructions);
+  segment.instructions = pick_instructions(region, memory_bits, max_instructions, primitives);
   return segment;
 }
+
+bool asks(const Instruction& instruction) { return info(instruction.opcode).clock_class == isa::ClockClass::answer; }
 
 /// Any bytes, for names.
 std::string pick_name() {
@@ -277,9 +285,29 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
     pick_facts(program);
     pick_names(program);
     const int segments = pick(1, 3);
-    for (int i = 0; i < segments; ++i)
-      program.segments.push_back(
-          pick_segment(shape, max_instructions, static_cast<std::uint32_t>(program.primitives.size())));
+    const auto primitives = static_cast<std::uint32_t>(program.primitives.size());
+    for (int i = 0; i < segments; ++i) {
+      program.segments.push_back(pick_segment(pick_region(shape), shape.memory_bits, max_instructions, primitives));
+    }
+    return program;
+  });
+}
+
+rc::Gen<isa::Program> arbitrary_program_in_parts(isa::ArrayShape picture, std::vector<isa::Region> parts,
+                                                 std::size_t max_instructions) {
+  return rc::gen::exec([=] {
+    isa::Program program;
+    program.shape = picture;
+    pick_facts(program);
+    pick_names(program);
+    program.compile.background = pick(0U, (1U << 24U) - 1);
+    const auto primitives = static_cast<std::uint32_t>(program.primitives.size());
+    for (const isa::Region& part : parts) {
+      program.segments.push_back(pick_segment(part, picture.memory_bits, max_instructions, primitives));
+      std::vector<Instruction>& instructions = program.segments.back().instructions;
+      std::erase_if(instructions, asks);
+      if (pick(0, 3) == 0) instructions.clear();
+    }
     return program;
   });
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <vector>
 
 #include "hw/isa/program.h"
 
@@ -27,5 +28,10 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
 /// Valid Programs of one to three segments with at most so many instructions each, often enabling pixels anew, for
 /// engines to be held against each other.
 rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions);
+
+/// As those, for a machine that works on these parts of a picture: a segment each, one in four without instructions,
+/// none that asks for an answer. The colour field and the background are random too; some Programs have no colour.
+rc::Gen<isa::Program> arbitrary_program_in_parts(isa::ArrayShape picture, std::vector<isa::Region> parts,
+                                                 std::size_t max_instructions);
 
 }  // namespace csgsim::test

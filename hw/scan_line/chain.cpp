@@ -1,0 +1,140 @@
+#include "hw/scan_line/chain.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace csgsim::scan_line {
+
+namespace {
+
+constexpr std::uint32_t plane_bits = 64;
+
+}  // namespace
+
+Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, std::uint32_t word_bits)
+    : cells_(cells, memory_bits, word_bits), flights_(cells), hold_(cells), shift_(cells) {}
+
+void Chain::begin(std::uint32_t pixels) {
+  pixels_ = pixels;
+  oldest_ = 0;
+  count_ = 0;
+  shifting_ = false;
+  held_ = false;
+  transfers_ = false;
+  departure_ = {};
+  departed_snapshot_ = no_snapshot;
+  snapshots_.clear();
+  unused_.clear();
+  busy_cells_ = 0;
+}
+
+void Chain::step(const PacketWord& entering) {
+  shift();
+  transfer();
+  if (entering.kind != WordKind::none) enter(entering);
+  const std::size_t until_wrap = std::min(count_, flights_.size() - oldest_);
+  for (std::size_t i = 0; i < until_wrap; ++i) work(flights_[oldest_ + i]);
+  for (std::size_t i = 0; i < count_ - until_wrap; ++i) work(flights_[i]);
+  depart();
+}
+
+RefreshPixel Chain::refresh() const {
+  if (!shifting_) return {};
+  return {.valid = true, .colour = shift_[shifted_]};
+}
+
+void Chain::shift() {
+  if (shifting_) shifting_ = ++shifted_ < pixels_;
+}
+
+void Chain::transfer() {
+  if (!transfers_) return;
+  if (shifting_) throw std::logic_error("a line came to the refresh path before the line ahead had left it");
+  std::copy_n(hold_.begin(), pixels_, shift_.begin());
+  shifted_ = 0;
+  shifting_ = true;
+  transfers_ = false;
+  held_ = false;
+}
+
+void Chain::enter(const PacketWord& word) {
+  if (word.kind == WordKind::mark) {
+    if (held_) throw std::logic_error("a mark came to hold registers that the refresh path had not read");
+    held_ = true;
+  }
+  const std::size_t place = oldest_ + count_;
+  flights_[place < flights_.size() ? place : place - flights_.size()] = {
+      .word = word, .snapshot = word.last && word.keep != Keep::nothing ? take_snapshot(word.keep) : no_snapshot};
+  ++count_;
+}
+
+void Chain::work(Flight& flight) {
+  PacketWord& word = flight.word;
+  if (word.kind == WordKind::instruction) {
+    ++busy_cells_;
+    if (word.instruction.linear.width > 0) cells_.add(flight.cell, word);
+  }
+  if (word.last) {
+    if (word.begins_line) cells_.clear(flight.cell);
+    if (word.kind == WordKind::mark) {
+      hold(flight);
+    } else {
+      flight.enabled += cells_.enabled(flight.cell) ? 1U : 0U;
+      cells_.act(flight.cell, word.instruction);
+    }
+    if (flight.snapshot != no_snapshot) take_down(flight);
+  }
+  ++flight.cell;
+}
+
+void Chain::hold(const Flight& flight) {
+  const PacketWord& mark = flight.word;
+  hold_[flight.cell] = static_cast<std::uint32_t>(
+      mark.begins_line ? mark.instruction.constant : cells_.read(flight.cell, mark.instruction.fields[0]));
+}
+
+void Chain::take_down(const Flight& flight) {
+  Snapshot& snapshot = snapshots_[flight.snapshot];
+  if (cells_.enabled(flight.cell)) {
+    snapshot.enable[flight.cell / plane_bits] |= std::uint64_t{1} << flight.cell % plane_bits;
+  }
+  if (flight.word.keep != Keep::all) return;
+  const std::span<const std::uint64_t> memory = cells_.memory(flight.cell);
+  std::copy(memory.begin(), memory.end(), &snapshot.memory[flight.cell * snapshot.cell_words]);
+}
+
+/// The oldest word is the one that has come farthest.
+void Chain::depart() {
+  if (departed_snapshot_ != no_snapshot) unused_.push_back(departed_snapshot_);
+  departed_snapshot_ = no_snapshot;
+  departure_ = {};
+  if (count_ == 0 || flights_[oldest_].cell < pixels_) return;
+  const Flight& flight = flights_[oldest_];
+  if (flight.word.last) {
+    departed_snapshot_ = flight.snapshot;
+    departure_ = {.kind = flight.word.kind,
+                  .segment = flight.word.segment,
+                  .index = flight.word.index,
+                  .enabled_pixels = flight.enabled,
+                  .snapshot = flight.snapshot == no_snapshot ? nullptr : &snapshots_[flight.snapshot]};
+    if (flight.word.kind == WordKind::mark) transfers_ = true;
+  }
+  oldest_ = oldest_ + 1 == flights_.size() ? 0 : oldest_ + 1;
+  --count_;
+}
+
+std::size_t Chain::take_snapshot(Keep keep) {
+  if (unused_.empty()) {
+    unused_.push_back(snapshots_.size());
+    snapshots_.emplace_back();
+  }
+  const std::size_t number = unused_.back();
+  unused_.pop_back();
+  Snapshot& snapshot = snapshots_[number];
+  snapshot.cell_words = cells_.cell_words();
+  snapshot.enable.assign((pixels_ + plane_bits - 1) / plane_bits, 0);
+  snapshot.memory.resize(keep == Keep::all ? pixels_ * snapshot.cell_words : 0);
+  return number;
+}
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hw/scan_line/cells.h"
+#include "hw/scan_line/packet.h"
+#include "hw/scan_line/snapshot.h"
+
+namespace csgsim::scan_line {
+
+/// A packet or mark whose last word has just left the last cell of the line.
+struct Departure {
+  WordKind kind = WordKind::none;
+  std::uint32_t segment = 0;
+  std::uint32_t index = 0;             ///< of the instruction in the segment
+  std::uint64_t enabled_pixels = 0;    ///< cells whose E was 1 when the instruction came to them
+  const Snapshot* snapshot = nullptr;  ///< as the word asked for it; until the next step
+};
+
+/// A chain of cells, the hold register of each, and the shift chain that takes the colours back to the refresh port at
+/// cell 0. In a clock every word works in the cell that it is in, and then moves on by one.
+///
+/// A mark makes each cell hold its colour as it passes. In the clock after it has been in the line's last cell, all
+/// hold registers go to the shift chain, which has pixel 0 at the port in the next clock, then pixel 1, and so on.
+class Chain {
+ public:
+  Chain(std::uint32_t cells, std::uint32_t memory_bits, std::uint32_t word_bits);
+
+  /// Empties the chain, for lines of that many pixels (1 to the number of cells).
+  void begin(std::uint32_t pixels);
+
+  /// One clock, in which that word is in cell 0. Throws std::logic_error for a mark that comes too soon: a hold
+  /// register or the shift chain is not free yet.
+  void step(const PacketWord& entering);
+
+  /// What is at the refresh port in the clock that comes.
+  [[nodiscard]] RefreshPixel refresh() const;
+
+  /// What left the last cell in the clock that has been; of WordKind::none if nothing did.
+  [[nodiscard]] const Departure& departure() const { return departure_; }
+
+  /// Clocks in which an instruction's word was in a cell of the line, summed over the cells, since begin.
+  [[nodiscard]] std::uint64_t busy_cells() const { return busy_cells_; }
+
+  [[nodiscard]] const Cells& cells() const { return cells_; }
+
+ private:
+  /// A word on its way.
+  struct Flight {
+    PacketWord word;
+    std::uint32_t cell = 0;
+    std::uint64_t enabled = 0;
+    std::size_t snapshot = no_snapshot;
+  };
+
+  static constexpr std::size_t no_snapshot = ~std::size_t{0};
+
+  void shift();
+  void transfer();
+  void enter(const PacketWord& word);
+  void work(Flight& flight);
+  void hold(const Flight& flight);
+  void take_down(const Flight& flight);
+  void depart();
+  std::size_t take_snapshot(Keep keep);
+
+  Cells cells_;
+  std::uint32_t pixels_ = 1;
+  std::vector<Flight> flights_;  ///< a ring, one a cell
+  std::size_t oldest_ = 0;
+  std::size_t count_ = 0;
+  std::vector<std::uint32_t> hold_;
+  std::vector<std::uint32_t> shift_;
+  std::uint32_t shifted_ = 0;        ///< pixels of the line that have left the shift chain
+  bool shifting_ = false;            ///< some have not
+  bool held_ = false;                ///< a mark has entered whose line the shift chain has not taken
+  bool transfers_ = false;           ///< it does so in this clock
+  std::vector<Snapshot> snapshots_;  ///< used and unused
+  std::vector<std::size_t> unused_;
+  Departure departure_;
+  std::size_t departed_snapshot_ = no_snapshot;
+  std::uint64_t busy_cells_ = 0;
+};
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,53 @@
+#include "hw/scan_line/refresh_collector.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace csgsim::scan_line {
+
+RefreshCollector::RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains)
+    : sc_core::sc_module(name), refresh("refresh", chains), entering("entering", chains), line_of_chain_(chains) {
+  SC_HAS_PROCESS(RefreshCollector);
+  SC_METHOD(on_clock);
+  dont_initialize();
+  sensitive << clock.pos();
+}
+
+void RefreshCollector::begin(const Frame& frame) {
+  frame_ = frame;
+  active_ = true;
+  periods_.begin();
+  drain_clocks_ = 0;
+  lines_.assign(frame.lines.size(), {});
+  for (std::vector<std::uint32_t>& line : lines_) line.reserve(frame.pixels());
+  std::iota(line_of_chain_.begin(), line_of_chain_.end(), std::size_t{0});
+  missing_lines_ = frame.lines.size();
+}
+
+void RefreshCollector::on_clock() {
+  if (!active_) return;
+  periods_.edge();
+  if (periods_.count() > 0 && !any_enters()) ++drain_clocks_;
+  for (std::size_t chain = 0; chain < refresh.size(); ++chain) {
+    const RefreshPixel& pixel = refresh[chain].read();
+    if (pixel.valid) collect(chain, pixel.colour);
+  }
+  if (missing_lines_ > 0) return;
+  active_ = false;
+  frames.write(++frames_done_);
+}
+
+void RefreshCollector::collect(std::size_t chain, std::uint32_t colour) {
+  std::size_t& number = line_of_chain_[chain];
+  std::vector<std::uint32_t>& line = lines_[number];
+  line.push_back(colour);
+  if (line.size() < frame_.pixels()) return;
+  number += line_of_chain_.size();
+  --missing_lines_;
+}
+
+bool RefreshCollector::any_enters() const {
+  return std::any_of(entering.begin(), entering.end(), [](const auto& one) { return one.read(); });
+}
+
+}  // namespace csgsim::scan_line

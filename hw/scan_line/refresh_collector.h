@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <systemc>
+#include <vector>
+
+#include "hw/scan_line/frame.h"
+#include "hw/scan_line/words.h"
+
+namespace csgsim::scan_line {
+
+/// The screen's end of all chains: puts together what comes out of their refresh ports, and counts the frame's clocks.
+class RefreshCollector final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_vector<sc_core::sc_in<RefreshPixel>> refresh;  ///< one a chain
+  sc_core::sc_vector<sc_core::sc_in<bool>> entering;         ///< a word is entering that chain, or waits
+  sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< that have come whole
+
+  RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains);
+
+  void begin(const Frame& frame);
+
+  /// From the first in which a word is entering until that in which the last pixel was at its port.
+  [[nodiscard]] std::uint64_t clocks() const { return periods_.count(); }
+
+  /// Those after the last word has entered.
+  [[nodiscard]] std::uint64_t drain_clocks() const { return drain_clocks_; }
+
+  /// Of each line the pixels from left to right; the lines in the frame's order.
+  [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& lines() const { return lines_; }
+
+ private:
+  void on_clock();
+  void collect(std::size_t chain, std::uint32_t colour);
+  [[nodiscard]] bool any_enters() const;
+
+  Frame frame_;
+  bool active_ = false;
+  Periods periods_;
+  std::uint64_t drain_clocks_ = 0;
+  std::vector<std::vector<std::uint32_t>> lines_;
+  std::vector<std::size_t> line_of_chain_;  ///< whose pixels come
+  std::size_t missing_lines_ = 0;
+  std::uint64_t frames_done_ = 0;
+};
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,97 @@
+// lockstep_scan_line CELLS WIDTH HEIGHT WORDS WORD_BITS CHAINS INTERVAL INTERLACED PROGRAMS INSTRUCTIONS: holds that
+// many random Programs, of at most so many instructions a line, clocked in SystemC against the reference engine, and
+// the picture against that of the functional engine. One machine a process, as SystemC elaborates once. RC_PARAMS
+// overrides the seed and the number of Programs.
+
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hw/machines/regions.h"
+#include "sim/observe/frame.h"
+#include "tests/lockstep/lockstep.h"
+#include "tests/support/random_program.h"
+
+namespace csgsim::test {
+
+namespace {
+
+machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
+  machines::Machine machine;
+  machine.name = "test";
+  machine.kind = machines::Kind::scan_line;
+  machine.array = {figures[0], 1, figures[3] * figures[4]};
+  machine.picture = {figures[1], figures[2]};
+  machine.clock_hz = 20'000;  // some lines are late, some are not
+  machine.scan_line = {.words = figures[3],
+                       .word_bits = figures[4],
+                       .chains = figures[5],
+                       .packet_interval = figures[6],
+                       .refresh_hz = 60,
+                       .interlaced = figures[7] != 0};
+  return machine;
+}
+
+/// What the engine's own pictures show.
+struct Pictures {
+  sim::Frame frame;
+  std::vector<std::uint32_t> scanned_out;
+};
+
+Pictures draw(sim::Engine& engine, const isa::Program& program) {
+  sim::FrameObserver frame(program);
+  sim::Observer* const observers[] = {&frame};
+  sim::RunResult result = engine.run(program, observers);
+  return {frame.frame(), std::move(result.scanned_out)};
+}
+
+void check_pictures(sim::Engine& judge, sim::Engine& engine, const isa::Program& program) {
+  const Pictures expected = draw(judge, program);
+  const Pictures actual = draw(engine, program);
+  RC_ASSERT(actual.frame.colour == expected.frame.colour);
+  RC_ASSERT(actual.frame.depth == expected.frame.depth);
+  RC_ASSERT(actual.frame.owner == expected.frame.owner);
+  const bool coloured = isa::field_of(program, isa::FieldRole::colour).width > 0;
+  RC_ASSERT(actual.scanned_out == (coloured ? expected.frame.colour : std::vector<std::uint32_t>{}));
+}
+
+int run(std::span<const std::uint32_t> figures) {
+  const machines::Machine machine = scan_line_machine(figures);
+  const std::vector<isa::Region> lines = machines::regions(machine);
+  const isa::ArrayShape picture{machine.picture.width, machine.picture.height, machine.array.memory_bits};
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[8]).c_str(), 0);
+  const auto judge = sim::make_reference_engine(machine);
+  const auto drawing = sim::make_functional_engine(machine);
+  const auto engine = sim::make_cycle_engine(machine);
+  const bool agree = rc::check("the clocked scan-line array agrees with the reference", [&] {
+    const auto program = *arbitrary_program_in_parts(picture, lines, figures[9]);
+    check_lockstep(*judge, *engine, program, machine);
+    check_pictures(*drawing, *engine, program);
+    RC_ASSERT(engine->run(program, {}).overflows == judge->run(program, {}).overflows);
+  });
+  return agree ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace csgsim::test
+
+int main(int argc, char** argv) {
+  try {
+    std::vector<std::uint32_t> figures;
+    for (int i = 1; i < argc; ++i) figures.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
+    if (figures.size() == 10) return csgsim::test::run(figures);
+    fmt::print(stderr,
+               "usage: {} CELLS WIDTH HEIGHT WORDS WORD_BITS CHAINS INTERVAL INTERLACED PROGRAMS INSTRUCTIONS\n",
+               argv[0]);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
+  return 2;
+}
