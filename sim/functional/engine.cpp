@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "hw/machines/clocks.h"
+#include "hw/machines/runs_on.h"
 #include "hw/machines/timing.h"
 #include "sim/functional/bands.h"
 
@@ -35,6 +36,7 @@ class FunctionalEngine final : public Engine {
   [[nodiscard]] std::string_view level() const override { return "functional"; }
 
   RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+    machines::check_runs_on(program, machine_);
     RunResult result;
     Bands bands(program, threads_);
     for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
