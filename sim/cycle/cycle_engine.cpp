@@ -1,159 +1,16 @@
-#include <algorithm>
-#include <memory>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
-#include "hw/isa/error.h"
-#include "hw/pixel_planes/pixel_planes.h"
-#include "sim/cycle/overflow.h"
-#include "sim/cycle/record.h"
+#include "sim/cycle/kinds.h"
 
 namespace csgsim::sim {
 
-namespace {
-
-using pixel_planes::PixelPlanes;
-
-/// The corner of the array that a segment's region occupies.
-class ArrayState final : public PixelState {
- public:
-  ArrayState(const array::PixelArray& pixels, isa::Region region) : pixels_(pixels), region_(region) {}
-
-  [[nodiscard]] isa::Region region() const override { return region_; }
-
-  void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
-    pixels_.read_field(field, region_.width, region_.height, values);
-  }
-
-  void read_enable(std::span<std::uint64_t> words) const override {
-    const std::size_t array_row = pixels_.shape().row_words();
-    const std::size_t region_row = array::PlaneShape{region_.width, region_.height}.row_words();
-    const std::span<const std::uint64_t> enable = pixels_.enable();
-    for (std::size_t y = 0; y < region_.height; ++y) {
-      std::copy_n(&enable[y * array_row], region_row, &words[y * region_row]);
-    }
-  }
-
- private:
-  const array::PixelArray& pixels_;
-  isa::Region region_;
-};
-
-/// Passes what the machine tells on to the observers, and counts the overflows, which the machine does not notice.
-class Relay final : public pixel_planes::RunListener {
- public:
-  Relay(const isa::Program& program, const array::PixelArray& pixels, std::span<Observer* const> observers)
-      : program_(program), pixels_(pixels), observers_(observers) {}
-
-  void after_instruction(const pixel_planes::Retired& retired) override {
-    const isa::Segment& segment = program_.segments[retired.segment];
-    const ArrayState state(pixels_, segment.region);
-    const Step step{.segment = retired.segment,
-                    .index = retired.index,
-                    .instruction = segment.instructions[retired.index],
-                    .clocks = retired.clocks,
-                    .enabled_pixels = retired.enabled_pixels};
-    for (Observer* observer : observers_) observer->after_instruction(step, state);
-    if (retired.index + 1 < segment.instructions.size()) before_instruction(segment, retired.index + 1);
-  }
-
-  void after_segment(std::uint32_t segment) override {
-    const ArrayState state(pixels_, program_.segments[segment].region);
-    for (Observer* observer : observers_) observer->after_segment(segment, state);
-  }
-
-  [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
-
- private:
-  /// A segment's first instruction finds no pixel enabled.
-  void before_instruction(const isa::Segment& segment, std::uint32_t index) {
-    overflows_ += count_overflows(segment.instructions[index].linear, segment.region, pixels_.enable(),
-                                  pixels_.shape().row_words());
-  }
-
-  const isa::Program& program_;
-  const array::PixelArray& pixels_;
-  std::span<Observer* const> observers_;
-  std::uint64_t overflows_ = 0;
-};
-
-bool same_hardware(const machines::Machine& one, const machines::Machine& other) {
-  return one.array == other.array && one.clock_hz == other.clock_hz && one.memory_reads == other.memory_reads;
-}
-
-void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& array) {
-  if (program.width <= array.width && program.height <= array.height && program.memory_bits <= array.memory_bits) {
-    return;
-  }
-  const auto text = [](const isa::ArrayShape& shape) {
-    return std::to_string(shape.width) + "x" + std::to_string(shape.height) + " pixels of " +
-           std::to_string(shape.memory_bits) + " bits";
-  };
-  throw InputError("the Program is for " + text(program) + ", the machine has " + text(array) +
-                   "; compile it for this machine");
-}
-
-/// The array holds the whole picture when the program is through.
-bool fills_array(const isa::Program& program, array::PlaneShape shape) {
-  const isa::Region whole{0, 0, shape.width, shape.height};
-  return program.segments.size() == 1 && program.segments.front().region == whole;
-}
-
-RecordedRun run_on(PixelPlanes& hardware, const isa::Program& program, std::span<Observer* const> observers) {
-  const array::PixelArray& pixels = hardware.processors().pixels();
-  check_fits(program.shape, {pixels.shape().width, pixels.shape().height, pixels.memory_bits()});
-  Relay relay(program, pixels, observers);
-  pixel_planes::RunReport report = hardware.run(program.segments, relay);
-  RecordedRun run{.result = {.clocks = report.clocks,
-                             .latency_clocks = report.latency_clocks,
-                             .overflows = relay.overflows(),
-                             .answers = std::move(report.answers)},
-                  .window_reached = report.recorded};
-  if (const isa::Field colour = isa::field_of(program, isa::FieldRole::colour); colour.width > 0) {
-    pixel_planes::Frame frame = hardware.scan_out(colour);
-    run.result.scan_out_clocks = frame.clocks;
-    if (fills_array(program, pixels.shape())) run.result.scanned_out = std::move(frame.colours);
-  }
-  return run;
-}
-
-class CycleEngine final : public Engine {
- public:
-  explicit CycleEngine(PixelPlanes& hardware) : hardware_(hardware) {}
-
-  [[nodiscard]] std::string_view level() const override { return "cycle"; }
-
-  RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
-    return run_on(hardware_, program, observers).result;
-  }
-
- private:
-  PixelPlanes& hardware_;
-};
-
-/// SystemC elaborates once a process: all engines of a process share one machine, and have to be alike.
-PixelPlanes& hardware_of(const machines::Machine& machine) {
-  static const machines::Machine elaborated = machine;
-  static const auto hardware = std::make_unique<PixelPlanes>("pixel_planes", elaborated);
-  if (!same_hardware(machine, elaborated)) {
-    throw std::logic_error("SystemC elaborates once a process, which has been done for " + elaborated.name +
-                           "; simulate " + machine.name + " clock by clock in a process of its own");
-  }
-  return *hardware;
-}
-
-}  // namespace
-
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine) {
-  return std::make_unique<CycleEngine>(hardware_of(machine));
-}
-
-RecordedRun run_and_record(const machines::Machine& machine, const isa::Program& program,
-                           std::span<Observer* const> observers, const pixel_planes::WaveRequest& request) {
-  PixelPlanes& hardware = hardware_of(machine);
-  hardware.record(request);
-  return run_on(hardware, program, observers);
+  switch (machine.kind) {
+    case machines::Kind::frame_buffer: return make_pixel_planes_engine(machine);
+    case machines::Kind::scan_line: throw std::logic_error("not there yet");
+    case machines::Kind::pixel_square: return make_pixel_square_engine(machine);
+  }
+  throw std::logic_error("a machine of no kind");
 }
 
 }  // namespace csgsim::sim

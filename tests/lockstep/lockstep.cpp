@@ -76,8 +76,9 @@ void check_boundary(const Boundary& expected, const Boundary& actual, const isa:
                                isa::info(instruction.opcode).name, what_differs(expected, actual)));
 }
 
-void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::Program& program,
-                  const machines::Machine& machine, std::string_view level) {
+/// Returns the sum of the instructions' clocks.
+std::uint64_t check_clocks(const Recorder& run, const isa::Program& program, const machines::Machine& machine,
+                           std::string_view level) {
   std::uint64_t sum = 0;
   for (const Boundary& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
@@ -85,22 +86,31 @@ void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::
             fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::info(instruction.opcode).name));
     sum += boundary.clocks;
   }
+  return sum;
+}
+
+void check_sum(const sim::RunResult& result, std::uint64_t sum, const machines::Machine& machine,
+               std::string_view level) {
   require(result.latency_clocks == machines::evaluator_latency(machine.array),
           fmt::format("{} engine: latency {}", level, result.latency_clocks));
   require(result.clocks == sum + result.latency_clocks,
           fmt::format("{} engine: {} clocks in all, {} by instruction", level, result.clocks, sum));
 }
 
-}  // namespace
+/// The runs of two engines, and the sums of their instructions' clocks.
+struct Runs {
+  Results results;
+  std::uint64_t judge_sum = 0;
+  std::uint64_t engine_sum = 0;
+};
 
-void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
-                    const machines::Machine& machine) {
+Runs run_both(sim::Engine& judge, sim::Engine& engine, const isa::Program& program, const machines::Machine& machine) {
   Recorder expected(program.shape.memory_bits);
   Recorder actual(program.shape.memory_bits);
   sim::Observer* const expected_observers[] = {&expected};
   sim::Observer* const actual_observers[] = {&actual};
-  const sim::RunResult expected_result = judge.run(program, expected_observers);
-  const sim::RunResult actual_result = engine.run(program, actual_observers);
+  Runs runs{
+      .results = {.judge = judge.run(program, expected_observers), .engine = engine.run(program, actual_observers)}};
 
   require(expected.boundaries.size() == actual.boundaries.size(),
           fmt::format("{} instruction boundaries, not {}", actual.boundaries.size(), expected.boundaries.size()));
@@ -108,9 +118,24 @@ void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program&
     check_boundary(expected.boundaries[i], actual.boundaries[i], program, engine.level());
   }
   require(expected.segments == actual.segments, "the ends of the segments differ");
-  require(expected_result.answers == actual_result.answers, "the answers differ");
-  check_clocks(expected_result, expected, program, machine, judge.level());
-  check_clocks(actual_result, actual, program, machine, engine.level());
+  require(runs.results.judge.answers == runs.results.engine.answers, "the answers differ");
+  runs.judge_sum = check_clocks(expected, program, machine, judge.level());
+  runs.engine_sum = check_clocks(actual, program, machine, engine.level());
+  return runs;
+}
+
+}  // namespace
+
+void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
+                    const machines::Machine& machine) {
+  const Runs runs = run_both(judge, engine, program, machine);
+  check_sum(runs.results.judge, runs.judge_sum, machine, judge.level());
+  check_sum(runs.results.engine, runs.engine_sum, machine, engine.level());
+}
+
+Results check_boundaries(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
+                         const machines::Machine& machine) {
+  return run_both(judge, engine, program, machine).results;
 }
 
 machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads) {

@@ -33,6 +33,17 @@ class Difference : public std::runtime_error {
 void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
                     const machines::Machine& machine);
 
+/// What two engines made of a Program.
+struct Results {
+  sim::RunResult judge;
+  sim::RunResult engine;
+};
+
+/// Runs the Program on both engines and throws Difference unless they agree at every instruction boundary, in the
+/// answers and in the clocks of each instruction, which are those of the table.
+Results check_boundaries(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
+                         const machines::Machine& machine);
+
 /// A machine with made-up figures for that array.
 machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads);
 

@@ -1,0 +1,118 @@
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "hw/isa/error.h"
+#include "hw/pixel_planes/pixel_planes.h"
+#include "sim/cycle/array_state.h"
+#include "sim/cycle/fit.h"
+#include "sim/cycle/kinds.h"
+#include "sim/cycle/overflow.h"
+#include "sim/cycle/record.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+using pixel_planes::PixelPlanes;
+
+/// Passes what the machine tells on to the observers, and counts the overflows, which the machine does not notice.
+class Relay final : public pixel_planes::RunListener {
+ public:
+  Relay(const isa::Program& program, const array::PixelArray& pixels, std::span<Observer* const> observers)
+      : program_(program), pixels_(pixels), observers_(observers) {}
+
+  void after_instruction(const pixel_planes::Retired& retired) override {
+    const isa::Segment& segment = program_.segments[retired.segment];
+    const ArrayState state(pixels_, segment.region);
+    const Step step{.segment = retired.segment,
+                    .index = retired.index,
+                    .instruction = segment.instructions[retired.index],
+                    .clocks = retired.clocks,
+                    .enabled_pixels = retired.enabled_pixels};
+    for (Observer* observer : observers_) observer->after_instruction(step, state);
+    if (retired.index + 1 < segment.instructions.size()) before_instruction(segment, retired.index + 1);
+  }
+
+  void after_segment(std::uint32_t segment) override {
+    const ArrayState state(pixels_, program_.segments[segment].region);
+    for (Observer* observer : observers_) observer->after_segment(segment, state);
+  }
+
+  [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
+
+ private:
+  /// A segment's first instruction finds no pixel enabled.
+  void before_instruction(const isa::Segment& segment, std::uint32_t index) {
+    overflows_ += count_overflows(segment.instructions[index].linear, segment.region, pixels_.enable(),
+                                  pixels_.shape().row_words());
+  }
+
+  const isa::Program& program_;
+  const array::PixelArray& pixels_;
+  std::span<Observer* const> observers_;
+  std::uint64_t overflows_ = 0;
+};
+
+/// The array holds the whole picture when the program is through.
+bool fills_array(const isa::Program& program, array::PlaneShape shape) {
+  const isa::Region whole{0, 0, shape.width, shape.height};
+  return program.segments.size() == 1 && program.segments.front().region == whole;
+}
+
+RecordedRun run_on(PixelPlanes& hardware, const isa::Program& program, std::span<Observer* const> observers) {
+  const array::PixelArray& pixels = hardware.processors().pixels();
+  check_fits(program.shape, {pixels.shape().width, pixels.shape().height, pixels.memory_bits()});
+  Relay relay(program, pixels, observers);
+  pixel_planes::RunReport report = hardware.run(program.segments, relay);
+  RecordedRun run{.result = {.clocks = report.clocks,
+                             .latency_clocks = report.latency_clocks,
+                             .overflows = relay.overflows(),
+                             .answers = std::move(report.answers)},
+                  .window_reached = report.recorded};
+  if (const isa::Field colour = isa::field_of(program, isa::FieldRole::colour); colour.width > 0) {
+    pixel_planes::Frame frame = hardware.scan_out(colour);
+    run.result.scan_out_clocks = frame.clocks;
+    if (fills_array(program, pixels.shape())) run.result.scanned_out = std::move(frame.colours);
+  }
+  return run;
+}
+
+class PixelPlanesEngine final : public Engine {
+ public:
+  explicit PixelPlanesEngine(PixelPlanes& hardware) : hardware_(hardware) {}
+
+  [[nodiscard]] std::string_view level() const override { return "cycle"; }
+
+  RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+    return run_on(hardware_, program, observers).result;
+  }
+
+ private:
+  PixelPlanes& hardware_;
+};
+
+PixelPlanes& hardware_of(const machines::Machine& machine) {
+  claim_elaboration(machine);
+  static const auto hardware = std::make_unique<PixelPlanes>("pixel_planes", machine);
+  return *hardware;
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> make_pixel_planes_engine(const machines::Machine& machine) {
+  return std::make_unique<PixelPlanesEngine>(hardware_of(machine));
+}
+
+RecordedRun run_and_record(const machines::Machine& machine, const isa::Program& program,
+                           std::span<Observer* const> observers, const pixel_planes::WaveRequest& request) {
+  if (machine.kind != machines::Kind::frame_buffer) {
+    throw InputError("waves are drawn of machines that hold the whole picture, and " + machine.name + " is of kind " +
+                     std::string(machines::name_of(machine.kind)) + "; take pixel-planes-4");
+  }
+  PixelPlanes& hardware = hardware_of(machine);
+  hardware.record(request);
+  return run_on(hardware, program, observers);
+}
+
+}  // namespace csgsim::sim
