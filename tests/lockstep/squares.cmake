@@ -22,3 +22,8 @@ foreach(row IN ITEMS
   add_test(NAME "lockstep: squares ${row}" COMMAND lockstep_squares ${arguments})
   set_tests_properties("lockstep: squares ${row}" PROPERTIES LABELS lockstep TIMEOUT 300)
 endforeach()
+
+csgsim_test(pixel_square
+  SOURCES test_pixel_square.cpp
+  LINK csgsim::cycle csgsim::functional
+  LABELS lockstep)
