@@ -1,5 +1,6 @@
 #include "hw/pixel_square/pixel_square.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace csgsim::pixel_square {
@@ -82,7 +83,7 @@ void PixelSquareMachine::begin(const isa::Program& program, RunListener& listene
   retirement_.begin(listener);
   host_.begin(model_words);
   divider_.begin({.segments = program.segments, .model_words = model_words, .primitives = program.model.primitives});
-  for (Renderer& renderer : renderers_) renderer.begin(colour);
+  std::for_each(renderers_.begin(), renderers_.end(), [&](Renderer& renderer) { renderer.begin(colour); });
   frame_buffer_.begin(
       {.squares = program.segments.size(), .colour_bits = colour.width, .background = program.compile.background});
 }
@@ -93,11 +94,11 @@ machines::SquareAccount PixelSquareMachine::account() const {
   account.host = host_.account();
   account.divider = divider_.account();
   account.frame_buffer = frame_buffer_.account();
-  for (const Renderer& renderer : renderers_) {
+  std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& renderer) {
     account.renderers.push_back(renderer.account());
     account.renderer_squares.push_back(renderer.squares());
     account.squares_drawn += renderer.squares();
-  }
+  });
   return account;
 }
 
