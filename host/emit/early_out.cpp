@@ -7,7 +7,7 @@ namespace csgsim::emit {
 namespace {
 
 /// Clocks that can be saved for one of the question.
-constexpr std::uint64_t least_gain = 4;
+constexpr std::uint64_t least_gain = 16;
 
 }  // namespace
 

@@ -27,13 +27,13 @@ struct LineAccount {
 };
 
 /// Where a part of the pixel-square machine spends its clocks. Every clock of the frame is in one of these.
-#define CSGSIM_SQUARE_ACTIVITIES(A)                                              \
-  A(working, "testing, sending, drawing, storing")                               \
-  A(waiting_for_host, "the model has not arrived yet")                           \
-  A(waiting_for_divider, "no instruction has arrived")                           \
-  A(waiting_for_renderer, "the FIFO to a renderer is full, or nothing is drawn") \
-  A(waiting_for_frame_buffer, "finished colours cannot move out")                \
-  A(done, "nothing is left to do")
+#define CSGSIM_SQUARE_ACTIVITIES(A)                                                                 \
+  A(working, "sending or taking the model; testing, sending; drawing; storing or clearing")         \
+  A(waiting_for_host, "the model has not arrived yet")                                              \
+  A(waiting_for_divider, "the FIFO of the model is full, or no instruction has arrived")            \
+  A(waiting_for_renderer, "the FIFO of the renderer chosen is full, or no colours have arrived")    \
+  A(waiting_for_frame_buffer, "the FIFO of clears is full, or a finished square has not moved out") \
+  A(done, "nothing is left to do; of a renderer, all after its last square has left the pixels")
 
 enum class SquareActivity : std::uint8_t {
 #define CSGSIM_SQUARE_ACTIVITY_ENUMERATOR(name, meaning) name,
@@ -61,7 +61,7 @@ struct SquareAccount {
   std::uint64_t squares_skipped = 0;  ///< that nothing touches: cleared in the frame buffer
   SquareClocks host{};
   SquareClocks divider{};
-  std::vector<SquareClocks> renderers;          ///< one a renderer
+  std::vector<SquareClocks> renderers;          ///< of the pixel processors of each, not of its output buffer
   std::vector<std::uint64_t> renderer_squares;  ///< drawn by each
   SquareClocks frame_buffer{};
 

@@ -122,7 +122,11 @@ void Cells::act(std::uint32_t cell, const isa::Instruction& instruction) {
     case Opcode::bit_not:
       if (e) write(cell, first, bit(second) ? 0 : 1);
       return;
-    case Opcode::global_or: return;
+    case Opcode::xor_constant:
+      if (e) write(cell, first, read(cell, first) ^ instruction.constant);
+      return;
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return;
   }
 }
 

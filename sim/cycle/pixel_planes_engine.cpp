@@ -6,7 +6,9 @@
 #include "hw/isa/error.h"
 #include "hw/machines/runs_on.h"
 #include "hw/pixel_planes/pixel_planes.h"
-#include "sim/cycle/engines.h"
+#include "sim/cycle/array_state.h"
+#include "sim/cycle/fit.h"
+#include "sim/cycle/kinds.h"
 #include "sim/cycle/overflow.h"
 #include "sim/cycle/record.h"
 
@@ -15,31 +17,6 @@ namespace csgsim::sim {
 namespace {
 
 using pixel_planes::PixelPlanes;
-
-/// The corner of the array that a segment's region occupies.
-class ArrayState final : public PixelState {
- public:
-  ArrayState(const array::PixelArray& pixels, isa::Region region) : pixels_(pixels), region_(region) {}
-
-  [[nodiscard]] isa::Region region() const override { return region_; }
-
-  void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
-    pixels_.read_field(field, region_.width, region_.height, values);
-  }
-
-  void read_enable(std::span<std::uint64_t> words) const override {
-    const std::size_t array_row = pixels_.shape().row_words();
-    const std::size_t region_row = array::PlaneShape{region_.width, region_.height}.row_words();
-    const std::span<const std::uint64_t> enable = pixels_.enable();
-    for (std::size_t y = 0; y < region_.height; ++y) {
-      std::copy_n(&enable[y * array_row], region_row, &words[y * region_row]);
-    }
-  }
-
- private:
-  const array::PixelArray& pixels_;
-  isa::Region region_;
-};
 
 /// Passes what the machine tells on to the observers, and counts the overflows, which the machine does not notice.
 class Relay final : public pixel_planes::RunListener {
@@ -79,18 +56,6 @@ class Relay final : public pixel_planes::RunListener {
   std::span<Observer* const> observers_;
   std::uint64_t overflows_ = 0;
 };
-
-void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& array) {
-  if (program.width <= array.width && program.height <= array.height && program.memory_bits <= array.memory_bits) {
-    return;
-  }
-  const auto text = [](const isa::ArrayShape& shape) {
-    return std::to_string(shape.width) + "x" + std::to_string(shape.height) + " pixels of " +
-           std::to_string(shape.memory_bits) + " bits";
-  };
-  throw InputError("the Program is for " + text(program) + ", the machine has " + text(array) +
-                   "; compile it for this machine");
-}
 
 /// The array holds the whole picture when the program is through.
 bool fills_array(const isa::Program& program, array::PlaneShape shape) {
@@ -143,7 +108,7 @@ PixelPlanes& hardware_of(const machines::Machine& machine) {
 }  // namespace
 
 std::unique_ptr<Engine> make_pixel_planes_engine(const machines::Machine& machine) {
-  claim_kernel(machine);
+  claim_elaboration(machine);
   return std::make_unique<PixelPlanesEngine>(machine, hardware_of(machine));
 }
 
@@ -154,7 +119,7 @@ RecordedRun run_and_record(const machines::Machine& machine, const isa::Program&
                      ", and " + machine.name + " is of the kind " + std::string(name_of(machine.kind)) +
                      "; take another --machine");
   }
-  claim_kernel(machine);
+  claim_elaboration(machine);
   PixelPlanes& hardware = hardware_of(machine);
   hardware.record(request);
   return run_on(hardware, machine, program, observers);

@@ -8,7 +8,7 @@
 
 #include "hw/machines/runs_on.h"
 #include "hw/scan_line/scan_line_array.h"
-#include "sim/cycle/engines.h"
+#include "sim/cycle/kinds.h"
 #include "sim/cycle/overflow.h"
 
 namespace csgsim::sim {
@@ -176,7 +176,7 @@ ScanLineArray& hardware_of(const machines::Machine& machine) {
 }  // namespace
 
 std::unique_ptr<Engine> make_scan_line_engine(const machines::Machine& machine) {
-  claim_kernel(machine);
+  claim_elaboration(machine);
   return std::make_unique<ScanLineEngine>(hardware_of(machine), machine);
 }
 

@@ -28,10 +28,16 @@ class Difference : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What two engines made of a Program.
+struct Results {
+  sim::RunResult judge;
+  sim::RunResult engine;
+};
+
 /// Runs the Program on both engines and throws Difference unless they agree at every instruction boundary, in the
 /// answers, overflows and clocks, and the clocks are those of hw/machines and add up.
-void check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
-                    const machines::Machine& machine);
+Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
+                       const machines::Machine& machine);
 
 /// A machine with made-up figures for that array.
 machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, std::uint32_t alu_bits = 1);

@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "hw/machines/regions.h"
 #include "sim/observe/frame.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/support/random_program.h"
@@ -63,14 +62,12 @@ void check_pictures(sim::Engine& judge, sim::Engine& engine, const isa::Program&
 
 int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
-  const std::vector<isa::Region> lines = machines::regions(machine);
-  const isa::ArrayShape picture{machine.picture.width, machine.picture.height, machine.array.memory_bits};
   ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[8]).c_str(), 0);
   const auto judge = sim::make_reference_engine(machine);
   const auto drawing = sim::make_functional_engine(machine);
   const auto engine = sim::make_cycle_engine(machine);
   const bool agree = rc::check("the clocked scan-line array agrees with the reference", [&] {
-    const auto program = *arbitrary_program_in_parts(picture, lines, figures[9]);
+    const auto program = *arbitrary_program_in_parts(machine, figures[9]);
     check_lockstep(*judge, *engine, program, machine);
     check_pictures(*drawing, *engine, program);
     RC_ASSERT(engine->run(program, {}).overflows == judge->run(program, {}).overflows);

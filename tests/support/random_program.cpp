@@ -6,8 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/isa/colour_format.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/text.h"
+#include "hw/machines/regions.h"
 
 namespace csgsim::isa {
 
@@ -221,8 +223,6 @@ isa::Segment pick_segment(const isa::Region& region, std::uint32_t memory_bits, 
   return segment;
 }
 
-bool asks(const Instruction& instruction) { return info(instruction.opcode).clock_class == isa::ClockClass::answer; }
-
 /// Any bytes, for names.
 std::string pick_name() {
   return *rc::gen::resize(
@@ -293,20 +293,22 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
   });
 }
 
-rc::Gen<isa::Program> arbitrary_program_in_parts(isa::ArrayShape picture, std::vector<isa::Region> parts,
-                                                 std::size_t max_instructions) {
+rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions) {
   return rc::gen::exec([=] {
     isa::Program program;
-    program.shape = picture;
+    program.shape = {machine.picture.width, machine.picture.height, machine.array.memory_bits};
     pick_facts(program);
     pick_names(program);
-    program.compile.background = pick(0U, (1U << 24U) - 1);
+    program.model.primitives = pick(0U, 4U);
+    program.model.halfspaces = pick(0U, 30U);
+    program.compile.background = pick(0U, (1U << isa::most_colour_bits) - 1);
     const auto primitives = static_cast<std::uint32_t>(program.primitives.size());
-    for (const isa::Region& part : parts) {
-      program.segments.push_back(pick_segment(part, picture.memory_bits, max_instructions, primitives));
+    const unsigned without = std::min(pick(0U, 12U), 10U);  // of ten segments
+    for (const isa::Region& region : machines::regions(machine)) {
+      program.segments.push_back(pick_segment(region, program.shape.memory_bits, max_instructions, primitives));
       std::vector<Instruction>& instructions = program.segments.back().instructions;
-      std::erase_if(instructions, asks);
-      if (pick(0, 3) == 0) instructions.clear();
+      std::erase_if(instructions, [](const Instruction& instruction) { return isa::asks(instruction.opcode); });
+      if (pick(0U, 9U) < without) instructions.clear();
     }
     return program;
   });

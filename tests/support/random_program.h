@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
-#include <vector>
 
 #include "hw/isa/program.h"
+#include "hw/machines/machine.h"
 
 namespace csgsim::isa {
 
@@ -29,9 +29,8 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
 /// engines to be held against each other.
 rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions);
 
-/// As those, for a machine that works on these parts of a picture: a segment each, one in four without instructions,
-/// none that asks for an answer. The colour field and the background are random too; some Programs have no colour.
-rc::Gen<isa::Program> arbitrary_program_in_parts(isa::ArrayShape picture, std::vector<isa::Region> parts,
-                                                 std::size_t max_instructions);
+/// As those, for a machine that works on parts of the picture: a segment for each of machines::regions. Some, sometimes
+/// all, have no instructions, and none asks for an answer. Some Programs have no colour.
+rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions);
 
 }  // namespace csgsim::test

@@ -80,7 +80,7 @@ TEST_CASE("early out adds questions and changes nothing else, with every strateg
   }
 }
 
-TEST_CASE("a question guards at least four times its clocks, of one primitive, and the guards nest") {
+TEST_CASE("a question guards at least sixteen times its clocks, of one primitive, and the guards nest") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     testing::Setup how = setup();
@@ -93,7 +93,7 @@ TEST_CASE("a question guards at least four times its clocks, of one primitive, a
       if (!is_skip(all[i])) continue;
       const std::span<const Instruction> guarded = all.subspan(i + 1, all[i].constant);
       const std::size_t end = i + 1 + guarded.size();
-      CHECK(machines::clocks(guarded, machine) >= 4 * machines::clocks(all[i], machine));
+      CHECK(machines::clocks(guarded, machine) >= 16 * machines::clocks(all[i], machine));
       CHECK(std::all_of(guarded.begin(), guarded.end(), [&](const Instruction& instruction) {
         const bool shades_set =
             instruction.origin.purpose == isa::Purpose::shade && instruction.origin.node == all[i].origin.primitive;

@@ -1,0 +1,188 @@
+// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "hw/isa/error.h"
+#include "hw/machines/regions.h"
+#include "sim/cycle/record.h"
+#include "sim/engine/engine.h"
+
+namespace {
+
+using namespace csgsim;
+using isa::Instruction;
+using isa::Opcode;
+using machines::SquareAccount;
+
+constexpr isa::Field counter{0, 8};
+constexpr isa::Instruction enable_all{.opcode = Opcode::enable_all};
+
+Instruction constant(std::uint64_t value) {
+  return {.opcode = Opcode::set_constant, .fields = {counter}, .constant = value};
+}
+
+/// Four squares of 4x4, two renderers.
+machines::Machine machine_8x8() {
+  machines::Machine machine;
+  machine.name = "squares";
+  machine.kind = machines::Kind::pixel_square;
+  machine.array = {4, 4, 16};
+  machine.picture = {8, 8};
+  machine.clock_hz = 10'000'000;
+  machine.pixel_square = {.renderers = 2, .buffers = 2, .fifo_depth = 64, .port_bits = 8};
+  return machine;
+}
+
+/// The first square counts to 40; the second and the last count to 2; nothing touches the third. The last is tested for
+/// so long that the second is finished by then.
+isa::Program slow_square_first() {
+  isa::Program program;
+  program.shape = {8, 8, 16};
+  program.fields.push_back({"colour", counter, isa::FieldRole::colour});
+  program.compile.background = 7;
+  for (const isa::Region& region : machines::regions(machine_8x8()))
+    program.segments.push_back({.region = region, .instructions = {}});
+  const auto count_to = [&](std::size_t segment, std::uint64_t last) {
+    std::vector<Instruction>& instructions = program.segments[segment].instructions;
+    instructions.push_back(enable_all);
+    for (std::uint64_t value = 1; value <= last; ++value) instructions.push_back(constant(value));
+  };
+  count_to(0, 40);
+  count_to(1, 2);
+  count_to(3, 2);
+  program.segments[3].halfspaces = 100;
+  return program;
+}
+
+/// The order of what it is told, and the values of the field where it looks.
+class Watch : public sim::Observer {
+ public:
+  explicit Watch(bool reads) : reads_(reads) {}
+
+  [[nodiscard]] bool reads_after(const Instruction& /*instruction*/) const override { return reads_; }
+
+  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+    steps.emplace_back(step.segment, step.index);
+    if (reads_) values.push_back(value_of(state));
+  }
+
+  void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
+    ends.push_back(segment);
+    last_values.push_back(value_of(state));
+  }
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> steps;
+  std::vector<std::uint32_t> ends;
+  std::vector<std::uint32_t> values;
+  std::vector<std::uint32_t> last_values;
+
+ private:
+  static std::uint32_t value_of(const sim::PixelState& state) {
+    std::vector<std::uint32_t> field(std::size_t{state.region().width} * state.region().height);
+    state.read_field(counter, field);
+    return field.back();
+  }
+
+  bool reads_;
+};
+
+class Thrower final : public sim::Observer {
+ public:
+  void after_segment(std::uint32_t segment, const sim::PixelState& /*state*/) override {
+    if (segment == 1) throw std::runtime_error("enough");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an observer sees squares in the order of the Program, though the others are drawn before the first") {
+  const isa::Program program = slow_square_first();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> steps;
+  std::vector<std::uint32_t> values;
+  for (const auto& [segment, last] : {std::pair{0U, 40U}, {1U, 2U}, {3U, 2U}}) {
+    for (std::uint32_t i = 0; i <= last; ++i) {
+      steps.emplace_back(segment, i);
+      values.push_back(i);
+    }
+  }
+  const auto engine = sim::make_cycle_engine(machine_8x8());
+  for (const bool reads : {true, false}) {
+    Watch watch(reads);
+    sim::Observer* const observers[] = {&watch};
+    const sim::RunResult result = engine->run(program, observers);
+    CHECK(watch.steps == steps);
+    CHECK(watch.ends == std::vector<std::uint32_t>{0, 1, 2, 3});
+    CHECK(watch.last_values == std::vector<std::uint32_t>{40, 2, 0, 2});
+    if (reads) CHECK(watch.values == values);
+    CHECK(std::get<SquareAccount>(result.account).renderer_squares == std::vector<std::uint64_t>{1, 2});
+  }
+}
+
+TEST_CASE("the frame buffer shows each square where it belongs, and the background where nothing touched it") {
+  const sim::RunResult result = sim::make_cycle_engine(machine_8x8())->run(slow_square_first(), {});
+  REQUIRE(result.scanned_out.size() == 64);
+  for (std::size_t i = 0; i < 64; ++i) {
+    const std::uint32_t expected[] = {40, 2, 7, 2};
+    CHECK(result.scanned_out[i] == expected[i / 32 * 2 + i % 8 / 4]);
+  }
+}
+
+TEST_CASE("a second frame takes the clocks of the first") {
+  const auto engine = sim::make_cycle_engine(machine_8x8());
+  const sim::RunResult first = engine->run(slow_square_first(), {});
+  const sim::RunResult second = engine->run(slow_square_first(), {});
+  CHECK(first.clocks == second.clocks);
+  CHECK(first.account == second.account);
+}
+
+TEST_CASE("what an observer throws comes out, and the machine draws the next frame") {
+  const auto engine = sim::make_cycle_engine(machine_8x8());
+  Thrower thrower;
+  sim::Observer* const observers[] = {&thrower};
+  CHECK_THROWS_WITH_AS(engine->run(slow_square_first(), observers), "enough", std::runtime_error);
+  CHECK(engine->run(slow_square_first(), {}).scanned_out.back() == 2);
+}
+
+TEST_CASE("without squares no clock passes, and no picture is delivered of squares that leave pixels out") {
+  const auto engine = sim::make_cycle_engine(machine_8x8());
+  isa::Program program = slow_square_first();
+  program.segments.pop_back();
+  CHECK(engine->run(program, {}).scanned_out.empty());
+  program.segments.clear();
+  CHECK(engine->run(program, {}).clocks == 0);
+}
+
+TEST_CASE("both levels refuse a question before they run") {
+  isa::Program program = slow_square_first();
+  program.segments[3].instructions.push_back({.opcode = Opcode::global_or});
+  Watch watch(true);
+  sim::Observer* const observers[] = {&watch};
+  CHECK_THROWS_AS(sim::make_cycle_engine(machine_8x8())->run(program, observers), InputError);
+  CHECK_THROWS_AS(sim::make_functional_engine(machine_8x8())->run(program, observers), InputError);
+  CHECK(watch.steps.empty());
+}
+
+TEST_CASE("a Program that needs more than the machine has is refused") {
+  isa::Program program = slow_square_first();
+  program.shape.memory_bits = 17;
+  CHECK_THROWS_AS(sim::make_cycle_engine(machine_8x8())->run(program, {}), InputError);
+}
+
+TEST_CASE("one process clocks one machine, of one kind") {
+  const auto first = sim::make_cycle_engine(machine_8x8());
+  CHECK_NOTHROW(sim::make_cycle_engine(machine_8x8()));
+  machines::Machine other = machine_8x8();
+  other.pixel_square.fifo_depth = 5;
+  CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
+  other = machine_8x8();
+  other.kind = machines::Kind::frame_buffer;
+  CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
+}
+
+TEST_CASE("waves of a machine that draws squares are refused") {
+  CHECK_THROWS_AS(sim::run_and_record(machine_8x8(), slow_square_first(), {}, {}), InputError);
+}
