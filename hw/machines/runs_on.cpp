@@ -48,8 +48,9 @@ void check_parts(const isa::Program& program, const Machine& machine) {
   }
 }
 
-/// The clocks of the divider's tests stay countable.
-void check_counts(const isa::Program& program, const Machine& machine) {
+}  // namespace
+
+void check_countable(const isa::Program& program, const Machine& machine) {
   const PixelSquare& figures = machine.pixel_square;
   if (program.model.primitives > most_model_words || program.model.halfspaces > most_model_words) {
     throw InputError(fmt::format("a model of {} primitives of {} half-spaces; a pixel-square machine takes {} of each",
@@ -68,13 +69,11 @@ void check_counts(const isa::Program& program, const Machine& machine) {
   }
 }
 
-}  // namespace
-
 void check_runs_on(const isa::Program& program, const Machine& machine) {
   check_questions(program, machine);
   if (machine.kind == Kind::frame_buffer) return;
   check_parts(program, machine);
-  if (machine.kind == Kind::pixel_square) check_counts(program, machine);
+  if (machine.kind == Kind::pixel_square) check_countable(program, machine);
 }
 
 }  // namespace csgsim::machines

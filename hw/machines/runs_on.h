@@ -11,4 +11,7 @@ namespace csgsim::machines {
 /// in 64 bits.
 void check_runs_on(const isa::Program& program, const Machine& machine);
 
+/// The last of these, for a pixel-square machine.
+void check_countable(const isa::Program& program, const Machine& machine);
+
 }  // namespace csgsim::machines

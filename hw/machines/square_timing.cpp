@@ -366,7 +366,7 @@ class Frame {
 }  // namespace
 
 FrameTiming time_squares(const isa::Program& program, const Machine& machine) {
-  check_runs_on(program, machine);
+  check_countable(program, machine);
   return Frame(program, machine).run();
 }
 

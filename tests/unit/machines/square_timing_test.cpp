@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "hw/isa/error.h"
+#include "hw/machines/regions.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/timing.h"
-#include "tests/support/random_program.h"
 #include "tests/support/random_program.h"
 
 using namespace csgsim;
@@ -217,21 +217,25 @@ TEST_CASE("a machine that works on parts of the picture refuses questions, and s
   Machine machine = machine_of(1, {});
   for (const Kind kind : {Kind::scan_line, Kind::pixel_square}) {
     machine.kind = kind;
-    CHECK(
-        error_of([&] { machines::check_runs_on(program, machine); }) ==
-        "segment 0, instruction 1: global_or asks a question, and squares has no wire for the answer; compile without "
-        "questions, or for a machine of kind frame-buffer");
+    CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
+          "segment 0, instruction 1: global_or needs a global OR, which the machine squares does not have; compile the "
+          "model for this machine, or take one whose global_or.present is 1");
   }
   machine.kind = Kind::frame_buffer;
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
 }
 
-TEST_CASE("a square that the array does not hold is refused") {
+TEST_CASE("a Program whose segments are not the machine's squares is refused") {
   const Machine machine = machine_of(2, {});
-  CHECK_NOTHROW(machines::check_runs_on(program_of(2, {square(2, {enable})}), machine));
+  isa::Program program = program_of(2, {});
+  for (const isa::Region& region : machines::regions(machine)) {
+    program.segments.emplace_back().region = region;
+  }
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  std::swap(program.segments[0], program.segments[1]);
   CHECK(error_of([&] {
-          machines::check_runs_on(program_of(2, {square(3, {enable})}), machine);
-        }).starts_with("segment 0: the region of 3x3 pixels is larger than the 2x2 of squares"));
+          machines::check_runs_on(program, machine);
+        }).starts_with("the Program's segments are not the 4 regions in which squares draws a picture of 4x4"));
 }
 
 TEST_CASE("a model whose clocks would not fit their counter is refused") {
