@@ -108,19 +108,19 @@ void Cells::act(std::uint32_t cell, const isa::Instruction& instruction) {
     case Opcode::field_le: enable(e && number(first) <= number(second)); return;
     case Opcode::field_eq: enable(e && number(first) == number(second)); return;
     case Opcode::bit_and:
-      if (e) write(cell, first, bit(second) && bit(third) ? 1 : 0);
+      if (e) write(cell, first, read(cell, second) & read(cell, third));
       return;
     case Opcode::bit_or:
-      if (e) write(cell, first, bit(second) || bit(third) ? 1 : 0);
+      if (e) write(cell, first, read(cell, second) | read(cell, third));
       return;
     case Opcode::bit_xor:
-      if (e) write(cell, first, bit(second) != bit(third) ? 1 : 0);
+      if (e) write(cell, first, read(cell, second) ^ read(cell, third));
       return;
     case Opcode::bit_and_not:
-      if (e) write(cell, first, bit(second) && !bit(third) ? 1 : 0);
+      if (e) write(cell, first, read(cell, second) & ~read(cell, third));
       return;
     case Opcode::bit_not:
-      if (e) write(cell, first, bit(second) ? 0 : 1);
+      if (e) write(cell, first, ~read(cell, second));
       return;
     case Opcode::xor_constant:
       if (e) write(cell, first, read(cell, first) ^ instruction.constant);

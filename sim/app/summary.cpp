@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/app/account_summary.h"
 #include "sim/app/numbers.h"
 
 namespace csgsim::app {
@@ -40,17 +41,18 @@ void print_machine(const sim::Report& report) {
 }
 
 void print_purposes(const sim::Report& report) {
+  const std::uint64_t whole = report.stats.total.clocks + report.result.latency_clocks;
   fmt::print("\n{:<18}{:>14}{:>9}{:>15}{:>12}\n", "purpose", "clocks", "share", "instructions", "busy");
   for (std::size_t i = 0; i < isa::purpose_table.size(); ++i) {
     const sim::Cost& cost = report.stats.by_purpose[i];
     if (cost.instructions == 0) continue;
     fmt::print("  {:<16}{:>14}{:>7.1f} %{:>15}{:>10.1f} %  {}\n", isa::purpose_table[i].name, grouped(cost.clocks),
-               percent(cost.clocks, report.result.clocks), grouped(cost.instructions),
-               percent(cost.enabled, cost.pixel_operations), isa::purpose_table[i].meaning);
+               percent(cost.clocks, whole), grouped(cost.instructions), percent(cost.enabled, cost.pixel_operations),
+               isa::purpose_table[i].meaning);
   }
+  if (report.machine.kind != machines::Kind::frame_buffer) return;
   fmt::print("  {:<16}{:>14}{:>7.1f} %{:>15}{:>12}  {}\n", "latency", grouped(report.result.latency_clocks),
-             percent(report.result.latency_clocks, report.result.clocks), "", "",
-             "until the last instruction reaches the pixels");
+             percent(report.result.latency_clocks, whole), "", "", "until the last instruction reaches the pixels");
 }
 
 }  // namespace
@@ -75,6 +77,7 @@ void print_summary(const sim::Report& report) {
     fmt::print("{:<18}{} clocks at the video port, beside the program\n", "scan-out",
                grouped(report.result.scan_out_clocks));
   }
+  print_account(report);
   print_purposes(report);
   const double seconds = std::max(report.wall_seconds, 1e-9);
   const std::uint64_t clocks = report.result.clocks + report.result.scan_out_clocks;

@@ -6,11 +6,11 @@ namespace csgsim::sim {
 
 namespace {
 
-/// Names and figures' sources do not matter, nor does the picture of a machine that holds the whole of it.
+/// Names and sources of figures do not matter, nor does the picture, but to a frame buffer beside the renderers.
 bool same_hardware(const machines::Machine& one, const machines::Machine& other) {
   return one.kind == other.kind && one.array == other.array && one.clock_hz == other.clock_hz &&
          one.memory_reads == other.memory_reads && one.alu_bits == other.alu_bits &&
-         (one.kind == machines::Kind::frame_buffer || one.picture == other.picture) &&
+         (one.kind != machines::Kind::pixel_square || one.picture == other.picture) &&
          one.scan_line == other.scan_line && one.pixel_square == other.pixel_square;
 }
 

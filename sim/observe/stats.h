@@ -19,8 +19,9 @@ struct Cost {
   bool operator==(const Cost&) const = default;
 };
 
-/// The cost of a run, accounted to opcodes, purposes and primitives. Each account adds up to the total, which is the
-/// run's clocks without its final latency.
+/// The cost of a run, accounted to opcodes, purposes and primitives. Each account adds up to the total. Where the array
+/// is the whole picture that is the run's clocks without its final latency; elsewhere the parts of the picture are
+/// worked on side by side, and the run's clocks are another account (machines::Account).
 struct Stats {
   Cost total;
   std::array<Cost, isa::opcode_table.size()> by_opcode{};

@@ -1,6 +1,9 @@
 #include "sim/observe/stats_json.h"
 
+#include <algorithm>
+
 #include "hw/machines/clocks.h"
+#include "sim/observe/account_json.h"
 
 namespace csgsim::sim {
 
@@ -27,6 +30,8 @@ Json machine_json(const Report& report) {
   const machines::Machine& machine = report.machine;
   const isa::CompileFacts& compile = report.program.compile;
   return {{"name", machine.name},
+          {"kind", machines::name_of(machine.kind)},
+          {"picture", {{"width", report.program.shape.width}, {"height", report.program.shape.height}}},
           {"width", machine.array.width},
           {"height", machine.array.height},
           {"memory_bits", machine.array.memory_bits},
@@ -86,16 +91,21 @@ Json primitives_json(const Report& report) {
 }
 
 Json segments_json(const isa::Program& program) {
-  double primitives = 0;
-  double halfspaces = 0;
-  for (const isa::Segment& segment : program.segments) {
-    primitives += segment.primitives;
-    halfspaces += segment.halfspaces;
-  }
   const double count = program.segments.empty() ? 1.0 : static_cast<double>(program.segments.size());
+  const auto mean = [&](std::uint32_t isa::Segment::*member) {
+    double sum = 0;
+    for (const isa::Segment& segment : program.segments) sum += segment.*member;
+    return sum / count;
+  };
+  const auto drawn = std::count_if(program.segments.begin(), program.segments.end(),
+                                   [](const isa::Segment& segment) { return !segment.instructions.empty(); });
   return {{"count", program.segments.size()},
-          {"primitives_mean", primitives / count},
-          {"halfspaces_mean", halfspaces / count}};
+          {"drawn", drawn},
+          {"primitives_mean", mean(&isa::Segment::primitives)},
+          {"halfspaces_mean", mean(&isa::Segment::halfspaces)},
+          {"kept_primitives_mean", mean(&isa::Segment::kept_primitives)},
+          {"kept_halfspaces_mean", mean(&isa::Segment::kept_halfspaces)},
+          {"comparisons_mean", mean(&isa::Segment::comparisons)}};
 }
 
 }  // namespace
@@ -123,6 +133,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["by_purpose"] = purposes_json(report);
   json["by_primitive"] = primitives_json(report);
   json["segments"] = segments_json(report.program);
+  if (report.machine.kind != machines::Kind::frame_buffer) json["account"] = account_json(report);
   json["effects"] = compile.effects;
   json["wall_seconds"] = report.wall_seconds;
   return json;

@@ -118,11 +118,11 @@ TEST_CASE("a question to the host, other segments than the lines and too much me
   for (const auto& engine :
        {sim::make_functional_engine(machine), sim::make_cycle_engine(machine), sim::make_reference_engine(machine)}) {
     CAPTURE(engine->level());
-    CHECK_THROWS_WITH_AS(
-        engine->run(program_of(machine, {{.opcode = Opcode::global_or}}), {}),
-        "segment 0, instruction 0: global_or asks for an answer, and no wire of test brings it back to "
-        "the host; leave it out, or take a machine of the kind frame-buffer",
-        InputError);
+    CHECK_THROWS_WITH_AS(engine->run(program_of(machine, {{.opcode = Opcode::global_or}}), {}),
+                         "segment 0, instruction 0: global_or needs a global OR, which the machine test does not have; "
+                         "compile the model "
+                         "for this machine, or take one whose global_or.present is 1",
+                         InputError);
     isa::Program whole = program_of(machine, {});
     whole.segments = {{.region = {0, 0, 4, 2}, .instructions = {}}};
     CHECK_THROWS_AS(engine->run(whole, {}), InputError);

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+/// The text of a built-in machine with some of its figures replaced: `key value`.
+std::string machine_file(const Folder& folder, const std::string& name, const std::vector<std::string>& changes) {
+  std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/" + name + ".toml");
+  for (const std::string& change : changes) {
+    const std::size_t space = change.find(' ');
+    const std::size_t at = text.find("\nvalue = ", text.find("[" + change.substr(0, space) + "]")) + 9;
+    text.replace(at, text.find('\n', at) - at, change.substr(space + 1));
+  }
+  std::string path = folder / (name + "-changed.toml");
+  write(path, text);
+  return path;
+}
+
+struct Drawn {
+  std::string picture;
+  std::string depth;
+  std::string owner;
+  nlohmann::json stats;
+
+  [[nodiscard]] bool same_pictures(const Drawn& other) const {
+    return picture == other.picture && depth == other.depth && owner == other.owner;
+  }
+};
+
+Drawn draw(const Folder& folder, const std::string& options) {
+  const Outcome outcome = run("render " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 75x50 -o " +
+                              (folder / "p.ppm") + " --depth " + (folder / "d.exr") + " --owner " + (folder / "o.exr") +
+                              " --stats " + (folder / "s.json") + " " + options);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  return {content(folder / "p.ppm"), content(folder / "d.exr"), content(folder / "o.exr"), json(folder / "s.json")};
+}
+
+std::uint64_t sum(const nlohmann::json& clocks) {
+  std::uint64_t all = 0;
+  for (const auto& [activity, count] : clocks.items()) all += count.get<std::uint64_t>();
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every machine draws the same picture at both levels, and counts the clocks that are worked out") {
+  const Folder folder;
+  const Drawn whole = draw(folder, "--machine pixel-planes-4");
+  for (const std::string& machine :
+       {std::string("scan-line"), std::string("pixel-square"), std::string("pixel-planes-5"),
+        machine_file(folder, "scan-line",
+                     {"chains.count 3", "refresh.interlaced 1", "cells.word_bits 16", "cells.words 6"}),
+        machine_file(
+            folder, "pixel-square",
+            {"array.width 7", "array.height 9", "divider.order \"morton\"", "fifo.depth 1", "renderers.count 3"}),
+        machine_file(folder, "pixel-planes-5", {"fifo.depth 1000", "renderers.buffers 1"})}) {
+    CAPTURE(machine);
+    const Drawn worked_out = draw(folder, "--machine " + machine);
+    const Drawn counted = draw(folder, "--machine " + machine + " --level cycle");
+    CHECK(worked_out.same_pictures(whole));
+    CHECK(counted.same_pictures(whole));
+    CHECK(worked_out.stats["clocks"] == counted.stats["clocks"]);
+    CHECK(worked_out.stats["account"] == counted.stats["account"]);
+  }
+}
+
+TEST_CASE("each part of the pixel-square machine has an account of all clocks of the frame") {
+  const Folder folder;
+  const Drawn drawn = draw(folder, "--machine " + machine_file(folder, "pixel-square", {"renderers.count 2"}));
+  const nlohmann::json& account = drawn.stats["account"];
+  for (const char* part : {"host", "divider", "frame_buffer"}) CHECK(sum(account[part]) == drawn.stats["clocks"]);
+  REQUIRE(account["renderers"].size() == 2);
+  std::uint64_t squares = 0;
+  for (const nlohmann::json& renderer : account["renderers"]) {
+    CHECK(sum(renderer["clocks"]) == drawn.stats["clocks"]);
+    squares += renderer["squares"].get<std::uint64_t>();
+  }
+  CHECK(squares == account["squares"]["drawn"]);
+  CHECK(account["squares"]["drawn"].get<int>() + account["squares"]["skipped"].get<int>() == 5 * 4);
+  CHECK(drawn.stats["segments"]["drawn"] == account["squares"]["drawn"]);
+}
+
+TEST_CASE("a Program for one kind of machine is refused by another, with what to do") {
+  const Folder folder;
+  const std::string program = folder / "p.csgt";
+  REQUIRE(run("compile " + model("carburettor") + " --size 64x48 --machine pixel-square -o " + program).code == 0);
+  CHECK(run("run " + program + " --machine pixel-square --level cycle").code == 0);
+  const Outcome refused = run("run " + program + " --machine scan-line");
+  CHECK(refused.code == 1);
+  CHECK(one_line(refused.err));
+  CHECK(refused.err.find("compile it for this machine") != std::string::npos);
+  CHECK(run("wave " + model("carburettor") + " --machine scan-line --probe 1,1 -o " + (folder / "w.vcd")).code == 1);
+  const Outcome wide = run("render " + model("carburettor") + " --machine scan-line --size 600x20");
+  CHECK(wide.code == 1);
+  CHECK(wide.err.find("600 pixels is longer than the 512 cells") != std::string::npos);
+}
+
+TEST_CASE("compare draws a model on several machines and goes on after an interruption") {
+  const Folder folder;
+  const std::string command = "compare " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 48x40 -o " +
+                              (folder / "c") + " --fragments 6,12 --sides 24,32";
+  const Outcome first = run(command + " --machines pixel-planes-4,pixel-square");
+  CAPTURE(first.err);
+  REQUIRE(first.code == 0);
+  CHECK(first.out.find("the same on all machines, byte for byte") != std::string::npos);
+  const nlohmann::json points = json(folder / "c/compare.json")["points"];
+  REQUIRE(points.size() == 2 * 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK(points[i]["picture"] == points[i + 5]["picture"]);
+    CHECK(points[i]["halfspaces"] == points[i + 5]["halfspaces"]);
+    CHECK(points[i]["processor_clocks"] == points[i]["processors"].get<double>() * points[i]["clocks"].get<double>());
+  }
+  CHECK(points[5]["processors"] == 256);
+  for (const char* plot : {"halfspaces.png", "halfspaces.svg", "pixels.png", "pixels.svg"})
+    CHECK(fs::file_size(folder / ("c/compare_" + std::string(plot))) > 1000);
+  const std::string table = content(folder / "c/compare.csv");
+  write(folder / "c/compare.csv", table.substr(0, table.size() - 40));
+  REQUIRE(run(command + " --machines pixel-planes-4,pixel-square --no-plots").code == 0);
+  CHECK(content(folder / "c/compare.csv") == table);
+  REQUIRE(run(command + " --machines scan-line --no-plots").code == 0);
+  CHECK(json(folder / "c/compare.json")["points"].size() == 5);
+  CHECK(run(command + " --machines nothing").code == 1);
+}
+
+TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-spaces, less each level") {
+  const Folder folder;
+  const Outcome outcome = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
+                              (folder / "s.json") + " --levels 2,4,6");
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const nlohmann::json columns = json(folder / "s.json");
+  REQUIRE(columns.size() == 3);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const nlohmann::json& segments = columns[i]["segments"];
+    CHECK(segments["count"] == 4U << 2 * i);
+    CHECK(columns[i]["subsegments"]["count"] == 64U << 2 * i);
+    CHECK(segments["kept_halfspaces_mean"] <= segments["halfspaces_mean"]);
+    CHECK(columns[i]["subsegments"]["kept_halfspaces_mean"] < segments["kept_halfspaces_mean"]);
+    if (i > 0) CHECK(segments["kept_halfspaces_mean"] < columns[i - 1]["segments"]["kept_halfspaces_mean"]);
+  }
+  // The subsegments of four levels are the segments of eight.
+  const Outcome eight = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
+                            (folder / "e.json") + " --levels 8 --machine pixel-planes-5");
+  REQUIRE(eight.code == 0);
+  CHECK(json(folder / "e.json")[0]["segments"]["kept_halfspaces_mean"] ==
+        columns[1]["subsegments"]["kept_halfspaces_mean"]);
+  CHECK(run("subdivide " + model("carburettor") + " --machine scan-line").code == 1);
+}
