@@ -39,10 +39,13 @@ std::uint64_t products_of(const Planned& planned, const Options& options) {
 }
 
 void check_products(const model::Tree& tree, const Plan& plan, const Options& options) {
-  std::uint64_t total = 0;
   for (const SegmentPlan& segment : plan.segments) {
+    std::uint64_t total = 0;
     for (const Planned& one : segment.surfaces) {
-      if (!__builtin_add_overflow(total, products_of(one, options), &total) && total <= most_products) continue;
+      // A surface that is a single product multiplies nothing.
+      const std::uint64_t products = products_of(one, options);
+      if (products <= 1) continue;
+      if (!__builtin_add_overflow(total, products, &total) && total <= most_products) continue;
       const model::Location& location = tree.primitives[one.primitive()].location;
       throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
                        ": with this primitive the tree multiplies out to more than " + std::to_string(most_products) +

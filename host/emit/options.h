@@ -41,7 +41,7 @@ std::string_view name_of(Colouring colouring);
 /// back of the primitive compared, one for the product. From the next on, one sums the products.
 inline constexpr unsigned fewest_stack_bits = 3;
 
-/// Most products that a Program is compiled for.
+/// Most products that a segment of a Program is compiled for.
 inline constexpr std::uint64_t most_products = 16'384;
 
 struct Options {

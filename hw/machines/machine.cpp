@@ -43,7 +43,7 @@ void set_picture_size(Machine& machine, Size size) {
   if (machine.kind == Kind::scan_line && size.width > machine.array.width) {
     throw InputError(
         fmt::format("a line of {} pixels is longer than the {} cells of {}; take a narrower picture, or a "
-                    "machine file with more array.width",
+                    "machine file with more cells.count",
                     size.width, machine.array.width, machine.name));
   }
 }

@@ -24,8 +24,8 @@ void check_questions(const isa::Program& program, const Machine& machine) {
       if (!isa::asks(instructions[i].opcode)) continue;
       throw InputError(
           fmt::format("segment {}, instruction {}: {} needs a global OR, which the machine {} does not have; compile "
-                      "the model for this machine, or take one whose global_or.present is 1",
-                      s, i, isa::info(instructions[i].opcode).name, machine.name));
+                      "the model for this machine, or take one of kind {} whose global_or.present is 1",
+                      s, i, isa::info(instructions[i].opcode).name, machine.name, name_of(Kind::frame_buffer)));
     }
   }
 }

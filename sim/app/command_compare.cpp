@@ -136,7 +136,7 @@ void print_row(const study::ComparisonRow& row) {
 void print_rows(const Rows& rows) {
   fmt::print("{:<16}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>8}\n", "machine", "picture", "$fn",
              "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.", "processor clocks", "memory bits",
-             "busy %");
+             "used %");
   for (const study::ComparisonRow& row : rows) print_row(row);
 }
 

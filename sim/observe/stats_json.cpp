@@ -90,6 +90,20 @@ Json primitives_json(const Report& report) {
   return primitives;
 }
 
+/// Bits that the linear expressions are streamed over, on average: fewer where regions are small.
+double mean_linear_width(const isa::Program& program) {
+  double bits = 0;
+  double count = 0;
+  for (const isa::Segment& segment : program.segments) {
+    for (const isa::Instruction& instruction : segment.instructions) {
+      if (instruction.linear.width == 0) continue;
+      bits += instruction.linear.width;
+      ++count;
+    }
+  }
+  return count == 0 ? 0 : bits / count;
+}
+
 Json segments_json(const isa::Program& program) {
   const double count = program.segments.empty() ? 1.0 : static_cast<double>(program.segments.size());
   const auto mean = [&](std::uint32_t isa::Segment::*member) {
@@ -105,7 +119,8 @@ Json segments_json(const isa::Program& program) {
           {"halfspaces_mean", mean(&isa::Segment::halfspaces)},
           {"kept_primitives_mean", mean(&isa::Segment::kept_primitives)},
           {"kept_halfspaces_mean", mean(&isa::Segment::kept_halfspaces)},
-          {"comparisons_mean", mean(&isa::Segment::comparisons)}};
+          {"comparisons_mean", mean(&isa::Segment::comparisons)},
+          {"linear_width_mean", mean_linear_width(program)}};
 }
 
 }  // namespace

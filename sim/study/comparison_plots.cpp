@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/study/comparison.h"
 #include "sim/study/gnuplot.h"
@@ -58,13 +59,19 @@ std::string script_of(std::span<const ComparisonRow> rows, const View& view, con
   std::string data;
   std::string plots;
   bool varies = false;
+  double least = std::numeric_limits<double>::max();
+  double most = 0;
   for (const std::string& machine : machines_of(rows)) {
     const std::vector<Point> line = line_of(rows, machine, view, base);
     if (line.empty()) continue;
     varies = varies || line.front().x < line.back().x;
     const std::string name = fmt::format("$m{}", data.size());
     data += name + " << EOD\n";
-    for (const Point& point : line) data += fmt::format("{} {}\n", point.x, point.y);
+    for (const Point& point : line) {
+      data += fmt::format("{} {}\n", point.x, point.y);
+      least = std::min(least, point.y);
+      most = std::max(most, point.y);
+    }
     data += "EOD\n";
     plots += fmt::format("{}{} using 1:2 with linespoints pt 7 lw 2 title {} noenhanced",
                          plots.empty() ? "plot " : ", ", name, quoted(machine));
@@ -72,8 +79,9 @@ std::string script_of(std::span<const ComparisonRow> rows, const View& view, con
   if (!varies) return {};
   return fmt::format(
       "set title {} noenhanced\nset xlabel '{}'\nset ylabel 'time of a frame, ms'\nset logscale xy\nset grid\n"
-      "set key outside bottom horizontal\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n{}{}\n",
-      quoted(fmt::format("{}: machines against {}", model, view.title)), view.title, data, plots);
+      "set key outside bottom horizontal\nset yrange [{}:{}]\nset offsets graph 0.05, graph 0.05, 0, 0\n{}{}\n",
+      quoted(fmt::format("{}: machines against {}", model, view.title)), view.title, least / 1.5, most * 1.5, data,
+      plots);
 }
 
 }  // namespace

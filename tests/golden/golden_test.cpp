@@ -39,8 +39,9 @@ std::vector<std::uint32_t> read_picture(const std::string& path) {
 
 void check_run(const std::string& name) {
   const isa::Program program = isa::load_program(trace(name, ".csgt"));
-  machines::Machine machine = machines::load("pixel-planes-4");
-  machine.array = program.shape;
+  nlohmann::json golden = nlohmann::json::parse(std::ifstream(trace(name, ".json")));
+  machines::Machine machine = machines::load(golden["machine"]["name"].get<std::string>());
+  machines::adopt(machine, program);
   sim::FrameObserver frame(program);
   sim::StatsObserver stats(program);
   const std::array<sim::Observer*, 2> observers{&frame, &stats};
@@ -48,7 +49,6 @@ void check_run(const std::string& name) {
   const sim::RunResult result = engine->run(program, observers);
   nlohmann::json actual =
       nlohmann::json::parse(sim::to_json({program, machine, engine->level(), result, stats.stats(), 0.0}).dump());
-  nlohmann::json golden = nlohmann::json::parse(std::ifstream(trace(name, ".json")));
   actual.erase("wall_seconds");
   golden.erase("wall_seconds");
   INFO("if the change is meant: traces/renew.sh build/release/csgsim");
@@ -57,13 +57,15 @@ void check_run(const std::string& name) {
 }
 
 /// The names of files are the only thing in which a compiled model may differ from its trace.
-void check_compilation(const std::string& name, const testing::Setup& setup) {
+void check_compilation(const std::string& name, const std::string& model, const testing::Setup& setup) {
   isa::Program golden = isa::load_program(trace(name, ".csgt"));
-  isa::Program compiled = testing::compile_file(testing::model_path(name), setup).program;
+  isa::Program compiled = testing::compile_file(testing::model_path(model), setup).program;
   golden.model.file.clear();
   compiled.model.file.clear();
   INFO("if the change is meant: traces/renew.sh build/release/csgsim");
-  CHECK(compiled.segments.at(0).instructions.size() == golden.segments.at(0).instructions.size());
+  REQUIRE(compiled.segments.size() == golden.segments.size());
+  for (std::size_t i = 0; i < golden.segments.size(); ++i)
+    CHECK(compiled.segments[i].instructions.size() == golden.segments[i].instructions.size());
   CHECK((compiled == golden));
 }
 
@@ -74,18 +76,44 @@ TEST_CASE("the trace of the carburettor runs to its golden counts and picture") 
 TEST_CASE("the trace of the terrain vehicle runs to its golden counts and picture") { check_run("terrain_vehicle"); }
 TEST_CASE("the trace of a drilled cube runs to its golden counts and picture") { check_run("old_example002"); }
 
+TEST_CASE("the trace of a drilled cube in lines runs to its golden counts and picture") {
+  check_run("old_example002_lines");
+}
+TEST_CASE("the trace of fig. 2.3's object in squares runs to its golden counts and picture") {
+  check_run("thesis_fig_2_3_squares");
+}
+
 TEST_CASE("fig. 2.3's object compiles into its trace") {
-  check_compilation("thesis_fig_2_3", {{{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic}, {}, 72});
+  check_compilation("thesis_fig_2_3", "thesis_fig_2_3",
+                    {{{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic}, {}, 72});
 }
 TEST_CASE("the carburettor compiles into its trace") {
-  check_compilation("carburettor", {{{220, -255, 135}, {2, 0, 5}, view::Projection::perspective}, {}, 72});
+  check_compilation("carburettor", "carburettor",
+                    {{{220, -255, 135}, {2, 0, 5}, view::Projection::perspective}, {}, 72});
 }
 TEST_CASE("the terrain vehicle compiles into its trace") {
-  check_compilation("terrain_vehicle", {{{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective}, {}, 72});
+  check_compilation("terrain_vehicle", "terrain_vehicle",
+                    {{{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective}, {}, 72});
 }
 TEST_CASE("a drilled cube compiles into its trace") {
   view::Sampling sampling;
   sampling.width = 200;
   sampling.height = 150;
-  check_compilation("old_example002", {{{65, -95, 60}, {0, 0, -2}, view::Projection::orthographic}, sampling, 72});
+  check_compilation("old_example002", "old_example002",
+                    {{{65, -95, 60}, {0, 0, -2}, view::Projection::orthographic}, sampling, 72});
+}
+TEST_CASE("a drilled cube compiles into its trace of lines") {
+  testing::Setup setup{{{65, -95, 60}, {0, 0, -2}, view::Projection::orthographic}, {}, 96};
+  setup.sampling.width = 100;
+  setup.sampling.height = 75;
+  setup.kind = machines::Kind::scan_line;
+  check_compilation("old_example002_lines", "old_example002", setup);
+}
+TEST_CASE("fig. 2.3's object compiles into its trace of squares") {
+  testing::Setup setup{{{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic}, {}, 72};
+  setup.sampling.width = 150;
+  setup.sampling.height = 100;
+  setup.kind = machines::Kind::pixel_square;
+  setup.square = {16, 16};
+  check_compilation("thesis_fig_2_3_squares", "thesis_fig_2_3", setup);
 }

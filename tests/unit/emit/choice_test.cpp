@@ -130,6 +130,21 @@ TEST_CASE("products past the limit are refused, with the primitive's place and w
   }
 }
 
+TEST_CASE("surfaces of which each is one product are not counted as products, however many there are") {
+  std::string text = "intersection(){cube(size=900,center=true);union(){";
+  for (int i = 0; i < 80; ++i) text += at(4 * i - 160, 0, 0, "cube(size=[1,1,500],center=true);");
+  testing::Setup how = setup(emit::Strategy::stack);
+  how.kind = machines::Kind::scan_line;
+  how.camera = {{0, -1000, 0}, {0, 0, 0}, view::Projection::orthographic};
+  how.sampling.width = 512;
+  how.sampling.height = 512;
+  for (const unsigned bits : {3U, 4U}) {
+    CHECK(compiled(text + "}}", how).compile.rendered > emit::most_products);
+    how.options.strategy = emit::Strategy::bits;
+    how.options.stack_bits = bits;
+  }
+}
+
 TEST_CASE("more bits never mean more scan-conversions, and enough of them one a primitive") {
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {

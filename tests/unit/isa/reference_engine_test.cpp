@@ -165,10 +165,11 @@ TEST_CASE("a Program that asks is refused before it begins on a machine without 
   isa::Program program = two_segments();
   Recorder recorder;
   const std::array<Observer*, 1> observers{&recorder};
-  CHECK_THROWS_WITH_AS(make_reference_engine(machine)->run(program, observers),
-                       "segment 0, instruction 2: global_or needs a global OR, which the machine deaf does not have; "
-                       "compile the model for this machine, or take one whose global_or.present is 1",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      make_reference_engine(machine)->run(program, observers),
+      "segment 0, instruction 2: global_or needs a global OR, which the machine deaf does not have; "
+      "compile the model for this machine, or take one of kind frame-buffer whose global_or.present is 1",
+      InputError);
   CHECK(recorder.steps.empty());
   program.segments = {{{0, 0, 8, 4}, {all, skip(1), all}, 0, 0}};
   CHECK_THROWS_AS(make_reference_engine(machine)->run(program, {}), InputError);

@@ -219,7 +219,7 @@ TEST_CASE("a machine that works on parts of the picture refuses questions, and s
     machine.kind = kind;
     CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
           "segment 0, instruction 1: global_or needs a global OR, which the machine squares does not have; compile the "
-          "model for this machine, or take one whose global_or.present is 1");
+          "model for this machine, or take one of kind frame-buffer whose global_or.present is 1");
   }
   machine.kind = Kind::frame_buffer;
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
