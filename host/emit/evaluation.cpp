@@ -49,7 +49,8 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
       const model::Location& location = tree.primitives[one.primitive()].location;
       throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
                        ": with this primitive the tree multiplies out to more than " + std::to_string(most_products) +
-                       " products; take --strategy stack, list or auto, or more --stack-bits");
+                       " products; take --strategy stack, list or auto" +
+                       (options.strategy == Strategy::bits ? ", or more --stack-bits" : ""));
     }
   }
 }

@@ -68,7 +68,6 @@ void drop_outdone(const Context& context, std::vector<Facet>& facets, Side side,
 Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
   Deciding result;
   for (const std::uint32_t primitive : set) {
-    const std::size_t before = result.facets.size();
     for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
       if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
       const csg::Known known = known_of(context, halfspace, block);
@@ -77,7 +76,6 @@ Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Si
       if (known == csg::Known::depends) require_representable(context, primitive, halfspace);
       result.facets.push_back({primitive, halfspace});
     }
-    if (result.facets.size() == before) result.unbounded.push_back(primitive);
   }
   if (context.options.pruning.halfspaces && !result.nothing && result.facets.size() > 1) {
     drop_outdone(context, result.facets, side, block.pixels);

@@ -16,9 +16,8 @@ struct Facet {
 
 /// The half-spaces of a convex solid on one side that have to be broadcast for a block.
 struct Deciding {
-  std::vector<Facet> facets;             ///< in the order of primitives and faces
-  bool nothing = false;                  ///< one of them holds nothing of the block
-  std::vector<std::uint32_t> unbounded;  ///< primitives that have none, as all theirs hold the whole block
+  std::vector<Facet> facets;  ///< in the order of primitives and faces
+  bool nothing = false;       ///< one of them holds nothing of the block
 };
 
 /// Leaves out half-spaces that hold the whole block, and those that another one of the side stands before at every

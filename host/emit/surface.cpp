@@ -125,22 +125,13 @@ void emit_near_test(const Context& context, Broadcast& out, const Surface& surfa
   if (reaches) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, surface.block.pixels);
 }
 
-/// Puts in front of the facets of the first primitive that the near plane may cut open its cap: Z1 is 0 there. Caps of
-/// later ones are at the same depth, hence not seen.
-void add_cap(const Context& context, const Planned& planned, const Deciding& fronts, Surface& surface) {
-  const auto is_beyond = [&](const Facet& front) {
-    return context.range_of(front.halfspace, surface.block.pixels).low > 0;
-  };
-  if (std::any_of(fronts.facets.begin(), fronts.facets.end(), is_beyond)) return;
-  for (const std::uint32_t primitive : planned.set) {
-    const bool unbounded =
-        std::find(fronts.unbounded.begin(), fronts.unbounded.end(), primitive) != fronts.unbounded.end();
-    if (!unbounded && !context.view.extents[primitive].cut_by_near) continue;
-    const auto own = std::find_if(surface.facets.begin(), surface.facets.end(),
-                                  [&](const Facet& facet) { return facet.primitive >= primitive; });
-    surface.facets.insert(own, {primitive, {}, true});
-    return;
-  }
+/// Depth 0 is the near plane, whichever facets are there too: it may be what is seen unless the surface is behind it
+/// everywhere. Of several primitives it cuts open the first is seen.
+bool may_be_capped(const Context& context, const Planned& planned, const std::vector<Facet>& fronts) {
+  if (fronts.empty()) return true;
+  return planned.block.z_low <= 0 && std::none_of(fronts.begin(), fronts.end(), [&](const Facet& front) {
+           return context.range_of(front.halfspace, planned.block.pixels).low > 0;
+         });
 }
 
 /// Finds where each facet is seen by broadcasting it again, the mask holding what is left.
@@ -170,7 +161,8 @@ Surface emit_surface(const Context& context, Broadcast& out, const Planned& plan
   Surface surface{false, complemented ? backs.facets : fronts.facets, block};
   surface.nothing = fronts.nothing || backs.nothing || (complemented && surface.facets.empty());
   if (surface.nothing) return surface;
-  if (!complemented) add_cap(context, planned, fronts, surface);
+  if (!complemented && may_be_capped(context, planned, fronts.facets))
+    surface.facets.insert(surface.facets.begin(), {planned.primitive(), {}, true});
 
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
   out.plain(Opcode::enable_all);

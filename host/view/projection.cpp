@@ -55,6 +55,7 @@ isa::DepthScale fit_depth(const facet::Scene& scene, const model::Tree& tree, co
   double far = box.empty() ? 2.0 : box.high.z;
   if (frame.perspective) {
     if (far <= 0.0) return {true, 1.0, 2.0};  // all behind the eye
+    if (box.empty() && sampling.near) far = 2.0 * *sampling.near;
     near = sampling.near ? *sampling.near : std::max(near, far * near_floor);
     if (sampling.near) check_near(near, far);
   }

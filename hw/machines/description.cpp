@@ -186,8 +186,8 @@ class Reader {
       fail(node->source().begin,
            schema.least == schema.most
                ? fmt::format("{} is {}; the simulator knows {} only", schema.key, value->get(), schema.least)
-               : fmt::format("{} is {}; it takes {} to {} {}", schema.key, value->get(), schema.least, schema.most,
-                             schema.unit));
+               : fmt::format("{} is {}; it takes {} to {}{}{}", schema.key, value->get(), schema.least, schema.most,
+                             schema.unit.empty() ? "" : " ", schema.unit));
     return value->get();
   }
 

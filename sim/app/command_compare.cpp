@@ -12,6 +12,7 @@
 #include "sim/app/model_hash.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
+#include "sim/app/read_by.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/study/comparison.h"
 #include "sim/study/ranges.h"
@@ -36,6 +37,13 @@ struct Options {
   std::string progress = "auto";
 };
 
+std::vector<unsigned> fragments_of(const std::string& text) {
+  return text.empty() ? std::vector<unsigned>{} : study::parse_numbers(text, 3, most_fragments);
+}
+std::vector<unsigned> sides_of(const std::string& text) {
+  return text.empty() ? std::vector<unsigned>{} : study::parse_numbers(text, 1, isa::max_array_side);
+}
+
 /// The machine, with the picture that --size asks for.
 machines::Machine machine_named(const Options& options, const std::string& name) {
   ModelOptions one = options.model;
@@ -50,14 +58,9 @@ std::vector<study::ComparisonPoint> points_of(const Options& options, const std:
   const auto add = [&](const study::ComparisonPoint& point) {
     if (std::find(points.begin(), points.end(), point) == points.end()) points.push_back(point);
   };
-  if (!options.fragments.empty()) {
-    for (const unsigned fragments : study::parse_numbers(options.fragments, 3, most_fragments))
-      add({machine, base.width, base.height, static_cast<double>(fragments)});
-  }
-  if (!options.sides.empty()) {
-    for (const unsigned side : study::parse_numbers(options.sides, 1, isa::max_array_side))
-      add({machine, side, side, 0});
-  }
+  for (const unsigned fragments : fragments_of(options.fragments))
+    add({machine, base.width, base.height, static_cast<double>(fragments)});
+  for (const unsigned side : sides_of(options.sides)) add({machine, side, side, 0});
   return points;
 }
 
@@ -194,9 +197,12 @@ void add_compare(CLI::App& app) {
   command.add_option("--machines", options->machines, "List of machines, by name or .toml file")->capture_default_str();
   command
       .add_option("--fragments", options->fragments,
-                  "Numbers: $fn of all curved solids, to vary half-spaces; empty for the model's own only")
+                  "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
+                  "empty for the model's own only")
+      ->check(is_read_by(fragments_of))
       ->capture_default_str();
   command.add_option("--sides", options->sides, "Numbers: sides of square pictures in pixels; empty for one size only")
+      ->check(is_read_by(sides_of))
       ->capture_default_str();
   command.add_option("-o,--output", options->folder,
                      "Folder for compare.csv, compare.json and the plots; MODEL-compare if not given");

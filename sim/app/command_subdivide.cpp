@@ -11,6 +11,7 @@
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
+#include "sim/app/read_by.h"
 #include "sim/study/ranges.h"
 #include "sim/study/subdivision.h"
 
@@ -127,32 +128,39 @@ nlohmann::ordered_json to_json(const std::vector<Column>& columns) {
   return json;
 }
 
+std::vector<unsigned> levels_of(const std::string& text) {
+  constexpr unsigned most_levels = 20;
+  return study::parse_numbers(text, 0, most_levels);
+}
+
 std::vector<double> tolerances_of(const std::string& text) {
   std::vector<double> tolerances;
   for (const std::string& word : study::parse_words(text)) {
     tolerances.push_back(numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
-    if (!(tolerances.back() > 0)) throw CLI::ValidationError("--tolerances", "a tolerance has to be above 0");
+    if (!(tolerances.back() > 0)) throw InputError("a tolerance has to be above 0");
   }
   return tolerances;
 }
 
 void run(const Options& options) {
-  constexpr unsigned most_levels = 20;
-  const std::vector<unsigned> levels = study::parse_numbers(options.levels, 0, most_levels);
+  std::optional<OutputFile> file;
+  if (!options.json.empty()) file.emplace(options.json);
   std::vector<Column> columns;
   const auto add = [&](unsigned level, const std::optional<double>& tolerance) {
     columns.push_back(measure(options, level, tolerance));
   };
-  fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
-             options.model.model);
   const std::vector<double> tolerances =
       options.tolerances.empty() ? std::vector<double>{} : tolerances_of(options.tolerances);
-  for (const unsigned level : levels) {
+  for (const unsigned level : levels_of(options.levels)) {
     if (tolerances.empty()) add(level, std::nullopt);
     for (const double tolerance : tolerances) add(level, tolerance);
   }
+  fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
+             options.model.model);
   print_table(columns);
-  if (!options.json.empty()) write_file(options.json, to_json(columns).dump(2) + "\n");
+  if (!file) return;
+  file->write(to_json(columns).dump(2) + "\n");
+  file->commit();
 }
 
 }  // namespace
@@ -166,9 +174,14 @@ void add_subdivide(CLI::App& app) {
       "  csgsim subdivide carburettor.csg --size 256x256 --levels 6 --tolerances 0.2,0.05,0.01\n"
       "Levels are binary subdivisions of the picture into segments; each has 4 x 4 subsegments.");
   options->model.add_to(command);
-  command.add_option("--levels", options->levels, "Numbers: levels of binary subdivision")->capture_default_str();
-  command.add_option("--tolerances", options->tolerances,
-                     "List of tolerances, model units, that curved solids are faceted with");
+  command.add_option("--levels", options->levels, "Numbers: levels of binary subdivision, 0 to 20")
+      ->check(is_read_by(levels_of))
+      ->capture_default_str();
+  command
+      .add_option("--tolerances", options->tolerances,
+                  "List of tolerances, model units, that curved solids are faceted with")
+      ->check(is_read_by(tolerances_of))
+      ->excludes("--tolerance");
   command.add_option("-o,--output", options->json, "The same figures, .json");
   command.callback([options] { run(*options); });
 }

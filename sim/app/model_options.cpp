@@ -68,7 +68,8 @@ void ModelOptions::add_to(CLI::App& command) {
   command.add_option("MODEL", model, "The model, an OpenSCAD .csg file")->required();
   command.add_option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file")
       ->capture_default_str();
-  command.add_option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given");
+  command.add_option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
+      ->check(CLI::Range(1U, isa::max_memory_bits));
   add_view_to(command);
   command.add_option("--z-bits", z_bits, "Bits of depth")->capture_default_str();
   command

@@ -13,6 +13,7 @@
 #include "hw/isa/error.h"
 #include "hw/isa/instruction.h"
 #include "sim/app/model_hash.h"
+#include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
 #include "sim/study/ranges.h"
 
@@ -60,19 +61,6 @@ std::vector<std::string> colourings_of(const std::string& text) {
   return study::parse_names(text, names_of(emit::colourings));
 }
 std::vector<std::string> prunings_of(const std::string& text) { return study::parse_names(text, pruning_choices()); }
-
-/// For CLI11: the text is as the function wants it, or what is wrong with it.
-template <class Parse>
-std::function<std::string(const std::string&)> is_read_by(Parse parse) {
-  return [parse](const std::string& text) -> std::string {
-    try {
-      parse(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
-  };
-}
 
 study::SweepRanges ranges_of(const SweepOptions& options) {
   study::SweepRanges ranges;
