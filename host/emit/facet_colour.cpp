@@ -10,7 +10,7 @@ namespace {
 
 /// Out of the solid that is seen, in eye space.
 glm::dvec3 outward(const Context& context, const Facet& facet) {
-  if (facet.cap) return {0, 0, -1};
+  if (facet.at == At::cap) return {0, 0, -1};
   const view::Basis axes = view::basis(context.view.camera);
   const glm::dvec3& normal = context.scene.planes.planes()[facet.halfspace.plane].normal;
   const double sign = facet.halfspace.positive != context.complemented(facet.primitive) ? 1.0 : -1.0;

@@ -7,11 +7,18 @@
 
 namespace csgsim::emit {
 
-/// A half-space of a primitive, or, as its cap, the near plane where it cuts the primitive open.
+/// Where a facet is.
+enum class At : std::uint8_t {
+  plane,  ///< on the plane of its half-space
+  near,   ///< at depth 0, where rounding has taken it
+  cap,    ///< at depth 0, where the near plane cuts the primitive open; it has no half-space
+};
+
+/// A half-space of a primitive, as what is seen of it.
 struct Facet {
   std::uint32_t primitive = model::no_index;
   facet::Halfspace halfspace;
-  bool cap = false;
+  At at = At::plane;
 };
 
 /// The half-spaces of a convex solid on one side that have to be broadcast for a block.

@@ -4,6 +4,7 @@
 
 #include "host/emit/facet_colour.h"
 #include "host/emit/halfspaces.h"
+#include "host/emit/near_cap.h"
 
 namespace csgsim::emit {
 
@@ -17,9 +18,9 @@ isa::Origin origin_of(isa::Purpose purpose, const Planned& planned, const Facet&
   return {purpose, facet.primitive, planned.set.size() > 1 ? planned.primitive() : isa::no_node};
 }
 
-/// Where the facet is; a cap is at depth 0.
+/// Where the facet is.
 view::FixedLinear plane_of(const Context& context, const Facet& facet) {
-  return facet.cap ? view::FixedLinear{} : context.linear_of(facet.halfspace);
+  return facet.at != At::plane ? view::FixedLinear{} : context.linear_of(facet.halfspace);
 }
 
 /// Whether the facet fits Z1 wherever it is, before the other bound of the depth range too.
@@ -29,7 +30,7 @@ bool fits(const Context& context, const Facet& facet, const csg::Block& block, b
 }
 
 /// The extreme of the facets into Z1: the farthest of the fronts, or the nearest of the backs of a complemented
-/// primitive. Starts from the cap if there is one, else from a facet that fits Z1, else from the bound of the depth
+/// primitive. Starts from depth 0 if it may be there, else from a facet that fits Z1, else from the bound of the depth
 /// range.
 class Extreme {
  public:
@@ -39,8 +40,8 @@ class Extreme {
         planned_(planned),
         surface_(surface),
         farthest_front_(!context.complemented(planned.primitive())),
-        first_(
-            std::find_if(surface.facets.begin(), surface.facets.end(), [](const Facet& facet) { return facet.cap; })) {
+        first_(std::find_if(surface.facets.begin(), surface.facets.end(),
+                            [](const Facet& facet) { return facet.at != At::plane; })) {
     if (first_ != surface.facets.end()) return;
     first_ = std::find_if(surface.facets.begin(), surface.facets.end(),
                           [&](const Facet& facet) { return fits(context, facet, surface.block, farthest_front_); });
@@ -73,7 +74,7 @@ class Extreme {
  private:
   void start() {
     const isa::Field z1 = context_.layout.candidate;
-    if (first_ != surface_.facets.end() && !first_->cap) {
+    if (first_ != surface_.facets.end() && first_->at == At::plane) {
       out_.surface(Opcode::load_linear, z1, context_.linear_of(first_->halfspace), surface_.block.pixels);
     } else {
       out_.plain(Opcode::set_constant, z1, {}, farthest_front_ ? 0 : static_cast<std::uint64_t>(context_.farthest()));
@@ -125,15 +126,6 @@ void emit_near_test(const Context& context, Broadcast& out, const Surface& surfa
   if (reaches) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, surface.block.pixels);
 }
 
-/// Depth 0 is the near plane, whichever facets are there too: it may be what is seen unless the surface is behind it
-/// everywhere. Of several primitives it cuts open the first is seen.
-bool may_be_capped(const Context& context, const Planned& planned, const std::vector<Facet>& fronts) {
-  if (fronts.empty()) return true;
-  return planned.block.z_low <= 0 && std::none_of(fronts.begin(), fronts.end(), [&](const Facet& front) {
-           return context.range_of(front.halfspace, planned.block.pixels).low > 0;
-         });
-}
-
 /// Finds where each facet is seen by broadcasting it again, the mask holding what is left.
 void emit_colours(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface) {
   const Layout& layout = context.layout;
@@ -161,8 +153,8 @@ Surface emit_surface(const Context& context, Broadcast& out, const Planned& plan
   Surface surface{false, complemented ? backs.facets : fronts.facets, block};
   surface.nothing = fronts.nothing || backs.nothing || (complemented && surface.facets.empty());
   if (surface.nothing) return surface;
-  if (!complemented && may_be_capped(context, planned, fronts.facets))
-    surface.facets.insert(surface.facets.begin(), {planned.primitive(), {}, true});
+  if (!complemented && may_reach_near(context, fronts.facets, block))
+    surface.facets.insert(surface.facets.begin(), at_near(context, planned.primitive()));
 
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
   out.plain(Opcode::enable_all);

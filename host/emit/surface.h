@@ -11,7 +11,7 @@ namespace csgsim::emit {
 /// complemented.
 struct Surface {
   bool nothing = false;       ///< no pixel can have one; then nothing was emitted
-  std::vector<Facet> facets;  ///< what Z1 can come from, in order; the first may be a cap, where Z1 is 0
+  std::vector<Facet> facets;  ///< what Z1 can come from, in order; the first may be at depth 0
   csg::Block block;
 };
 

@@ -141,7 +141,7 @@ Extent make_extent(const facet::Convex& solid, const Frame& frame, const View& v
     inside += place / static_cast<double>(places.size());
   }
   const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
-  Extent extent{touched_pixels(places, sampling), 0, top, everywhere, {}};
+  Extent extent{touched_pixels(places, sampling), 0, top, everywhere, near_cuts, {}};
   if (extent.empty()) return extent;
   const double growth = growth_about(inside, solid, near_cuts, view);
   if (std::isfinite(growth)) {

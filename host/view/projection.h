@@ -64,6 +64,8 @@ struct Extent {
   std::int64_t z_high = 0;  ///< at most 2^n - 1
   facet::Box box;           ///< model space; infinite where no bound is known
 
+  bool cut_by_near = false;  ///< the near plane cuts the solid open
+
   /// Corners of a solid that holds it: columns, rows, depth steps. Empty where no bound is known.
   std::vector<glm::dvec3> corners;
 

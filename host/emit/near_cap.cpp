@@ -1,0 +1,72 @@
+#include "host/emit/near_cap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+
+namespace csgsim::emit {
+
+namespace {
+
+/// Pixels by which places in double precision may be off.
+constexpr double slack = 1e-6;
+
+using Polygon = std::vector<glm::dvec2>;
+
+Polygon corners(const view::PixelRect& pixels) {
+  const glm::dvec2 low{pixels.x0, pixels.y0};
+  const glm::dvec2 high{pixels.x1, pixels.y1};
+  return {low, {high.x, low.y}, high, {low.x, high.y}};
+}
+
+/// The part of a convex polygon where `value`, a linear function, is at most 0.
+template <class Value>
+Polygon clip(const Polygon& polygon, const Value& value) {
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2& here = polygon[i];
+    const glm::dvec2& next = polygon[(i + 1) % polygon.size()];
+    const double at_here = value(here);
+    const double at_next = value(next);
+    if (at_here <= 0) kept.push_back(here);
+    if ((at_here <= 0) != (at_next <= 0)) kept.push_back(here + (next - here) * (at_here / (at_here - at_next)));
+  }
+  return kept;
+}
+
+bool has_integer(double low, double high) { return std::ceil(low - slack) <= std::floor(high + slack); }
+
+}  // namespace
+
+bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, const csg::Block& block) {
+  if (fronts.empty()) return true;
+  if (block.z_low > 0) return false;
+  Polygon polygon = corners(block.pixels);
+  const double step = std::ldexp(1.0, static_cast<int>(context.view.sampling.fraction_bits));
+  for (const Facet& front : fronts) {
+    const view::FixedLinear& plane = context.linear_of(front.halfspace);
+    const auto a = static_cast<double>(plane.a);
+    const auto b = static_cast<double>(plane.b);
+    const double beyond = static_cast<double>(plane.c) - step;
+    polygon = clip(polygon, [&](const glm::dvec2& place) {
+      return a * place.x + b * place.y + beyond - slack * (std::abs(a) + std::abs(b) + step);
+    });
+  }
+  if (polygon.empty()) return false;
+  const auto [left, right] =
+      std::minmax_element(polygon.begin(), polygon.end(), [](const auto& p, const auto& q) { return p.x < q.x; });
+  const auto [top, bottom] =
+      std::minmax_element(polygon.begin(), polygon.end(), [](const auto& p, const auto& q) { return p.y < q.y; });
+  return has_integer(left->x, right->x) && has_integer(top->y, bottom->y);
+}
+
+Facet at_near(const Context& context, std::uint32_t primitive) {
+  const std::vector<facet::Halfspace>& halfspaces = context.scene.solids[primitive].halfspaces;
+  const auto front = std::find_if(halfspaces.begin(), halfspaces.end(), [&](const facet::Halfspace& halfspace) {
+    return view::side_of(context.view.planes[halfspace.plane], halfspace) == view::Side::front;
+  });
+  const bool cut = context.view.extents[primitive].cut_by_near || front == halfspaces.end();
+  return {primitive, cut ? facet::Halfspace{} : *front, cut ? At::cap : At::near};
+}
+
+}  // namespace csgsim::emit
