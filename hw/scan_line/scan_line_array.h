@@ -26,8 +26,8 @@ class ScanLineArray final : public sc_core::sc_module {
  public:
   ScanLineArray(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Draws a frame of one line or more, which has to fit the machine (machines::check_runs_on). What the listener throws
-  /// comes out when the machine is done.
+  /// Draws a frame of one line or more, which has to fit the machine (machines::check_runs_on). What the listener
+  /// throws comes out when the machine is done.
   RunReport run(const Frame& frame);
 
   /// The last frame's lines as the refresh ports delivered them, in the frame's order.
