@@ -76,9 +76,10 @@ isa::Segment compile_segment(const Context& context, ScanConversions& counts) {
   emit_setup(context, out);
   const std::size_t setup = segment.instructions.size();
   for (const Planned& one : plan.surfaces) {
-    emit_primitive(context, out, one, counts);
+    const Sides sides = deciding_sides(context, one);
+    emit_primitive(context, out, one, sides, counts);
     segment.kept_primitives += static_cast<std::uint32_t>(one.set.size());
-    segment.kept_halfspaces += count_deciding(context, one.set, {one.block.pixels, 0, context.farthest()});
+    segment.kept_halfspaces += sides.count();
   }
   if (segment.instructions.size() == setup && !is_whole) segment.instructions.clear();
   segment.comparisons = static_cast<std::uint32_t>(counts.classified - classified_before);

@@ -77,13 +77,13 @@ void emit_visible(const Context& context, Broadcast& out, const Planned& planned
 }
 
 /// Renders, classifies and merges one product.
-void emit_product(const Context& context, Broadcast& out, const Planned& planned,
+void emit_product(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
                   const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves,
                   ScanConversions& counts) {
   Planned product{planned.set, planned.block, {}};
   product.active.nodes = nodes;
   product.active.operands = std::move(leaves);
-  const Surface surface = emit_surface(context, out, planned);
+  const Surface surface = emit_surface(context, out, planned, sides);
   if (surface.nothing) return;
   emit_visible(context, out, planned, surface, counts,
                [&] { return emit_by_levels(context, out, product, all_levels); });
@@ -106,23 +106,25 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
 }
 
 /// Thesis 6.3: the products of the restructured tree, one after another.
-void emit_products(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
+void emit_products(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+                   ScanConversions& counts) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
   const std::vector<std::uint64_t> products = csg::count_products(rooted.nodes);
   for (std::uint64_t product = 0; product < products[rooted.root]; ++product) {
     std::vector<std::uint32_t> leaves = csg::product_leaves(rooted.nodes, products, rooted.root, product);
     if (!is_empty(context, rooted.nodes, leaves)) {
-      emit_product(context, out, planned, rooted.nodes, std::move(leaves), counts);
+      emit_product(context, out, planned, sides, rooted.nodes, std::move(leaves), counts);
     }
   }
 }
 
 /// Thesis 6.4 with three bits: the products of one traversal after another.
-void emit_traversals(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
+void emit_traversals(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+                     ScanConversions& counts) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
   do {
-    emit_product(context, out, planned, rooted.nodes, traversal.leaves(), counts);
+    emit_product(context, out, planned, sides, rooted.nodes, traversal.leaves(), counts);
   } while (traversal.next());
 }
 
@@ -150,14 +152,15 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
   return most;
 }
 
-void emit_primitive(const Context& context, Broadcast& out, const Planned& planned, ScanConversions& counts) {
+void emit_primitive(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+                    ScanConversions& counts) {
   const Options& options = context.options;
   if (renders_each_product(options) && !planned.active.operands.empty()) {
-    options.strategy == Strategy::products ? emit_products(context, out, planned, counts)
-                                           : emit_traversals(context, out, planned, counts);
+    options.strategy == Strategy::products ? emit_products(context, out, planned, sides, counts)
+                                           : emit_traversals(context, out, planned, sides, counts);
     return;
   }
-  const Surface surface = emit_surface(context, out, planned);
+  const Surface surface = emit_surface(context, out, planned, sides);
   if (surface.nothing) return;
   emit_visible(context, out, planned, surface, counts, [&]() -> std::uint64_t {
     if (planned.active.operands.empty()) return 0;

@@ -29,6 +29,11 @@ csg::Known known_of(const Context& context, facet::Halfspace halfspace, const cs
   return context.options.pruning.halfspaces || !representable ? known : csg::Known::depends;
 }
 
+bool is_edge_test(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
+  return context.view.planes[halfspace.plane].kind == view::PlaneKind::edge &&
+         known_of(context, halfspace, block) != csg::Known::in;
+}
+
 using Corners = std::array<std::int64_t, 4>;
 
 Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels) {
@@ -83,22 +88,27 @@ Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Si
   return result;
 }
 
-std::uint32_t count_deciding(const Context& context, std::span<const std::uint32_t> set, const csg::Block& block) {
-  std::size_t count = deciding(context, set, Side::front, block).facets.size() +
-                      deciding(context, set, Side::back, block).facets.size();
-  for (const std::uint32_t primitive : set) {
-    for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
-      const bool is_edge = context.view.planes[halfspace.plane].kind == view::PlaneKind::edge;
-      if (is_edge && known_of(context, halfspace, block) != csg::Known::in) ++count;
-    }
+std::uint32_t Sides::count() const {
+  return static_cast<std::uint32_t>(fronts.facets.size() + backs.facets.size()) + edges;
+}
+
+Sides deciding_sides(const Context& context, const Planned& planned) {
+  const csg::Block column{planned.block.pixels, 0, context.farthest()};
+  Sides sides{column, deciding(context, planned.set, Side::front, column),
+              deciding(context, planned.set, Side::back, column)};
+  for (const std::uint32_t primitive : planned.set) {
+    const std::vector<facet::Halfspace>& halfspaces = context.scene.solids[primitive].halfspaces;
+    sides.edges += static_cast<std::uint32_t>(
+        std::count_if(halfspaces.begin(), halfspaces.end(),
+                      [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, column); }));
   }
-  return static_cast<std::uint32_t>(count);
+  return sides;
 }
 
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block) {
   for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+    if (!is_edge_test(context, halfspace, block)) continue;
     const view::ScreenPlane& plane = context.view.planes[halfspace.plane];
-    if (plane.kind != view::PlaneKind::edge || known_of(context, halfspace, block) == csg::Known::in) continue;
     require_representable(context, primitive, halfspace);
     const bool positive = view::side_of(plane, halfspace) == Side::edge_positive;
     out.edge(positive ? isa::Opcode::edge_not_negative : isa::Opcode::edge_negative, plane.linear, block.pixels);

@@ -32,8 +32,19 @@ struct Deciding {
 /// where the coefficients of one that decides do not fit the machine.
 Deciding deciding(const Context& context, std::span<const std::uint32_t> set, view::Side side, const csg::Block& block);
 
-/// Half-spaces that would have to be broadcast to draw the solid's surface in a block, edge tests included.
-std::uint32_t count_deciding(const Context& context, std::span<const std::uint32_t> set, const csg::Block& block);
+/// What has to be broadcast to draw a solid's surface in a block's pixels. Half-spaces decide over the whole depth
+/// range, as Z1 is not known yet.
+struct Sides {
+  csg::Block column;  ///< the pixels, all depths
+  Deciding fronts;
+  Deciding backs;
+  std::uint32_t edges = 0;  ///< edge tests
+
+  /// Half-spaces, edge tests included.
+  [[nodiscard]] std::uint32_t count() const;
+};
+
+Sides deciding_sides(const Context& context, const Planned& planned);
 
 /// Edge tests of a primitive that cut the block: E stays 1 inside them.
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block);

@@ -11,7 +11,6 @@ namespace csgsim::emit {
 namespace {
 
 using isa::Opcode;
-using view::Side;
 
 /// The origin of what belongs to a facet.
 isa::Origin origin_of(isa::Purpose purpose, const Planned& planned, const Facet& facet) {
@@ -142,13 +141,11 @@ void emit_colours(const Context& context, Broadcast& out, const Planned& planned
 
 }  // namespace
 
-Surface emit_surface(const Context& context, Broadcast& out, const Planned& planned) {
+Surface emit_surface(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides) {
   const csg::Block& block = planned.block;
   const bool complemented = context.complemented(planned.primitive());
-  // Half-spaces decide over the whole depth range: Z1 is not known yet.
-  const csg::Block column{block.pixels, 0, context.farthest()};
-  const Deciding fronts = deciding(context, planned.set, Side::front, column);
-  const Deciding backs = deciding(context, planned.set, Side::back, column);
+  const Deciding& fronts = sides.fronts;
+  const Deciding& backs = sides.backs;
 
   Surface surface{false, complemented ? backs.facets : fronts.facets, block};
   surface.nothing = fronts.nothing || backs.nothing || (complemented && surface.facets.empty());
@@ -159,7 +156,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const Planned& plan
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
   out.plain(Opcode::enable_all);
   out.clip(block.pixels, context.plan.pixels());
-  for (const std::uint32_t primitive : planned.set) emit_edges(context, out, primitive, column);
+  for (const std::uint32_t primitive : planned.set) emit_edges(context, out, primitive, sides.column);
   Extreme extreme(context, out, planned, surface);
   context.layout.candidate_colour.width > 0 ? extreme.emit_with_colours() : extreme.emit();
   for (const Facet& other : complemented ? fronts.facets : backs.facets) {

@@ -16,7 +16,7 @@ struct Surface {
 };
 
 /// The surface into Z1, and its colour beside it if there is a field for it. Leaves E 1 where there is one.
-Surface emit_surface(const Context& context, Broadcast& out, const Planned& planned);
+Surface emit_surface(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides);
 
 /// Depth test: leaves E and the mask 1 where E is 1 and Z1 is nearer than Z2.
 void emit_depth_test(const Context& context, Broadcast& out, std::uint32_t primitive);

@@ -1,7 +1,5 @@
 #include "hw/pixel_planes/retirement.h"
 
-#include <utility>
-
 namespace csgsim::pixel_planes {
 
 Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {
@@ -19,13 +17,9 @@ void Retirement::begin(std::span<const isa::Segment> segments, RunListener& list
   enabled_ = 0;
   skipped_ = 0;
   answers_.clear();
-  thrown_ = nullptr;
+  guard_.begin();
   if (!segments_.empty()) enable->reset(segments_.front().region);
   finish_segments();
-}
-
-void Retirement::rethrow() {
-  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
 void Retirement::retire() {
@@ -40,7 +34,7 @@ void Retirement::retire() {
 }
 
 void Retirement::tell(const Account& account) {
-  guarded([&] {
+  guard_.run([&] {
     listener_->after_instruction({.segment = segment_,
                                   .index = index_,
                                   .clocks = account.clocks,
@@ -52,22 +46,12 @@ void Retirement::tell(const Account& account) {
 /// Goes on to the next segment that has an instruction to come.
 void Retirement::finish_segments() {
   while (segment_ < segments_.size() && index_ == segments_[segment_].instructions.size()) {
-    guarded([&] { listener_->after_segment(segment_); });
+    guard_.run([&] { listener_->after_segment(segment_); });
     ++segment_;
     index_ = 0;
     if (segment_ == segments_.size()) return;
     enabled_ = 0;
     enable->reset(segments_[segment_].region);
-  }
-}
-
-template <class Call>
-void Retirement::guarded(Call call) {
-  if (thrown_) return;
-  try {
-    call();
-  } catch (...) {
-    thrown_ = std::current_exception();
   }
 }
 

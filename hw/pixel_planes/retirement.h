@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <span>
 #include <systemc>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "hw/isa/program.h"
 #include "hw/pixel_planes/pixel_processors.h"
 #include "hw/pixel_planes/words.h"
+#include "hw/systemc/listener_guard.h"
 
 namespace csgsim::pixel_planes {
 
@@ -50,15 +50,12 @@ class Retirement final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
 
   /// Throws what the listener threw, if it did: the machine ran to its end without it.
-  void rethrow();
+  void rethrow() { guard_.rethrow(); }
 
  private:
   void retire();
   void tell(const Account& account);
   void finish_segments();
-
-  template <class Call>
-  void guarded(Call call);
 
   std::span<const isa::Segment> segments_;
   RunListener* listener_ = nullptr;
@@ -67,7 +64,7 @@ class Retirement final : public sc_core::sc_module {
   std::uint64_t enabled_ = 0;
   std::uint64_t skipped_ = 0;
   std::vector<bool> answers_;
-  std::exception_ptr thrown_;
+  kernel::ListenerGuard guard_;
 };
 
 }  // namespace csgsim::pixel_planes

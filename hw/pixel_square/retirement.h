@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
 #include <systemc>
 
 #include "hw/array/pixel_array.h"
+#include "hw/systemc/listener_guard.h"
 
 namespace csgsim::pixel_square {
 
@@ -41,17 +41,14 @@ class Retirement final : public sc_core::sc_module, public RetirementPort {
   void begin(RunListener& listener);
 
   /// Throws what the listener threw, if it did: the machine ran to its end without it.
-  void rethrow();
+  void rethrow() { guard_.rethrow(); }
 
   void carried_out(const Retired& retired, const array::PixelArray& pixels) override;
   void drawn(std::uint32_t segment, const array::PixelArray& pixels) override;
 
  private:
-  template <class Call>
-  void guarded(Call call);
-
   RunListener* listener_ = nullptr;
-  std::exception_ptr thrown_;
+  kernel::ListenerGuard guard_;
 };
 
 }  // namespace csgsim::pixel_square

@@ -1,7 +1,5 @@
 #include "hw/scan_line/retirement.h"
 
-#include <utility>
-
 namespace csgsim::scan_line {
 
 Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {
@@ -11,19 +9,10 @@ Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) 
   sensitive << departed;
 }
 
-void Retirement::rethrow() {
-  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
-}
-
 void Retirement::retire() {
   EntryAccount account;
   if (!accounts.nb_read(account)) SC_REPORT_FATAL("csgsim", "a packet left the chain that nobody accounted for");
-  if (thrown_) return;
-  try {
-    tell(exit->departure(), account);
-  } catch (...) {
-    thrown_ = std::current_exception();
-  }
+  guard_.run([&] { tell(exit->departure(), account); });
 }
 
 void Retirement::tell(const Departure& departure, const EntryAccount& account) {

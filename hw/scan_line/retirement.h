@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
 #include <systemc>
 
 #include "hw/scan_line/cell_chain.h"
 #include "hw/scan_line/frame.h"
 #include "hw/scan_line/words.h"
+#include "hw/systemc/listener_guard.h"
 
 namespace csgsim::scan_line {
 
@@ -22,14 +22,14 @@ class Retirement final : public sc_core::sc_module {
   void begin(RunListener& listener) { listener_ = &listener; }
 
   /// Throws what the listener threw, if it did: the machine ran to its end without it.
-  void rethrow();
+  void rethrow() { guard_.rethrow(); }
 
  private:
   void retire();
   void tell(const Departure& departure, const EntryAccount& account);
 
   RunListener* listener_ = nullptr;
-  std::exception_ptr thrown_;
+  kernel::ListenerGuard guard_;
 };
 
 }  // namespace csgsim::scan_line

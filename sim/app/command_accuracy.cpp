@@ -9,6 +9,7 @@
 #include "hw/isa/output_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
+#include "sim/app/study_files.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
 #include "sim/study/plots.h"
@@ -64,15 +65,6 @@ void print_front(const std::vector<study::Measurement>& rows) {
   }
 }
 
-void write_json(const std::filesystem::path& path, const std::string& title,
-                const std::vector<study::Measurement>& rows) {
-  nlohmann::ordered_json json;
-  json["study"] = title;
-  json["points"] = nlohmann::ordered_json::array();
-  for (const study::Measurement& row : rows) json["points"].push_back(study::to_json(row));
-  write_file(path, json.dump(2) + "\n");
-}
-
 void run(const Options& options) {
   machines::Machine machine = machine_of(options.model);
   machine.array.memory_bits = study::ample_memory_bits;
@@ -81,10 +73,7 @@ void run(const Options& options) {
   const facet::Scene scene = facet::make_scene(tree, faceting);
   if (scene.box.empty()) throw InputError(options.model.model + ": nothing in it to measure; every solid is empty");
   const view::Camera camera = camera_of(options.model, machine, scene);
-  const std::filesystem::path folder = options.folder;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(options.folder + ": cannot be made a folder (" + error.message() + ")");
+  const std::filesystem::path folder = study_folder(options.folder);
 
   const std::string title = title_of(options, machine, camera);
   study::Table<study::Measurement> table(folder / "accuracy.csv", title);
@@ -101,7 +90,7 @@ void run(const Options& options) {
   if (show) fmt::print(stderr, "\r\x1b[K");
   print_table(table.rows());
   print_front(table.rows());
-  write_json(folder / "accuracy.json", title, table.rows());
+  write_points(folder / "accuracy.json", title, table.rows(), study::to_json<study::Measurement>);
   if (!options.no_plots) {
     study::draw_plots(table.rows(), std::filesystem::path(options.model.model).stem().string(), folder);
   }

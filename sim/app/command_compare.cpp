@@ -13,6 +13,7 @@
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
 #include "sim/app/read_by.h"
+#include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/study/comparison.h"
 #include "sim/study/ranges.h"
@@ -164,16 +165,11 @@ void refuse_differences(const Rows& rows) {
 void run(const Options& options) {
   const Study study = study_of(options);
   const std::string stem = std::filesystem::path(options.model.model).stem().string();
-  const std::filesystem::path folder = options.folder.empty() ? stem + "-compare" : options.folder;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": cannot be made a folder (" + error.message() + ")");
+  const std::filesystem::path folder = study_folder(options.folder.empty() ? stem + "-compare" : options.folder);
   const std::string title = title_of(options);
   Table table(folder / "compare.csv", title);
   const Rows rows = complete(options, study, table);
-  nlohmann::ordered_json json{{"study", title}, {"points", nlohmann::ordered_json::array()}};
-  for (const study::ComparisonRow& row : rows) json["points"].push_back(study::to_json(row));
-  write_file(folder / "compare.json", json.dump(2) + "\n");
+  write_points(folder / "compare.json", title, rows, study::to_json<study::ComparisonRow>);
   print_rows(rows);
   if (!options.no_plots) study::draw_comparison(rows, study.base, stem, folder);
   refuse_differences(rows);

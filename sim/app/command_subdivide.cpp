@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "hw/isa/error.h"
 #include "hw/isa/output_file.h"
@@ -42,11 +43,22 @@ struct Column {
 /// Rounded up, so that the squares cover the picture.
 std::uint32_t part_of(std::uint32_t side, std::uint32_t parts) { return std::max((side + parts - 1) / parts, 1U); }
 
-Column measure(const Options& options, unsigned levels, const std::optional<double>& tolerance) {
-  const machines::Machine machine = machine_of(options.model);
+/// What all columns are of.
+struct Subject {
+  machines::Machine machine;
+  model::Tree tree;
+};
+
+Subject subject_of(const Options& options) {
+  machines::Machine machine = machine_of(options.model);
   if (machine.kind != machines::Kind::pixel_square)
     throw InputError(machine.name + " does not draw square by square; take a machine of kind pixel-square");
-  const model::Tree tree = read_model(options.model);
+  return {std::move(machine), read_model(options.model)};
+}
+
+Column measure(const Options& options, const Subject& subject, unsigned levels,
+               const std::optional<double>& tolerance) {
+  const auto& [machine, tree] = subject;
   const facet::Scene scene = facet::make_scene(
       tree, tolerance ? facet::Faceting{tolerance, std::nullopt} : faceting_of(options.model, machine, tree));
   const view::View view =
@@ -145,9 +157,10 @@ std::vector<double> tolerances_of(const std::string& text) {
 void run(const Options& options) {
   std::optional<OutputFile> file;
   if (!options.json.empty()) file.emplace(options.json);
+  const Subject subject = subject_of(options);
   std::vector<Column> columns;
   const auto add = [&](unsigned level, const std::optional<double>& tolerance) {
-    columns.push_back(measure(options, level, tolerance));
+    columns.push_back(measure(options, subject, level, tolerance));
   };
   const std::vector<double> tolerances =
       options.tolerances.empty() ? std::vector<double>{} : tolerances_of(options.tolerances);

@@ -10,6 +10,7 @@
 #include "hw/isa/error.h"
 #include "hw/isa/output_file.h"
 #include "sim/app/commands.h"
+#include "sim/app/study_files.h"
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/sweep_report.h"
@@ -67,12 +68,6 @@ Rows complete(const SweepOptions& options, const std::vector<study::SweepJob>& j
   return rows;
 }
 
-void write_json(const std::filesystem::path& path, const std::string& title, const Rows& rows) {
-  nlohmann::ordered_json json{{"study", title}, {"points", nlohmann::ordered_json::array()}};
-  for (const SweepRow& row : rows) json["points"].push_back(study::sweep_json(row));
-  write_file(path, json.dump(2) + "\n");
-}
-
 /// Rows of each model, by a name for its plots: that of its file, numbered where several have it.
 std::vector<std::pair<std::string, Rows>> by_model(const Rows& rows) {
   std::vector<std::pair<std::string, Rows>> models;
@@ -111,14 +106,11 @@ void refuse_failures(const SweepOptions& options, const Rows& rows) {
 
 void run(const SweepOptions& options) {
   const std::vector<study::SweepJob> jobs = jobs_of(options);
-  const std::filesystem::path folder = options.folder;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(options.folder + ": cannot be made a folder (" + error.message() + ")");
+  const std::filesystem::path folder = study_folder(options.folder);
   const std::string title = title_of(options);
   Table table(folder / "sweep.csv", title);
   const Rows rows = complete(options, jobs, table);
-  write_json(folder / "sweep.json", title, rows);
+  write_points(folder / "sweep.json", title, rows, study::sweep_json);
   for (const auto& [name, of_model] : by_model(rows)) {
     print_sweep(of_model);
     if (!options.no_plots) study::draw_sweep(of_model, name, folder);

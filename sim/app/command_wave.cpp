@@ -77,12 +77,6 @@ void record(const Options& options, const CLI::App& command) {
   OutputFile file(options.output);
   OutputFile view(view_path);
   machines::Machine machine = machine_of(options.model);
-  if (machine.kind != machines::Kind::frame_buffer) {
-    throw InputError(
-        fmt::format("{} works on parts of the picture, of which no waves are recorded; take a machine of "
-                    "kind {}",
-                    machine.name, machines::name_of(machines::Kind::frame_buffer)));
-  }
   const isa::Program program = program_of(options.model, machine);
   const pixel_planes::WaveRequest request = request_of(options, program, file.path());
   const sim::RecordedRun run =

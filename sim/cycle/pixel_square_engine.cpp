@@ -53,19 +53,6 @@ class Relay final : public pixel_square::RunListener {
   std::uint64_t overflows_ = 0;
 };
 
-/// Every pixel of the picture is in a segment.
-bool covers(const isa::Program& program, machines::Size picture) {
-  std::vector<bool> seen(std::size_t{picture.width} * picture.height);
-  for (const isa::Segment& segment : program.segments) {
-    const isa::Region& region = segment.region;
-    for (std::size_t y = region.y; y < std::size_t{region.y} + region.height; ++y) {
-      const auto row = seen.begin() + static_cast<std::ptrdiff_t>(y * picture.width + region.x);
-      std::fill_n(row, region.width, true);
-    }
-  }
-  return std::find(seen.begin(), seen.end(), false) == seen.end();
-}
-
 class PixelSquareEngine final : public Engine {
  public:
   PixelSquareEngine(PixelSquareMachine& hardware, const machines::Machine& machine)
@@ -81,7 +68,8 @@ class PixelSquareEngine final : public Engine {
     pixel_square::RunReport report = hardware_.run(program, relay);
     RunResult result{
         .clocks = report.clocks, .overflows = relay.overflows(), .answers = {}, .account = std::move(report.account)};
-    if (isa::field_of(program, isa::FieldRole::colour).width > 0 && covers(program, machine_.picture)) {
+    const bool fills_picture = machine_.picture == machines::Size{program.shape.width, program.shape.height};
+    if (fills_picture && isa::field_of(program, isa::FieldRole::colour).width > 0) {
       result.scanned_out.assign(hardware_.picture().begin(), hardware_.picture().end());
     }
     return result;

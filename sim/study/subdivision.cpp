@@ -22,8 +22,7 @@ Squares measure_squares(const Subdivided& subdivided, const machines::Size& squa
     squares.kept_primitives += segment.kept_primitives;
     squares.kept_halfspaces += segment.kept_halfspaces;
     squares.comparisons += segment.comparisons;
-    for (const isa::Instruction& instruction : segment.instructions)
-      squares.instruction_clocks += machines::clocks(instruction, machine);
+    squares.instruction_clocks += machines::clocks(segment.instructions, machine);
   }
   const auto touched = static_cast<double>(std::max<std::uint64_t>(squares.touched, 1));
   for (double* sum : {&squares.primitives, &squares.halfspaces, &squares.kept_primitives, &squares.kept_halfspaces,

@@ -18,9 +18,7 @@ foreach(row IN ITEMS
     "width=1 height=1 picture_width=5 picture_height=4 renderers=2 buffers=1 depth=2 port=1 bits=33 programs=200"
     "width=16 height=16 picture_width=40 picture_height=33 renderers=2 buffers=2 depth=64 port=32 bits=72 programs=15"
     "halfspace=100 primitive=30 host=7 depth=4 renderers=2 buffers=2 port=24" "host=2 depth=1 port=24")
-  separate_arguments(arguments UNIX_COMMAND "${row}")
-  add_test(NAME "lockstep: squares ${row}" COMMAND lockstep_squares ${arguments})
-  set_tests_properties("lockstep: squares ${row}" PROPERTIES LABELS lockstep TIMEOUT 300)
+  csgsim_lockstep_row(lockstep_squares "squares ${row}" "${row}")
 endforeach()
 
 csgsim_test(pixel_square
