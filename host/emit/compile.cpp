@@ -9,7 +9,7 @@
 #include "host/emit/context.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/halfspaces.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
 

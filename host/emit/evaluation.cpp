@@ -11,7 +11,7 @@
 #include "host/emit/levels.h"
 #include "host/emit/parallel.h"
 #include "host/emit/surface.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::emit {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::emit {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "host/view/projection.h"
+#include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
-#include "hw/isa/error.h"
 
 namespace csgsim::emit {
 

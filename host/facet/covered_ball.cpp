@@ -7,7 +7,7 @@
 #include <string>
 
 #include "host/facet/degrees.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::facet {
 

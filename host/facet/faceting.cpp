@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host/facet/fragments.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::facet {
 

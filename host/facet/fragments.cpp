@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::facet {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::facet {
 

@@ -11,7 +11,7 @@
 #include "host/facet/covered_ball.h"
 #include "host/facet/degrees.h"
 #include "host/facet/fragments.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::facet {
 

@@ -7,7 +7,7 @@
 #include "host/read/limits.h"
 #include "host/read/placement.h"
 #include "host/read/solids.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::read {
 

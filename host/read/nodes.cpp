@@ -7,7 +7,7 @@
 #include <array>
 
 #include "host/read/source.h"
-#include "hw/isa/nearest.h"
+#include "hw/base/nearest.h"
 
 namespace csgsim::read {
 
@@ -111,7 +111,7 @@ std::string_view near_name(std::string_view name, Names candidates) {
   std::size_t best_edits = std::max<std::size_t>(2, name.size() / 2) + 1;
   if (name.size() > 40) return best;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = isa::edit_distance(name, candidate);
+    const std::size_t distance = edit_distance(name, candidate);
     if (distance < best_edits && distance < candidate.size()) {
       best = candidate;
       best_edits = distance;

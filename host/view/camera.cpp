@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::view {
 

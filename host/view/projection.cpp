@@ -7,8 +7,8 @@
 
 #include "host/view/extent.h"
 #include "host/view/frame.h"
+#include "hw/base/error.h"
 #include "hw/isa/depth_scale.h"
-#include "hw/isa/error.h"
 
 namespace csgsim::view {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "hw/base/error.h"
 #include "hw/isa/bytes.h"
-#include "hw/isa/error.h"
 #include "hw/isa/metadata.h"
 #include "hw/isa/operands.h"
 

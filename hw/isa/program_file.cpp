@@ -1,48 +1,28 @@
 #include "hw/isa/program_file.h"
 
-#include <fmt/format.h>
-
-#include <cerrno>
-#include <fstream>
-#include <iterator>
+#include <cstddef>
 #include <span>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "hw/base/input_file.h"
+#include "hw/base/output_file.h"
 #include "hw/isa/binary.h"
-#include "hw/isa/error.h"
-#include "hw/isa/output_file.h"
 #include "hw/isa/text.h"
 
 namespace csgsim::isa {
 
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::string_view what, const std::error_code& error) {
-  throw InputError(fmt::format("{}: cannot {}: {}; check the path and its permissions", path.string(), what,
-                               error ? error.message() : "input/output error"));
-}
-
-std::error_code last_error() { return {errno, std::generic_category()}; }
-
-std::string read_file(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) fail(path, "read it", std::make_error_code(std::errc::is_a_directory));
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(path, "read it", last_error());
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) fail(path, "read it", last_error());
-  return content;
-}
+constexpr InputKind program_file{"a .csgt file", std::size_t{1} << 30U, "draw a smaller picture, or fewer primitives"};
 
 }  // namespace
 
 Program load_program(const std::filesystem::path& path) {
-  const std::string content = read_file(path);
+  const std::string content = read_file(path, program_file);
   const auto bytes = std::as_bytes(std::span(content));
-  return is_binary(bytes) ? decode(bytes, path.string()) : parse(content, path.string());
+  return is_binary(bytes) ? decode(bytes, path.native()) : parse(content, path.native());
 }
 
 void save_program(const Program& program, const std::filesystem::path& path, ProgramForm form) {

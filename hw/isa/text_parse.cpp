@@ -1,7 +1,7 @@
 #include <string>
 #include <utility>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/isa/text.h"
 #include "hw/isa/text_grammar.h"
 #include "hw/isa/words.h"

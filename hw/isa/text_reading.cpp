@@ -9,9 +9,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "hw/base/error.h"
+#include "hw/base/nearest.h"
 #include "hw/isa/describe.h"
-#include "hw/isa/error.h"
-#include "hw/isa/nearest.h"
 #include "hw/isa/validate.h"
 #include "hw/isa/words.h"
 

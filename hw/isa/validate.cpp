@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
-#include "hw/isa/error.h"
 #include "hw/isa/operands.h"
 
 namespace csgsim::isa {

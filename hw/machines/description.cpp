@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "hw/isa/error.h"
-#include "hw/isa/nearest.h"
+#include "hw/base/error.h"
+#include "hw/base/nearest.h"
 #include "hw/machines/schema.h"
 
 namespace csgsim::machines {
@@ -140,7 +140,7 @@ class Reader {
   [[noreturn]] void fail_unknown(const toml::key& key, std::span<const std::string_view> known,
                                  std::string_view prefix) const {
     fail(key.source().begin, fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix, key.str(),
-                                         isa::nearest(key.str(), known)));
+                                         nearest(key.str(), known)));
   }
 
   void read_figure(const toml::table& table, const FigureSchema& schema, const toml::source_position& place) {

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <cstddef>
 
-#include "hw/isa/error.h"
-#include "hw/isa/nearest.h"
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/nearest.h"
 #include "hw/machines/built_in.h"
 #include "hw/machines/description.h"
 
@@ -16,15 +15,8 @@ namespace csgsim::machines {
 
 namespace {
 
-std::string read_file(const std::string& path) {
-  if (std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: cannot be read; it is a folder, give the machine file in it", path));
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open() || file.bad())
-    throw InputError(fmt::format("{}: cannot be read; check the path of the machine file", path));
-  return text;
-}
+constexpr InputKind machine_file{"a machine file, which ends in .toml", std::size_t{1} << 20U,
+                                 "a machine is described in far less"};
 
 }  // namespace
 
@@ -59,13 +51,15 @@ std::vector<std::string_view> built_in_names() {
   return names;
 }
 
+bool is_file(std::string_view name_or_file) { return name_or_file.ends_with(".toml"); }
+
 Machine load(const std::string& name_or_file) {
-  if (name_or_file.ends_with(".toml")) return read_description(read_file(name_or_file), name_or_file);
+  if (is_file(name_or_file)) return read_description(read_file(name_or_file, machine_file), name_or_file);
   const auto found = std::find_if(built_in().begin(), built_in().end(),
                                   [&name_or_file](const BuiltIn& machine) { return machine.name == name_or_file; });
   if (found == built_in().end())
     throw InputError(fmt::format("unknown machine '{}'; the nearest known is '{}', and a file's name ends in .toml",
-                                 name_or_file, isa::nearest(name_or_file, built_in_names())));
+                                 name_or_file, nearest(name_or_file, built_in_names())));
   return read_description(found->text, fmt::format("{}.toml", found->name));
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/regions.h"
 

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "hw/isa/error.h"
-#include "hw/isa/output_file.h"
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
 #include "sim/app/study_files.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "hw/isa/error.h"
-#include "hw/isa/output_file.h"
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_hash.h"

@@ -2,7 +2,7 @@
 #include <memory>
 #include <sstream>
 
-#include "hw/isa/output_file.h"
+#include "hw/base/output_file.h"
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
 #include "sim/app/commands.h"

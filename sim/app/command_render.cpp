@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/accuracy/errors.h"
 #include "sim/accuracy/explain.h"
 #include "sim/accuracy/truth.h"

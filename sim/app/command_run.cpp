@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/isa/program_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/paths.h"

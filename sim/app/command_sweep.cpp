@@ -7,8 +7,8 @@
 #include <new>
 #include <utility>
 
-#include "hw/isa/error.h"
-#include "hw/isa/output_file.h"
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_options.h"

@@ -1,13 +1,15 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "hw/isa/error.h"
-#include "hw/isa/output_file.h"
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
+#include "hw/base/pipe_into.h"
 #include "hw/isa/program_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
@@ -78,7 +80,8 @@ void record(const Options& options, const CLI::App& command) {
   OutputFile view(view_path);
   machines::Machine machine = machine_of(options.model);
   const isa::Program program = program_of(options.model, machine);
-  const pixel_planes::WaveRequest request = request_of(options, program, file.path());
+  PipeInto pipe(file, ".vcd");
+  const pixel_planes::WaveRequest request = request_of(options, program, pipe.path());
   const sim::RecordedRun run =
       with_memory_for(machine.array, [&] { return sim::run_and_record(machine, program, {}, request); });
   if (!run.window_reached) {
@@ -87,9 +90,9 @@ void record(const Options& options, const CLI::App& command) {
                     run.result.clocks, options.window));
   }
   refuse_overflow(run.result);
+  pipe.finish();
   view.write(gtkwave_view(request, options.output, machine));
-  file.commit();
-  view.commit();
+  commit_all(std::array{&file, &view});
   fmt::print("{}: clocks {} of {}, {} pixels; to look at it: gtkwave {}\n", options.output, options.window,
              run.result.clocks, request.probes.size(), view_path.string());
 }

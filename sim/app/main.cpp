@@ -5,8 +5,8 @@
 #include <iostream>
 #include <new>
 
-#include "hw/isa/error.h"
-#include "hw/isa/partial_files.h"
+#include "hw/base/error.h"
+#include "hw/base/partial_files.h"
 #include "sim/app/commands.h"
 #include "sim/app/usage.h"
 

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::app {

@@ -10,7 +10,7 @@
 #include "host/facet/scene.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::app {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/app/memory.h"
 #include "sim/app/paths.h"
 #include "sim/app/run_outputs.h"

@@ -36,20 +36,22 @@ RunOutputs::RunOutputs(const RunOptions& options) {
   open(stats_, options.stats);
 }
 
-void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& program) const {
+void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& program) {
   if (picture_) sim::write_picture(*picture_, frame, program);
   if (depth_) sim::write_depth(*depth_, frame, program);
   if (owner_) sim::write_owner(*owner_, frame);
 }
 
-void RunOutputs::write_stats(const nlohmann::ordered_json& stats) const {
+void RunOutputs::write_stats(const nlohmann::ordered_json& stats) {
   if (stats_) stats_->write(stats.dump(2) + "\n");
 }
 
 void RunOutputs::commit() {
+  std::vector<OutputFile*> files;
   for (std::optional<OutputFile>* file : {&picture_, &depth_, &owner_, &stats_}) {
-    if (*file) (*file)->commit();
+    if (*file) files.push_back(&**file);
   }
+  commit_all(files);
 }
 
 }  // namespace csgsim::app

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "hw/isa/output_file.h"
+#include "hw/base/output_file.h"
 #include "sim/app/run_options.h"
 
 namespace csgsim::app {
@@ -14,8 +14,8 @@ class RunOutputs {
   /// Throws CLI::ValidationError for two files of the same name, InputError for one that cannot be written.
   explicit RunOutputs(const RunOptions& options);
 
-  void write_pictures(const sim::Frame& frame, const isa::Program& program) const;
-  void write_stats(const nlohmann::ordered_json& stats) const;
+  void write_pictures(const sim::Frame& frame, const isa::Program& program);
+  void write_stats(const nlohmann::ordered_json& stats);
   void commit();
 
  private:

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::app {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "hw/isa/output_file.h"
+#include "hw/base/output_file.h"
 
 namespace csgsim::app {
 

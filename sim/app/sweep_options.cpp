@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/isa/instruction.h"
 #include "sim/app/model_hash.h"
 #include "sim/app/read_by.h"

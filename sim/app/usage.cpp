@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hw/isa/nearest.h"
+#include "hw/base/nearest.h"
 
 namespace csgsim::app {
 
@@ -33,7 +33,7 @@ std::vector<std::string> option_names(CLI::App& command) {
 /// A question after a blank, or nothing where no known word is like it.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::vector<std::string_view> candidates(known.begin(), known.end());
-  const std::string_view nearest = isa::nearest_alike(word, candidates);
+  const std::string_view nearest = nearest_alike(word, candidates);
   return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::sim {
 

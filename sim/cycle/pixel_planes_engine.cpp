@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/runs_on.h"
 #include "hw/pixel_planes/pixel_planes.h"
 #include "sim/cycle/array_state.h"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "hw/isa/output_file.h"
+#include "hw/base/output_file.h"
 #include "sim/observe/frame.h"
 
 namespace csgsim::sim {
@@ -11,13 +11,13 @@ namespace csgsim::sim {
 void check_format(const std::filesystem::path& path);
 
 /// The picture, 8 bits a channel, in the format that the file's extension names. Throws InputError.
-void write_picture(const OutputFile& file, const Frame& frame, const isa::Program& program);
+void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program);
 
 /// Distances from the eye along the view axis in model units, one float channel Z, infinite where nothing is seen
 /// (EXR).
-void write_depth(const OutputFile& file, const Frame& frame, const isa::Program& program);
+void write_depth(OutputFile& file, const Frame& frame, const isa::Program& program);
 
 /// Index of the primitive seen at each pixel, one float channel `owner`, -1 where nothing is seen (EXR).
-void write_owner(const OutputFile& file, const Frame& frame);
+void write_owner(OutputFile& file, const Frame& frame);
 
 }  // namespace csgsim::sim

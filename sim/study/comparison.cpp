@@ -4,7 +4,7 @@
 #include <array>
 
 #include "host/emit/compile.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"

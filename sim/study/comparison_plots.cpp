@@ -74,13 +74,13 @@ std::string script_of(std::span<const ComparisonRow> rows, const View& view, con
     }
     data += "EOD\n";
     plots += fmt::format("{}{} using 1:2 with linespoints pt 7 lw 2 title {} noenhanced",
-                         plots.empty() ? "plot " : ", ", name, quoted(machine));
+                         plots.empty() ? "plot " : ", ", name, plot_text(machine));
   }
   if (!varies) return {};
   return fmt::format(
       "set title {} noenhanced\nset xlabel '{}'\nset ylabel 'time of a frame, ms'\nset logscale xy\nset grid\n"
       "set key outside bottom horizontal\nset yrange [{}:{}]\nset offsets graph 0.05, graph 0.05, 0, 0\n{}{}\n",
-      quoted(fmt::format("{}: machines against {}", model, view.title)), view.title, least / 1.5, most * 1.5, data,
+      plot_text(fmt::format("{}: machines against {}", model, view.title)), view.title, least / 1.5, most * 1.5, data,
       plots);
 }
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "hw/isa/output_file.h"
+#include "hw/base/output_file.h"
 
 namespace csgsim::study {
 

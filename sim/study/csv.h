@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::study {
 

@@ -1,36 +1,113 @@
 #include "sim/study/gnuplot.h"
 
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <cstdio>
-#include <memory>
+#include <array>
+#include <cerrno>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
+#include "hw/base/memory_file.h"
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "sim/study/hash.h"
 
 namespace csgsim::study {
 
 namespace {
 
-std::string output(const std::filesystem::path& file, PlotSize size) {
-  const bool svg = file.extension() == ".svg";
-  return fmt::format("set terminal {} size {},{} font 'sans,{}'\nset output {}\n",
-                     svg ? "svg background 'white'" : "pngcairo", size.width, size.height, svg ? 14 : 11,
-                     quoted(file.string()));
+std::string terminal(std::string_view ending, PlotSize size) {
+  const bool svg = ending == ".svg";
+  return fmt::format("set terminal {} size {},{} font 'sans,{}'\nset output\n",
+                     svg ? "svg background 'white'" : "pngcairo", size.width, size.height, svg ? 14 : 11);
 }
 
-void run_gnuplot(const std::string& script) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen("gnuplot", "w"), ::pclose);
-  if (!pipe || std::fputs(script.c_str(), pipe.get()) == EOF || std::fflush(pipe.get()) != 0) {
-    throw InputError("gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
+/// What the child's standard files are connected to.
+class Actions {
+ public:
+  Actions() { ::posix_spawn_file_actions_init(&actions_); }
+  ~Actions() { ::posix_spawn_file_actions_destroy(&actions_); }
+  Actions(const Actions&) = delete;
+  Actions& operator=(const Actions&) = delete;
+  void connect(const MemoryFile& file, int number) {
+    ::posix_spawn_file_actions_adddup2(&actions_, file.descriptor().number(), number);
   }
+  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// The first line of what gnuplot says.
+std::string complaint(const MemoryFile& errors) {
+  const std::string all = errors.content();
+  const std::size_t begin = std::min(all.find_first_not_of(" \n"), all.size());
+  return all.substr(begin, all.find('\n', begin) - begin);
+}
+
+/// What gnuplot draws when it reads the script and nothing else, not even its user's settings.
+std::string drawn_by(const std::string& script) {
+  const MemoryFile input;
+  const MemoryFile output;
+  const MemoryFile errors;
+  if (write_all(input.descriptor(), script) || ::lseek(input.descriptor().number(), 0, SEEK_SET) != 0)
+    throw InputError("there is no room for a script of gnuplot's");
+  Actions actions;
+  actions.connect(input, STDIN_FILENO);
+  actions.connect(output, STDOUT_FILENO);
+  actions.connect(errors, STDERR_FILENO);
+  std::array<char, 8> name{"gnuplot"};
+  std::array<char, 3> no_settings{"-d"};
+  const std::array<char*, 3> arguments{name.data(), no_settings.data(), nullptr};
+  pid_t child = 0;
+  if (::posix_spawnp(&child, name.data(), actions.get(), nullptr, arguments.data(), environ) != 0)
+    throw InputError("gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  std::string picture = output.content();
+  if (status != 0 || picture.empty()) {
+    throw InputError(fmt::format(
+        "gnuplot did not draw ({}); is package gnuplot-nox installed? (--no-plots does without)", complaint(errors)));
+  }
+  return picture;
+}
+
+bool is_plain(char byte) {
+  return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || (byte >= '0' && byte <= '9') ||
+         std::string_view(" .,:;/()_+-<>=").find(byte) != std::string_view::npos;
 }
 
 }  // namespace
 
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
+std::string plot_text(std::string_view bytes) {
+  std::string result = "\"";
+  for (const char byte : printable(bytes))
+    result += is_plain(byte) ? std::string(1, byte) : fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
+  return result + "\"";
+}
+
+std::string tick_text(std::string_view bytes) {
+  std::string doubled;
+  for (const char byte : bytes) doubled += byte == '%' ? std::string("%%") : std::string(1, byte);
+  return plot_text(doubled);
+}
+
+std::string data_text(std::string_view bytes) {
+  std::string result = "\"";
+  for (const char byte : printable(bytes))
+    if (byte != '"' && byte != '\\') result += byte;
+  return result + "\"";
+}
+
+std::string plot_stem(const std::filesystem::path& model) {
+  constexpr std::size_t longest = 100;
+  const std::string stem = model.stem().native();
+  if (stem.size() <= longest) return stem;
+  Hash hash;
+  hash.add(stem);
+  return stem.substr(0, longest) + "-" + hash.text();
 }
 
 std::vector<std::filesystem::path> draw_plot(const std::filesystem::path& folder, const std::string& name,
@@ -38,12 +115,7 @@ std::vector<std::filesystem::path> draw_plot(const std::filesystem::path& folder
   std::vector<std::filesystem::path> files;
   for (const char* ending : {".png", ".svg"}) {
     files.push_back(folder / (name + ending));
-    std::filesystem::remove(files.back());  // so that what is there afterwards is new
-    run_gnuplot("set encoding utf8\n" + output(files.back(), size) + script);
-    if (!std::filesystem::exists(files.back())) {
-      throw InputError(files.back().string() +
-                       ": gnuplot did not draw it; is package gnuplot-nox installed? (--no-plots does without)");
-    }
+    write_file(files.back(), drawn_by("set encoding utf8\n" + terminal(ending, size) + script));
   }
   return files;
 }

@@ -10,7 +10,7 @@
 
 #include "host/emit/compile.h"
 #include "host/view/projection.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/accuracy/analytic.h"
 #include "sim/accuracy/explain.h"
 #include "sim/accuracy/truth.h"

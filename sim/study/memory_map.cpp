@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/study/csv.h"
 
 namespace csgsim::study {

@@ -83,11 +83,11 @@ std::string map_script(const std::vector<Bar>& bars, const std::string& model) {
                     name, colour, name);
   }
   for (std::size_t i = 0; i < bars.size(); ++i)
-    ticks += fmt::format("{}{} {}", ticks.empty() ? "" : ", ", quoted(label_of(bars[i])), i);
+    ticks += fmt::format("{}{} {}", ticks.empty() ? "" : ", ", tick_text(label_of(bars[i])), i);
   return fmt::format(
       "set title {} noenhanced\nset xlabel 'bit of pixel memory'\nset ytics ({}) noenhanced\nset yrange [{}:-0.6]\nset "
       "xrange [0:*]\nset xtics {} out nomirror\nset key bmargin center horizontal maxcols 5\nset bmargin 6\n{}{}{}\n",
-      quoted(model + ": which bits hold what"), ticks, static_cast<double>(bars.size()) - 0.4,
+      plot_text(model + ": which bits hold what"), ticks, static_cast<double>(bars.size()) - 0.4,
       most_bits <= 128 ? 8 : 32, labels, data, plots);
 }
 

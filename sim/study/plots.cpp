@@ -48,7 +48,7 @@ std::string knob_script(const Axis& axis, std::span<const Measurement> rows, con
     // Where nothing is wrong a logarithmic axis needs something to show.
     wrong.push_back(static_cast<double>(row.*axis.wrong) + 0.5);
     depth.push_back(row.*axis.depth + 1e-12);
-    data += fmt::format("{} {} {} \"{}\"\n", row.clocks, wrong.back(), depth.back(), row.value);
+    data += fmt::format("{} {} {} {}\n", row.clocks, wrong.back(), depth.back(), data_text(row.value));
   }
   if (data.empty()) return {};
   const auto [least_wrong, most_wrong] = std::minmax_element(wrong.begin(), wrong.end());
@@ -67,7 +67,7 @@ std::string knob_script(const Axis& axis, std::span<const Measurement> rows, con
                       "plot $data using 1:2 with linespoints pt 7 lw 2 title '{}', $data using 1:2:4 with labels "
                       "offset 0,0.9 notitle, "
                       "$data using 1:3 axes x1y2 with linespoints pt 5 dt 2 title 'depth error (right)'\n",
-                      quoted(model + ": " + axis.title), axis.error, axis.wide ? "xyy2" : "yy2", data, axis.error);
+                      plot_text(model + ": " + axis.title), axis.error, axis.wide ? "xyy2" : "yy2", data, axis.error);
 }
 
 std::string front_script(std::span<const Measurement> rows, const std::string& model) {
@@ -78,10 +78,10 @@ std::string front_script(std::span<const Measurement> rows, const std::string& m
   if (together.empty()) return {};
   std::string all;
   for (const Measurement& row : together)
-    all += fmt::format("{} {} \"{}\"\n", row.clocks, static_cast<double>(row.wrong) + 0.5, row.value);
+    all += fmt::format("{} {} {}\n", row.clocks, static_cast<double>(row.wrong) + 0.5, data_text(row.value));
   std::string best;
   for (const Measurement& row : pareto_front(together))
-    best += fmt::format("{} {} \"{}\"\n", row.clocks, static_cast<double>(row.wrong) + 0.5, row.value);
+    best += fmt::format("{} {} {}\n", row.clocks, static_cast<double>(row.wrong) + 0.5, data_text(row.value));
   return fmt::format(
       "set title {} noenhanced\nset xlabel 'clocks'\nset ylabel 'wrong pixels (+ 0.5)'\nset logscale y\nset key "
       "outside bottom "
@@ -90,7 +90,7 @@ std::string front_script(std::span<const Measurement> rows, const std::string& m
       "plot $all using 1:2 with points pt 7 ps 0.7 lc rgb 'gray50' title 'z bits / fraction bits', "
       "$front using 1:2 with linespoints pt 7 lw 2 lc rgb 'dark-red' title 'Pareto front', $front using 1:2:3 with "
       "labels offset 3,0.7 notitle\n",
-      quoted(model + ": what accuracy costs"), all, best);
+      plot_text(model + ": what accuracy costs"), all, best);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <system_error>
 
-#include "hw/isa/error.h"
-#include "hw/isa/nearest.h"
+#include "hw/base/error.h"
+#include "hw/base/nearest.h"
 
 namespace csgsim::study {
 
@@ -59,7 +59,7 @@ std::vector<std::string> parse_names(std::string_view text, std::span<const std:
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   for (const std::string& word : words) {
     if (std::find(known.begin(), known.end(), word) != known.end()) continue;
-    const std::string_view nearest = isa::nearest_alike(word, candidates);
+    const std::string_view nearest = nearest_alike(word, candidates);
     if (!nearest.empty()) throw InputError(fmt::format("there is no '{}'; did you mean {}?", word, nearest));
     throw InputError(fmt::format("there is no '{}'; there are {}", word, fmt::join(known, ", ")));
   }

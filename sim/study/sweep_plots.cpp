@@ -145,7 +145,7 @@ std::string lines_script(const std::vector<Line>& lines) {
     plots += fmt::format(
         "{} $line{} using 1:2 with linespoints lw 2 lc {} pt {} ps {} dt {} title {} noenhanced", i == 0 ? "plot" : ",",
         i, line.strategy + 1, shapes[line.group % std::size(shapes)] - line.curve,
-        std::max(0.8, 2.0 - 0.4 * static_cast<double>(line.strategy)), line.curve + 1, quoted(title_of(line)));
+        std::max(0.8, 2.0 - 0.4 * static_cast<double>(line.strategy)), line.curve + 1, plot_text(title_of(line)));
   }
   return data + plots + "\n";
 }
@@ -153,7 +153,7 @@ std::string lines_script(const std::vector<Line>& lines) {
 std::string axes_script(const std::string& title, const char* x, const char* y) {
   return fmt::format(
       "set title {} noenhanced\nset xlabel {}\nset ylabel {}\nset xtics 1\nset grid\nset key outside right top\n",
-      quoted(title), quoted(x), quoted(y));
+      plot_text(title), plot_text(x), plot_text(y));
 }
 
 std::vector<Line> scan_lines(std::span<const SweepRow> rows) {

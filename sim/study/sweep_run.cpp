@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "host/emit/compile.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "host/read/read.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "tests/unit/read/tree_invariants.h"
 
 namespace {

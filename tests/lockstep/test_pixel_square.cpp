@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/regions.h"
 #include "sim/cycle/record.h"
 #include "sim/engine/engine.h"

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/regions.h"
 #include "hw/scan_line/scan_line_array.h"
 #include "sim/cycle/record.h"

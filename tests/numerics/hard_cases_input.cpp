@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "tests/numerics/hard_case.h"
 #include "tests/numerics/solids.h"
 

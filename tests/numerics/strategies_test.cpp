@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"

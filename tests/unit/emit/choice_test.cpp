@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/clocks.h"
 #include "tests/support/drawing.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 using namespace csgsim;
 

@@ -10,7 +10,7 @@
 #include "host/facet/planes.h"
 #include "host/facet/scene.h"
 #include "host/facet/solid.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 using namespace csgsim;
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/clocks.h"
 #include "sim/engine/engine.h"
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "hw/isa/nearest.h"
+#include "hw/base/nearest.h"
 #include "hw/isa/text.h"
 #include "tests/unit/isa/sample.h"
 

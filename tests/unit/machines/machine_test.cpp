@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/built_in.h"
 #include "hw/machines/description.h"
 #include "hw/machines/schema.h"

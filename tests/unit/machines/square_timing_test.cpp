@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/timing.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "host/read/read.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "support.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "host/read/read.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 
 namespace csgsim::read_test {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host/read/read.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
 #include "sim/study/table.h"

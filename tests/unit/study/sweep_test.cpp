@@ -9,7 +9,7 @@
 #include <string>
 
 #include "host/read/read.h"
-#include "hw/isa/error.h"
+#include "hw/base/error.h"
 #include "sim/study/hash.h"
 #include "sim/study/ranges.h"
 #include "sim/study/sweep_run.h"

@@ -9,8 +9,8 @@
 #include "host/view/camera.h"
 #include "host/view/fixed_point.h"
 #include "host/view/projection.h"
+#include "hw/base/error.h"
 #include "hw/isa/depth_scale.h"
-#include "hw/isa/error.h"
 
 using namespace csgsim;
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace csgsim::isa {
+namespace csgsim {
 
 /// Insertions, deletions and replacements of characters that turn one word into the other (Levenshtein's distance);
 /// upper and lower case are the same.
@@ -17,4 +17,4 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 /// The same if the word is like it, that is, if at least half its characters stay, leading dashes aside; else empty.
 std::string_view nearest_alike(std::string_view word, std::span<const std::string_view> candidates);
 
-}  // namespace csgsim::isa
+}  // namespace csgsim

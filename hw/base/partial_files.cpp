@@ -1,5 +1,6 @@
-#include "hw/isa/partial_files.h"
+#include "hw/base/partial_files.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -38,6 +39,11 @@ std::optional<std::size_t> take_slot(const std::string& path) {
   return std::nullopt;
 }
 
+/// All that end a process unless it handles them, but for SIGKILL and those that tell of a fault in the program.
+constexpr auto ending_signals =
+    std::to_array({SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGIO, SIGPROF, SIGVTALRM,
+                   SIGXCPU, SIGXFSZ, SIGSTKFLT, SIGPWR, SIGSYS, SIGABRT});
+
 /// Calls only what a signal handler may call.
 extern "C" void delete_partial_files(int signal) {
   for (const Slot& slot : slots()) {
@@ -47,9 +53,18 @@ extern "C" void delete_partial_files(int signal) {
   ::raise(signal);
 }
 
+void handle_unless_ignored(int signal) {
+  if (std::signal(signal, delete_partial_files) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 }  // namespace
 
-PartialFile::PartialFile(const std::filesystem::path& path) : slot_(take_slot(path.string())) {}
+std::filesystem::path unused_name(std::string_view ending) {
+  static std::atomic<unsigned> number = 0;
+  return fmt::format(".csgsim-{}-{}{}", ::getpid(), ++number, ending);
+}
+
+PartialFile::PartialFile(const std::filesystem::path& path) : slot_(take_slot(path.native())) {}
 
 PartialFile::~PartialFile() {
   if (!slot_) return;
@@ -59,9 +74,8 @@ PartialFile::~PartialFile() {
 
 void delete_partial_files_on_signals() {
   slots();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
-    if (std::signal(signal, delete_partial_files) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
+  for (const int signal : ending_signals) handle_unless_ignored(signal);
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) handle_unless_ignored(signal);
 }
 
 }  // namespace csgsim

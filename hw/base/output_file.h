@@ -2,35 +2,40 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string_view>
 
-#include "hw/isa/partial_files.h"
+#include "hw/base/descriptor.h"
+#include "hw/base/partial_files.h"
 
 namespace csgsim {
 
 /// A file being written beside its final place, so that nobody ever sees part of it. It is deleted unless committed.
 /// Symbolic links are followed; what goes to a device or a pipe is written elsewhere, and copied to it when committed.
+/// Each function throws InputError, with the path as it was asked for, if it cannot do all of its work: what was at the
+/// final place is still there then, whole.
 class OutputFile {
  public:
-  /// Throws InputError if nothing can be written there.
+  /// Fails too for a folder, a file that must not be written, and a name that cannot be.
   explicit OutputFile(std::filesystem::path path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Where to write: an empty file whose name has the final path's extension.
-  [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
-
   /// The place as it was asked for.
   [[nodiscard]] const std::filesystem::path& asked() const { return asked_; }
 
-  /// Takes the whole content. Throws InputError if that cannot be done.
-  void write(std::string_view content) const;
+  /// Adds to what has been written.
+  void write(std::string_view content);
 
-  /// Puts the file in its final place. Throws InputError if that cannot be done.
+  /// Sees to it that all of it is on the disk. Nothing can be written after that.
+  void finish();
+
+  /// Finishes it and puts it in its final place.
   void commit();
 
  private:
+  void create(const std::filesystem::path& folder);
   void copy_to_stream() const;
 
   std::filesystem::path asked_;
@@ -38,9 +43,17 @@ class OutputFile {
   bool is_stream_ = false;  ///< a device or a pipe, which no file may replace
   std::filesystem::path partial_;
   std::optional<PartialFile> registered_;
+  Descriptor file_;
+  bool is_finished_ = false;
 };
+
+/// Puts all files that there are in their places, none of them before all are finished. Throws InputError.
+void commit_all(std::span<OutputFile* const> files);
 
 /// Writes a whole file, or none. Throws InputError.
 void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// What the path's symbolic links lead to, there or not. Throws InputError where they lead in a circle.
+std::filesystem::path without_links(const std::filesystem::path& path);
 
 }  // namespace csgsim

@@ -1,4 +1,4 @@
-#include "hw/isa/nearest.h"
+#include "hw/base/nearest.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace csgsim::isa {
+namespace csgsim {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::string_view nearest_alike(std::string_view word, std::span<const std::strin
   return !one.empty() && edit_distance(word, one) * 2 <= characters ? one : std::string_view{};
 }
 
-}  // namespace csgsim::isa
+}  // namespace csgsim

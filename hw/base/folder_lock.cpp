@@ -1,0 +1,60 @@
+#include "hw/base/folder_lock.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+
+namespace csgsim {
+
+namespace {
+
+constexpr std::size_t most_said = 200;
+
+[[noreturn]] void fail(const std::filesystem::path& folder, const std::error_code& error) {
+  throw InputError(fmt::format("{}: cannot be locked: {}; check the path, its permissions and the room on the disk",
+                               folder.native(), error.message()));
+}
+
+[[noreturn]] void fail_held(const std::filesystem::path& folder, const Descriptor& file) {
+  std::string holder;
+  static_cast<void>(read_to_end(file, holder, most_said));
+  throw InputError(fmt::format("{}: another csgsim is writing there ({}); wait until it is done, or take another -o",
+                               folder.native(), holder.empty() ? "it has just begun" : printable(holder)));
+}
+
+/// A lock counts only if its file still has the name: the one that held it before may have deleted it meanwhile.
+bool has_name(const Descriptor& file, const std::filesystem::path& path) {
+  struct stat open {};
+  struct stat named {};
+  return ::fstat(file.number(), &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+         open.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view purpose) : path_(folder / ".csgsim-lock") {
+  do {
+    file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (!file_.is_open()) fail(folder, last_error());
+    if (::flock(file_.number(), LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK) fail_held(folder, file_);
+      fail(folder, last_error());
+    }
+  } while (!has_name(file_, path_));
+  // Whose it is helps people only: it does not matter whether there is room to say it.
+  static_cast<void>(::ftruncate(file_.number(), 0));
+  static_cast<void>(write_all(file_, fmt::format("process {}, {}", ::getpid(), purpose)));
+}
+
+FolderLock::~FolderLock() { ::unlink(path_.c_str()); }
+
+}  // namespace csgsim

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "hw/base/descriptor.h"
+
+namespace csgsim {
+
+/// Keeps a folder for this process: no two write tables there at the same time. The lock ends with the object or the
+/// process, however that ends.
+class FolderLock {
+ public:
+  /// `purpose` says who this is, as in "sweep". Throws InputError that names the process that holds the folder, if one
+  /// does.
+  FolderLock(const std::filesystem::path& folder, std::string_view purpose);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  std::filesystem::path path_;
+  Descriptor file_;
+};
+
+}  // namespace csgsim

@@ -1,0 +1,164 @@
+#include "hw/base/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "hw/base/error.h"
+
+namespace csgsim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_links = 40;
+
+[[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
+  throw InputError(fmt::format("{}: cannot write it: {}; check the path, its permissions and the room on the disk",
+                               path.native(), error.message()));
+}
+
+void check(const fs::path& path, const std::error_code& error) {
+  if (error) fail(path, error);
+}
+
+/// Is it something to write to that is not a file of its own: a device, a pipe, a descriptor of this process?
+bool is_stream(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) fail(path, std::make_error_code(std::errc::is_a_directory));
+  if (!fs::exists(status)) return false;
+  const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), error);
+  return !fs::is_regular_file(status) || folder == "/dev" || folder.native().starts_with("/proc/");
+}
+
+/// Throws if there is a file that may not be written, though its folder would let it be replaced; or no name can be so.
+void check_place(const fs::path& asked, const fs::path& place) {
+  const bool is_there = ::faccessat(AT_FDCWD, place.c_str(), F_OK, AT_EACCESS) == 0;
+  if (!is_there && errno != ENOENT) fail(asked, last_error());
+  if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail(asked, last_error());
+}
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+/// A stream that standard output or error is connected to is written to through these, at their place in it.
+Descriptor open_stream(const fs::path& path) {
+  struct stat wanted {};
+  if (::stat(path.c_str(), &wanted) != 0) return {};
+  for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat open {};
+    if (::fstat(number, &open) == 0 && open.st_dev == wanted.st_dev && open.st_ino == wanted.st_ino)
+      return Descriptor(::dup(number));
+  }
+  return Descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+}
+
+/// The file's name is on the disk when its folder is.
+std::error_code sync_folder(const fs::path& folder) {
+  const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // A folder that may be written to need not be readable.
+  return descriptor.is_open() ? sync(descriptor) : std::error_code{};
+}
+
+}  // namespace
+
+fs::path without_links(const fs::path& path) {
+  fs::path place = path;
+  std::error_code error;
+  for (int link = 0; link < most_links; ++link) {
+    if (!fs::is_symlink(fs::symlink_status(place, error))) return place;
+    const fs::path target = fs::read_symlink(place, error);
+    check(path, error);
+    place = place.parent_path() / target;
+  }
+  fail(path, std::make_error_code(std::errc::too_many_symbolic_link_levels));
+}
+
+OutputFile::OutputFile(fs::path path) : asked_(std::move(path)), final_(asked_) {
+  if (asked_.empty()) throw InputError("an output has an empty name; name the file");
+  is_stream_ = is_stream(asked_);
+  std::error_code error;
+  if (!is_stream_) {
+    final_ = without_links(asked_);
+    check_place(asked_, final_);
+  }
+  const fs::path folder = is_stream_ ? fs::temp_directory_path(error) : folder_of(final_);
+  check(asked_, error);
+  create(folder);
+}
+
+/// What replaces a file may be read and written by those who could before.
+void OutputFile::create(const fs::path& folder) {
+  partial_ = folder / unused_name();
+  registered_.emplace(partial_);
+  file_ = Descriptor(::open(partial_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!file_.is_open()) {
+    partial_.clear();
+    fail(asked_, last_error());
+  }
+  struct stat replaced {};
+  if (!is_stream_ && ::stat(final_.c_str(), &replaced) == 0)
+    static_cast<void>(::fchmod(file_.number(), replaced.st_mode & 0777U));
+}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  if (!partial_.empty()) fs::remove(partial_, ignored);
+}
+
+void OutputFile::write(std::string_view content) { check(asked_, write_all(file_, content)); }
+
+void OutputFile::finish() {
+  if (std::exchange(is_finished_, true) || is_stream_) return;
+  check(asked_, sync(file_));
+  check(asked_, file_.close());
+}
+
+void OutputFile::commit() {
+  finish();
+  if (is_stream_) return copy_to_stream();
+  std::error_code error;
+  fs::rename(partial_, final_, error);
+  check(asked_, error);
+  registered_.reset();
+  partial_.clear();
+  check(asked_, sync_folder(folder_of(final_)));
+}
+
+void OutputFile::copy_to_stream() const {
+  std::fflush(stdout);
+  const Descriptor stream = open_stream(final_);
+  if (!stream.is_open() || ::lseek(file_.number(), 0, SEEK_SET) != 0) fail(asked_, last_error());
+  constexpr std::size_t block = std::size_t{1} << 16U;
+  std::string bytes;
+  do {
+    bytes.clear();
+    check(asked_, read_to_end(file_, bytes, block));
+    check(asked_, write_all(stream, bytes));
+  } while (!bytes.empty());
+}
+
+void commit_all(std::span<OutputFile* const> files) {
+  for (OutputFile* const file : files) {
+    if (file != nullptr) file->finish();
+  }
+  for (OutputFile* const file : files) {
+    if (file != nullptr) file->commit();
+  }
+}
+
+void write_file(const fs::path& path, std::string_view content) {
+  OutputFile file(path);
+  file.write(content);
+  file.commit();
+}
+
+}  // namespace csgsim

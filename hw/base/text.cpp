@@ -1,0 +1,91 @@
+#include "hw/base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/locale/utf.hpp>
+#include <iterator>
+
+namespace csgsim {
+
+namespace {
+
+namespace utf = boost::locale::utf;
+
+struct Range {
+  utf::code_point first;
+  utf::code_point last;
+};
+
+/// Control characters of ASCII and Latin-1; line and paragraph separators; marks, embeddings, overrides and isolates of
+/// direction.
+constexpr Range not_shown[] = {{0x00, 0x1f},     {0x7f, 0x9f},     {0x061c, 0x061c},
+                               {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}};
+
+bool is_shown(utf::code_point point) {
+  return std::none_of(std::begin(not_shown), std::end(not_shown),
+                      [point](const Range& range) { return range.first <= point && point <= range.last; });
+}
+
+void append_escape(std::string& text, char byte) {
+  switch (byte) {
+    case '\n': text += "\\n"; return;
+    case '\r': text += "\\r"; return;
+    case '\t': text += "\\t"; return;
+    default: text += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+  }
+}
+
+}  // namespace
+
+std::string printable(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size());
+  for (auto at = bytes.begin(); at != bytes.end();) {
+    auto next = at;
+    const utf::code_point point = utf::utf_traits<char>::decode(next, bytes.end());
+    if (utf::is_valid_codepoint(point) && is_shown(point)) {
+      text.append(at, next);
+      at = next;
+    } else {
+      append_escape(text, *at++);
+    }
+  }
+  return text;
+}
+
+std::string escaped(std::string_view bytes) {
+  std::string text;
+  constexpr std::string_view formulas = "=+-@";
+  if (!bytes.empty() && formulas.find(bytes.front()) != std::string_view::npos) {
+    append_escape(text, bytes.front());
+    bytes.remove_prefix(1);
+  }
+  while (!bytes.empty()) {
+    const std::size_t plain = std::min(bytes.find('\\'), bytes.size());
+    text += printable(bytes.substr(0, plain));
+    if (plain < bytes.size()) text += "\\\\";
+    bytes.remove_prefix(std::min(plain + 1, bytes.size()));
+  }
+  return text;
+}
+
+std::string shell_word(std::string_view bytes) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+,:@%=";
+  if (!bytes.empty() && bytes.find_first_not_of(plain) == std::string_view::npos) return std::string(bytes);
+  if (printable(bytes) != bytes) {
+    std::string word = "$'";
+    for (const char byte : bytes) {
+      if (plain.find(byte) != std::string_view::npos)
+        word += byte;
+      else
+        word += fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
+    }
+    return word + "'";
+  }
+  std::string word = "'";
+  for (const char byte : bytes) word += byte == '\'' ? std::string("'\\''") : std::string(1, byte);
+  return word + "'";
+}
+
+}  // namespace csgsim
