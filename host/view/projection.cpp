@@ -1,5 +1,7 @@
 #include "host/view/projection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -35,7 +37,17 @@ void check(const Sampling& sampling) {
   }
 }
 
+/// The nearest a near plane may be, as a part of the distance to the far plane: all but one of 2^30 depth steps would
+/// be spent on nearness.
+constexpr double least_near = 1.0 / (1U << 30U);
+
 void check_near(double near, double far) {
+  if (near < far * least_near) {
+    throw InputError(
+        fmt::format("the near plane is at {:g}, too near to tell the model's depths from one another, which "
+                    "end at {:g}; put --near at {:.3g} or farther",
+                    near, far, far * least_near));
+  }
   if (near > far) {
     throw InputError("the near plane is behind the whole model, which ends at a distance of " + std::to_string(far) +
                      "; bring --near closer");

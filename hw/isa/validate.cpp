@@ -175,8 +175,8 @@ void validate_header(const Program& program) {
   const DepthScale& depth = program.depth_scale;
   require(std::isfinite(depth.near) && std::isfinite(depth.far) && depth.near < depth.far,
           "depth runs from {} to {}; give finite distances, near below far", depth.near, depth.far);
-  require(!depth.perspective || depth.near > 0, "near is {} in perspective; put it before the eye, above 0",
-          depth.near);
+  require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
+          "near is {} in perspective; put it before the eye, far enough above 0 for a reciprocal", depth.near);
   require(program.compile.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
           program.compile.background, most_colour_bits);
   require(std::isfinite(program.compile.edge_on_fraction), "edge_on_fraction is {}; give a finite fraction of a pixel",

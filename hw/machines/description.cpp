@@ -11,6 +11,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
+#include "hw/base/text.h"
 #include "hw/machines/schema.h"
 
 namespace csgsim::machines {
@@ -85,14 +86,14 @@ class Reader {
     return *table;
   }
 
-  /// The string at that key of the table, not empty.
+  /// The string at that key of the table, not empty, as people may see it.
   std::string text_of(const toml::table& table, std::string_view key) const {
     const toml::node* const node = table.get(key);
     if (node == nullptr) fail(table.source().begin, fmt::format("key '{0}' is missing; add {0} = \"...\"", key));
     const toml::value<std::string>* const text = node->as_string();
     if (text == nullptr) fail(node->source().begin, fmt::format("'{}' is {}; make it a string", key, type_name(*node)));
     if (text->get().empty()) fail(node->source().begin, fmt::format("'{}' is empty; say it", key));
-    return text->get();
+    return printable(text->get());
   }
 
   void read_kind(const toml::table& root) {

@@ -4,12 +4,18 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <span>
+#include <utility>
 
 #include "hw/base/error.h"
-#include "hw/base/output_file.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
+#include "sim/app/options.h"
 #include "sim/app/study_files.h"
+#include "sim/app/version.h"
+#include "sim/study/gnuplot.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
 #include "sim/study/plots.h"
@@ -19,6 +25,8 @@ namespace csgsim::app {
 
 namespace {
 
+using Table = study::Table<study::Measurement>;
+
 struct Options {
   ModelOptions model;
   std::string folder;
@@ -27,15 +35,8 @@ struct Options {
   std::string progress = "auto";
 };
 
-std::string title_of(const Options& options, const machines::Machine& machine, const view::Camera& camera) {
-  const machines::Size picture = machines::picture_size(machine);
-  return fmt::format(
-      "csgsim accuracy {} {} {}x{} camera {},{},{},{},{},{} {} views {} z-bits {} fraction-bits {} edge-on {} "
-      "tolerance {}",
-      std::filesystem::path(options.model.model).filename().string(), machine.name, picture.width, picture.height,
-      camera.eye.x, camera.eye.y, camera.eye.z, camera.centre.x, camera.centre.y, camera.centre.z,
-      options.model.projection, options.views, options.model.z_bits, options.model.fraction_bits, options.model.edge_on,
-      tolerance_text(options.model));
+std::string title_of(const Options& options, const CLI::App& command) {
+  return study_title(command, {}) + " of " + escaped(std::filesystem::path(options.model.model).filename().native());
 }
 
 void print_row(const study::Measurement& row) {
@@ -65,36 +66,62 @@ void print_front(const std::vector<study::Measurement>& rows) {
   }
 }
 
-void run(const Options& options) {
+/// All that is measured.
+struct Study {
+  model::Tree tree;
+  machines::Machine machine;
+  view::Camera camera;
+  std::vector<study::WantedSettings> wanted;
+};
+
+Study study_of(const Options& options) {
   machines::Machine machine = machine_of(options.model);
+  const std::string machine_hash = study::hash_of(machine);
   machine.array.memory_bits = study::ample_memory_bits;
-  const model::Tree tree = read_model(options.model);
-  const facet::Faceting faceting = faceting_of(options.model, machine, tree);
-  const facet::Scene scene = facet::make_scene(tree, faceting);
+  ModelFile file = read_model_file(options.model);
+  const facet::Faceting faceting = faceting_of(options.model, machine, file.tree);
+  const facet::Scene scene = facet::make_scene(file.tree, faceting);
   if (scene.box.empty()) throw InputError(options.model.model + ": nothing in it to measure; every solid is empty");
   const view::Camera camera = camera_of(options.model, machine, scene);
-  const std::filesystem::path folder = study_folder(options.folder);
+  std::vector<study::WantedSettings> wanted;
+  const study::Inputs inputs{file.hash, machine_hash, version_and_build()};
+  for (study::Settings& point :
+       study::points(sampling_of(options.model, machine), faceting, glm::length(scene.box.high - scene.box.low)))
+    wanted.push_back({std::move(point), inputs});
+  return {std::move(file.tree), std::move(machine), camera, std::move(wanted)};
+}
 
-  const std::string title = title_of(options, machine, camera);
-  study::Table<study::Measurement> table(folder / "accuracy.csv", title);
-  study::Meter meter(tree, study::turned_views(camera, options.views), machine);
-  const std::vector<study::Settings> points =
-      study::points(sampling_of(options.model, machine), faceting, glm::length(scene.box.high - scene.box.low));
+void complete(const Options& options, const Study& study, Table& table) {
+  study::Meter meter(study.tree, study::turned_views(study.camera, options.views), study.machine,
+                     emit_options_of(options.model));
   const bool show = options.progress == "auto" && ::isatty(STDERR_FILENO) != 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (table.find(points[i]) != nullptr) continue;
+  std::size_t number = 0;
+  for (const study::WantedSettings& wanted : study.wanted) {
+    ++number;
+    if (table.find(wanted) != nullptr) continue;
     if (show)
-      fmt::print(stderr, "\r\x1b[K{} of {} points: {} {}", i + 1, points.size(), points[i].knob, points[i].value);
-    table.add(meter.measure(points[i]));
+      tell(fmt::format("\r\x1b[K{} of {} points: {} {}", number, study.wanted.size(), wanted.point.knob,
+                       wanted.point.value));
+    study::Measurement row = meter.measure(wanted.point);
+    row.inputs = wanted.inputs;
+    table.add(std::move(row));
   }
-  if (show) fmt::print(stderr, "\r\x1b[K");
+  if (show) tell("\r\x1b[K");
+}
+
+void run(const Options& options, const CLI::App& command) {
+  const StudyFolder folder(options.folder, "accuracy", options.model.inputs());
+  const Study study = study_of(options);
+  const std::string title = title_of(options, command);
+  const std::filesystem::path table_path = folder.path() / "accuracy.csv";
+  Table table(table_path, title);
+  tell_stale(table_path, table.drop_stale(std::span(study.wanted)));
+  complete(options, study, table);
   print_table(table.rows());
   print_front(table.rows());
-  write_points(folder / "accuracy.json", title, table.rows(), study::to_json<study::Measurement>);
-  if (!options.no_plots) {
-    study::draw_plots(table.rows(), std::filesystem::path(options.model.model).stem().string(), folder);
-  }
-  fmt::print("\n{}: accuracy.csv, accuracy.json{}\n", options.folder,
+  write_points(folder.path() / "accuracy.json", title, table.rows(), study::to_json<study::Measurement>);
+  if (!options.no_plots) study::draw_plots(table.rows(), study::plot_stem(options.model.model), folder.path());
+  fmt::print("\n{}: accuracy.csv, accuracy.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) a knob and of the front");
 }
 
@@ -109,7 +136,8 @@ void add_accuracy(CLI::App& app) {
       "What has been measured is in accuracy.csv at once; the same command goes on after an interruption.");
   options->model.add_to(command);
   command.add_option("-o,--output", options->folder, "Folder for accuracy.csv, accuracy.json and the plots")
-      ->required();
+      ->required()
+      ->check(not_empty);
   command
       .add_option("--views", options->views, "Views that a point is measured in: the camera turned about the vertical")
       ->check(CLI::Range(1, 64))
@@ -118,7 +146,7 @@ void add_accuracy(CLI::App& app) {
   command.add_option("--progress", options->progress, "auto (when standard error is a terminal) or none")
       ->check(CLI::IsMember({"auto", "none"}))
       ->capture_default_str();
-  command.callback([options] { run(*options); });
+  command.callback([options, &command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -4,18 +4,21 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "hw/base/error.h"
-#include "hw/base/output_file.h"
+#include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
-#include "sim/app/model_hash.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
+#include "sim/app/options.h"
 #include "sim/app/read_by.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
+#include "sim/app/version.h"
 #include "sim/study/comparison.h"
+#include "sim/study/gnuplot.h"
 #include "sim/study/ranges.h"
 #include "sim/study/table.h"
 
@@ -72,18 +75,19 @@ struct Study {
 };
 
 Study study_of(const Options& options) {
-  Study study{read_model(options.model), {}, {}};
+  ModelFile file = read_model_file(options.model);
+  Study study{std::move(file.tree), {}, {}};
   const facet::Scene scene = facet::make_scene(study.tree);
-  const std::string hash = hash_of_file(options.model.model);
   for (const std::string& name : study::parse_words(options.machines)) {
     const machines::Machine machine = machine_named(options, name);
     const machines::Size base = machines::picture_size(machine);
+    const study::Inputs inputs{file.hash, study::hash_of(machine), version_and_build()};
     if (study.jobs.empty()) study.base = base;
-    for (study::ComparisonPoint& point : points_of(options, name, base)) {
+    for (study::ComparisonPoint& point : points_of(options, escaped(name), base)) {
       view::Sampling sampling = sampling_of(options.model, machine);
       sampling.width = point.width;
       sampling.height = point.height;
-      study.jobs.push_back({{std::move(point), hash},
+      study.jobs.push_back({{std::move(point), inputs},
                             machine,
                             camera_of(options.model, machine, scene),
                             sampling,
@@ -93,18 +97,23 @@ Study study_of(const Options& options) {
   return study;
 }
 
-std::string title_of(const Options& options) {
-  const ModelOptions& model = options.model;
-  const auto or_own = [](const std::string& text) { return text.empty() ? "default" : text; };
-  std::string without;
-  for (const std::string& name : model.without) without += " " + name;
-  return fmt::format(
-      "csgsim {} compare camera {}{} {} near {} z-bits {} fraction-bits {} edge-on {} strategy {} stack-bits {} "
-      "colouring "
-      "{} colour-bits {} memory-bits {} without{}",
-      CSGSIM_VERSION, or_own(model.camera), model.view_all ? " view-all" : "", model.projection,
-      model.near.value_or(0.0), model.z_bits, model.fraction_bits, model.edge_on, model.strategy, model.stack_bits,
-      model.colouring, model.colour_bits, model.memory_bits.value_or(0), without.empty() ? " none" : without);
+std::string title_of(const Options& options, const CLI::App& command) {
+  return study_title(command, {"machines", "sides", "fragments"}) + " of " +
+         escaped(std::filesystem::path(options.model.model).filename().native());
+}
+
+std::vector<std::filesystem::path> inputs_of(const Options& options) {
+  std::vector<std::filesystem::path> inputs = options.model.inputs();
+  for (const std::string& name : study::parse_words(options.machines)) {
+    if (machines::is_file(name)) inputs.emplace_back(name);
+  }
+  return inputs;
+}
+
+std::vector<study::WantedComparison> wanted_of(const Study& study) {
+  std::vector<study::WantedComparison> wanted;
+  for (const study::ComparisonJob& job : study.jobs) wanted.push_back(job.wanted);
+  return wanted;
 }
 
 Rows complete(const Options& options, const Study& study, Table& table) {
@@ -116,8 +125,9 @@ Rows complete(const Options& options, const Study& study, Table& table) {
   Rows rows;
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) == nullptr) {
-      table.add(with_memory_for({job.wanted.point.width, job.wanted.point.height, job.machine.array.memory_bits},
-                                [&] { return study::measure(job, study.tree); }));
+      table.add(
+          with_memory_for_picture({job.wanted.point.width, job.wanted.point.height, job.machine.array.memory_bits},
+                                  [&] { return study::measure(job, study.tree); }));
       progress.done();
     }
     rows.push_back(*table.find(job.wanted));
@@ -162,18 +172,20 @@ void refuse_differences(const Rows& rows) {
   fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
 }
 
-void run(const Options& options) {
+void run(const Options& options, const CLI::App& command) {
+  const std::string stem = study::plot_stem(options.model.model);
+  const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare", inputs_of(options));
   const Study study = study_of(options);
-  const std::string stem = std::filesystem::path(options.model.model).stem().string();
-  const std::filesystem::path folder = study_folder(options.folder.empty() ? stem + "-compare" : options.folder);
-  const std::string title = title_of(options);
-  Table table(folder / "compare.csv", title);
+  const std::string title = title_of(options, command);
+  const std::filesystem::path table_path = folder.path() / "compare.csv";
+  Table table(table_path, title);
+  tell_stale(table_path, table.drop_stale(std::span<const study::WantedComparison>(wanted_of(study))));
   const Rows rows = complete(options, study, table);
-  write_points(folder / "compare.json", title, rows, study::to_json<study::ComparisonRow>);
+  write_points(folder.path() / "compare.json", title, rows, study::to_json<study::ComparisonRow>);
   print_rows(rows);
-  if (!options.no_plots) study::draw_comparison(rows, study.base, stem, folder);
+  if (!options.no_plots) study::draw_comparison(rows, study.base, stem, folder.path());
   refuse_differences(rows);
-  fmt::print("{}: compare.csv, compare.json{}\n", folder.string(),
+  fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
              options.no_plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
 }
 
@@ -200,13 +212,15 @@ void add_compare(CLI::App& app) {
   command.add_option("--sides", options->sides, "Numbers: sides of square pictures in pixels; empty for one size only")
       ->check(is_read_by(sides_of))
       ->capture_default_str();
-  command.add_option("-o,--output", options->folder,
-                     "Folder for compare.csv, compare.json and the plots; MODEL-compare if not given");
+  command
+      .add_option("-o,--output", options->folder,
+                  "Folder for compare.csv, compare.json and the plots; MODEL-compare if not given")
+      ->check(not_empty);
   command.add_flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   command.add_option("--progress", options->progress, "auto (when standard error is a terminal) or none")
       ->check(CLI::IsMember({"auto", "none"}))
       ->capture_default_str();
-  command.callback([options] { run(*options); });
+  command.callback([options, &command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

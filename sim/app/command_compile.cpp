@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
 #include <memory>
 
+#include "hw/base/text.h"
 #include "hw/isa/program_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
 
 namespace csgsim::app {
 
@@ -20,14 +25,15 @@ void add_compile(CLI::App& app) {
       "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt --view-all\n  csgsim run carburettor.csgt -o "
       "carburettor.png");
   options->model.add_to(command);
-  command.add_option("-o,--output", options->output, "The Program file, .csgt")->required();
+  command.add_option("-o,--output", options->output, "The Program file, .csgt")->required()->check(not_empty);
   command.callback([options] {
+    refuse_clashes(options->model.inputs(), std::to_array<std::filesystem::path>({options->output}));
     const isa::Program program = compile_model(options->model, machine_of(options->model)).program;
     isa::save_program(program, options->output);
     std::size_t instructions = 0;
     for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();
-    fmt::print("{}: {} instructions for {} x {} pixels\n", options->output, instructions, program.shape.width,
-               program.shape.height);
+    fmt::print("{}: {} instructions for {} x {} pixels\n", printable(options->output), instructions,
+               program.shape.width, program.shape.height);
   });
 }
 

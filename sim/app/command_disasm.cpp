@@ -1,11 +1,15 @@
+#include <array>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
 #include "hw/base/output_file.h"
-#include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
+#include "sim/app/program_input.h"
 
 namespace csgsim::app {
 
@@ -18,9 +22,11 @@ void add_disasm(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("disasm", "Show a Program as text, which csgsim run reads too");
   command.footer("Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
   command.add_option("PROGRAM", options->program, "The Program, .csgt or its text form")->required();
-  command.add_option("-o,--output", options->output, "The text file; standard output if not given");
+  command.add_option("-o,--output", options->output, "The text file; standard output if not given")->check(not_empty);
   command.callback([options] {
-    const isa::Program program = isa::load_program(options->program);
+    refuse_clashes(std::to_array<std::filesystem::path>({options->program}),
+                   std::to_array<std::filesystem::path>({options->output}));
+    const isa::Program program = read_program(options->program);
     if (options->output.empty()) {
       isa::print(std::cout, program);
       return;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
 #include "sim/engine/engine.h"
@@ -46,8 +47,9 @@ void compare_levels(const ModelOptions& options) {
   const machines::Size picture = machines::picture_size(machine);
   const std::array<std::unique_ptr<sim::Engine>, 3> engines{
       sim::make_functional_engine(machine), sim::make_cycle_engine(machine), sim::make_reference_engine(machine)};
-  fmt::print("{} at {} x {}\n{:<12}{:>12}{:>12}{:>16}{:>20}  {}\n", options.model, picture.width, picture.height,
-             "level", "clocks", "wall s", "clocks/s", "times functional", "picture, depth, owner, counts");
+  fmt::print("{} at {} x {}\n{:<12}{:>12}{:>12}{:>16}{:>20}  {}\n", printable(options.model), picture.width,
+             picture.height, "level", "clocks", "wall s", "clocks/s", "times functional",
+             "picture, depth, owner, counts");
   Outcome first;
   for (const std::unique_ptr<sim::Engine>& engine : engines) {
     const Outcome outcome = run_level(*engine, program);

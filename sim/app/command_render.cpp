@@ -9,6 +9,7 @@
 #include "sim/accuracy/truth.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
+#include "sim/app/options.h"
 #include "sim/app/run_options.h"
 #include "sim/app/run_outputs.h"
 #include "sim/study/measure.h"
@@ -48,7 +49,7 @@ void choose_settings(Options& options, const machines::Machine& machine) {
   const model::Tree tree = read_model(options.model);
   const facet::Faceting faceting = faceting_of(options.model, machine, tree);
   const view::Camera camera = camera_of(options.model, machine, facet::make_scene(tree, faceting));
-  study::Meter meter(tree, {camera}, machine);
+  study::Meter meter(tree, {camera}, machine, emit_options_of(options.model));
   const auto chosen =
       study::cheapest(meter, study::grid(sampling_of(options.model, machine), faceting), *options.max_wrong_pixels);
   if (!chosen) {
@@ -64,7 +65,7 @@ void choose_settings(Options& options, const machines::Machine& machine) {
 }
 
 void run(Options& options) {
-  RunOutputs outputs(options.run);
+  RunOutputs outputs(options.run, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
   if (options.max_wrong_pixels) choose_settings(options, machine);
   const CompiledModel compiled = compile_model(options.model, machine);
@@ -86,8 +87,10 @@ void add_render(CLI::App& app) {
   options->run.add_to(command);
   command.add_flag("--check", options->check,
                    "Hold the picture against the exact one, and add what differs to the stats");
-  command.add_option("--max-wrong-pixels", options->max_wrong_pixels,
-                     "Take the cheapest --z-bits and --fraction-bits with at most so many wrong pixels");
+  command
+      .add_option("--max-wrong-pixels", options->max_wrong_pixels,
+                  "Take the cheapest --z-bits and --fraction-bits with at most so many wrong pixels")
+      ->check(whole_number);
   command.callback([options] { run(*options); });
 }
 

@@ -1,9 +1,10 @@
 #include <memory>
 
 #include "hw/base/error.h"
-#include "hw/isa/program_file.h"
+#include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/paths.h"
+#include "sim/app/program_input.h"
 #include "sim/app/run_options.h"
 #include "sim/app/run_outputs.h"
 
@@ -27,9 +28,9 @@ void add_run(CLI::App& app) {
   options->run.add_to(command);
   command.callback([options] {
     if (is_model(options->program))
-      throw InputError(options->program + ": that is a model; use csgsim render " + options->program);
-    RunOutputs outputs(options->run);
-    const isa::Program program = isa::load_program(options->program);
+      throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));
+    RunOutputs outputs(options->run, input_files(options->program, options->machine));
+    const isa::Program program = read_program(options->program);
     machines::Machine machine = machines::load(options->machine);
     machines::adopt(machine, program);
     run_program(program, machine, options->run, outputs);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,10 +10,13 @@
 
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
+#include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
 #include "sim/app/read_by.h"
 #include "sim/study/ranges.h"
 #include "sim/study/subdivision.h"
@@ -155,6 +160,7 @@ std::vector<double> tolerances_of(const std::string& text) {
 }
 
 void run(const Options& options) {
+  refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.json}));
   std::optional<OutputFile> file;
   if (!options.json.empty()) file.emplace(options.json);
   const Subject subject = subject_of(options);
@@ -169,7 +175,7 @@ void run(const Options& options) {
     for (const double tolerance : tolerances) add(level, tolerance);
   }
   fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
-             options.model.model);
+             printable(options.model.model));
   print_table(columns);
   if (!file) return;
   file->write(to_json(columns).dump(2) + "\n");
@@ -195,7 +201,7 @@ void add_subdivide(CLI::App& app) {
                   "List of tolerances, model units, that curved solids are faceted with")
       ->check(is_read_by(tolerances_of))
       ->excludes("--tolerance");
-  command.add_option("-o,--output", options->json, "The same figures, .json");
+  command.add_option("-o,--output", options->json, "The same figures, .json")->check(not_empty);
   command.callback([options] { run(*options); });
 }
 

@@ -5,15 +5,18 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "hw/base/error.h"
-#include "hw/base/output_file.h"
+#include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/sweep_report.h"
+#include "sim/study/gnuplot.h"
+#include "sim/study/ranges.h"
 #include "sim/study/sweep_plots.h"
 #include "sim/study/table.h"
 
@@ -25,18 +28,22 @@ using study::SweepRow;
 using Rows = std::vector<SweepRow>;
 using Table = study::Table<SweepRow>;
 
-/// Everything that all points share; tables of other sweeps are refused by it.
-std::string title_of(const SweepOptions& options) {
-  const ModelOptions& view = options.view;
-  const auto or_own = [](const std::string& text) { return text.empty() ? "default" : text; };
-  return fmt::format(
-      "csgsim {} sweep size {} camera {}{} {} near {} fraction-bits {} edge-on {} tolerance {} colour-bits {}",
-      CSGSIM_VERSION, or_own(view.size), or_own(view.camera), view.view_all ? " view-all" : "", view.projection,
-      view.near.value_or(0.0), view.fraction_bits, view.edge_on, tolerance_text(view), view.colour_bits);
+/// Everything that all points share; tables of other sweeps are refused by it. The rest is in each point.
+std::string title_of(const CLI::App& command) {
+  return study_title(command,
+                     {"strategy", "stack-bits", "z-bits", "colouring", "pruning", "machine", "memory-bits", "no-draw"});
+}
+
+std::vector<std::filesystem::path> inputs_of(const SweepOptions& options) {
+  std::vector<std::filesystem::path> inputs(options.models.begin(), options.models.end());
+  for (const std::string& name : study::parse_words(options.machines)) {
+    if (machines::is_file(name)) inputs.emplace_back(name);
+  }
+  return inputs;
 }
 
 study::WantedPoint wanted(const SweepOptions& options, const study::SweepJob& job) {
-  return {job.point, job.subject->hash, !options.no_draw};
+  return {job.point, job.inputs, !options.no_draw};
 }
 
 /// Measures the points that the table has not, and returns all in their order. So they are in the file at the end,
@@ -74,7 +81,7 @@ std::vector<std::pair<std::string, Rows>> by_model(const Rows& rows) {
   std::map<std::string, unsigned> uses;
   for (const SweepRow& row : rows) {
     if (models.empty() || models.back().second.front().point.model != row.point.model) {
-      const std::string stem = std::filesystem::path(row.point.model).stem().string();
+      const std::string stem = study::plot_stem(row.point.model);
       const unsigned use = ++uses[stem];
       models.emplace_back(use == 1 ? stem : fmt::format("{}-{}", stem, use), Rows{});
     }
@@ -104,18 +111,26 @@ void refuse_failures(const SweepOptions& options, const Rows& rows) {
                   wrong.size(), rows.size()));
 }
 
-void run(const SweepOptions& options) {
+std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std::vector<study::SweepJob>& jobs) {
+  std::vector<study::WantedPoint> all;
+  for (const study::SweepJob& job : jobs) all.push_back(wanted(options, job));
+  return all;
+}
+
+void run(const SweepOptions& options, const CLI::App& command) {
+  const StudyFolder folder(options.folder, "sweep", inputs_of(options));
   const std::vector<study::SweepJob> jobs = jobs_of(options);
-  const std::filesystem::path folder = study_folder(options.folder);
-  const std::string title = title_of(options);
-  Table table(folder / "sweep.csv", title);
+  const std::string title = title_of(command);
+  const std::filesystem::path table_path = folder.path() / "sweep.csv";
+  Table table(table_path, title);
+  tell_stale(table_path, table.drop_stale(std::span<const study::WantedPoint>(wanted_of(options, jobs))));
   const Rows rows = complete(options, jobs, table);
-  write_points(folder / "sweep.json", title, rows, study::sweep_json);
+  write_points(folder.path() / "sweep.json", title, rows, study::sweep_json);
   for (const auto& [name, of_model] : by_model(rows)) {
     print_sweep(of_model);
-    if (!options.no_plots) study::draw_sweep(of_model, name, folder);
+    if (!options.no_plots) study::draw_sweep(of_model, name, folder.path());
   }
-  fmt::print("\n{}: sweep.csv, sweep.json{}\n", options.folder,
+  fmt::print("\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks and memory");
   refuse_failures(options, rows);
 }
@@ -134,7 +149,7 @@ void add_sweep(CLI::App& app) {
       "Lists are with commas, ranges of numbers as 3..8; every combination is a point. What has been measured is in\n"
       "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is new.");
   options->add_to(command);
-  command.callback([options] { run(*options); });
+  command.callback([options, &command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -10,12 +10,13 @@
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
 #include "hw/base/pipe_into.h"
-#include "hw/isa/program_file.h"
+#include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
+#include "sim/app/program_input.h"
 #include "sim/app/run_options.h"
 #include "sim/app/wave_view.h"
 #include "sim/cycle/record.h"
@@ -44,7 +45,7 @@ void refuse_model_options(const CLI::App& command) {
 /// A model is compiled; anything else is a Program, and the machine gets the array it is made for.
 isa::Program program_of(const ModelOptions& options, machines::Machine& machine) {
   if (is_model(options.model)) return compile_model(options, machine).program;
-  isa::Program program = isa::load_program(options.model);
+  isa::Program program = read_program(options.model);
   machines::adopt(machine, program);
   return program;
 }
@@ -76,6 +77,7 @@ void record(const Options& options, const CLI::App& command) {
   }
   if (!is_model(options.model.model)) refuse_model_options(command);
   const std::filesystem::path view_path = std::filesystem::path(options.output).replace_extension(".gtkw");
+  refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
   OutputFile file(options.output);
   OutputFile view(view_path);
   machines::Machine machine = machine_of(options.model);
@@ -83,7 +85,7 @@ void record(const Options& options, const CLI::App& command) {
   PipeInto pipe(file, ".vcd");
   const pixel_planes::WaveRequest request = request_of(options, program, pipe.path());
   const sim::RecordedRun run =
-      with_memory_for(machine.array, [&] { return sim::run_and_record(machine, program, {}, request); });
+      with_memory_for_picture(machine.array, [&] { return sim::run_and_record(machine, program, {}, request); });
   if (!run.window_reached) {
     throw InputError(
         fmt::format("the program ends at clock {}, before the window {} begins; choose an earlier --window",
@@ -93,8 +95,8 @@ void record(const Options& options, const CLI::App& command) {
   pipe.finish();
   view.write(gtkwave_view(request, options.output, machine));
   commit_all(std::array{&file, &view});
-  fmt::print("{}: clocks {} of {}, {} pixels; to look at it: gtkwave {}\n", options.output, options.window,
-             run.result.clocks, request.probes.size(), view_path.string());
+  fmt::print("{}: clocks {} of {}, {} pixels; to look at it: gtkwave {}\n", printable(options.output), options.window,
+             run.result.clocks, request.probes.size(), shell_word(view_path.native()));
 }
 
 }  // namespace

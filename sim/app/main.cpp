@@ -1,11 +1,11 @@
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 
 #include "hw/base/error.h"
+#include "hw/base/messages.h"
 #include "hw/base/partial_files.h"
 #include "sim/app/commands.h"
 #include "sim/app/usage.h"
@@ -20,7 +20,7 @@ constexpr int our_fault = 3;
 bool printed() { return std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }
 
 int not_printed() {
-  fmt::print(stderr, "csgsim: standard output cannot be written; is there room?\n");
+  csgsim::tell_line("csgsim: standard output cannot be written; is there room?");
   return bad_input;
 }
 
@@ -29,17 +29,17 @@ int run(CLI::App& app, int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "csgsim: {}\n", csgsim::app::explain(app, error, {argv, static_cast<std::size_t>(argc)}));
+    csgsim::tell_line("csgsim: " + csgsim::app::explain(app, error, {argv, static_cast<std::size_t>(argc)}));
     return bad_usage;
   } catch (const csgsim::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    csgsim::tell_line(error.what());
     return bad_input;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "csgsim: there is not enough memory; a smaller picture takes less\n");
+    csgsim::tell("csgsim: there is not enough memory\n");
     return bad_input;
   } catch (const std::exception& error) {
     if (!printed()) return not_printed();
-    fmt::print(stderr, "csgsim: {}; this is a fault of csgsim, please report it\n", error.what());
+    csgsim::tell_line("csgsim: " + std::string(error.what()) + "; this is a fault of csgsim, please report it");
     return our_fault;
   }
   return 0;
@@ -48,6 +48,7 @@ int run(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  csgsim::keep_standard_numbers();
   csgsim::delete_partial_files_on_signals();
   CLI::App app("csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models",
                "csgsim");

@@ -2,19 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <map>
 #include <vector>
 
 #include "host/emit/compile.h"
 #include "host/facet/scene.h"
 #include "host/read/read.h"
+#include "host/read/source.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
 #include "sim/functional/clocks.h"
+#include "sim/study/hash.h"
 
 namespace csgsim::app {
 
@@ -52,8 +55,9 @@ constexpr NamedPruning prunings[] = {
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
   if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
-  fmt::print(stderr, "warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye\n",
-             view.depth_step);
+  tell_line(
+      fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
+                  view.depth_step));
 }
 
 }  // namespace
@@ -182,16 +186,24 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
   return options.view_all ? view::view_all(camera, scene.box, picture.width, picture.height) : camera;
 }
 
-model::Tree read_model(const ModelOptions& options) {
+std::vector<std::filesystem::path> ModelOptions::inputs() const { return input_files(model, machine); }
+
+ModelFile read_model_file(const ModelOptions& options) {
   if (is_program(options.model))
-    throw InputError(options.model + ": that is a Program; use csgsim run " + options.model);
-  return read::read_csg_file(options.model);
+    throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
+  return with_memory_for("the model " + options.model, [&] {
+    const std::string text = read::load(options.model);
+    study::Hash hash;
+    hash.add(text);
+    return ModelFile{read::read_csg_text(text, options.model), hash.text()};
+  });
 }
+
+model::Tree read_model(const ModelOptions& options) { return read_model_file(options).tree; }
 
 namespace {
 
-CompiledModel compile(const ModelOptions& options, const machines::Machine& machine) {
-  model::Tree tree = read_model(options);
+CompiledModel compile(model::Tree tree, const ModelOptions& options, const machines::Machine& machine) {
   facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
   const view::Camera camera = camera_of(options, machine, scene);
   const view::View view = view::make_view(scene, tree, camera, sampling_of(options, machine));
@@ -204,7 +216,8 @@ CompiledModel compile(const ModelOptions& options, const machines::Machine& mach
 }  // namespace
 
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
-  return with_memory_for(machine.array, [&] { return compile(options, machine); });
+  model::Tree tree = read_model(options);
+  return with_memory_for("the Program of " + options.model, [&] { return compile(std::move(tree), options, machine); });
 }
 
 }  // namespace csgsim::app

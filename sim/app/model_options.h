@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ struct ModelOptions {
 
   void add_to(CLI::App& command);
 
+  /// The files that are read: the model, and the machine if it is one.
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
+
   /// Of these only what the picture shows and how exactly: nothing that a sweep varies.
   void add_view_to(CLI::App& command);
 };
@@ -66,7 +70,14 @@ view::Sampling sampling_of(const ModelOptions& options, const machines::Machine&
 emit::Options emit_options_of(const ModelOptions& options);
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene);
 
+/// A model's file as it was read.
+struct ModelFile {
+  model::Tree tree;
+  std::string hash;  ///< of its bytes
+};
+
 /// Reads the model. Throws InputError.
+ModelFile read_model_file(const ModelOptions& options);
 model::Tree read_model(const ModelOptions& options);
 
 /// A model read, faceted, seen and compiled.

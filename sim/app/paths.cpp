@@ -1,13 +1,40 @@
 #include "sim/app/paths.h"
 
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <optional>
+
+#include "hw/base/file_roles.h"
+#include "hw/machines/machine.h"
 
 namespace csgsim::app {
 
 bool ends_in(const std::filesystem::path& path, std::string_view ending) {
   return std::ranges::equal(path.extension().string(), ending,
                             [](unsigned char letter, unsigned char wanted) { return std::tolower(letter) == wanted; });
+}
+
+std::vector<std::filesystem::path> input_files(const std::filesystem::path& subject, const std::string& machine) {
+  std::vector<std::filesystem::path> files{subject};
+  if (machines::is_file(machine)) files.emplace_back(machine);
+  return files;
+}
+
+void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs) {
+  std::vector<std::filesystem::path> named;
+  std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(named),
+               [](const std::filesystem::path& path) { return !path.empty(); });
+  const std::optional<Clash> clash = find_clash(inputs, named);
+  if (!clash) return;
+  throw CLI::ValidationError(
+      clash->output.native(),
+      clash->is_input
+          ? fmt::format("it is the same file as {}, which is read; name another output", clash->other.native())
+          : "two outputs cannot be the same file");
 }
 
 }  // namespace csgsim::app

@@ -1,12 +1,22 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace csgsim::app {
 
 /// Does the path's name end so, in small letters or capitals?
 bool ends_in(const std::filesystem::path& path, std::string_view ending);
+
+/// What is read of a model or a Program and a machine, which may be one that comes with csgsim.
+std::vector<std::filesystem::path> input_files(const std::filesystem::path& subject, const std::string& machine);
+
+/// Refuses outputs that are among what is read, or the same as another output; empty paths are none. Throws
+/// CLI::ValidationError.
+void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs);
 
 inline bool is_model(const std::filesystem::path& path) { return ends_in(path, ".csg"); }
 inline bool is_program(const std::filesystem::path& path) { return ends_in(path, ".csgt"); }

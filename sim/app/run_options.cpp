@@ -10,6 +10,7 @@
 
 #include "hw/base/error.h"
 #include "sim/app/memory.h"
+#include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/run_outputs.h"
 #include "sim/app/summary.h"
@@ -45,11 +46,12 @@ std::string exr_name(const std::string& name) {
 }  // namespace
 
 void RunOptions::add_to(CLI::App& command) {
-  command.add_option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...)");
+  command.add_option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...)")
+      ->check(not_empty);
   command.add_option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
       ->check(exr_name);
   command.add_option("--owner", owner, "Owner picture, .exr: index of the primitive seen")->check(exr_name);
-  command.add_option("--stats", stats, "All counts, .json");
+  command.add_option("--stats", stats, "All counts, .json")->check(not_empty);
   command
       .add_option("--level", level, "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow)")
       ->check(CLI::IsMember(levels))
@@ -103,7 +105,8 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
 
 void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
                  RunOutputs& outputs, const Judge& judge) {
-  with_memory_for(machine.array, [&] { simulate(program, machine, options, outputs, judge); });
+  announce_memory(machine, program.shape, options.level);
+  with_memory_for_picture(machine.array, [&] { simulate(program, machine, options, outputs, judge); });
 }
 
 }  // namespace csgsim::app

@@ -1,25 +1,15 @@
 #include "sim/app/run_outputs.h"
 
+#include <array>
 #include <filesystem>
-#include <set>
+#include <vector>
 
+#include "sim/app/paths.h"
 #include "sim/observe/pictures.h"
 
 namespace csgsim::app {
 
 namespace {
-
-/// Two files cannot be one; a device takes any number.
-void check_different(const RunOptions& options) {
-  std::set<std::filesystem::path> seen;
-  for (const std::string* name : {&options.picture, &options.depth, &options.owner, &options.stats}) {
-    if (name->empty()) continue;
-    std::error_code ignored;
-    const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(*name), ignored);
-    if (std::filesystem::is_character_file(place, ignored) || seen.insert(place).second) continue;
-    throw CLI::ValidationError(*name, "two outputs cannot be the same file");
-  }
-}
 
 void open(std::optional<OutputFile>& file, const std::string& name) {
   if (!name.empty()) file.emplace(name);
@@ -27,8 +17,9 @@ void open(std::optional<OutputFile>& file, const std::string& name) {
 
 }  // namespace
 
-RunOutputs::RunOutputs(const RunOptions& options) {
-  check_different(options);
+RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs) {
+  refuse_clashes(inputs,
+                 std::to_array<std::filesystem::path>({options.picture, options.depth, options.owner, options.stats}));
   if (!options.picture.empty()) sim::check_format(options.picture);
   open(picture_, options.picture);
   open(depth_, options.depth);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <span>
 
 #include "hw/base/output_file.h"
 #include "sim/app/run_options.h"
@@ -11,8 +13,8 @@ namespace csgsim::app {
 /// together at its end.
 class RunOutputs {
  public:
-  /// Throws CLI::ValidationError for two files of the same name, InputError for one that cannot be written.
-  explicit RunOutputs(const RunOptions& options);
+  /// Throws CLI::ValidationError for one that is another or an input, InputError for one that cannot be written.
+  RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs);
 
   void write_pictures(const sim::Frame& frame, const isa::Program& program);
   void write_stats(const nlohmann::ordered_json& stats);

@@ -1,16 +1,74 @@
 #include "sim/app/study_files.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 #include <system_error>
+#include <vector>
 
 #include "hw/base/error.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
+#include "sim/app/paths.h"
 
 namespace csgsim::app {
 
-std::filesystem::path study_folder(const std::filesystem::path& folder) {
+namespace {
+
+/// Endings of all files that studies write.
+constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".json", ".png", ".svg"});
+
+std::filesystem::path made_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) throw CLI::ValidationError("--output", "the name is empty; name the folder");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": cannot be made a folder (" + error.message() + ")");
+  if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
   return folder;
+}
+
+/// What is in the folder under names that a study may write.
+std::vector<std::filesystem::path> replaceable(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (auto entry = std::filesystem::directory_iterator(folder, error);
+       !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const bool is_written = std::any_of(written_endings.begin(), written_endings.end(),
+                                        [&](std::string_view ending) { return ends_in(entry->path(), ending); });
+    if (is_written) files.push_back(entry->path());
+  }
+  if (error) throw InputError(folder.native() + ": cannot be read (" + error.message() + ")");
+  return files;
+}
+
+constexpr auto without_effect = std::to_array<std::string_view>({"help", "output", "threads", "progress", "no-plots"});
+
+}  // namespace
+
+StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string& study,
+                         std::span<const std::filesystem::path> inputs)
+    : path_(made_folder(folder)), lock_(path_, study) {
+  for (const std::filesystem::path& file : replaceable(path_)) refuse_clashes(inputs, std::span(&file, 1));
+}
+
+std::string study_title(const CLI::App& command, const std::set<std::string>& but) {
+  std::string title = "csgsim " + command.get_name();
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional() || option->get_lnames().empty()) continue;
+    const std::string& name = option->get_lnames().front();
+    const bool has_effect = std::find(without_effect.begin(), without_effect.end(), name) == without_effect.end();
+    const std::string value = fmt::format("{}", fmt::join(option->results(), ","));
+    if (!has_effect || but.contains(name) || option->count() == 0 || value == option->get_default_str()) continue;
+    title += fmt::format(" --{} {}", name, escaped(value));
+  }
+  return title;
+}
+
+void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
+  if (changed.empty()) return;
+  tell_line(fmt::format("{}: {} {} changed since some of it was measured; these points are measured anew",
+                        table.native(), fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));
 }
 
 }  // namespace csgsim::app

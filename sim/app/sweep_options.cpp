@@ -11,10 +11,12 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/text.h"
 #include "hw/isa/instruction.h"
-#include "sim/app/model_hash.h"
+#include "sim/app/options.h"
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
+#include "sim/app/version.h"
 #include "sim/study/ranges.h"
 
 namespace csgsim::app {
@@ -107,20 +109,29 @@ std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
     const machines::Size picture = machines::picture_size(machine);
     std::shared_ptr<const study::Subject>& subject = subjects[{point.model, picture.width, picture.height}];
     if (!subject) {
-      model::Tree tree = read_model(one);
-      facet::Scene scene = facet::make_scene(tree, faceting_of(one, machine, tree));
+      ModelFile file = read_model_file(one);
+      facet::Scene scene = facet::make_scene(file.tree, faceting_of(one, machine, file.tree));
       subject = std::make_shared<study::Subject>(
-          study::Subject{std::move(tree), std::move(scene), hash_of_file(point.model)});
+          study::Subject{std::move(file.tree), std::move(scene), std::move(file.hash)});
     }
-    jobs.push_back({std::move(point), subject, camera_of(one, machine, subject->scene), sampling_of(one, machine),
-                    machine, emit_options_of(one)});
+    point.model = escaped(point.model);
+    point.machine = escaped(point.machine);
+    jobs.push_back({std::move(point),
+                    subject,
+                    camera_of(one, machine, subject->scene),
+                    sampling_of(one, machine),
+                    machine,
+                    emit_options_of(one),
+                    {subject->hash, study::hash_of(machine), version_and_build()}});
   }
   return jobs;
 }
 
 void SweepOptions::add_to(CLI::App& command) {
   command.add_option("MODEL", models, "The models, OpenSCAD .csg files")->required();
-  command.add_option("-o,--output", folder, "Folder for sweep.csv, sweep.json and the plots")->required();
+  command.add_option("-o,--output", folder, "Folder for sweep.csv, sweep.json and the plots")
+      ->required()
+      ->check(not_empty);
   const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
     command.add_option(name, value, help)->check(is_read_by(parse))->capture_default_str();
   };

@@ -5,7 +5,8 @@
 
 #include <chrono>
 #include <cstddef>
-#include <cstdio>
+
+#include "hw/base/messages.h"
 
 namespace csgsim::app {
 
@@ -18,7 +19,7 @@ class SweepProgress {
     show();
   }
   ~SweepProgress() {
-    if (show_) fmt::print(stderr, "\r\x1b[K");
+    if (show_) tell("\r\x1b[K");
   }
   SweepProgress(const SweepProgress&) = delete;
   SweepProgress& operator=(const SweepProgress&) = delete;
@@ -31,14 +32,13 @@ class SweepProgress {
  private:
   void show() const {
     if (!show_) return;
-    fmt::print(stderr, "\r\x1b[K{} of {} points", known_ + measured_, points_);
+    tell(fmt::format("\r\x1b[K{} of {} points", known_ + measured_, points_));
     if (measured_ > 0) {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
       const double each = elapsed.count() / static_cast<double>(measured_);
-      fmt::print(stderr, "  {:.3g} points/s  {:.0f} s left", 1.0 / each,
-                 each * static_cast<double>(points_ - known_ - measured_));
+      tell(fmt::format("  {:.3g} points/s  {:.0f} s left", 1.0 / each,
+                       each * static_cast<double>(points_ - known_ - measured_)));
     }
-    std::fflush(stderr);
   }
 
   std::size_t points_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "hw/base/text.h"
+
 namespace csgsim::app {
 
 namespace {
@@ -49,7 +51,10 @@ std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<i
 std::string gtkwave_view(const pixel_planes::WaveRequest& request, const std::string& waveform,
                          const machines::Machine& machine) {
   const std::uint64_t start = (request.begin + 1) * period(machine.clock_hz);
-  std::string view = fmt::format("[dumpfile] \"{}\"\n[timestart] {}\n*-20.0 {}\n", waveform, start, start);
+  // A name that would end its line or its quotes is left out: the file is then named beside this one.
+  const bool is_plain = printable(waveform) == waveform && waveform.find('"') == std::string::npos;
+  std::string view = is_plain ? fmt::format("[dumpfile] \"{}\"\n", waveform) : "";
+  view += fmt::format("[timestart] {}\n*-20.0 {}\n", start, start);
   view += as_bits;
   view += "SystemC.clock\n";
   view += as_text;

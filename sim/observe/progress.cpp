@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <span>
 
+#include "hw/base/messages.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
 
@@ -21,7 +21,7 @@ ProgressObserver::ProgressObserver(const isa::Program& program, const machines::
     : program_(program), machine_(machine), total_(machines::clocks(program, machine)) {}
 
 ProgressObserver::~ProgressObserver() {
-  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  if (shown_) tell("\r\x1b[K");
 }
 
 void ProgressObserver::after_instruction(const Step& step, const PixelState& /*state*/) {
@@ -40,9 +40,8 @@ void ProgressObserver::after_instruction(const Step& step, const PixelState& /*s
   const double rate = static_cast<double>(done_) / elapsed.count();
   const double left = static_cast<double>(total_ - done_) / rate;
   const double percent = 100.0 * static_cast<double>(done_) / static_cast<double>(total_);
-  fmt::print(stderr, "\r\x1b[K{:5.1f} %  {} of {} clocks  {:.0f} clocks/s  {:.0f} s left", percent, done_, total_, rate,
-             left);
-  std::fflush(stderr);
+  tell(fmt::format("\r\x1b[K{:5.1f} %  {} of {} clocks  {:.0f} clocks/s  {:.0f} s left", percent, done_, total_, rate,
+                   left));
 }
 
 }  // namespace csgsim::sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/text.h"
 #include "hw/machines/clocks.h"
 #include "sim/observe/account_json.h"
 
@@ -18,12 +19,8 @@ Json cost_json(const Cost& cost) {
 }
 
 Json model_json(const isa::ModelFacts& model) {
-  return {{"file", model.file},
-          {"primitives", model.primitives},
-          {"unions", model.unions},
-          {"differences", model.differences},
-          {"intersections", model.intersections},
-          {"halfspaces", model.halfspaces}};
+  return {{"file", printable(model.file)},    {"primitives", model.primitives},       {"unions", model.unions},
+          {"differences", model.differences}, {"intersections", model.intersections}, {"halfspaces", model.halfspaces}};
 }
 
 Json machine_json(const Report& report) {
@@ -42,7 +39,7 @@ Json machine_json(const Report& report) {
           {"z_bits", compile.z_bits},
           {"fraction_bits", compile.fraction_bits},
           {"edge_on_fraction", compile.edge_on_fraction},
-          {"colouring", compile.colouring}};
+          {"colouring", printable(compile.colouring)}};
 }
 
 Json instructions_json(const Report& report) {
@@ -58,7 +55,7 @@ Json instructions_json(const Report& report) {
 Json memory_json(const Report& report) {
   Json fields = Json::array();
   for (const isa::NamedField& named : report.program.fields) {
-    fields.push_back({{"name", named.name},
+    fields.push_back({{"name", printable(named.name)},
                       {"base", named.field.base},
                       {"width", named.field.width},
                       {"role", isa::name_of(named.role)}});
@@ -83,7 +80,7 @@ Json purposes_json(const Report& report) {
 Json primitives_json(const Report& report) {
   Json primitives = Json::array();
   for (std::size_t i = 0; i < report.program.primitives.size(); ++i) {
-    Json entry{{"index", i}, {"name", report.program.primitives[i]}};
+    Json entry{{"index", i}, {"name", printable(report.program.primitives[i])}};
     entry.update(cost_json(report.stats.by_primitive[i]));
     primitives.push_back(std::move(entry));
   }
@@ -137,7 +134,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["model"] = model_json(report.program.model);
   json["machine"] = machine_json(report);
   json["level"] = report.level;
-  json["strategy"] = compile.strategy;
+  json["strategy"] = printable(compile.strategy);
   json["clocks"] = report.result.clocks;
   json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
   json["instructions"] = instructions_json(report);
@@ -149,7 +146,8 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["by_primitive"] = primitives_json(report);
   json["segments"] = segments_json(report.program);
   if (report.machine.kind != machines::Kind::frame_buffer) json["account"] = account_json(report);
-  json["effects"] = compile.effects;
+  json["effects"] = Json::array();
+  for (const std::string& effect : compile.effects) json["effects"].push_back(printable(effect));
   json["wall_seconds"] = report.wall_seconds;
   return json;
 }

@@ -5,6 +5,7 @@
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
+#include "hw/base/text.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
@@ -71,7 +72,7 @@ ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
   const auto begin = [&] {
     row = {};
     row.point = job.wanted.point;
-    row.model_hash = job.wanted.model_hash;
+    row.inputs = job.wanted.inputs;
   };
   begin();
   try {
@@ -84,7 +85,7 @@ ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
     draw(program, machine, row);
   } catch (const InputError& error) {
     begin();
-    row.reason = error.what();
+    row.reason = escaped(error.what());
   }
   return row;
 }

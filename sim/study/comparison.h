@@ -13,6 +13,7 @@
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
+#include "sim/study/inputs.h"
 
 namespace csgsim::study {
 
@@ -29,7 +30,7 @@ struct ComparisonPoint {
 /// What a point takes. Where `reason` says why the machine cannot draw it, the counts are 0.
 struct ComparisonRow {
   ComparisonPoint point;
-  std::string model_hash;  ///< of the model's file
+  Inputs inputs;
   std::uint64_t primitives = 0;
   std::uint64_t halfspaces = 0;
   std::uint64_t segments = 0;        ///< parts of the picture
@@ -63,7 +64,7 @@ template <class Row, class Visitor>
 requires std::same_as<std::remove_const_t<Row>, ComparisonRow>
 void visit_columns(Row& row, Visitor&& visit) {
   visit_columns(row.point, visit);
-  visit("model_hash", row.model_hash);
+  visit_columns(row.inputs, visit);
   visit("primitives", row.primitives);
   visit("halfspaces", row.halfspaces);
   visit("segments", row.segments);
@@ -82,14 +83,16 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("reason", row.reason);
 }
 
-/// A point of a model's file, as it is now.
+/// A point of the files as they are now.
 struct WantedComparison {
   ComparisonPoint point;
-  std::string model_hash;
+  Inputs inputs;
 };
 
+inline bool same_point(const ComparisonRow& row, const WantedComparison& wanted) { return row.point == wanted.point; }
+
 inline bool measures(const ComparisonRow& row, const WantedComparison& wanted) {
-  return row.point == wanted.point && row.model_hash == wanted.model_hash;
+  return same_point(row, wanted) && row.inputs == wanted.inputs;
 }
 
 /// All that a point is made from, but for what the point says.

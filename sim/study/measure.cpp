@@ -11,6 +11,7 @@
 #include "host/emit/compile.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
+#include "hw/isa/colour_format.h"
 #include "sim/accuracy/analytic.h"
 #include "sim/accuracy/explain.h"
 #include "sim/accuracy/truth.h"
@@ -38,9 +39,10 @@ std::string name_of(const facet::Faceting& faceting) {
 }
 
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
-                     const view::Sampling& sampling, const machines::Machine& machine) {
+                     const view::Sampling& sampling, const machines::Machine& machine, const emit::Options& options) {
   const view::View view = view::make_view(scene, tree, camera, sampling);
-  return emit::compile(tree, scene, view, machine);
+  return emit::compile(tree, scene, view, machine, options,
+                       [&](const isa::Program& program) { return sim::clocks_of_run(program, machine); });
 }
 
 machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
@@ -55,22 +57,22 @@ Drawn draw(isa::Program program, const machines::Machine& machine) {
   return {std::move(program), frame.frame(), clocks};
 }
 
-/// Sum over pixels and channels of the difference of the colours.
-double colour_difference(const sim::Frame& a, const sim::Frame& b) {
+/// Sum over pixels and channels of the difference of the colours, which have so many bits.
+double colour_difference(const sim::Frame& a, const sim::Frame& b, unsigned bits) {
   double sum = 0;
   for (std::size_t i = 0; i < a.colour.size(); ++i) {
-    for (const unsigned shift : {16U, 8U, 0U}) {
-      sum += std::abs(static_cast<double>(a.colour[i] >> shift & 0xffU) -
-                      static_cast<double>(b.colour[i] >> shift & 0xffU));
-    }
+    const std::array<std::uint8_t, 3> of_a = isa::unpack_colour(a.colour[i], bits);
+    const std::array<std::uint8_t, 3> of_b = isa::unpack_colour(b.colour[i], bits);
+    for (std::size_t channel = 0; channel < of_a.size(); ++channel)
+      sum += std::abs(static_cast<double>(of_a[channel]) - static_cast<double>(of_b[channel]));
   }
   return sum;
 }
 
 }  // namespace
 
-bool measures(const Measurement& row, const Settings& point) {
-  return row.knob == point.knob && row.value == point.value;
+bool same_point(const Measurement& row, const WantedSettings& wanted) {
+  return row.knob == wanted.point.knob && row.value == wanted.point.value;
 }
 
 struct Meter::Subject {
@@ -80,8 +82,9 @@ struct Meter::Subject {
   sim::Frame finest;
 };
 
-Meter::Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine)
-    : tree_(tree), cameras_(std::move(cameras)), machine_(machine) {}
+Meter::Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine,
+             const emit::Options& options)
+    : tree_(tree), cameras_(std::move(cameras)), machine_(machine), options_(options) {}
 
 Meter::~Meter() = default;
 
@@ -98,7 +101,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   finest.fraction_bits = finest_fraction_bits;
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, ample_memory_bits);
-  Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine), machine);
+  Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine, options_), machine);
   const isa::DepthScale& depth = drawn.program.depth_scale;
   accuracy::Truth exact = accuracy::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
   accuracy::Truth analytic = accuracy::analytic_truth(tree_, cameras_[camera], sampling.width, sampling.height, depth);
@@ -112,7 +115,7 @@ std::uint64_t Meter::clocks(const Settings& settings) {
   std::uint64_t clocks = 0;
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const isa::Program program =
-        compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine);
+        compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine, options_);
     clocks += sim::clocks_of_run(program, machine);
   }
   return clocks;
@@ -126,7 +129,8 @@ Measurement Meter::measure(const Settings& settings) {
   double difference = 0;
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const Subject& subject = this->subject(settings, camera);
-    const Drawn drawn = draw(compile(tree_, subject.scene, cameras_[camera], settings.sampling, machine), machine);
+    const Drawn drawn =
+        draw(compile(tree_, subject.scene, cameras_[camera], settings.sampling, machine, options_), machine);
     const accuracy::Explainer explainer(tree_, subject.scene, cameras_[camera], drawn.program);
     const accuracy::Errors errors = accuracy::judge(subject.exact, drawn.frame, drawn.program, explainer);
     const accuracy::Errors facets = accuracy::compare(subject.analytic, drawn.frame, drawn.program);
@@ -144,8 +148,8 @@ Measurement Meter::measure(const Settings& settings) {
     sum.depth_p999_steps = std::max(sum.depth_p999_steps, errors.steps.p999);
     sum.facet_wrong += facets.wrong();
     sum.facet_depth_p999 = std::max(sum.facet_depth_p999, facets.model_units.p999);
-    difference +=
-        colour_difference(drawn.frame, subject.finest) / (3.0 * static_cast<double>(drawn.frame.colour.size()));
+    difference += colour_difference(drawn.frame, subject.finest, options_.colour_bits) /
+                  (3.0 * static_cast<double>(drawn.frame.colour.size()));
   }
   sum.simulated_seconds = static_cast<double>(sum.clocks) / static_cast<double>(machine.clock_hz);
   sum.picture_difference = difference / static_cast<double>(cameras_.size());

@@ -8,12 +8,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "host/emit/options.h"
 #include "host/facet/scene.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/machines/machine.h"
 #include "sim/accuracy/errors.h"
 #include "sim/observe/frame.h"
+#include "sim/study/inputs.h"
 #include "sim/study/settings.h"
 
 namespace csgsim::study {
@@ -25,6 +27,7 @@ inline constexpr std::uint32_t ample_memory_bits = 256;
 struct Measurement {
   std::string knob;
   std::string value;
+  Inputs inputs;
   std::uint64_t clocks = 0;
   double simulated_seconds = 0;
   std::uint64_t halfspaces = 0;
@@ -51,6 +54,7 @@ requires std::same_as<std::remove_const_t<Row>, Measurement>
 void visit_columns(Row& row, Visitor&& visit) {
   visit("knob", row.knob);
   visit("value", row.value);
+  visit_columns(row.inputs, visit);
   visit("clocks", row.clocks);
   visit("simulated_seconds", row.simulated_seconds);
   visit("halfspaces", row.halfspaces);
@@ -69,14 +73,24 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("picture_difference", row.picture_difference);
 }
 
-/// Is it of that point?
-bool measures(const Measurement& row, const Settings& point);
+/// A point of the files as they are now.
+struct WantedSettings {
+  Settings point;
+  Inputs inputs;
+};
+
+bool same_point(const Measurement& row, const WantedSettings& wanted);
+
+inline bool measures(const Measurement& row, const WantedSettings& wanted) {
+  return same_point(row, wanted) && row.inputs == wanted.inputs;
+}
 
 /// Measures points of one model. Pictures of the exact arithmetic are worked out once for each faceting and size.
 class Meter {
  public:
-  /// `cameras` are the views that a point is measured in.
-  Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine);
+  /// `cameras` are the views that a point is measured in, `options` how all of them are compiled.
+  Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine,
+        const emit::Options& options);
   ~Meter();
   Meter(const Meter&) = delete;
   Meter& operator=(const Meter&) = delete;
@@ -94,6 +108,7 @@ class Meter {
   const model::Tree& tree_;
   std::vector<view::Camera> cameras_;
   machines::Machine machine_;
+  emit::Options options_;
   std::map<std::string, Subject> subjects_;
 };
 

@@ -58,14 +58,14 @@ std::vector<SweepPoint> points_of(const SweepRanges& ranges) {
 nlohmann::ordered_json sweep_json(const SweepRow& row) {
   if (row.compiled()) return to_json(row);
   nlohmann::ordered_json json = to_json(row.point);
-  json["model_hash"] = row.model_hash;
+  visit_columns(row.inputs, [&](const char* name, const std::string& member) { json[name] = member; });
   json["reason"] = row.reason;
   return json;
 }
 
 bool measures(const SweepRow& row, const WantedPoint& wanted) {
   const bool is_drawn_if_wanted = !wanted.drawn || !row.compiled() || !row.picture.empty();
-  return row.point == wanted.point && row.model_hash == wanted.model_hash && is_drawn_if_wanted;
+  return row.point == wanted.point && row.inputs == wanted.inputs && is_drawn_if_wanted;
 }
 
 PointNames::PointNames(std::span<const SweepRow> rows)

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/study/inputs.h"
 #include "sim/study/memory_map.h"
 
 namespace csgsim::study {
@@ -50,7 +51,7 @@ inline constexpr std::string_view overflow = "overflow";
 /// What a point takes. Where `reason` says why there is no such Program, the counts are 0.
 struct SweepRow {
   SweepPoint point;
-  std::string model_hash;  ///< of the model's file
+  Inputs inputs;
   std::string reason;
   std::string strategy_used;
   std::string colouring_used;
@@ -93,7 +94,7 @@ template <class Row, class Visitor>
 requires std::same_as<std::remove_const_t<Row>, SweepRow>
 void visit_columns(Row& row, Visitor&& visit) {
   visit_columns(row.point, visit);
-  visit("model_hash", row.model_hash);
+  visit_columns(row.inputs, visit);
   visit("strategy_used", row.strategy_used);
   visit("colouring_used", row.colouring_used);
   visit("primitives", row.primitives);
@@ -117,12 +118,14 @@ void visit_columns(Row& row, Visitor&& visit) {
 /// The row for a file: where there is no Program, only the point and why.
 nlohmann::ordered_json sweep_json(const SweepRow& row);
 
-/// A point of a model's file, as it is now, that is to be drawn or not.
+/// A point of the files as they are now, that is to be drawn or not.
 struct WantedPoint {
   SweepPoint point;
-  std::string model_hash;
+  Inputs inputs;
   bool drawn = true;
 };
+
+inline bool same_point(const SweepRow& row, const WantedPoint& wanted) { return row.point == wanted.point; }
 
 bool measures(const SweepRow& row, const WantedPoint& wanted);
 

@@ -12,6 +12,7 @@
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
+#include "hw/base/text.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
@@ -63,14 +64,14 @@ void count(const isa::Program& program, SweepRow& row) {
 SweepRow measure(const SweepJob& job, bool is_drawn) {
   SweepRow row;
   row.point = job.point;
-  row.model_hash = job.subject->hash;
+  row.inputs = job.inputs;
   row.width = machines::picture_size(job.machine).width;
   row.height = machines::picture_size(job.machine).height;
   std::optional<isa::Program> program;
   try {
     program = compile(job);
   } catch (const InputError& error) {
-    row.reason = error.what();
+    row.reason = escaped(error.what());
     return row;
   }
   count(*program, row);

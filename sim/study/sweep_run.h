@@ -19,7 +19,7 @@ namespace csgsim::study {
 struct Subject {
   model::Tree tree;
   facet::Scene scene;
-  std::string hash;  ///< of the model's file
+  std::string hash;  ///< of the bytes of the model's file
 };
 
 /// A point with all that it is made from.
@@ -30,6 +30,7 @@ struct SweepJob {
   view::Sampling sampling;
   machines::Machine machine;
   emit::Options options;
+  Inputs inputs;
 };
 
 /// Compiles the point, counts, and, if asked to, draws it at the functional level. The clocks are those of a run. A

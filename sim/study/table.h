@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/study/csv.h"
+#include "sim/study/inputs.h"
 
 namespace csgsim::study {
 
@@ -70,11 +73,31 @@ class Table {
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
-  /// The row that measures(row, point) holds of, or null.
-  template <class Point>
-  [[nodiscard]] const Row* find(const Point& point) const {
-    const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return measures(row, point); });
+  /// The row that measures(row, wanted) holds of, or null.
+  template <class Wanted>
+  [[nodiscard]] const Row* find(const Wanted& wanted) const {
+    const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return measures(row, wanted); });
     return found == rows_.end() ? nullptr : &*found;
+  }
+
+  /// Deletes the rows of the wanted points, as same_point(row, wanted) tells, that were measured from other inputs.
+  /// Returns what has changed since.
+  template <class Wanted>
+  std::set<std::string> drop_stale(std::span<const Wanted> all_wanted) {
+    std::set<std::string> changed;
+    std::vector<Row> kept;
+    for (const Row& row : rows_) {
+      const auto wanted =
+          std::find_if(all_wanted.begin(), all_wanted.end(), [&](const Wanted& one) { return same_point(row, one); });
+      const bool is_stale = wanted != all_wanted.end() && row.inputs != wanted->inputs;
+      if (!is_stale) {
+        kept.push_back(row);
+        continue;
+      }
+      for (std::string& name : differences(row.inputs, wanted->inputs)) changed.insert(std::move(name));
+    }
+    if (kept.size() < rows_.size()) replace(std::move(kept));
+    return changed;
   }
 
   void add(Row row) {

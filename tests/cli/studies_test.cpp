@@ -57,9 +57,9 @@ TEST_CASE("sweep writes a table, JSON and plots for every model, and measures no
   CHECK(points[0]["clocks"] > 0);
   // As if interrupted: the last line is gone, and half of the one before. What is left has a mark, and keeps it.
   const std::string table = content(folder / "s/sweep.csv");
-  const std::string hash = points[0]["model_hash"];
-  const std::string measured = "," + hash + ",stack,rebroadcast,";
-  const std::string marked = "," + hash + ",marked,rebroadcast,";
+  const std::string csgsim = points[0]["csgsim"];
+  const std::string measured = "," + csgsim + ",stack,rebroadcast,";
+  const std::string marked = "," + csgsim + ",marked,rebroadcast,";
   std::string expected = table;
   expected.replace(expected.find(measured), measured.size(), marked);
   const std::size_t last = expected.rfind('\n', expected.size() - 2);

@@ -57,9 +57,9 @@ TEST_CASE("a file that cannot be written leaves nothing behind") {
 TEST_CASE("a file that cannot be read is told by name") {
   const Scratch scratch("unreadable");
   const fs::path path = scratch / "p.csgt";
-  CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ": cannot read it: No such file"));
+  CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ": cannot be read: No such file"));
   fs::create_directory(path);
-  CHECK(contains(refusal([&] { load_program(path); }), "Is a directory"));
+  CHECK(contains(refusal([&] { load_program(path); }), "it is a folder; name a .csgt file"));
 }
 
 TEST_CASE("errors inside a file name it") {

@@ -113,7 +113,8 @@ TEST_CASE("an unknown machine names the nearest known") {
                        "in .toml",
                        InputError);
   CHECK_THROWS_WITH_AS(machines::load("none/such.toml"),
-                       "none/such.toml: cannot be read; check the path of the machine file", InputError);
+                       "none/such.toml: cannot be read: No such file or directory; check the path and its permissions",
+                       InputError);
 }
 
 TEST_CASE("an unknown key is pointed at and names the nearest known one") {

@@ -56,16 +56,18 @@ TEST_CASE("a file is read and named in the tree and in messages") {
 
 TEST_CASE("a file that is missing, a directory or not readable is one clear error") {
   const Temporary missing("missing.csg");
-  CHECK(error_of_file(missing.path()) == missing.path().string() + ": cannot be read: No such file or directory");
+  CHECK(error_of_file(missing.path()) ==
+        missing.path().string() + ": cannot be read: No such file or directory; check the path and its permissions");
   const Temporary folder("folder.csg");
   fs::create_directory(folder.path());
-  CHECK(error_of_file(folder.path()) == folder.path().string() + ": is a directory; name a .csg file");
+  CHECK(error_of_file(folder.path()) == folder.path().string() + ": cannot be read: it is a folder; name a .csg file");
   const Temporary locked("locked.csg");
   locked.write("cube(1);");
   fs::permissions(locked.path(), fs::perms::none);
   if (::geteuid() != 0)
-    CHECK(error_of_file(locked.path()) == locked.path().string() + ": cannot be read: Permission denied");
-  CHECK(error_of_file("") == ": cannot be read: No such file or directory");
+    CHECK(error_of_file(locked.path()) ==
+          locked.path().string() + ": cannot be read: Permission denied; check the path and its permissions");
+  CHECK(error_of_file("") == ": cannot be read: No such file or directory; check the path and its permissions");
 }
 
 TEST_CASE("a file past 1 GiB is refused without being read") {

@@ -87,11 +87,11 @@ TEST_CASE("a table goes on where it was interrupted, even in the middle of a lin
   Table table(path, "a study");
   REQUIRE(table.rows().size() == 2);
   CHECK(table.rows()[0] == first);
-  study::Settings wanted;
-  wanted.knob = "together";
-  wanted.value = "12/2";
+  study::WantedSettings wanted;
+  wanted.point.knob = "together";
+  wanted.point.value = "12/2";
   CHECK(table.find(wanted) != nullptr);
-  wanted.value = "14/2";
+  wanted.point.value = "14/2";
   CHECK(table.find(wanted) == nullptr);
   table.add(point("14/2", 3456, 0));
   CHECK(Table(path, "a study").rows().size() == 3);
@@ -108,7 +108,7 @@ TEST_CASE("a table of another study is refused and kept") {
 TEST_CASE("a table with a broken line says which") {
   const std::filesystem::path path = fresh("study_broken.csv");
   Table(path, "a study").add(point("10/2", 1, 2));
-  std::ofstream(path, std::ios::app) << "together,12/2,many\n";
+  std::ofstream(path, std::ios::app) << "together,12/2,model,machine,0.1.0,many\n";
   try {
     Table table(path, "a study");
     FAIL("read");
@@ -119,7 +119,7 @@ TEST_CASE("a table with a broken line says which") {
 
 TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond the stated bounds") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  study::Meter meter(tree, study::turned_views(camera, 3), small_machine());
+  study::Meter meter(tree, study::turned_views(camera, 3), small_machine(), {});
   std::uint64_t clocks = 0;
   double depth = 1e300;
   for (const unsigned bits : {8U, 12U, 16U, 20U}) {
@@ -139,7 +139,7 @@ TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond 
 
 TEST_CASE("a tighter faceting tolerance brings the picture nearer to the curved surface, for more half-spaces") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  study::Meter meter(tree, {camera}, small_machine());
+  study::Meter meter(tree, {camera}, small_machine(), {});
   double error = 1e300;
   std::uint64_t halfspaces = 0;
   for (const double tolerance : {0.5, 0.1, 0.02}) {
@@ -155,7 +155,7 @@ TEST_CASE("a tighter faceting tolerance brings the picture nearer to the curved 
 
 TEST_CASE("the cheapest settings with few enough wrong pixels are chosen, and fit the machine") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  study::Meter meter(tree, {camera}, small_machine());
+  study::Meter meter(tree, {camera}, small_machine(), {});
   const std::vector<study::Settings> grid = study::grid(small_sampling(), {});
   const auto chosen = study::cheapest(meter, grid, 10);
   REQUIRE(chosen);
@@ -165,7 +165,7 @@ TEST_CASE("the cheapest settings with few enough wrong pixels are chosen, and fi
   }
   machines::Machine tight = small_machine();
   tight.array.memory_bits = 2 * 12 + 24 + 3;
-  study::Meter in_little_memory(tree, {camera}, tight);
+  study::Meter in_little_memory(tree, {camera}, tight, {});
   const auto little = study::cheapest(in_little_memory, grid, 1000);
   REQUIRE(little);
   CHECK(little->sampling.z_bits <= 12);

@@ -38,7 +38,7 @@ study::SweepRanges small_ranges() {
 study::SweepRow row_of(const study::SweepPoint& point, const std::string& picture) {
   study::SweepRow row;
   row.point = point;
-  row.model_hash = "0123456789abcdef";
+  row.inputs = {"0123456789abcdef", "fedcba9876543210", "0.1.0"};
   row.width = 48;
   row.height = 36;
   row.picture = picture;
@@ -58,7 +58,7 @@ std::vector<study::SweepJob> jobs() {
   sampling.width = sampling.height = 40;
   std::vector<study::SweepJob> jobs;
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits}) {
-    study::SweepJob job{{}, subject, {{40, -60, 45}, {0, 0, 0}}, sampling, machine, {}};
+    study::SweepJob job{{}, subject, {{40, -60, 45}, {0, 0, 0}}, sampling, machine, {}, {}};
     job.point.strategy = emit::name_of(strategy);
     job.options.strategy = strategy;
     jobs.push_back(std::move(job));
@@ -124,17 +124,40 @@ TEST_CASE("a row comes back from a table as it was, commas and quotes included")
   CHECK_THROWS_AS(study::to_cell(std::string("two\nlines")), InputError);
 }
 
-TEST_CASE("a point counts as measured only for the same model file, and drawn if it is to be drawn") {
+TEST_CASE("a point counts as measured only for the same model, machine and program, and drawn if it is to be drawn") {
   const std::filesystem::path path = fresh("sweep_wanted.csv");
   const study::SweepPoint point = study::points_of(small_ranges())[0];
   study::Table<study::SweepRow> table(path, "sweep");
   table.add(row_of(point, ""));
-  const std::string hash = table.rows()[0].model_hash;
-  CHECK(table.find(study::WantedPoint{point, hash, false}) != nullptr);
-  CHECK(table.find(study::WantedPoint{point, hash, true}) == nullptr);
-  CHECK(table.find(study::WantedPoint{point, "another", false}) == nullptr);
+  const study::Inputs inputs = table.rows()[0].inputs;
+  CHECK(table.find(study::WantedPoint{point, inputs, false}) != nullptr);
+  CHECK(table.find(study::WantedPoint{point, inputs, true}) == nullptr);
+  for (std::string study::Inputs::*const input :
+       {&study::Inputs::model_hash, &study::Inputs::machine_hash, &study::Inputs::csgsim}) {
+    study::Inputs others = inputs;
+    others.*input = "another";
+    CHECK(table.find(study::WantedPoint{point, others, false}) == nullptr);
+  }
   table.add(row_of(point, "picture"));
-  CHECK(table.find(study::WantedPoint{point, hash, true}) == &table.rows()[1]);
+  CHECK(table.find(study::WantedPoint{point, inputs, true}) == &table.rows()[1]);
+}
+
+TEST_CASE("rows of wanted points that were measured from other inputs are deleted, and what changed is told") {
+  const std::filesystem::path path = fresh("sweep_stale.csv");
+  const std::vector<study::SweepPoint> points = study::points_of(small_ranges());
+  study::Table<study::SweepRow> table(path, "sweep");
+  for (const study::SweepPoint& point : points) table.add(row_of(point, "picture"));
+  study::Inputs now = table.rows()[0].inputs;
+  const std::vector<study::WantedPoint> same{{points[0], now, true}};
+  CHECK(table.drop_stale(std::span(same)).empty());
+  CHECK(table.rows().size() == points.size());
+  now.machine_hash = "of an edited file";
+  const std::vector<study::WantedPoint> other{{points[0], now, true}, {points[2], now, true}};
+  CHECK(table.drop_stale(std::span(other)) == std::set<std::string>{"the machine"});
+  const study::Table<study::SweepRow> read(path, "sweep");
+  REQUIRE(read.rows().size() == points.size() - 2);
+  CHECK(read.rows()[0].point == points[1]);
+  CHECK(read.rows()[1].point == points[3]);
 }
 
 TEST_CASE("a table that was cut off in its first lines begins anew") {

@@ -1,0 +1,195 @@
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "hw/base/error.h"
+#include "hw/base/file_roles.h"
+#include "hw/base/folder_lock.h"
+#include "hw/base/input_file.h"
+#include "hw/base/output_file.h"
+#include "hw/base/pipe_into.h"
+
+using namespace csgsim;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Scratch {
+ public:
+  Scratch() {
+    std::string pattern = (fs::temp_directory_path() / "csgsim-base-XXXXXX").string();
+    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
+  }
+  ~Scratch() { fs::remove_all(path_); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  [[nodiscard]] auto files() const { return std::distance(fs::directory_iterator(path_), {}); }
+
+ private:
+  fs::path path_;
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+template <class Call>
+std::string refusal(Call call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+bool clash(std::initializer_list<fs::path> inputs, std::initializer_list<fs::path> outputs) {
+  return find_clash(std::span(inputs.begin(), inputs.size()), std::span(outputs.begin(), outputs.size())).has_value();
+}
+
+constexpr InputKind small_file{"a small file", 1U << 10U, "cut it"};
+
+}  // namespace
+
+TEST_CASE("a file longer than its limit is refused, whether or not it says how long it is") {
+  const Scratch scratch;
+  write_file(scratch / "fits", std::string(1024, 'x'));
+  write_file(scratch / "long", std::string(1025, 'x'));
+  CHECK(read_file(scratch / "fits", small_file).size() == 1024);
+  CHECK(contains(refusal([&] { read_file(scratch / "long", small_file); }), "longer than 1 KiB; cut it"));
+  CHECK(contains(refusal([&] { read_file("/dev/zero", small_file); }), "/dev/zero: longer than 1 KiB; cut it"));
+  CHECK(read_file("/dev/null", small_file).empty());
+}
+
+TEST_CASE("a file appears under its name only when it is committed, and replaces another with its permissions") {
+  const Scratch scratch;
+  write_file(scratch / "a", "old");
+  fs::permissions(scratch / "a", fs::perms::owner_read | fs::perms::owner_write);
+  {
+    OutputFile file(scratch / "a");
+    file.write("new, ");
+    CHECK(content(scratch / "a") == "old");
+    file.write("whole");
+    file.commit();
+    CHECK(content(scratch / "a") == "new, whole");
+    CHECK(fs::status(scratch / "a").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  }
+  { OutputFile(scratch / "a").write("dropped"); }
+  CHECK(content(scratch / "a") == "new, whole");
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("names that cannot be files are refused before anything is written") {
+  const Scratch scratch;
+  CHECK(contains(refusal([&] { OutputFile{""}; }), "empty name"));
+  CHECK(contains(refusal([&] { OutputFile{scratch / std::string(256, 'n')}; }), "too long"));
+  CHECK(contains(refusal([&] { OutputFile{scratch.path()}; }), "Is a directory"));
+  CHECK(contains(refusal([&] { OutputFile{scratch / "none/a"}; }), "No such file"));
+  CHECK(refusal([&] { OutputFile{scratch / std::string(255, 'n')}; }).empty());
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("an output without write permission is refused though its folder lets it be replaced") {
+  const Scratch scratch;
+  write_file(scratch / "a", "kept");
+  fs::permissions(scratch / "a", fs::perms::owner_read | fs::perms::others_read);
+  fs::permissions(scratch.path(), fs::perms::all);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    constexpr uid_t nobody = 65534;
+    if (::geteuid() == 0 && ::setuid(nobody) != 0) ::_exit(2);
+    ::_exit(contains(refusal([&] { OutputFile{scratch / "a"}; }), "Permission denied") ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(status == 0);
+  CHECK(content(scratch / "a") == "kept");
+}
+
+TEST_CASE("outputs are held against inputs and each other by file, not by name") {
+  const Scratch scratch;
+  const fs::path model = scratch / "m.csg";
+  write_file(model, "cube();");
+  fs::create_symlink("m.csg", scratch / "link");
+  fs::create_hard_link(model, scratch / "hard");
+  fs::create_directory(scratch / "d");
+  fs::create_symlink("nowhere", scratch / "dangling");
+  for (const char* other : {"m.csg", "./m.csg", "d/../m.csg", "link", "hard"}) {
+    CAPTURE(other);
+    CHECK(clash({model}, {scratch / other}));
+  }
+  CHECK_FALSE(clash({model}, {scratch / "new"}));
+  CHECK(clash({}, {scratch / "new", scratch / "d/../new"}));
+  CHECK(clash({}, {scratch / "dangling", scratch / "nowhere"}));
+  CHECK(clash({}, {scratch / "link", scratch / "hard"}));
+  CHECK_FALSE(clash({}, {scratch / "new", scratch / "d/new"}));
+  CHECK_FALSE(clash({}, {"/dev/null", "/dev/null"}));
+  CHECK_FALSE(clash({model}, {scratch / "none/m.csg"}));
+}
+
+TEST_CASE("a folder is kept for one process at a time, which the others are told") {
+  const Scratch scratch;
+  {
+    const FolderLock lock(scratch.path(), "sweep");
+    const std::string told = refusal([&] { FolderLock(scratch.path(), "compare"); });
+    CHECK(contains(told, scratch.path().string()));
+    CHECK(contains(told, "process " + std::to_string(::getpid()) + ", sweep"));
+  }
+  CHECK(scratch.files() == 0);
+  CHECK(refusal([&] { FolderLock(scratch.path(), "compare"); }).empty());
+}
+
+TEST_CASE("the lock of a process that was killed keeps nobody out") {
+  const Scratch scratch;
+  std::array<int, 2> ready{};
+  REQUIRE(::pipe(ready.data()) == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const FolderLock lock(scratch.path(), "sweep");
+    static_cast<void>(::write(ready[1], "x", 1));
+    ::pause();
+  }
+  char byte = 0;
+  REQUIRE(::read(ready[0], &byte, 1) == 1);
+  CHECK(contains(refusal([&] { FolderLock(scratch.path(), "compare"); }), std::to_string(child)));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  CHECK(scratch.files() == 1);
+  CHECK(refusal([&] { FolderLock(scratch.path(), "compare"); }).empty());
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("what a library writes into a pipe arrives in the file, and a full disk is told at the end") {
+  const Scratch scratch;
+  {
+    OutputFile file(scratch / "a");
+    PipeInto pipe(file, ".vcd");
+    CHECK(pipe.path().extension() == ".vcd");
+    std::ofstream(pipe.path()) << std::string(300'000, 'v');
+    pipe.finish();
+    CHECK_FALSE(fs::exists(pipe.path()));
+    file.commit();
+  }
+  CHECK(content(scratch / "a") == std::string(300'000, 'v'));
+  {
+    OutputFile file(scratch / "b");
+    const PipeInto never_opened(file, ".vcd");
+  }
+  CHECK(scratch.files() == 1);
+}
