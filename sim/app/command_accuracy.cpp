@@ -110,8 +110,8 @@ void complete(const Options& options, const Study& study, Table& table) {
 }
 
 void run(const Options& options, const CLI::App& command) {
-  const StudyFolder folder(options.folder, "accuracy", options.model.inputs());
   const Study study = study_of(options);
+  const StudyFolder folder(options.folder, "accuracy", options.model.inputs());
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "accuracy.csv";
   Table table(table_path, title);

@@ -174,8 +174,8 @@ void refuse_differences(const Rows& rows) {
 
 void run(const Options& options, const CLI::App& command) {
   const std::string stem = study::plot_stem(options.model.model);
-  const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare", inputs_of(options));
   const Study study = study_of(options);
+  const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare", inputs_of(options));
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "compare.csv";
   Table table(table_path, title);

@@ -118,8 +118,8 @@ std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std
 }
 
 void run(const SweepOptions& options, const CLI::App& command) {
-  const StudyFolder folder(options.folder, "sweep", inputs_of(options));
   const std::vector<study::SweepJob> jobs = jobs_of(options);
+  const StudyFolder folder(options.folder, "sweep", inputs_of(options));
   const std::string title = title_of(command);
   const std::filesystem::path table_path = folder.path() / "sweep.csv";
   Table table(table_path, title);

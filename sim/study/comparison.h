@@ -89,10 +89,12 @@ struct WantedComparison {
   Inputs inputs;
 };
 
-inline bool same_point(const ComparisonRow& row, const WantedComparison& wanted) { return row.point == wanted.point; }
-
 inline bool measures(const ComparisonRow& row, const WantedComparison& wanted) {
-  return same_point(row, wanted) && row.inputs == wanted.inputs;
+  return row.point == wanted.point && row.inputs == wanted.inputs;
+}
+
+inline bool is_stale(const ComparisonRow& row, const WantedComparison& wanted) {
+  return row.point == wanted.point && row.inputs != wanted.inputs;
 }
 
 /// All that a point is made from, but for what the point says.

@@ -71,8 +71,8 @@ double colour_difference(const sim::Frame& a, const sim::Frame& b, unsigned bits
 
 }  // namespace
 
-bool same_point(const Measurement& row, const WantedSettings& wanted) {
-  return row.knob == wanted.point.knob && row.value == wanted.point.value;
+bool measures(const Measurement& row, const WantedSettings& wanted) {
+  return row.knob == wanted.point.knob && row.value == wanted.point.value && row.inputs == wanted.inputs;
 }
 
 struct Meter::Subject {

@@ -79,11 +79,10 @@ struct WantedSettings {
   Inputs inputs;
 };
 
-bool same_point(const Measurement& row, const WantedSettings& wanted);
+bool measures(const Measurement& row, const WantedSettings& wanted);
 
-inline bool measures(const Measurement& row, const WantedSettings& wanted) {
-  return same_point(row, wanted) && row.inputs == wanted.inputs;
-}
+/// Its table is of one model on one machine: which points there are depends on them too.
+inline bool is_stale(const Measurement& row, const WantedSettings& wanted) { return row.inputs != wanted.inputs; }
 
 /// Measures points of one model. Pictures of the exact arithmetic are worked out once for each faceting and size.
 class Meter {

@@ -125,9 +125,11 @@ struct WantedPoint {
   bool drawn = true;
 };
 
-inline bool same_point(const SweepRow& row, const WantedPoint& wanted) { return row.point == wanted.point; }
-
 bool measures(const SweepRow& row, const WantedPoint& wanted);
+
+inline bool is_stale(const SweepRow& row, const WantedPoint& wanted) {
+  return row.point == wanted.point && row.inputs != wanted.inputs;
+}
 
 /// What a point is called within its model's report: those dimensions that vary there, as `list, z-bits 16`.
 /// The strategy is always said, with its stack bits as `bits 5`.

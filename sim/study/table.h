@@ -80,17 +80,16 @@ class Table {
     return found == rows_.end() ? nullptr : &*found;
   }
 
-  /// Deletes the rows of the wanted points, as same_point(row, wanted) tells, that were measured from other inputs.
-  /// Returns what has changed since.
+  /// Deletes the rows that is_stale(row, wanted) holds of: measured from other inputs than those of now. Returns what
+  /// has changed since.
   template <class Wanted>
   std::set<std::string> drop_stale(std::span<const Wanted> all_wanted) {
     std::set<std::string> changed;
     std::vector<Row> kept;
     for (const Row& row : rows_) {
       const auto wanted =
-          std::find_if(all_wanted.begin(), all_wanted.end(), [&](const Wanted& one) { return same_point(row, one); });
-      const bool is_stale = wanted != all_wanted.end() && row.inputs != wanted->inputs;
-      if (!is_stale) {
+          std::find_if(all_wanted.begin(), all_wanted.end(), [&](const Wanted& one) { return is_stale(row, one); });
+      if (wanted == all_wanted.end()) {
         kept.push_back(row);
         continue;
       }

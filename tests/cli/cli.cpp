@@ -1,6 +1,8 @@
 #include "tests/cli/cli.h"
 
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -20,6 +22,31 @@ Outcome run(const std::string& words) {
                               (folder / "err") + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
+}
+
+Outcome run_words(const std::vector<std::string>& words, const fs::path& where) {
+  const Folder folder;
+  const std::string out = folder / "out";
+  const std::string err = folder / "err";
+  std::vector<std::string> all{std::string(CSGSIM_BINARY_DIR) + "/csgsim"};
+  all.insert(all.end(), words.begin(), words.end());
+  std::vector<char*> arguments;
+  for (std::string& word : all) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const auto connect = [](const std::string& file, int flags, int number) {
+      return ::dup2(::open(file.c_str(), flags, 0600), number) == number;
+    };
+    if (::chdir(where.c_str()) == 0 && connect("/dev/null", O_RDONLY, STDIN_FILENO) &&
+        connect(out, O_WRONLY | O_CREAT, STDOUT_FILENO) && connect(err, O_WRONLY | O_CREAT, STDERR_FILENO))
+      ::execv(arguments.front(), arguments.data());
+    std::_Exit(127);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
 }
 
 std::string model(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/tests/models/" + name + ".csg"; }

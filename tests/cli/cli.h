@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace csgsim::testing::cli {
 
@@ -25,6 +26,7 @@ class Folder {
   Folder& operator=(const Folder&) = delete;
 
   [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  [[nodiscard]] const fs::path& path() const { return path_; }
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator{}));
   }
@@ -43,6 +45,8 @@ std::string content(const std::string& path);
 void write(const std::string& path, const std::string& text);
 /// Runs csgsim with words that need no quoting.
 Outcome run(const std::string& words);
+/// Runs csgsim with these words, whatever they are, in the folder, with files for its output.
+Outcome run_words(const std::vector<std::string>& words, const fs::path& where = ".");
 std::string model(const std::string& name);
 nlohmann::json json(const std::string& path);
 bool one_line(const std::string& text);

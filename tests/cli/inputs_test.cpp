@@ -1,0 +1,128 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+const std::string cube = "cube(size = [8, 6, 4], center = true);\n";
+
+std::string machine_text() { return content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml"); }
+
+}  // namespace
+
+TEST_CASE("no command writes over what it reads, by whatever name") {
+  const Folder folder;
+  write(folder / "m.csg", cube);
+  write(folder / "mine.toml", machine_text());
+  REQUIRE(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt"}, folder.path()).code == 0);
+  const std::string program = content(folder / "p.csgt");
+  fs::create_symlink("m.csg", folder / "link.json");
+  fs::create_hard_link(folder / "mine.toml", folder / "hard.json");
+  fs::create_hard_link(folder / "p.csgt", folder / "hard.vcd");
+  fs::create_directory(folder / "d");
+  fs::create_directory(folder / "out");
+  fs::create_symlink("../m.csg", folder / "out/sweep.csv");
+  const std::vector<std::string> small{"--size", "16x16"};
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"compile", "m.csg", "-o", "m.csg"},
+           {"compile", "m.csg", "-o", "d/../m.csg"},
+           {"compile", "m.csg", "--machine", "mine.toml", "-o", "mine.toml"},
+           {"render", "m.csg", "--stats", "m.csg"},
+           {"render", "m.csg", "--stats", "link.json"},
+           {"render", "m.csg", "--machine", "mine.toml", "--stats", "hard.json"},
+           {"subdivide", "m.csg", "--levels", "0", "-o", "link.json"},
+           {"sweep", "m.csg", "--strategy", "stack", "-o", "out"},
+           {"sweep", "m.csg", "--strategy", "stack", "--machine", "mine.toml", "-o", "."},
+           {"disasm", "p.csgt", "-o", "p.csgt"},
+           {"run", "p.csgt", "--stats", "p.csgt"},
+           {"wave", "p.csgt", "--probe", "1,1", "-o", "hard.vcd"}}) {
+    std::vector<std::string> all = words;
+    if (words[1] == "m.csg") all.insert(all.end(), small.begin(), small.end());
+    const Outcome outcome = run_words(all, folder.path());
+    CAPTURE(words[0]);
+    CAPTURE(words.back());
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(one_line(outcome.err));
+    CHECK(outcome.err.find("which is read") != std::string::npos);
+  }
+  CHECK(content(folder / "m.csg") == cube);
+  CHECK(content(folder / "mine.toml") == machine_text());
+  CHECK(content(folder / "p.csgt") == program);
+}
+
+TEST_CASE("two outputs of one run cannot be one file, through links either") {
+  const Folder folder;
+  write(folder / "m.csg", cube);
+  fs::create_symlink("one.exr", folder / "other.exr");
+  for (const std::string second : {"one.exr", "other.exr", "./one.exr"}) {
+    const Outcome outcome =
+        run_words({"render", "m.csg", "--size", "16x16", "--depth", "one.exr", "--owner", second}, folder.path());
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find("two outputs cannot be the same file") != std::string::npos);
+  }
+  CHECK_FALSE(fs::exists(folder / "one.exr"));
+}
+
+TEST_CASE("an input without an end is refused at its limit, and not for the picture's sake") {
+  const Folder folder;
+  fs::create_symlink("/dev/zero", folder / "mine.toml");
+  write(folder / "m.csg", cube);
+  const Outcome machine = run_words({"render", "m.csg", "--machine", "mine.toml"}, folder.path());
+  CHECK(machine.code == 1);
+  CHECK(machine.err == "mine.toml: longer than 1 MiB; a machine is described in far less\n");
+#ifndef __SANITIZE_ADDRESS__  // which is slow to fill a GiB
+  for (const std::string command : {"run", "disasm", "render"}) {
+    const Outcome outcome = run_words({command, "/dev/zero"}, folder.path());
+    CHECK(outcome.code == 1);
+    CHECK(outcome.err.starts_with("/dev/zero: longer than 1024 MiB; "));
+  }
+#endif
+}
+
+TEST_CASE("empty names and negative counts are no options") {
+  const Folder folder;
+  write(folder / "m.csg", cube);
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"render", "m.csg", "-o", ""},
+                                             {"render", "m.csg", "--stats", ""},
+                                             {"compile", "m.csg", "-o", ""},
+                                             {"compare", "m.csg", "-o", ""},
+                                             {"sweep", "m.csg", "-o", ""},
+                                             {"accuracy", "m.csg", "-o", ""},
+                                             {"subdivide", "m.csg", "-o", ""},
+                                             {"render", "m.csg", "--max-wrong-pixels", "-1"},
+                                             {"render", "m.csg", "--z-bits", "-1"},
+                                             {"render", "m.csg", "--fraction-bits", "-1"},
+                                             {"render", "m.csg", "--memory-bits", "-1"},
+                                             {"render", "m.csg", "--threads", "-1"}}) {
+    const Outcome outcome = run_words(words, folder.path());
+    CAPTURE(words[2]);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(one_line(outcome.err));
+  }
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a near plane too near for any depth is refused with one that would do") {
+  const Folder folder;
+  write(folder / "m.csg", cube);
+  for (const std::string near : {"4.9e-324", "1e-300", "1e-9"}) {
+    const Outcome outcome =
+        run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", near}, folder.path());
+    CHECK(outcome.code == 1);
+    CHECK(one_line(outcome.err));
+    CHECK(outcome.err.find("put --near at ") != std::string::npos);
+    CHECK((outcome.out + outcome.err).find("nan") == std::string::npos);
+  }
+  CHECK(
+      run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", "0.001"}, folder.path())
+          .code == 0);
+}
