@@ -1,35 +1,26 @@
-#include <cstddef>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
-#include <string_view>
+// CSG models, as OpenSCAD writes them.
 
 #include "host/read/read.h"
-#include "hw/base/error.h"
+
+#include <algorithm>
+#include <string>
+
+#include "tests/fuzz/property.h"
 #include "tests/unit/read/tree_invariants.h"
 
-namespace {
-
-[[noreturn]] void report(const std::string& what) {
-  std::fprintf(stderr, "fuzz_read: %s\n", what.c_str());
-  std::abort();
-}
-
-}  // namespace
+namespace fuzz = csgsim::fuzz;
 
 /// Any bytes are either a tree that keeps its promises or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const std::string broken = csgsim::read_test::broken_promise(csgsim::read::read_csg_text(text, "fuzz.csg"));
-    if (!broken.empty()) report(broken);
+    const csgsim::model::Tree tree = csgsim::read::read_csg_text(fuzz::text_of(data, size), "fuzz.csg");
+    const std::string promise = csgsim::read_test::broken_promise(tree);
+    fuzz::require(promise.empty(), promise);
   } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error, "fuzz.csg");
     const std::string_view message = error.what();
-    if (!message.starts_with("fuzz.csg:")) report("a message without its file");
-    for (const char letter : message) {
-      if (letter < ' ' || letter > '~') report("a message that is not one line of plain text");
-    }
+    fuzz::require(std::ranges::all_of(message, [](char letter) { return letter >= ' ' && letter <= '~'; }),
+                  "a message of the reader is ASCII");
   }
   return 0;
 }
