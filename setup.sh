@@ -10,15 +10,22 @@ Usage: ./setup.sh COMMAND
   test   build everything and run the whole test suite
   build  build build/release/csgsim
   asan   build with address and undefined-behaviour sanitizers and run the suite
+  clang  build everything with clang, warnings as errors
+  fuzz MINUTES [RUNS]
+         build the fuzzers and run them for so long in all, each for RUNS cases at most
+  tsan   run under the thread sanitizer what works on several threads
   flags  build without optimisation, and for this very processor, and hold both against the golden figures
   bench  build and run the benchmarks
-  lint   check the formatting (clang-format) and the code (clang-tidy)
+  lint [BASE]
+         check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
+         changed since
 TEXT
 }
 
 build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libcli11-dev
   tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev"
 test_packages="doctest-dev librapidcheck-dev gnuplot-nox"
+clang_packages="clang libclang-rt-14-dev"
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then
@@ -50,6 +57,64 @@ build() {
   shift
   cmake --preset "$preset" "$@"
   cmake --build --preset "$preset"
+}
+
+# fuzz MINUTES [RUNS]: the time is shared out among the fuzzers, of which two run at a time.
+fuzz() {
+  case "${1:-}" in
+    '' | *[!0-9]*)
+      usage
+      exit 2
+      ;;
+  esac
+  # shellcheck disable=SC2086
+  need $build_packages $test_packages $clang_packages
+  cmake --preset fuzz -DCSGSIM_BUILD_TESTS=ON
+  cmake --build --preset fuzz
+  fuzzers=$(wc -l <build/fuzz/fuzzers.txt)
+  tests/fuzz/run.sh build/fuzz $(($1 * 60 * 2 / fuzzers)) ${2:+"$2"}
+}
+
+tsan() {
+  # shellcheck disable=SC2086
+  need $build_packages $test_packages
+  cmake --preset tsan -DCSGSIM_BUILD_TESTS=ON
+  cmake --build --preset tsan
+  # Where addresses are spread too far for the sanitizer's shadow memory, they are not spread.
+  fixed="setarch $(uname -m) -R"
+  $fixed true 2>/dev/null || fixed=""
+  $fixed ctest --preset tsan -j "$(nproc)"
+}
+
+# The .cpp files to be checked: all, or those that changed since a commit or include a header that did.
+sources() {
+  git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' >build/sources
+  if [ -z "${1:-}" ]; then
+    cat build/sources
+    return
+  fi
+  git diff --name-only "$1" -- hw host sim >build/changed
+  {
+    grep -Fx -f build/changed build/sources || true
+    grep '\.h$' build/changed | sed 's/.*/#include "&"/' >build/includes
+    xargs grep -lF -f build/includes <build/sources || true
+  } | sort -u
+}
+
+lint() {
+  # shellcheck disable=SC2086
+  need $build_packages $test_packages git clang-format clang-tidy
+  if [ -n "${1:-}" ]; then
+    git rev-parse --verify --quiet "$1^{commit}" >/dev/null || {
+      echo "setup.sh: there is no commit $1; name one that git log shows" >&2
+      exit 2
+    }
+  fi
+  git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
+  cmake --preset release -DCSGSIM_BUILD_TESTS=ON
+  sources "${1:-}" >build/lint
+  echo "clang-tidy on $(wc -l <build/lint) files"
+  xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/release --quiet --extra-arg=-Wno-unknown-warning-option <build/lint
 }
 
 demo() {
@@ -105,14 +170,14 @@ case "${1:-}" in
     build release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
     for benchmark in build/release/bench_*; do "$benchmark"; done
     ;;
-  lint)
+  clang)
     # shellcheck disable=SC2086
-    need $build_packages $test_packages git clang-format clang-tidy
-    git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
-    build release -DCSGSIM_BUILD_TESTS=ON
-    git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' | xargs -P "$(nproc)" -n 4 clang-tidy -p build/release --quiet \
-      --extra-arg=-Wno-unknown-warning-option
+    need $build_packages $test_packages $clang_packages libbenchmark-dev
+    build clang -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
     ;;
+  fuzz) fuzz "${2:-}" "${3:-}" ;;
+  tsan) tsan ;;
+  lint) lint "${2:-}" ;;
   *)
     usage
     exit 2

@@ -127,7 +127,32 @@ class DepthGuard : public nlohmann::json_sax<json> {
   int depth_ = 0;
 };
 
+/// Refuses strings in pieces, which encode_metadata does not write: the reader of CBOR calls itself for each piece, and
+/// a piece may be in pieces again. Items stand one behind the other whatever they are part of.
+void refuse_strings_in_pieces(std::span<const std::byte> cbor) {
+  constexpr unsigned bytes_major = 2;
+  constexpr unsigned text_major = 3;
+  constexpr unsigned first_long = 24;  // the argument follows in 1, 2, 4 or 8 bytes
+  constexpr unsigned last_long = 27;
+  constexpr unsigned in_pieces = 31;
+  ByteReader in(cbor);
+  while (in.left() > 0) {
+    const unsigned head = in.byte();
+    const unsigned major = head >> 5U;
+    std::uint64_t argument = head & 0x1fU;
+    const bool is_string = major == bytes_major || major == text_major;
+    if (is_string && argument == in_pieces) throw MalformedBytes("has metadata with a string in pieces");
+    if (argument >= first_long && argument <= last_long) {
+      const unsigned size = 1U << (argument - first_long);
+      argument = 0;
+      for (unsigned i = 0; i < size; ++i) argument = argument << 8U | in.byte();
+    }
+    if (is_string) in.block(argument);
+  }
+}
+
 json parse_cbor(std::span<const std::byte> cbor) {
+  refuse_strings_in_pieces(cbor);
   const auto* begin = reinterpret_cast<const std::uint8_t*>(cbor.data());
   const auto* end = begin + cbor.size();
   DepthGuard guard;

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <map>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "hw/isa/describe.h"
 #include "hw/isa/operands.h"
@@ -51,14 +54,28 @@ void put_place(Buffer& out, Field field) {
   }
 }
 
-void put_field(Buffer& out, Field field, const Program& program) {
-  const auto named = std::ranges::find(program.fields, field, &NamedField::field);
-  if (named == program.fields.end()) {
-    put_place(out, field);
-  } else {
-    put(out, "{}", word_or_quoted(named->name));
+/// The names of fields; of several names of one field the first.
+class FieldNames {
+ public:
+  explicit FieldNames(const Program& program) {
+    for (const NamedField& named : program.fields) names_.emplace(key_of(named.field), named.name);
   }
-}
+
+  void put(Buffer& out, Field field) const {
+    const auto named = names_.find(key_of(field));
+    if (named == names_.end()) {
+      put_place(out, field);
+    } else {
+      out.append(word_or_quoted(named->second));
+    }
+  }
+
+ private:
+  using Key = std::pair<std::uint16_t, std::uint16_t>;
+  static Key key_of(Field field) { return {field.base, field.width}; }
+
+  std::map<Key, std::string_view> names_;
+};
 
 void put_linear(Buffer& out, const Linear& linear) {
   bool first = true;
@@ -85,13 +102,13 @@ void put_linear(Buffer& out, const Linear& linear) {
   put(out, ")");
 }
 
-void put_operand(Buffer& out, const Instruction& instruction, std::size_t operand, const Program& program) {
+void put_operand(Buffer& out, const Instruction& instruction, std::size_t operand, const FieldNames& names) {
   const OperandKind kind = info(instruction.opcode).operands[operand];
   if (kind != OperandKind::none) put(out, "{}", operand == 0 ? " " : ", ");
   switch (kind) {
     case OperandKind::none: break;
     case OperandKind::target:
-    case OperandKind::source: put_field(out, instruction.fields[operand], program); break;
+    case OperandKind::source: names.put(out, instruction.fields[operand]); break;
     case OperandKind::linear: put_linear(out, instruction.linear); break;
     case OperandKind::constant:
     case OperandKind::count: put(out, "{}", instruction.constant); break;
@@ -104,10 +121,10 @@ void put_origin(Buffer& out, const Origin& origin) {
   if (origin.node != no_node) put(out, " against p{}", origin.node);
 }
 
-void put_instruction(Buffer& out, const Instruction& instruction, const Program& program) {
+void put_instruction(Buffer& out, const Instruction& instruction, const FieldNames& names) {
   const std::size_t begin = out.size();
   put(out, "  {}", info(instruction.opcode).name);
-  for (std::size_t i = 0; i < max_operands; ++i) put_operand(out, instruction, i, program);
+  for (std::size_t i = 0; i < max_operands; ++i) put_operand(out, instruction, i, names);
   const std::size_t length = out.size() - begin;
   put(out, "{:{}}", "", length < origin_column ? origin_column - length : 2);
   put_origin(out, instruction.origin);
@@ -134,12 +151,13 @@ void flush(Buffer& buffer, std::ostream& out) {
 }  // namespace
 
 void print(std::ostream& out, const Program& program) {
+  const FieldNames names(program);
   Buffer buffer;
   put_header(buffer, program);
   for (const Segment& segment : program.segments) {
     put(buffer, "\n");
     put_record(buffer, "segment", segment);
-    for (const Instruction& instruction : segment.instructions) put_instruction(buffer, instruction, program);
+    for (const Instruction& instruction : segment.instructions) put_instruction(buffer, instruction, names);
     flush(buffer, out);
   }
   flush(buffer, out);

@@ -149,7 +149,7 @@ void Reading::end_directive() {
     case Directive::field:
       named_.field = field;
       validate_field(named_, program_.shape);
-      if (std::ranges::find(program_.fields, named_.name, &NamedField::name) != program_.fields.end())
+      if (!fields_.emplace(named_.name, named_.field).second)
         refuse("field {} is named twice; give each field a name of its own", quoted(named_.name));
       program_.fields.push_back(named_);
       return;
@@ -164,7 +164,8 @@ void Reading::begin_instruction(std::string_view mnemonic) {
 }
 
 void Reading::refer_to_field(std::string_view name) {
-  field = program_.fields[index_in(program_.fields, "field", name)].field;
+  const auto found = fields_.find(name);
+  field = found != fields_.end() ? found->second : program_.fields[index_in(program_.fields, "field", name)].field;
 }
 
 void Reading::set_purpose(std::string_view name) {

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -93,6 +95,7 @@ class Reading {
   };
 
   Program program_;
+  std::map<std::string, Field, std::less<>> fields_;  ///< of the Program, by name
   std::vector<Skip> skips_;
   std::set<std::string> records_seen_;
   std::string name_;                 ///< of the directive

@@ -18,6 +18,9 @@ namespace csgsim::machines {
 
 namespace {
 
+/// Parts of a dotted key are tables in tables, which toml++ destroys by recursion: each may take stack.
+constexpr std::ptrdiff_t most_dots = 50;
+
 constexpr std::string_view provenances[] = {"published", "assumed"};
 constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "source"};
 
@@ -197,9 +200,24 @@ class Reader {
   std::vector<Placed> figures_;
 };
 
+void check_dots(std::string_view text, std::string_view file) {
+  std::size_t line = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view content = text.substr(begin, end - begin);
+    if (std::count(content.begin(), content.end(), '.') > most_dots)
+      throw InputError(
+          fmt::format("{}:{}:1: more than {} dots in a line; no key has so many parts, and a long text goes "
+                      "over several lines in triple quotes",
+                      file, line, most_dots));
+    begin = end + 1;
+  }
+}
+
 }  // namespace
 
 Machine read_description(std::string_view text, std::string_view file) {
+  check_dots(text, file);
   std::optional<toml::table> root;
   try {
     root = toml::parse(text, file);

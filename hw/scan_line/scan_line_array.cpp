@@ -1,6 +1,7 @@
 #include "hw/scan_line/scan_line_array.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "hw/machines/timing.h"
 #include "hw/systemc/kernel.h"
@@ -11,6 +12,12 @@ namespace {
 
 /// A packet is accounted for when its last word enters, and the account is read when that has left the last cell.
 int most_accounts(const machines::Machine& machine) { return static_cast<int>(machine.array.width) + 2; }
+
+/// By index: two iterators of SystemC 2.3's sc_vector do not compare in C++20, since `a != b` and `b != a` fit equally.
+template <class Module, class Act>
+void for_each(sc_core::sc_vector<Module>& modules, const Act& act) {
+  for (std::size_t i = 0; i < modules.size(); ++i) act(modules[i]);
+}
 
 }  // namespace
 
@@ -72,12 +79,12 @@ void ScanLineArray::on_done() { sc_core::sc_pause(); }
 
 RunReport ScanLineArray::run(const Frame& frame) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
-  for (PacketQueue& queue : queues_) queue.begin(frame);
-  for (CellChain& chain : chains_) chain.begin(frame.pixels());
-  for (Retirement& retirement : retirements_) retirement.begin(*frame.listener);
+  for_each(queues_, [&](PacketQueue& queue) { queue.begin(frame); });
+  for_each(chains_, [&](CellChain& chain) { chain.begin(frame.pixels()); });
+  for_each(retirements_, [&](Retirement& retirement) { retirement.begin(*frame.listener); });
   collector_.begin(frame);
   sc_core::sc_start();
-  for (Retirement& retirement : retirements_) retirement.rethrow();
+  for_each(retirements_, [](Retirement& retirement) { retirement.rethrow(); });
   return {.clocks = collector_.clocks(), .account = account(frame)};
 }
 

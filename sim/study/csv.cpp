@@ -54,6 +54,8 @@ void CsvFile::replace(const std::vector<std::string>& lines) const {
 }
 
 std::vector<std::string> split_cells(std::string_view line) {
+  if (line.find_first_of("\n\r") != std::string_view::npos)
+    throw InputError("a line break within the line, maybe of an editor that ends lines with CR LF");
   std::vector<std::string> cells(1);
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {

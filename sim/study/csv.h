@@ -41,7 +41,7 @@ class CsvFile {
   std::vector<std::string> found_;
 };
 
-/// The cells of a line. Throws InputError where a quote is left open.
+/// The cells of a line. Throws InputError where a quote is left open, or where it is not one line.
 std::vector<std::string> split_cells(std::string_view line);
 
 /// Text as a cell: in quotes where it has to be. Throws InputError for text of several lines.

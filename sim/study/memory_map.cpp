@@ -30,7 +30,7 @@ std::string to_cell(const MemoryMap& map) {
   for (const MemoryPart& part : map) {
     cell += fmt::format("{}{}={}:{}", cell.empty() ? "" : " ", part.name, part.base, part.width);
   }
-  return cell;
+  return to_cell(cell);
 }
 
 void from_cell(const std::string& cell, MemoryMap& map) {

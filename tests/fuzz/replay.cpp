@@ -1,10 +1,11 @@
-// Runs a libFuzzer target without libFuzzer: over the given files, and over mutations of them.
-//   replay ROUNDS FILE...
+// Runs a libFuzzer target without libFuzzer: over the files of its corpus, and over mutations of them.
+//   replay ROUNDS MOST_BYTES DICTIONARY FILE...
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -12,26 +13,50 @@
 #include <string_view>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#include "tests/fuzz/property.h"
+
+/// Where a target has one, mutations go through it.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                                                     std::size_t most, unsigned seed);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 namespace {
 
-/// Mutations of texts, the same ones at every run.
+std::string content_of(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    std::fprintf(stderr, "replay: cannot read %s\n", path);
+    std::exit(1);
+  }
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// The words of a dictionary of libFuzzer: a line each, what stands in quotes, with \\, \" and \xNN.
+std::vector<std::string> words_of(const char* dictionary) {
+  std::vector<std::string> words;
+  std::ifstream file(dictionary);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t begin = line.find('"');
+    const std::size_t end = line.rfind('"');
+    if (line.starts_with('#') || begin == end) continue;
+    std::string& word = words.emplace_back();
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      if (line[i] == '\\' && line[i + 1] == 'x') {
+        word += static_cast<char>(std::stoi(line.substr(i + 2, 2), nullptr, 16));
+        i += 3;
+      } else {
+        word += line[i] == '\\' ? line[++i] : line[i];
+      }
+    }
+  }
+  return words;
+}
+
+/// Mutations of samples, the same ones at every run.
 class Mutator {
  public:
-  explicit Mutator(const std::vector<std::string>& samples) : samples_(samples) {}
-
-  std::string next() {
-    std::string text = samples_[below(samples_.size())];
-    for (std::size_t times = 1 + below(4); times > 0; --times) mutate(text);
-    return text;
-  }
-
- private:
-  static constexpr std::string_view tokens[] = {"{", "}",   "(",    ")",     "[",    "]",     ",",     ";",
-                                                "-", "inf", "nan",  "1e999", "0",    "1e-9",  "!",     "*",
-                                                "%", "#",   "/*",   "*/",    "//",   "\"",    "undef", "=",
-                                                "1", "\n",  "true", "hull(", "[[[[", "cube(", "1e308", "\xEF\xBB\xBF"};
+  std::vector<std::string> samples;
+  std::vector<std::string> words;
 
   std::size_t below(std::size_t bound) { return bound == 0 ? 0 : random_() % bound; }
 
@@ -40,45 +65,72 @@ class Mutator {
     const std::size_t count = std::min(1 + below(30), text.size() - at);
     switch (below(6)) {
       case 0: text.erase(at, count); break;
-      case 1: text.insert(at, tokens[below(std::size(tokens))]); break;
-      case 2: text.replace(at, count, tokens[below(std::size(tokens))]); break;
+      case 1: text.insert(at, words[below(words.size())]); break;
+      case 2: text.replace(at, count, words[below(words.size())]); break;
       case 3: text.insert(below(text.size() + 1), text.substr(at, count)); break;
       case 4:
         if (at < text.size()) text[at] = static_cast<char>(random_());
         break;
       default: {
-        const std::string& other = samples_[below(samples_.size())];
+        const std::string& other = samples[below(samples.size())];
         text.insert(at, other.substr(below(other.size() + 1), below(200)));
       }
     }
   }
 
-  const std::vector<std::string>& samples_;
+ private:
   std::mt19937_64 random_{1987};
 };
+
+Mutator& mutator() {
+  static Mutator one;
+  return one;
+}
 
 void run(const std::string& text) {
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
 }
 
+std::string mutation(std::size_t most) {
+  std::string text = mutator().samples[mutator().below(mutator().samples.size())];
+  const std::size_t size = text.size();
+  text.resize(std::max(size, most));
+  auto* const bytes = reinterpret_cast<std::uint8_t*>(text.data());
+  std::size_t used = size;
+  for (std::size_t times = 1 + mutator().below(4); times > 0; --times) {
+    const auto seed = static_cast<unsigned>(mutator().below(1U << 31U));
+    used = LLVMFuzzerCustomMutator != nullptr ? LLVMFuzzerCustomMutator(bytes, used, text.size(), seed)
+                                              : LLVMFuzzerMutate(bytes, used, text.size());
+  }
+  text.resize(used);
+  return text;
+}
+
 }  // namespace
 
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most) {
+  std::string text(reinterpret_cast<const char*>(data), size);
+  mutator().mutate(text);
+  text.resize(std::min(text.size(), most));
+  if (!text.empty()) std::memcpy(data, text.data(), text.size());
+  return text.size();
+}
+
 int main(int count, char** arguments) {
-  if (count < 3) {
-    std::fputs("usage: replay ROUNDS FILE...\n", stderr);
+  if (count < 5) {
+    std::fputs("usage: replay ROUNDS MOST_BYTES DICTIONARY FILE...\n", stderr);
     return 2;
   }
-  std::vector<std::string> samples;
-  for (int i = 2; i < count; ++i) {
-    std::ifstream file(arguments[i], std::ios::binary);
-    if (!file) {
-      std::fprintf(stderr, "replay: cannot read %s\n", arguments[i]);
-      return 1;
-    }
-    samples.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    run(samples.back());
+  const std::size_t most = std::strtoul(arguments[2], nullptr, 10);
+  mutator().words = words_of(arguments[3]);
+  if (mutator().words.empty()) {
+    std::fprintf(stderr, "replay: there is no word in %s\n", arguments[3]);
+    return 1;
   }
-  Mutator mutator(samples);
-  for (long rounds = std::strtol(arguments[1], nullptr, 10); rounds > 0; --rounds) run(mutator.next());
+  for (int i = 4; i < count; ++i) {
+    mutator().samples.push_back(content_of(arguments[i]));
+    run(mutator().samples.back());
+  }
+  for (long rounds = std::strtol(arguments[1], nullptr, 10); rounds > 0; --rounds) run(mutation(most));
   return 0;
 }

@@ -89,7 +89,8 @@ TEST_CASE("with one read port the first source is latched a clock before the sec
 }
 
 TEST_CASE("every opcode with fields of every width takes the clocks of the table, whatever the ALU's width") {
-  for (const auto& [reads, alu_bits] : hardware) {
+  for (const auto& [reads, bits] : hardware) {
+    const std::uint32_t alu_bits = bits;  // a name of its own, which CAPTURE needs
     for (const isa::OpcodeInfo& row : isa::opcode_table) {
       for (std::uint16_t width = 1; width <= isa::max_field_width; ++width) {
         isa::Instruction instruction{.opcode = row.opcode};

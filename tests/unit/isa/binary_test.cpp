@@ -137,16 +137,36 @@ TEST_CASE("random bytes behind a sound magic, version and checksum are refused o
   }));
 }
 
-TEST_CASE("metadata nested a million deep is refused without running out of stack") {
-  constexpr std::size_t depth = 1000000;
+/// A file without instructions, with that metadata.
+Bytes file_of(const std::vector<std::uint8_t>& metadata) {
   ByteWriter out;
   for (const char c : {'C', 'S', 'G', 'T', '\x02'}) out.byte(static_cast<std::uint8_t>(c));
-  out.varint(depth);
-  out.block(std::vector<std::uint8_t>(depth, 0x81));
+  out.varint(metadata.size());
+  out.block(metadata);
   out.block(std::vector<std::uint8_t>(checksum_size));
   Bytes bytes = out.take();
   seal(bytes);
-  CHECK(contains(refusal([&] { decode(bytes, "p.csgt"); }), "not CBOR"));
+  return bytes;
+}
+
+TEST_CASE("metadata nested a million deep is refused without running out of stack") {
+  constexpr std::size_t depth = 1000000;
+  const Bytes arrays = file_of(std::vector<std::uint8_t>(depth, 0x81));
+  CHECK(contains(refusal([&] { decode(arrays, "p.csgt"); }), "not CBOR"));
+  for (const std::uint8_t in_pieces : {std::uint8_t{0x7f}, std::uint8_t{0x5f}}) {
+    const Bytes strings = file_of(std::vector<std::uint8_t>(depth, in_pieces));
+    CHECK(contains(refusal([&] { decode(strings, "p.csgt"); }), "a string in pieces"));
+  }
+}
+
+TEST_CASE("a piece of a string is found behind items of every kind") {
+  const std::vector<std::uint8_t> items{0x18, 0xff, 0x39, 1,    2,    0x1b, 1,    2,    3,    4,    5,    6,
+                                        7,    8,    0x62, 'a',  0x7f, 0x42, 0x7f, 0x7f, 0x82, 0xa1, 0xc1, 0xf4,
+                                        0xf9, 0x7f, 0x7f, 0xfb, 1,    2,    3,    4,    5,    6,    7,    0x7f};
+  CHECK_FALSE(contains(refusal([&] { decode(file_of(items), "p.csgt"); }), "in pieces"));
+  std::vector<std::uint8_t> one_more = items;
+  one_more.push_back(0x7f);
+  CHECK(contains(refusal([&] { decode(file_of(one_more), "p.csgt"); }), "in pieces"));
 }
 
 TEST_CASE("what is wrong with the bytes is said") {

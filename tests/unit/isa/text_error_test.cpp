@@ -33,6 +33,17 @@ TEST_CASE("an unknown word is told with its place and the nearest known one") {
   CHECK(error_of(array + ".segment width=8 height=8\nenable_load a") == "t:3:13: unknown field 'a'; there is none yet");
 }
 
+TEST_CASE("an error is one line, whatever it quotes of the input") {
+  CHECK(error_in_line_5("enable_load \"a\\x0ab\"") == "t:5:13: unknown field 'a\\nb'; the nearest is 'Z1'");
+}
+
+TEST_CASE("the nearest of long words is found in no time, by their beginnings") {
+  const std::string a(1'000'000, 'a');
+  const std::string b(1'000'000, 'b');
+  const std::vector<std::string_view> words{b, a};
+  CHECK(nearest(a + "c", words) == a);
+}
+
 TEST_CASE("what does not parse is told with its place") {
   CHECK(error_in_line_5("keep_max Z1 x (w9)").starts_with("t:5:13: expected a comma"));
   CHECK(error_in_line_5("keep_max Z1, 3*z (w9)").starts_with("t:5:16: expected x or y"));

@@ -1,6 +1,7 @@
 #include "hw/isa/text.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
 #include <limits>
@@ -119,6 +120,20 @@ TEST_CASE("fields may be named or placed") {
   CHECK(instruction_of("set_constant Z, 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("set_constant \"Z\", 1") == instruction_of("set_constant [0+:8], 1"));
   CHECK(instruction_of("enable_load [7]") == instruction_of("enable_load [7+:1]"));
+}
+
+TEST_CASE("a hundred thousand named fields are read and printed in no time, and the first name of a field is shown") {
+  constexpr std::size_t count = 100'000;
+  std::string text = ".array width=8 height=8 memory_bits=8\n";
+  for (std::size_t i = 0; i < count; ++i) text += fmt::format(".field f{} [0] stack\n", i);
+  text += ".segment width=8 height=8\n";
+  for (std::size_t i = 0; i < count; ++i) text += fmt::format("enable_load f{}\n", count - 1 - i);
+  const Program program = parse(text, "t");
+  CHECK(program.fields.size() == count);
+  CHECK(program.segments[0].instructions.size() == count);
+  const std::string again = printed(program);
+  CHECK(again.find("  enable_load f0 ") != std::string::npos);
+  CHECK(again.find("  enable_load f1") == std::string::npos);
 }
 
 TEST_CASE("an origin that is left out is setup") { CHECK(instruction_of("enable_all").origin == Origin{}); }

@@ -183,6 +183,24 @@ TEST_CASE("a scan-line machine whose picture is wider than its chain is refused"
   CHECK(message(text).find("a line of 512 pixels is longer than the 511 cells of scan-line") != std::string::npos);
 }
 
+TEST_CASE("a key of very many parts is refused without running out of stack") {
+  std::string key = "a";
+  for (int i = 0; i < 400'000; ++i) key += ".a";
+  CHECK(message("\n" + key + " = 1\n").starts_with("my.toml:2:1: more than 50 dots in a line"));
+  CHECK(message("[" + key + "]\n").starts_with("my.toml:1:1: more than 50 dots in a line"));
+}
+
+TEST_CASE("keys of as many parts as are allowed, in values nested as deep as is allowed, do no harm") {
+  const std::string key = [] {
+    std::string parts = "a";
+    for (int i = 0; i < 50; ++i) parts += ".a";
+    return parts;
+  }();
+  std::string text = key + " = [\n";
+  for (int i = 0; i < 125; ++i) text += "{ " + key + " = [\n";
+  CHECK(message(text).starts_with("my.toml:"));
+}
+
 TEST_CASE("what is not TOML is pointed at") {
   CHECK(message("name = \"x\"\nwidth = = 3\n").starts_with("my.toml:2:9: "));
 }

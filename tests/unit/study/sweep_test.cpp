@@ -124,6 +124,19 @@ TEST_CASE("a row comes back from a table as it was, commas and quotes included")
   CHECK_THROWS_AS(study::to_cell(std::string("two\nlines")), InputError);
 }
 
+TEST_CASE("a memory map comes back from a table, whatever its names hold but blanks and equals signs") {
+  study::SweepRow row;
+  row.memory_map = {{"a,b", 0, 20}, {"\"c\"", 20, 1}};
+  const std::string line = study::to_line(row);
+  CHECK(study::from_line<study::SweepRow>(line) == row);
+}
+
+TEST_CASE("a line of a table that an editor ended with CR LF is refused") {
+  const std::string line = study::to_line(row_of(study::points_of(small_ranges())[1], "")) + "\r";
+  CHECK_THROWS_WITH_AS(study::from_line<study::SweepRow>(line),
+                       "a line break within the line, maybe of an editor that ends lines with CR LF", InputError);
+}
+
 TEST_CASE("a point counts as measured only for the same model, machine and program, and drawn if it is to be drawn") {
   const std::filesystem::path path = fresh("sweep_wanted.csv");
   const study::SweepPoint point = study::points_of(small_ranges())[0];

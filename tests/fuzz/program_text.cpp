@@ -1,0 +1,17 @@
+// The text form of Programs.
+
+#include "hw/isa/text.h"
+#include "tests/fuzz/program_promises.h"
+#include "tests/fuzz/property.h"
+
+namespace fuzz = csgsim::fuzz;
+
+/// Any bytes are either a sound Program or one line of error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    fuzz::check_program(csgsim::isa::parse(fuzz::text_of(data, size), "fuzz.csgt"));
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error, "fuzz.csgt");
+  }
+  return 0;
+}

@@ -1,0 +1,22 @@
+#include "tests/fuzz/property.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "hw/base/text.h"
+
+namespace csgsim::fuzz {
+
+void broken(std::string_view promise) {
+  std::fprintf(stderr, "broken promise: %s\n", std::string(promise).c_str());
+  std::abort();
+}
+
+void check_message(const InputError& error, std::string_view file) {
+  const std::string_view message = error.what();
+  require(!message.empty() && printable(message) == message, "a message is one line of printable text");
+  require(file.empty() || message.starts_with(std::string(file) + ':'), "a message begins with its file's name");
+}
+
+}  // namespace csgsim::fuzz

@@ -1,0 +1,26 @@
+// CSG models, as OpenSCAD writes them.
+
+#include "host/read/read.h"
+
+#include <algorithm>
+#include <string>
+
+#include "tests/fuzz/property.h"
+#include "tests/unit/read/tree_invariants.h"
+
+namespace fuzz = csgsim::fuzz;
+
+/// Any bytes are either a tree that keeps its promises or one line of error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const csgsim::model::Tree tree = csgsim::read::read_csg_text(fuzz::text_of(data, size), "fuzz.csg");
+    const std::string promise = csgsim::read_test::broken_promise(tree);
+    fuzz::require(promise.empty(), promise);
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error, "fuzz.csg");
+    const std::string_view message = error.what();
+    fuzz::require(std::ranges::all_of(message, [](char letter) { return letter >= ' ' && letter <= '~'; }),
+                  "a message of the reader is ASCII");
+  }
+  return 0;
+}

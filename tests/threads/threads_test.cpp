@@ -1,0 +1,124 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/read/read.h"
+#include "hw/base/output_file.h"
+#include "hw/base/pipe_into.h"
+#include "sim/engine/engine.h"
+#include "sim/study/sweep_run.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+struct Run {
+  sim::Frame frame;
+  sim::RunResult result;
+};
+
+Run run(const isa::Program& program, unsigned threads) {
+  sim::FrameObserver observer(program);
+  const std::array<sim::Observer*, 1> observers{&observer};
+  const auto engine = sim::make_functional_engine(testing::machine_of(program.shape), threads);
+  sim::RunResult result = engine->run(program, observers);
+  return {observer.frame(), std::move(result)};
+}
+
+isa::Program carburettor(emit::Strategy strategy) {
+  testing::Setup setup;
+  setup.sampling.width = 80;
+  setup.sampling.height = 61;
+  setup.memory_bits = 128;
+  setup.options.strategy = strategy;
+  return testing::compile_default_view(testing::model_path("carburettor"), setup, view::Projection::perspective)
+      .program;
+}
+
+/// One model under every strategy with several depths: each job shares the model with the others.
+std::vector<study::SweepJob> jobs() {
+  model::Tree tree = read::read_csg_file(testing::model_path("thesis_fig_2_3"));
+  facet::Scene scene = facet::make_scene(tree);
+  const view::Camera camera = view::default_camera(scene.box, 40, 33);
+  const auto subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
+  std::vector<study::SweepJob> jobs;
+  for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::products}) {
+    for (const unsigned z_bits : {12U, 14U, 16U, 18U}) {
+      study::SweepJob job{{}, subject, camera, {}, machines::load("pixel-planes-4"), {}, {}};
+      job.machine.array = {40, 33, 128};
+      job.sampling.width = 40;
+      job.sampling.height = 33;
+      job.sampling.z_bits = z_bits;
+      job.options.strategy = strategy;
+      job.point.strategy = emit::name_of(strategy);
+      job.point.z_bits = z_bits;
+      jobs.push_back(std::move(job));
+    }
+  }
+  return jobs;
+}
+
+}  // namespace
+
+TEST_CASE("a picture, its clocks and what is skipped are the same on any number of threads") {
+  for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list}) {
+    const isa::Program program = carburettor(strategy);
+    const Run one = run(program, 1);
+    CHECK(one.result.skipped > 0);
+    for (const unsigned threads : {2U, 3U, 8U}) {
+      const Run several = run(program, threads);
+      CHECK(several.frame.colour == one.frame.colour);
+      CHECK(several.frame.depth == one.frame.depth);
+      CHECK(several.frame.owner == one.frame.owner);
+      CHECK(several.result.clocks == one.result.clocks);
+      CHECK(several.result.skipped == one.result.skipped);
+    }
+  }
+}
+
+TEST_CASE("points of one model measured on four threads are those measured on one") {
+  const std::vector<study::SweepJob> all = jobs();
+  std::vector<study::SweepRow> rows;
+  study::measure_all(all, true, 4, [&](study::SweepRow row) { rows.push_back(std::move(row)); });
+  REQUIRE(rows.size() == all.size());
+  for (const study::SweepJob& job : all) {
+    const study::SweepRow alone = study::measure(job, true);
+    CHECK(alone.compiled());
+    CHECK(std::ranges::count(rows, alone) == 1);
+  }
+}
+
+TEST_CASE("what a receiver throws while others still measure comes out once, and nothing is received after it") {
+  std::size_t received = 0;
+  const auto fails_at_the_third = [&](const study::SweepRow& /*row*/) {
+    if (++received == 3) throw std::runtime_error("the disk is full");
+  };
+  CHECK_THROWS_WITH_AS(study::measure_all(jobs(), false, 4, fails_at_the_third), "the disk is full",
+                       std::runtime_error);
+  CHECK(received == 3);
+}
+
+TEST_CASE("all that is written into a pipe is in the file once it is finished") {
+  const std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / "threads_pipe.txt";
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += std::to_string(i) + "\n";
+  {
+    OutputFile file(path);
+    PipeInto pipe(file, ".txt");
+    std::ofstream(pipe.path(), std::ios::binary) << text;
+    pipe.finish();
+    file.commit();
+  }
+  std::ifstream in(path, std::ios::binary);
+  CHECK(std::string(std::istreambuf_iterator<char>(in), {}) == text);
+}
