@@ -62,7 +62,7 @@ build() {
 # fuzz MINUTES [RUNS]: the time is shared out among the fuzzers, of which two run at a time.
 fuzz() {
   case "${1:-}" in
-    '' | *[!0-9]*)
+    '' | 0* | *[!0-9]*)
       usage
       exit 2
       ;;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "sim/study/comparison.h"
@@ -17,11 +18,17 @@ namespace study = csgsim::study;
 
 namespace {
 
+/// In memory where there is such a folder: on a disk, files written anew so often are waited for.
+std::filesystem::path scratch_folder() {
+  const std::filesystem::path memory = "/dev/shm";
+  std::error_code error;
+  return std::filesystem::is_directory(memory, error) ? memory : std::filesystem::temp_directory_path();
+}
+
 /// A file of this process alone.
 class ScratchFile {
  public:
-  ScratchFile()
-      : path_(std::filesystem::temp_directory_path() / ("csgsim_fuzz_" + std::to_string(::getpid()) + ".csv")) {}
+  ScratchFile() : path_(scratch_folder() / ("csgsim_fuzz_" + std::to_string(::getpid()) + ".csv")) {}
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
   ~ScratchFile() {
