@@ -165,6 +165,13 @@ std::string Bench::wrong_in_success(const Ended& ended) const {
   return left_behind();
 }
 
+std::size_t Bench::replaced() const {
+  const auto is_new = [&](const std::string& name) {
+    return fs::exists(out(name)) && cli::content(out(name)) != old(name);
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(command_.outputs, is_new));
+}
+
 std::vector<std::uint64_t> Bench::sizes() const {
   std::vector<std::uint64_t> all;
   for (const auto& [name, content] : wanted_) {

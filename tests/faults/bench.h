@@ -44,6 +44,9 @@ class Bench {
   /// Empty if nothing but outputs, old or wholly new, and whole lines of the table is there.
   [[nodiscard]] std::string wrong_in_files() const;
 
+  /// Outputs that are not the old ones any more.
+  [[nodiscard]] std::size_t replaced() const;
+
   /// Of all files that the run without conditions wrote, bytes.
   [[nodiscard]] std::vector<std::uint64_t> sizes() const;
 

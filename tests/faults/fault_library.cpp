@@ -2,8 +2,8 @@
 ///
 /// CSGSIM_FAULT=KIND:N:ERROR[,...] fails the N-th call of the kind, KIND:N+:ERROR that and all after it. ERROR is the
 /// name of an errno, or for writes HALF (half of the bytes are taken, which is no error) or SHORT (half are taken, and
-/// the next write fails with ENOSPC). CSGSIM_FAULT_REPORT names a file that gets a line `failed KIND N` for each failed
-/// call, and at the end `calls KIND COUNT` for each kind.
+/// the next write fails with ENOSPC). CSGSIM_FAULT_REPORT names a file that gets a line `failed KIND N after R renames`
+/// for each failed call, and at the end `calls KIND COUNT` for each kind.
 ///
 /// What counts: files of a folder, written to through the C library's functions. Not files that have no name
 /// (memfd_create), pipes, devices, nor the text in a lock, which need not be there. Calls inside of the C library, as
@@ -138,7 +138,9 @@ Fate fate(Kind kind) {
   const std::uint64_t number = ++calls.at(index);
   for (const Fault& fault : plan.faults) {
     if (fault.kind != kind || number < fault.first || number > fault.last) continue;
-    report("failed " + std::string(kind_names.at(index)) + " " + std::to_string(number) + "\n");
+    const std::uint64_t renames = calls.at(static_cast<std::size_t>(Kind::rename)) - (kind == Kind::rename ? 1 : 0);
+    report("failed " + std::string(kind_names.at(index)) + " " + std::to_string(number) + " after " +
+           std::to_string(renames) + " renames\n");
     errno = fault.error;
     return fault.fate;
   }
