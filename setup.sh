@@ -15,6 +15,7 @@ Usage: ./setup.sh COMMAND
          build the fuzzers and run them for so long in all, each for RUNS cases at most
   tsan   run under the thread sanitizer what works on several threads
   flags  build without optimisation, and for this very processor, and hold both against the golden figures
+  faults fail every write, fsync and rename of every command, one at a time, and print what came of it
   bench  build and run the benchmarks
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
@@ -163,6 +164,12 @@ case "${1:-}" in
       cmake --build --preset "$preset" --target test_golden
       ctest --preset "$preset" -R '^golden:'
     done
+    ;;
+  faults)
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages
+    build release -DCSGSIM_BUILD_TESTS=ON
+    CSGSIM_FAULTS=all build/release/test_faults
     ;;
   bench)
     # shellcheck disable=SC2086

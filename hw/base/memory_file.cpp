@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <csignal>
 #include <limits>
+#include <utility>
 
 #include "hw/base/error.h"
 
@@ -13,30 +15,53 @@ namespace csgsim {
 
 namespace {
 
-[[noreturn]] void fail(const std::error_code& error) {
-  throw InputError("a file in memory cannot be used: " + error.message());
-}
+/// Writes of this process that a limit on the size of files (ulimit -f) has refused.
+std::atomic<unsigned> refused_writes = 0;
+static_assert(std::atomic<unsigned>::is_always_lock_free);
 
-/// Where ulimit -f ends a file without a word when its signal is ignored.
-bool reaches_limit(std::size_t bytes) {
-  struct rlimit limit {};
-  return ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes >= limit.rlim_cur;
+extern "C" void count_refused_write(int) { ++refused_writes; }
+
+/// The kernel tells of each such write by a signal. Where that is ignored the library that wrote may hide the error,
+/// so from now on it is counted. Programs that are started get it as it is by default, and end by it.
+void watch_refused_writes() {
+  struct sigaction action {};
+  if (::sigaction(SIGXFSZ, nullptr, &action) != 0 || action.sa_handler != SIG_IGN) return;
+  action.sa_handler = count_refused_write;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(SIGXFSZ, &action, nullptr);
 }
 
 }  // namespace
 
-MemoryFile::MemoryFile() : descriptor_(::memfd_create("csgsim", MFD_CLOEXEC)) {
+MemoryFile::MemoryFile(std::filesystem::path purpose)
+    : purpose_(std::move(purpose)), descriptor_(::memfd_create("csgsim", MFD_CLOEXEC)) {
   if (!descriptor_.is_open()) fail(last_error());
+  watch_refused_writes();
+  refused_before_ = refused_writes;
+}
+
+void MemoryFile::fail(const std::error_code& error) const {
+  throw InputError(fmt::format("{}: cannot be made in memory: {}; check the limits of this process (ulimit -a)",
+                               purpose_.native(), error.message()));
 }
 
 std::string MemoryFile::path() const { return fmt::format("/proc/self/fd/{}", descriptor_.number()); }
 
-std::string MemoryFile::content() const {
+void MemoryFile::write(std::string_view bytes) {
+  if (const std::error_code error = write_all(descriptor_, bytes)) fail(error);
+  rewind();
+}
+
+void MemoryFile::rewind() const {
   if (::lseek(descriptor_.number(), 0, SEEK_SET) != 0) fail(last_error());
+}
+
+std::string MemoryFile::content() const {
+  if (refused_writes != refused_before_) fail(std::make_error_code(std::errc::file_too_large));
+  rewind();
   std::string bytes;
   if (const std::error_code error = read_to_end(descriptor_, bytes, std::numeric_limits<std::size_t>::max()))
     fail(error);
-  if (reaches_limit(bytes.size())) fail(std::make_error_code(std::errc::file_too_large));
   return bytes;
 }
 

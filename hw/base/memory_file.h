@@ -1,29 +1,41 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "hw/base/descriptor.h"
 
 namespace csgsim {
 
 /// A file that is in memory only: for libraries and programs that write to files without telling whether it worked. No
-/// disk can be full under it. Linux only.
+/// disk can be full under it; a limit on the size of files (ulimit -f) holds for it too. Linux only. Each function
+/// throws InputError that begins with the purpose.
 class MemoryFile {
  public:
-  /// Throws InputError if the system has none to give.
-  MemoryFile();
+  /// `purpose` is the file that its content is for, in messages. Throws if the system has none to give.
+  explicit MemoryFile(std::filesystem::path purpose);
 
   /// A name by which this process can open it, for reading or writing.
   [[nodiscard]] std::string path() const;
 
   [[nodiscard]] const Descriptor& descriptor() const { return descriptor_; }
 
-  /// All that was written. Throws InputError if it cannot be read, or if it is as long as a limit on files lets it be
-  /// (ulimit -f), so that something may be missing.
+  /// Writes the bytes at its place, and goes back to its beginning.
+  void write(std::string_view bytes);
+
+  /// All that was written. Throws if it cannot be read, or if a limit on the size of files has refused any write of
+  /// this process since this file was made, so that something may be missing.
   [[nodiscard]] std::string content() const;
 
  private:
+  [[noreturn]] void fail(const std::error_code& error) const;
+  void rewind() const;
+
+  std::filesystem::path purpose_;
   Descriptor descriptor_;
+  unsigned refused_before_ = 0;
 };
 
 }  // namespace csgsim

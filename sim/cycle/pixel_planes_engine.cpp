@@ -1,6 +1,10 @@
+#include <sysc/tracing/sc_tracing_ids.h>
+
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <systemc>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -122,7 +126,13 @@ RecordedRun run_and_record(const machines::Machine& machine, const isa::Program&
   claim_elaboration(machine);
   PixelPlanes& hardware = hardware_of(machine);
   hardware.record(request);
-  return run_on(hardware, machine, program, observers);
+  try {
+    return run_on(hardware, machine, program, observers);
+  } catch (const sc_core::sc_report& report) {
+    if (std::string_view(report.get_msg_type()) != sc_core::SC_ID_TRACING_FOPEN_FAILED_) throw;
+    throw InputError(request.file.native() + ": SystemC cannot open it for the waveform; allow more open files " +
+                     "(ulimit -n), or check the folder's permissions");
+  }
 }
 
 }  // namespace csgsim::sim

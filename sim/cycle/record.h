@@ -14,7 +14,7 @@ struct RecordedRun {
 
 /// Runs the Program on the clocked machine, as make_cycle_engine's does, and writes the requested window of clocks as a
 /// VCD file. Throws std::invalid_argument for a probe or field outside the array, InputError for a machine that is not
-/// of Kind::frame_buffer.
+/// of Kind::frame_buffer or a file that cannot be opened.
 RecordedRun run_and_record(const machines::Machine& machine, const isa::Program& program,
                            std::span<Observer* const> observers, const pixel_planes::WaveRequest& request);
 

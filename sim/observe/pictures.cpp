@@ -51,7 +51,7 @@ std::string encode(const std::filesystem::path& path, const OIIO::ImageSpec& spe
     write_to(path.native());
     return {reinterpret_cast<const char*>(buffer.buffer().data()), buffer.buffer().size()};
   }
-  const MemoryFile file;
+  const MemoryFile file(path);
   write_to(file.path());
   return file.content();
 }

@@ -1,18 +1,29 @@
 #include "sim/study/csv.h"
 
-#include <fstream>
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <sstream>
 
+#include "hw/base/descriptor.h"
+#include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
 
 namespace csgsim::study {
 
 namespace {
 
-void write(const std::filesystem::path& path, const std::string& text, std::ios::openmode mode) {
-  std::ofstream file(path, std::ios::binary | mode);
-  file << text << std::flush;
-  if (!file) throw InputError(path.string() + ": cannot be written; is there room, and may you write there?");
+constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "take another place for the study with -o"};
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::error_code& error) {
+  throw InputError(fmt::format("{}: cannot write it: {}; check the path, its permissions and the room on the disk",
+                               path.native(), error.message()));
+}
+
+/// All of the file, or nothing if there is none.
+std::string text_of(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) ? read_file(path, table_file) : std::string();
 }
 
 /// Lines above those that are read: the title and the header.
@@ -22,30 +33,37 @@ constexpr std::size_t lines_above = 2;
 
 CsvFile::CsvFile(std::filesystem::path path, const std::string& title, const std::string& header)
     : path_(std::move(path)), begin_("# " + title + "\n" + header + "\n") {
-  std::stringstream whole;
-  std::ifstream file(path_, std::ios::binary);
-  if (file) whole << file.rdbuf();
-  const std::string text = whole.str();
+  const std::string text = text_of(path_);
   if (begin_.starts_with(text)) {
-    if (text != begin_) write(path_, begin_, std::ios::trunc);
+    if (text != begin_) write_file(path_, begin_);
     return;
   }
   if (!text.starts_with(begin_)) {
-    throw InputError(path_.string() +
+    throw InputError(path_.native() +
                      ": holds another study; give this one a place of its own with -o, or delete that");
   }
   const std::size_t whole_lines = text.rfind('\n') + 1;
-  if (whole_lines < text.size()) write(path_, text.substr(0, whole_lines), std::ios::trunc);
+  if (whole_lines < text.size()) write_file(path_, std::string_view(text).substr(0, whole_lines));
   std::istringstream lines(text.substr(begin_.size(), whole_lines - begin_.size()));
   for (std::string line; std::getline(lines, line);) found_.push_back(std::move(line));
 }
 
 void CsvFile::refuse(std::size_t found, std::string_view why) const {
-  throw InputError(fmt::format("{}:{}:1: {}; delete the line to have it measured anew", path_.string(),
+  throw InputError(fmt::format("{}:{}:1: {}; delete the line to have it measured anew", path_.native(),
                                lines_above + found + 1, why));
 }
 
-void CsvFile::append(const std::string& line) const { write(path_, line + "\n", std::ios::app); }
+void CsvFile::append(const std::string& line) const {
+  Descriptor file(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  if (!file.is_open()) fail(path_, last_error());
+  const off_t end = ::lseek(file.number(), 0, SEEK_END);
+  std::error_code error = end < 0 ? last_error() : write_all(file, line + "\n");
+  if (!error) error = sync(file);
+  // Where even this cannot be done, the next start cuts off what is left of the line.
+  if (error && end >= 0) static_cast<void>(::ftruncate(file.number(), end));
+  if (!error) error = file.close();
+  if (error) fail(path_, error);
+}
 
 void CsvFile::replace(const std::vector<std::string>& lines) const {
   std::string text = begin_;

@@ -21,7 +21,7 @@ namespace csgsim::study {
 class CsvFile {
  public:
   /// Opens or begins a file; part of a line, which an interrupted write has left, is cut off. Throws InputError if the
-  /// file begins otherwise.
+  /// file begins otherwise, is too long or cannot be read or written.
   CsvFile(std::filesystem::path path, const std::string& title, const std::string& header);
 
   /// The lines that were there when it was opened, below the header.
@@ -30,6 +30,8 @@ class CsvFile {
   /// Throws InputError that says which of the lines found cannot be used, and why.
   [[noreturn]] void refuse(std::size_t found, std::string_view why) const;
 
+  /// Adds a line, and has it on the disk. Throws InputError if it cannot: no part of the line is left then, unless the
+  /// file cannot even be shortened.
   void append(const std::string& line) const;
 
   /// Puts other lines in place of all below the header, at once: nobody sees part of them.

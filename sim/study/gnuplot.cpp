@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstring>
 
 #include "hw/base/error.h"
 #include "hw/base/memory_file.h"
@@ -47,13 +48,12 @@ std::string complaint(const MemoryFile& errors) {
   return all.substr(begin, all.find('\n', begin) - begin);
 }
 
-/// What gnuplot draws when it reads the script and nothing else, not even its user's settings.
-std::string drawn_by(const std::string& script) {
-  const MemoryFile input;
-  const MemoryFile output;
-  const MemoryFile errors;
-  if (write_all(input.descriptor(), script) || ::lseek(input.descriptor().number(), 0, SEEK_SET) != 0)
-    throw InputError("there is no room for a script of gnuplot's");
+/// What gnuplot draws for the file when it reads the script and nothing else, not even its user's settings.
+std::string drawn_by(const std::filesystem::path& file, const std::string& script) {
+  MemoryFile input(file);
+  const MemoryFile output(file);
+  const MemoryFile errors(file);
+  input.write(script);
   Actions actions;
   actions.connect(input, STDIN_FILENO);
   actions.connect(output, STDOUT_FILENO);
@@ -63,13 +63,15 @@ std::string drawn_by(const std::string& script) {
   const std::array<char*, 3> arguments{name.data(), no_settings.data(), nullptr};
   pid_t child = 0;
   if (::posix_spawnp(&child, name.data(), actions.get(), nullptr, arguments.data(), environ) != 0)
-    throw InputError("gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
+    throw InputError(file.native() +
+                     ": gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   std::string picture = output.content();
   if (status != 0 || picture.empty()) {
-    throw InputError(fmt::format(
-        "gnuplot did not draw ({}); is package gnuplot-nox installed? (--no-plots does without)", complaint(errors)));
+    throw InputError(
+        fmt::format("{}: gnuplot did not draw ({}); is package gnuplot-nox installed? (--no-plots does without)",
+                    file.native(), WIFSIGNALED(status) ? ::strsignal(WTERMSIG(status)) : complaint(errors)));
   }
   return picture;
 }
@@ -115,7 +117,7 @@ std::vector<std::filesystem::path> draw_plot(const std::filesystem::path& folder
   std::vector<std::filesystem::path> files;
   for (const char* ending : {".png", ".svg"}) {
     files.push_back(folder / (name + ending));
-    write_file(files.back(), drawn_by("set encoding utf8\n" + terminal(ending, size) + script));
+    write_file(files.back(), drawn_by(files.back(), "set encoding utf8\n" + terminal(ending, size) + script));
   }
   return files;
 }

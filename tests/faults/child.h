@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace csgsim::testing::faults {
+
+/// What a process may not do, and what it is told.
+struct Conditions {
+  std::map<std::string, std::string> environment;
+  /// Bytes that a file may have (ulimit -f), whoever writes it.
+  std::optional<std::uint64_t> longest_file;
+  /// Whether a write past that ends the process by SIGXFSZ; else it fails with EFBIG.
+  bool is_signalled = false;
+};
+
+/// How a process ended: with a code, or else by a signal.
+struct Ended {
+  int code = -1;
+  int signal = 0;
+  std::string err;
+};
+
+/// Runs csgsim. Its standard output and error are pipes, which no limit on files meets.
+Ended run_csgsim(const std::vector<std::string>& words, const Conditions& conditions);
+
+/// Does some work in a process of its own; code 1 and a line on standard error where it throws.
+Ended run_apart(const std::function<void()>& work, const Conditions& conditions);
+
+}  // namespace csgsim::testing::faults

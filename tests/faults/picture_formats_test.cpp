@@ -1,0 +1,155 @@
+/// Every format that pictures can be written in, under limits on the size of files: most writers do not tell that a
+/// file could not hold them.
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hw/base/output_file.h"
+#include "sim/observe/pictures.h"
+#include "tests/cli/cli.h"
+#include "tests/faults/child.h"
+
+namespace {
+
+using namespace csgsim;
+using namespace csgsim::testing::faults;
+namespace fs = std::filesystem;
+using csgsim::testing::cli::content;
+using csgsim::testing::cli::Folder;
+
+constexpr const char* old_content = "an old picture\n";
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+std::string attribute(const char* name) { return OIIO::get_string_attribute(name); }
+
+isa::Program program() {
+  isa::Program program;
+  program.shape = {16, 12, 48};
+  program.fields = {{"Z2", {0, 20}, isa::FieldRole::depth}, {"colour", {20, 24}, isa::FieldRole::colour}};
+  return program;
+}
+
+/// Noise, so that no format makes it short.
+sim::Frame frame() {
+  sim::Frame frame;
+  frame.width = program().shape.width;
+  frame.height = program().shape.height;
+  std::uint32_t value = 1;
+  for (std::uint32_t pixel = 0; pixel < frame.width * frame.height; ++pixel) {
+    value = value * 1664525U + 1013904223U;
+    frame.colour.push_back(value >> 8U);
+    frame.depth.push_back(value >> 12U);
+    frame.owner.push_back(value >> 28U);
+  }
+  return frame;
+}
+
+void write_picture(const std::string& path) {
+  OutputFile file(path);
+  sim::write_picture(file, frame(), program());
+  file.commit();
+}
+
+/// Is a picture of that ending written? OpenImageIO's own list has more. Asked in another process, like all that may
+/// start threads there: a process that is forked off has none of them.
+bool is_written(const std::string& ending) {
+  const Folder folder;
+  return run_apart([&] { write_picture(folder / ("p." + ending)); }, {}).code == 0;
+}
+
+/// Endings of names, as in "png", of each format that csgsim writes.
+std::vector<std::vector<std::string>> endings() {
+  const std::vector<std::string> written = split(attribute("output_format_list"), ',');
+  std::vector<std::vector<std::string>> all;
+  for (const std::string& format : split(attribute("extension_list"), ';')) {
+    const std::vector<std::string> parts = split(format, ':');
+    if (std::ranges::find(written, parts.at(0)) == written.end()) continue;
+    std::vector<std::string> some = split(parts.at(1), ',');
+    std::erase_if(some, [](const std::string& ending) { return !is_written(ending); });
+    if (!some.empty()) all.push_back(std::move(some));
+  }
+  return all;
+}
+
+/// 0, 1, some between, and all but a byte.
+std::set<std::uint64_t> limits_below(std::uint64_t size) {
+  constexpr std::uint64_t between = 24;
+  std::set<std::uint64_t> limits{0, 1, size - 1};
+  for (std::uint64_t i = 1; i < between; ++i) limits.insert(size * i / between);
+  return limits;
+}
+
+/// The length of a picture's file with that ending.
+std::uint64_t size_of(const std::string& ending) {
+  const Folder folder;
+  const std::string path = folder / ("p." + ending);
+  const Ended ended = run_apart([&] { write_picture(path); }, {});
+  CAPTURE(ended.err);
+  REQUIRE(ended.code == 0);
+  return fs::file_size(path);
+}
+
+/// Empty, or what is wrong after a failure.
+std::string wrong_in(const Folder& folder, const std::string& path, const Ended& ended) {
+  if (ended.signal != 0) return "ended by signal " + std::to_string(ended.signal);
+  if (ended.code != 1) return "exit code " + std::to_string(ended.code);
+  if (!csgsim::testing::cli::one_line(ended.err)) return "not one line: " + ended.err;
+  if (!ended.err.starts_with(path + ": ")) return "does not name the file: " + ended.err;
+  if (content(path) != old_content) return "the old file is not there any more";
+  return folder.files() == 1 ? "" : "something is left behind";
+}
+
+}  // namespace
+
+TEST_CASE("pictures are written in all the usual formats") {
+  std::set<std::string> known;
+  for (const std::vector<std::string>& format : endings()) known.insert(format.begin(), format.end());
+  for (const std::string ending : {"png", "tif", "ppm", "exr", "jpg", "bmp", "tga", "gif", "jp2", "sgi", "hdr", "webp",
+                                   "dpx", "fits", "ico", "iff", "rla"}) {
+    CAPTURE(ending);
+    CHECK(known.contains(ending));
+  }
+}
+
+TEST_CASE("a picture of any format that a file cannot hold is told, and the old one stays") {
+  for (const std::vector<std::string>& format : endings()) {
+    for (const std::string& ending : format) {
+      const Folder folder;
+      const std::string path = folder / ("p." + ending);
+      CAPTURE(ending);
+      for (const std::uint64_t limit : limits_below(size_of(ending))) {
+        CAPTURE(limit);
+        csgsim::testing::cli::write(path, old_content);
+        Conditions conditions;
+        conditions.longest_file = limit;
+        CHECK(wrong_in(folder, path, run_apart([&] { write_picture(path); }, conditions)) == "");
+      }
+    }
+  }
+}
+
+TEST_CASE("csgsim tells of a picture of any format that a file cannot hold") {
+  const std::string model = csgsim::testing::cli::model("old_example011");
+  for (const std::vector<std::string>& format : endings()) {
+    const Folder folder;
+    const std::string path = folder / ("p." + format.front());
+    CAPTURE(path);
+    csgsim::testing::cli::write(path, old_content);
+    Conditions conditions;
+    conditions.longest_file = 60;
+    const Ended ended = run_csgsim({"render", model, "--size", "8x8", "-o", path}, conditions);
+    CHECK(wrong_in(folder, path, ended) == "");
+  }
+}
