@@ -47,7 +47,7 @@ class Bench {
   /// Outputs that are not the old ones any more.
   [[nodiscard]] std::size_t replaced() const;
 
-  /// Of all files that the run without conditions wrote, bytes.
+  /// Of all files that the command writes, bytes; what differs each time does not count, so they may be longer.
   [[nodiscard]] std::vector<std::uint64_t> sizes() const;
 
   [[nodiscard]] const Command& command() const { return command_; }

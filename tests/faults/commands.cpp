@@ -39,7 +39,7 @@ const std::vector<Command>& commands() {
       {"render", "render" + small_model + pictures, picture_files, "", 0, 8},
       {"render to standard output", "render" + small_model + " --stats /dev/stdout", {}, "", 0, 8},
       {"compile", "compile" + small_model + " -o OUT/p.csgt", {"p.csgt"}, "", 0, 8},
-      {"run", "run" + trace + pictures, picture_files, "", 0, 4},
+      {"run", "run" + trace + pictures, picture_files, "", 0, 2},
       {"disasm", "disasm" + trace + " -o OUT/p.txt", {"p.txt"}, "", 0, 8},
       {"wave", "wave" + small_model + " --probe 1,1 --window 0:1000 -o OUT/w.vcd", {"w.vcd", "w.gtkw"}, "", 0, 8},
       {"subdivide", "subdivide" + small_model + " --levels 1 -o OUT/s.json", {"s.json"}, "", 0, 8},
@@ -52,7 +52,7 @@ const std::vector<Command>& commands() {
        "sweep.csv", 4, 0},
       {"compare", compare + " --no-plots", {"compare.json"}, "compare.csv", 0, 3},
       {"compare going on", compare + " --no-plots", {"compare.json"}, "compare.csv", 6, 8},
-      {"compare with plots", compare, with_plots("compare.json", {"compare_pixels"}), "compare.csv", 7, 4},
+      {"compare with plots", compare, with_plots("compare.json", {"compare_pixels"}), "compare.csv", 7, 3},
   };
   return all;
 }

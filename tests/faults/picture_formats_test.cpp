@@ -85,7 +85,7 @@ std::vector<std::vector<std::string>> endings() {
 
 /// 0, 1, some between, and all but a byte.
 std::set<std::uint64_t> limits_below(std::uint64_t size) {
-  constexpr std::uint64_t between = 24;
+  constexpr std::uint64_t between = 12;
   std::set<std::uint64_t> limits{0, 1, size - 1};
   for (std::uint64_t i = 1; i < between; ++i) limits.insert(size * i / between);
   return limits;
