@@ -87,18 +87,21 @@ tsan() {
   $fixed ctest --preset tsan -j "$(nproc)"
 }
 
-# The .cpp files to be checked: all, or those that changed since a commit or include a header that did.
+# The .cpp files to be checked: all, or those that changed since a commit, and for each header that changed one that
+# includes it.
 sources() {
   git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' >build/sources
   if [ -z "${1:-}" ]; then
     cat build/sources
     return
   fi
-  git diff --name-only "$1" -- hw host sim >build/changed
+  git diff --name-only --diff-filter=d "$1" -- hw host sim >build/changed
   {
     grep -Fx -f build/changed build/sources || true
-    grep '\.h$' build/changed | sed 's/.*/#include "&"/' >build/includes
-    xargs grep -lF -f build/includes <build/sources || true
+    grep '\.h$' build/changed | while read -r header; do
+      # Its own source file, if there is one, or the first that there is.
+      grep -Fx "${header%.h}.cpp" build/sources || xargs grep -lF "#include \"$header\"" <build/sources | head -n 1
+    done || true
   } | sort -u
 }
 

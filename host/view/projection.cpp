@@ -37,9 +37,9 @@ void check(const Sampling& sampling) {
   }
 }
 
-/// The nearest a near plane may be, as a part of the distance to the far plane: all but one of 2^30 depth steps would
-/// be spent on nearness.
-constexpr double least_near = 1.0 / (1U << 30U);
+/// The nearest a near plane may be, as a part of the distance to the far plane: nearer ones leave too few of a double's
+/// 53 bits to tell depths apart.
+constexpr double least_near = 0x1p-48;
 
 void check_near(double near, double far) {
   if (near < far * least_near) {

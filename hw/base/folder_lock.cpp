@@ -50,6 +50,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view pur
       fail(folder, last_error());
     }
   } while (!has_name(file_, path_));
+  registered_.emplace(path_);
   // Whose it is helps people only: it does not matter whether there is room to say it.
   static_cast<void>(::ftruncate(file_.number(), 0));
   static_cast<void>(write_all(file_, fmt::format("process {}, {}", ::getpid(), purpose)));

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "hw/base/descriptor.h"
+#include "hw/base/partial_files.h"
 
 namespace csgsim {
 
@@ -21,6 +23,7 @@ class FolderLock {
  private:
   std::filesystem::path path_;
   Descriptor file_;
+  std::optional<PartialFile> registered_;
 };
 
 }  // namespace csgsim

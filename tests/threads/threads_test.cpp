@@ -54,14 +54,15 @@ std::vector<study::SweepJob> jobs() {
   std::vector<study::SweepJob> jobs;
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::products}) {
     for (const unsigned z_bits : {12U, 14U, 16U, 18U}) {
-      study::SweepJob job{{}, subject, camera, {}, machines::load("pixel-planes-4"), {}, {}};
+      study::SweepPoint point;
+      point.strategy = emit::name_of(strategy);
+      point.z_bits = z_bits;
+      study::SweepJob job{std::move(point), subject, camera, {}, machines::load("pixel-planes-4"), {}, {}};
       job.machine.array = {40, 33, 128};
       job.sampling.width = 40;
       job.sampling.height = 33;
       job.sampling.z_bits = z_bits;
       job.options.strategy = strategy;
-      job.point.strategy = emit::name_of(strategy);
-      job.point.z_bits = z_bits;
       jobs.push_back(std::move(job));
     }
   }
