@@ -11,6 +11,7 @@
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/options.h"
 #include "sim/app/study_files.h"
@@ -102,7 +103,9 @@ void complete(const Options& options, const Study& study, Table& table) {
     if (show)
       tell(fmt::format("\r\x1b[K{} of {} points: {} {}", number, study.wanted.size(), wanted.point.knob,
                        wanted.point.value));
-    study::Measurement row = meter.measure(wanted.point);
+    const view::Sampling& sampling = wanted.point.sampling;
+    study::Measurement row = with_memory_for_picture({sampling.width, sampling.height, study.machine.array.memory_bits},
+                                                     [&] { return meter.measure(wanted.point); });
     row.inputs = wanted.inputs;
     table.add(std::move(row));
   }
@@ -135,6 +138,7 @@ void add_accuracy(CLI::App& app) {
       "Example:\n  csgsim accuracy carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-accuracy\n"
       "What has been measured is in accuracy.csv at once; the same command goes on after an interruption.");
   options->model.add_to(command);
+  command.remove_option(command.get_option("--memory-bits"));  // what is needed is one of the results
   command.add_option("-o,--output", options->folder, "Folder for accuracy.csv, accuracy.json and the plots")
       ->required()
       ->check(not_empty);

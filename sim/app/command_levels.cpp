@@ -7,6 +7,7 @@
 
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
@@ -52,7 +53,7 @@ void compare_levels(const ModelOptions& options) {
              "picture, depth, owner, counts");
   Outcome first;
   for (const std::unique_ptr<sim::Engine>& engine : engines) {
-    const Outcome outcome = run_level(*engine, program);
+    const Outcome outcome = with_memory_for_picture(program.shape, [&] { return run_level(*engine, program); });
     if (engine == engines.front()) first = outcome;
     const bool same = outcome.same(first);
     fmt::print("{:<12}{:>12}{:>12.3f}{:>16.0f}{:>20.1f}  {}\n", engine->level(), outcome.clocks, outcome.seconds,
