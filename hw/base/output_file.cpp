@@ -21,20 +21,15 @@ namespace fs = std::filesystem;
 
 constexpr int most_links = 40;
 
-[[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
-  throw InputError(fmt::format("{}: cannot write it: {}; check the path, its permissions and the room on the disk",
-                               path.native(), error.message()));
-}
-
 void check(const fs::path& path, const std::error_code& error) {
-  if (error) fail(path, error);
+  if (error) fail_to_write(path, error);
 }
 
 /// Is it something to write to that is not a file of its own: a device, a pipe, a descriptor of this process?
 bool is_stream(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail(path, std::make_error_code(std::errc::is_a_directory));
+  if (fs::is_directory(status)) fail_to_write(path, std::make_error_code(std::errc::is_a_directory));
   if (!fs::exists(status)) return false;
   const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), error);
   return !fs::is_regular_file(status) || folder == "/dev" || folder.native().starts_with("/proc/");
@@ -43,8 +38,8 @@ bool is_stream(const fs::path& path) {
 /// Throws if there is a file that may not be written, though its folder would let it be replaced; or no name can be so.
 void check_place(const fs::path& asked, const fs::path& place) {
   const bool is_there = ::faccessat(AT_FDCWD, place.c_str(), F_OK, AT_EACCESS) == 0;
-  if (!is_there && errno != ENOENT) fail(asked, last_error());
-  if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail(asked, last_error());
+  if (!is_there && errno != ENOENT) fail_to_write(asked, last_error());
+  if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(asked, last_error());
 }
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
@@ -70,6 +65,11 @@ std::error_code sync_folder(const fs::path& folder) {
 
 }  // namespace
 
+void fail_to_write(const fs::path& path, const std::error_code& error) {
+  throw InputError(fmt::format("{}: cannot write it: {}; check the path, its permissions and the room on the disk",
+                               path.native(), error.message()));
+}
+
 fs::path without_links(const fs::path& path) {
   fs::path place = path;
   std::error_code error;
@@ -79,7 +79,7 @@ fs::path without_links(const fs::path& path) {
     check(path, error);
     place = place.parent_path() / target;
   }
-  fail(path, std::make_error_code(std::errc::too_many_symbolic_link_levels));
+  fail_to_write(path, std::make_error_code(std::errc::too_many_symbolic_link_levels));
 }
 
 OutputFile::OutputFile(fs::path path) : asked_(std::move(path)), final_(asked_) {
@@ -102,7 +102,7 @@ void OutputFile::create(const fs::path& folder) {
   file_ = Descriptor(::open(partial_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!file_.is_open()) {
     partial_.clear();
-    fail(asked_, last_error());
+    fail_to_write(asked_, last_error());
   }
   struct stat replaced {};
   if (!is_stream_ && ::stat(final_.c_str(), &replaced) == 0)
@@ -136,7 +136,7 @@ void OutputFile::commit() {
 void OutputFile::copy_to_stream() const {
   std::fflush(stdout);
   const Descriptor stream = open_stream(final_);
-  if (!stream.is_open() || ::lseek(file_.number(), 0, SEEK_SET) != 0) fail(asked_, last_error());
+  if (!stream.is_open() || ::lseek(file_.number(), 0, SEEK_SET) != 0) fail_to_write(asked_, last_error());
   constexpr std::size_t block = std::size_t{1} << 16U;
   std::string bytes;
   do {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 #include "hw/base/descriptor.h"
 #include "hw/base/partial_files.h"
@@ -46,6 +47,9 @@ class OutputFile {
   Descriptor file_;
   bool is_finished_ = false;
 };
+
+/// Throws InputError that says why a file cannot be written, and what to look at.
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::error_code& error);
 
 /// Puts all files that there are in their places, none of them before all are finished. Throws InputError.
 void commit_all(std::span<OutputFile* const> files);

@@ -13,6 +13,7 @@
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
+#include "sim/app/paths.h"
 #include "sim/app/read_by.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
@@ -102,14 +103,6 @@ std::string title_of(const Options& options, const CLI::App& command) {
          escaped(std::filesystem::path(options.model.model).filename().native());
 }
 
-std::vector<std::filesystem::path> inputs_of(const Options& options) {
-  std::vector<std::filesystem::path> inputs = options.model.inputs();
-  for (const std::string& name : study::parse_words(options.machines)) {
-    if (machines::is_file(name)) inputs.emplace_back(name);
-  }
-  return inputs;
-}
-
 std::vector<study::WantedComparison> wanted_of(const Study& study) {
   std::vector<study::WantedComparison> wanted;
   for (const study::ComparisonJob& job : study.jobs) wanted.push_back(job.wanted);
@@ -175,7 +168,8 @@ void refuse_differences(const Rows& rows) {
 void run(const Options& options, const CLI::App& command) {
   const std::string stem = study::plot_stem(options.model.model);
   const Study study = study_of(options);
-  const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare", inputs_of(options));
+  const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare",
+                           input_files({options.model.model}, study::parse_words(options.machines)));
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "compare.csv";
   Table table(table_path, title);

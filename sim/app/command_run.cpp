@@ -29,7 +29,7 @@ void add_run(CLI::App& app) {
   command.callback([options] {
     if (is_model(options->program))
       throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));
-    RunOutputs outputs(options->run, input_files(options->program, options->machine));
+    RunOutputs outputs(options->run, input_files({options->program}, {options->machine}));
     const isa::Program program = read_program(options->program);
     machines::Machine machine = machines::load(options->machine);
     machines::adopt(machine, program);

@@ -11,6 +11,7 @@
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/paths.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
@@ -32,14 +33,6 @@ using Table = study::Table<SweepRow>;
 std::string title_of(const CLI::App& command) {
   return study_title(command,
                      {"strategy", "stack-bits", "z-bits", "colouring", "pruning", "machine", "memory-bits", "no-draw"});
-}
-
-std::vector<std::filesystem::path> inputs_of(const SweepOptions& options) {
-  std::vector<std::filesystem::path> inputs(options.models.begin(), options.models.end());
-  for (const std::string& name : study::parse_words(options.machines)) {
-    if (machines::is_file(name)) inputs.emplace_back(name);
-  }
-  return inputs;
 }
 
 study::WantedPoint wanted(const SweepOptions& options, const study::SweepJob& job) {
@@ -119,7 +112,7 @@ std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std
 
 void run(const SweepOptions& options, const CLI::App& command) {
   const std::vector<study::SweepJob> jobs = jobs_of(options);
-  const StudyFolder folder(options.folder, "sweep", inputs_of(options));
+  const StudyFolder folder(options.folder, "sweep", input_files(options.models, study::parse_words(options.machines)));
   const std::string title = title_of(command);
   const std::filesystem::path table_path = folder.path() / "sweep.csv";
   Table table(table_path, title);

@@ -186,7 +186,7 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
   return options.view_all ? view::view_all(camera, scene.box, picture.width, picture.height) : camera;
 }
 
-std::vector<std::filesystem::path> ModelOptions::inputs() const { return input_files(model, machine); }
+std::vector<std::filesystem::path> ModelOptions::inputs() const { return input_files({model}, {machine}); }
 
 ModelFile read_model_file(const ModelOptions& options) {
   if (is_program(options.model))

@@ -18,9 +18,10 @@ bool ends_in(const std::filesystem::path& path, std::string_view ending) {
                             [](unsigned char letter, unsigned char wanted) { return std::tolower(letter) == wanted; });
 }
 
-std::vector<std::filesystem::path> input_files(const std::filesystem::path& subject, const std::string& machine) {
-  std::vector<std::filesystem::path> files{subject};
-  if (machines::is_file(machine)) files.emplace_back(machine);
+std::vector<std::filesystem::path> input_files(const std::vector<std::string>& subjects,
+                                               const std::vector<std::string>& machines) {
+  std::vector<std::filesystem::path> files(subjects.begin(), subjects.end());
+  std::copy_if(machines.begin(), machines.end(), std::back_inserter(files), machines::is_file);
   return files;
 }
 

@@ -11,8 +11,9 @@ namespace csgsim::app {
 /// Does the path's name end so, in small letters or capitals?
 bool ends_in(const std::filesystem::path& path, std::string_view ending);
 
-/// What is read of a model or a Program and a machine, which may be one that comes with csgsim.
-std::vector<std::filesystem::path> input_files(const std::filesystem::path& subject, const std::string& machine);
+/// The files that are read for models or Programs and machines; a machine may be one that comes with csgsim.
+std::vector<std::filesystem::path> input_files(const std::vector<std::string>& subjects,
+                                               const std::vector<std::string>& machines);
 
 /// Refuses outputs that are among what is read, or the same as another output; empty paths are none. Throws
 /// CLI::ValidationError.

@@ -15,11 +15,6 @@ namespace {
 
 constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "take another place for the study with -o"};
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::error_code& error) {
-  throw InputError(fmt::format("{}: cannot write it: {}; check the path, its permissions and the room on the disk",
-                               path.native(), error.message()));
-}
-
 /// All of the file, or nothing if there is none.
 std::string text_of(const std::filesystem::path& path) {
   std::error_code error;
@@ -55,14 +50,14 @@ void CsvFile::refuse(std::size_t found, std::string_view why) const {
 
 void CsvFile::append(const std::string& line) const {
   Descriptor file(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-  if (!file.is_open()) fail(path_, last_error());
+  if (!file.is_open()) fail_to_write(path_, last_error());
   const off_t end = ::lseek(file.number(), 0, SEEK_END);
   std::error_code error = end < 0 ? last_error() : write_all(file, line + "\n");
   if (!error) error = sync(file);
   // Where even this cannot be done, the next start cuts off what is left of the line.
   if (error && end >= 0) static_cast<void>(::ftruncate(file.number(), end));
   if (!error) error = file.close();
-  if (error) fail(path_, error);
+  if (error) fail_to_write(path_, error);
 }
 
 void CsvFile::replace(const std::vector<std::string>& lines) const {
