@@ -13,6 +13,7 @@ Usage: ./setup.sh COMMAND
   flags  build without optimisation, and for this very processor, and hold both against the golden figures
   bench  build and run the benchmarks
   lint   check the formatting (clang-format) and the code (clang-tidy)
+  mutate test the tests: 200 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
 
@@ -112,6 +113,12 @@ case "${1:-}" in
     build release -DCSGSIM_BUILD_TESTS=ON
     git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' | xargs -P "$(nproc)" -n 4 clang-tidy -p build/release --quiet \
       --extra-arg=-Wno-unknown-warning-option
+    ;;
+  mutate)
+    shift
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages python3
+    exec python3 tests/mutation/mutate.py "$@"
     ;;
   *)
     usage

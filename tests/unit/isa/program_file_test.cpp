@@ -71,5 +71,14 @@ TEST_CASE("errors inside a file name it") {
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ":1:1: "));
 }
 
+TEST_CASE("a Program file past 1 GiB is refused without being read") {
+  const Scratch scratch("large");
+  const fs::path path = scratch / "p.csgt";
+  save_program(sample_program(), path);
+  fs::resize_file(path, (std::uintmax_t{1} << 30U) + 1);
+  CHECK(refusal([&] { load_program(path); }) ==
+        path.string() + ": longer than 1024 MiB; draw a smaller picture, or fewer primitives");
+}
+
 }  // namespace
 }  // namespace csgsim::isa

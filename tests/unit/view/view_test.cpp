@@ -86,6 +86,15 @@ TEST_CASE("the picture's axes are right, up and forward as OpenSCAD's camera has
   CHECK(from_above.up == glm::dvec3(0, 1, 0));
 }
 
+TEST_CASE("the default view is OpenSCAD's: tilted by 55 degrees about x, then turned by 25 about z, orthographic") {
+  const view::Camera camera = view::default_camera({{-1, 2, 3}, {5, 4, 9}}, 640, 480);
+  CHECK(camera.projection == view::Projection::orthographic);
+  const glm::dvec3 toward_eye = glm::normalize(camera.eye - camera.centre);
+  const double degree = std::acos(-1.0) / 180.0;
+  CHECK(std::acos(toward_eye.z) / degree == doctest::Approx(55.0).epsilon(1e-9));
+  CHECK(std::atan2(toward_eye.x, -toward_eye.y) / degree == doctest::Approx(25.0).epsilon(1e-9));
+}
+
 TEST_CASE("a camera without a direction is refused") {
   CHECK_THROWS_AS(view::basis({{1, 2, 3}, {1, 2, 3}, view::Projection::orthographic}), InputError);
   CHECK_THROWS_AS(view::basis({{1, 2, std::nan("")}, {0, 0, 0}, view::Projection::orthographic}), InputError);
