@@ -73,8 +73,8 @@ TEST_CASE("random models at low accuracy are drawn as the rules say: neither pru
     unsigned fraction_bits;
     std::uint32_t width;
   };
-  for (const Accuracy& one :
-       {Accuracy{8, 0, 97}, Accuracy{12, 2, 250}, Accuracy{12, 6, 400}, Accuracy{20, 0, 200}, Accuracy{6, 20, 60}}) {
+  for (const Accuracy& one : {Accuracy{4, 0, 97}, Accuracy{8, 0, 97}, Accuracy{12, 2, 250}, Accuracy{12, 6, 400},
+                              Accuracy{20, 0, 200}, Accuracy{6, 20, 60}}) {
     view::Sampling sampling = small_picture(one.width, one.width / 2);
     sampling.z_bits = one.z_bits;
     sampling.fraction_bits = one.fraction_bits;

@@ -35,12 +35,15 @@ class Scratch {
   fs::path path_;
 };
 
-TEST_CASE("a file is read in the form it was written in") {
+TEST_CASE("a file is written in the form that is asked for, and read in that form") {
   const Scratch scratch("forms");
   for (const ProgramForm form : {ProgramForm::binary, ProgramForm::text}) {
     const fs::path path = scratch / "p.csgt";
     save_program(sample_program(), path, form);
     CHECK(load_program(path) == sample_program());
+    std::string begin(4, ' ');
+    std::ifstream(path, std::ios::binary).read(begin.data(), 4);
+    CHECK((begin == "CSGT") == (form == ProgramForm::binary));
   }
   CHECK(scratch.files() == 1);
 }
