@@ -20,6 +20,7 @@ Usage: ./setup.sh COMMAND
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
          changed since
+  mutate test the tests: 200 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
 
@@ -188,6 +189,12 @@ case "${1:-}" in
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;
   lint) lint "${2:-}" ;;
+  mutate)
+    shift
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages python3
+    exec python3 tests/mutation/mutate.py "$@"
+    ;;
   *)
     usage
     exit 2

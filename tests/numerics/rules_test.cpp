@@ -29,11 +29,14 @@ view::Sampling small_picture(std::uint32_t width, std::uint32_t height) {
 }
 
 void check_models(const view::Camera& camera, std::uint64_t first_seed,
-                  const view::Sampling& sampling = small_picture(97, 71)) {
+                  const view::Sampling& sampling = small_picture(97, 71),
+                  emit::Colouring colouring = emit::Options{}.colouring) {
+  testing::Setup how{camera, sampling, 160};
+  how.options.colouring = colouring;
   std::size_t covered = 0;
   for (std::uint64_t seed = first_seed; seed < first_seed + 60; ++seed) {
     const std::string model = testing::random_model(seed, 1 + static_cast<unsigned>(seed % 14));
-    const testing::Compiled compiled = testing::compile_text(model, {camera, sampling, 80});
+    const testing::Compiled compiled = testing::compile_text(model, how);
     CAPTURE(seed);
     CHECK(wrong_pixels(compiled) == 0);
     covered += compiled.program.compile.rendered;
@@ -64,21 +67,24 @@ TEST_CASE("random models around the eye are drawn as the rules say") {
 TEST_CASE("random models larger than the picture are drawn as the rules say") {
   check_models({{9, -8, 7}, {0, 0, 0}, view::Projection::orthographic}, 601);
 }
-TEST_CASE("random models at low accuracy are drawn as the rules say: pruning changes nothing there either") {
+TEST_CASE("random models at low accuracy are drawn as the rules say: neither pruning nor colouring changes anything") {
   struct Accuracy {
     unsigned z_bits;
     unsigned fraction_bits;
     std::uint32_t width;
   };
-  for (const Accuracy& one :
-       {Accuracy{8, 0, 97}, Accuracy{12, 2, 250}, Accuracy{12, 6, 400}, Accuracy{20, 0, 200}, Accuracy{6, 20, 60}}) {
+  for (const Accuracy& one : {Accuracy{4, 0, 97}, Accuracy{8, 0, 97}, Accuracy{12, 2, 250}, Accuracy{12, 6, 400},
+                              Accuracy{20, 0, 200}, Accuracy{6, 20, 60}}) {
     view::Sampling sampling = small_picture(one.width, one.width / 2);
     sampling.z_bits = one.z_bits;
     sampling.fraction_bits = one.fraction_bits;
     CAPTURE(one.z_bits);
     CAPTURE(one.fraction_bits);
-    check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic}, 701, sampling);
-    check_models({{11, -16, 12}, {0, 0, 0}, view::Projection::perspective}, 801, sampling);
+    for (const emit::Colouring colouring : {emit::Colouring::rebroadcast, emit::Colouring::field}) {
+      CAPTURE(emit::name_of(colouring));
+      check_models({{30, -45, 35}, {0, 0, 0}, view::Projection::orthographic}, 701, sampling, colouring);
+      check_models({{11, -16, 12}, {0, 0, 0}, view::Projection::perspective}, 801, sampling, colouring);
+    }
   }
 }
 TEST_CASE("the thesis's objects are drawn as the rules say") {

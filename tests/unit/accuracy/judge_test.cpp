@@ -183,6 +183,17 @@ TEST_CASE("a pixel centre on an edge-on face may fall on either side of it, but 
   CHECK(trial.judge().unexplained == 1);
 }
 
+TEST_CASE("a pixel in the middle of the picture, away from the edge-on faces around it, may not be missing") {
+  constexpr std::size_t centre = 10 * 21 + 10;
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    Trial trial(compile_text(box({-2.5, 0, -2.5}, {2.5, 1, 2.5}), {straight(21, projection), picture(21, 21), 80}));
+    const Errors before = trial.judge();
+    REQUIRE(trial.truth.owner[centre] == 0);
+    trial.remove(centre);
+    CHECK(caught(trial.judge(), before, centre, 21));
+  }
+}
+
 TEST_CASE("coinciding faces may not be shown as the second primitive's") {
   const std::string twice = unite({box({-3, 0, -3}, {3, 2, 3}), box({-2, 0, -2}, {2, 4, 2})});
   Trial trial(compile_text(twice, {straight(20), picture(20, 20), 80}));

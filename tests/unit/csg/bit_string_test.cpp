@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <bit>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -107,6 +108,9 @@ TEST_CASE("operands of unequal depth go together so that the tree gets no deeper
   CHECK(string_of("*(+(*(..)*(..))+(*(..)*(..)))").levels.size() == 3);
   CHECK(string_of("*(+(*(..).).....)").levels.size() == 4);
   CHECK(string_of("*(+(*(..).)+(..)..)").levels.size() == 3);
+  // Four leaves and a tree of depth 2 make one of depth 3, 8 of the 32 leaves that a tree of depth 5 has room for.
+  CHECK(string_of("+(....*(+(..).))").levels.size() == 3);
+  CHECK(string_of("*(+(....*(+(..).))" + std::string(24, '.') + ")").levels.size() == 5);
 }
 
 TEST_CASE("a fully developed tree of alternating operators is inverted once a level in between, whole") {

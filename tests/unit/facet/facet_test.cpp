@@ -1,9 +1,12 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "host/facet/degrees.h"
 #include "host/facet/fragments.h"
@@ -110,6 +113,32 @@ TEST_CASE("every corner is inside every half-space of its solid, and on the plan
       }
     }
   }));
+}
+
+TEST_CASE("the corners of a face go round it: each side of a face is a side of exactly one other") {
+  CHECK(rc::check([] {
+    const facet::Solid solid = facet::make_solid(primitive(random_shape()));
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces_at;
+    for (const facet::Face& face : solid.faces) {
+      for (std::size_t i = 0; i < face.corners.size(); ++i) {
+        const auto [low, high] = std::minmax(face.corners[i], face.corners[(i + 1) % face.corners.size()]);
+        if (low != high) ++faces_at[{low, high}];  // the tip of a cone is a corner twice
+      }
+    }
+    for (const auto& [side, faces] : faces_at) RC_ASSERT(faces == 2);
+  }));
+}
+
+TEST_CASE("a solid whose lengths are too great or too small for doubles is refused, however it comes by them") {
+  const auto scaled_cube = [](double size, double scale) {
+    model::Primitive one = primitive(model::Cube{glm::dvec3(size), true});
+    one.transform = glm::dmat4(glm::dmat3(scale));
+    return one;
+  };
+  for (const double length : {1e-29, 1e-9, 1.0, 1e89}) CHECK_NOTHROW(facet::make_solid(scaled_cube(1, length)));
+  for (const double length : {1e-31, 1e91}) CHECK_THROWS_AS(facet::make_solid(scaled_cube(1, length)), InputError);
+  CHECK_NOTHROW(facet::make_solid(scaled_cube(1e46, 1e43)));
+  CHECK_THROWS_AS(facet::make_solid(scaled_cube(1e46, 1e46)), InputError);
 }
 
 TEST_CASE("planes that coincide share an entry, whichever way they face") {

@@ -179,6 +179,11 @@ TEST_CASE("what is wrong with the bytes is said") {
   bytes[4] = std::byte{9};
   CHECK(contains(said(), "format version 9"));
 
+  bytes.resize(5 + checksum_size);
+  CHECK(contains(said(), "format version 9"));
+  bytes.resize(4 + checksum_size);
+  CHECK(contains(said(), "ends too soon"));
+
   bytes[0] = std::byte{'X'};
   CHECK(contains(said(), "does not begin with CSGT"));
 

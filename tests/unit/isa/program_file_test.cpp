@@ -35,12 +35,15 @@ class Scratch {
   fs::path path_;
 };
 
-TEST_CASE("a file is read in the form it was written in") {
+TEST_CASE("a file is written in the form that is asked for, and read in that form") {
   const Scratch scratch("forms");
   for (const ProgramForm form : {ProgramForm::binary, ProgramForm::text}) {
     const fs::path path = scratch / "p.csgt";
     save_program(sample_program(), path, form);
     CHECK(load_program(path) == sample_program());
+    std::string begin(4, ' ');
+    std::ifstream(path, std::ios::binary).read(begin.data(), 4);
+    CHECK((begin == "CSGT") == (form == ProgramForm::binary));
   }
   CHECK(scratch.files() == 1);
 }
@@ -69,6 +72,15 @@ TEST_CASE("errors inside a file name it") {
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ": ends too soon"));
   std::ofstream(path) << "enable_all";
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ":1:1: "));
+}
+
+TEST_CASE("a Program file past 1 GiB is refused without being read") {
+  const Scratch scratch("large");
+  const fs::path path = scratch / "p.csgt";
+  save_program(sample_program(), path);
+  fs::resize_file(path, (std::uintmax_t{1} << 30U) + 1);
+  CHECK(refusal([&] { load_program(path); }) ==
+        path.string() + ": longer than 1024 MiB; draw a smaller picture, or fewer primitives");
 }
 
 }  // namespace

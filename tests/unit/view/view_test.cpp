@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -84,6 +85,15 @@ TEST_CASE("the picture's axes are right, up and forward as OpenSCAD's camera has
   const view::Basis from_above = view::basis({{0, 0, 10}, {0, 0, 0}, view::Projection::orthographic});
   CHECK(from_above.right == glm::dvec3(1, 0, 0));
   CHECK(from_above.up == glm::dvec3(0, 1, 0));
+}
+
+TEST_CASE("the default view is OpenSCAD's: tilted by 55 degrees about x, then turned by 25 about z, orthographic") {
+  const view::Camera camera = view::default_camera({{-1, 2, 3}, {5, 4, 9}}, 640, 480);
+  CHECK(camera.projection == view::Projection::orthographic);
+  const glm::dvec3 toward_eye = glm::normalize(camera.eye - camera.centre);
+  const double degree = std::acos(-1.0) / 180.0;
+  CHECK(std::acos(toward_eye.z) / degree == doctest::Approx(55.0).epsilon(1e-9));
+  CHECK(std::atan2(toward_eye.x, -toward_eye.y) / degree == doctest::Approx(25.0).epsilon(1e-9));
 }
 
 TEST_CASE("a camera without a direction is refused") {
@@ -203,6 +213,46 @@ TEST_CASE(
   CHECK(thin.z_high < 8);
 }
 
+TEST_CASE("what the near plane cuts is bounded from its cap at depth 0 on, where only its tip is left, too") {
+  model::Tree tree = box_at({-5, 19, -5}, {10, 1, 10});
+  // A pyramid whose tip points away from the eye: depths up to 3.4 of 64 are left of it.
+  const glm::dmat4 away(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0),
+                        glm::dvec4(0, 9, 0, 1));
+  tree.primitives.push_back({model::Cylinder{1.2, 2, 0, false, {4, 12, 2}}, away, std::nullopt, {}});
+  tree.nodes = {{true, model::Operator::unite, 0, {}},
+                {true, model::Operator::unite, 1, {}},
+                {false, model::Operator::unite, model::no_index, {0, 1}}};
+  tree.root = 2;
+  view::Sampling coarse;
+  coarse.z_bits = 6;
+  coarse.near = 10;
+  const view::View view =
+      view::make_view(facet::make_scene(tree), tree, {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, coarse);
+  const view::Extent& extent = view.extents[1];
+  CHECK(extent.cut_by_near);
+  CHECK(extent.z_low == 0);
+  REQUIRE_FALSE(extent.corners.empty());
+  double nearest = extent.corners.front().z;
+  for (const glm::dvec3& corner : extent.corners) nearest = std::min(nearest, corner.z);
+  CHECK(std::abs(nearest) < 1e-9);
+}
+
+TEST_CASE("the depth step of a view is what the coarsest of its steps is in model units") {
+  const model::Tree tree = box_at({-5, -5, -5}, {10, 10, 10});
+  const facet::Scene scene = facet::make_scene(tree);
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    view::Sampling sampling;
+    sampling.z_bits = 12;
+    const view::View view = view::make_view(scene, tree, {{0, -40, 10}, {0, 0, 0}, projection}, sampling);
+    double coarsest = 0;
+    for (std::uint32_t step = 1; step < (1U << 12U) - 3; ++step) {
+      coarsest =
+          std::max(coarsest, isa::distance_of(view.depth, 12, step + 1) - isa::distance_of(view.depth, 12, step));
+    }
+    CHECK(view.depth_step == doctest::Approx(coarsest).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("a model behind the eye is nowhere in a perspective picture") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
   const facet::Scene scene = facet::make_scene(tree);
@@ -240,5 +290,8 @@ TEST_CASE("samplings that cannot be are refused") {
                   InputError);
   CHECK_THROWS_AS(view::make_view(scene, tree, camera, with([](view::Sampling& s) { s.edge_on_fraction = 0; })),
                   InputError);
+  CHECK_THROWS_AS(view::make_view(scene, tree, camera, with([](view::Sampling& s) { s.edge_on_fraction = 1.25; })),
+                  InputError);
+  CHECK_NOTHROW(view::make_view(scene, tree, camera, with([](view::Sampling& s) { s.edge_on_fraction = 1; })));
   CHECK_THROWS_AS(view::make_view(scene, tree, camera, with([](view::Sampling& s) { s.near = -1; })), InputError);
 }

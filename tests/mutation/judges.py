@@ -1,0 +1,143 @@
+"""The tests that judge mutants: what to build, what to run, and how long it usually takes."""
+
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+PICTURES = ["rules", "strategies", "golden", "hard_cases", "agreement"]
+JUDGES_OF = {  # in the order in which they are asked
+    "host/view": ["view", "csg", "accuracy", "emit", *PICTURES, "study"],
+    "host/facet": ["facet", "csg", "view", "accuracy", "emit", *PICTURES],
+    "host/csg": ["csg", "emit", *PICTURES, "study"],
+    "host/emit": ["emit", *PICTURES, "lockstep_models", "study"],
+    "hw/isa": ["isa", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
+    "hw/array": ["array", "pixel_planes", "pixel_square", "lockstep_cycle", "lockstep_squares", "lockstep_models"],
+    "sim/accuracy": ["accuracy", "hard_cases", "study"],
+}
+BY_CASE = {"pixel_planes", "pixel_square", "cli"}  # a process a test case: SystemC elaborates once
+TOO_SLOW = ["*half a million facets*", "*turned by a hair*"]
+LEFT_OUT = {"hard_cases": ["--source-file-exclude=*hard_cases_many*"]}  # trees of 10,000 nodes take minutes
+LOCKSTEP_PROGRAMS = {"lockstep_functional": 6, "lockstep_cycle": 6}  # which word of the command says how many Programs
+RANDOM = "seed=1 noshrink=1"
+PATIENCE = 10  # times the usual time
+LEAST_TIME_LIMIT = 10.0  # seconds
+MEMORY = 6 << 30  # bytes of address space
+
+
+@dataclass(frozen=True)
+class Outcome:
+    result: str  # passed, failed, timeout or uncompilable
+    text: str = ""
+
+
+def run(command, seconds, cwd=None, environment=None, memory=None):
+    """An Outcome; whatever the command started ends with it."""
+    limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
+    process = subprocess.Popen(
+        command, cwd=cwd, env={**os.environ, **(environment or {})}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, start_new_session=True, preexec_fn=limit)
+    try:
+        output, _ = process.communicate(timeout=seconds)
+        return Outcome("passed" if process.returncode == 0 else "failed", output.decode(errors="replace"))
+    except subprocess.TimeoutExpired:
+        return Outcome("timeout")
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+
+
+def target_of(judge):
+    return judge if judge.startswith("lockstep_") else f"test_{judge}"
+
+
+class Judges:
+    def __init__(self, root, build, jobs, excepted=()):
+        self.root = root
+        self.build = build
+        self.jobs = jobs
+        self.excepted = excepted
+        self.usual_file = build / "mutation-usual-seconds.json"
+        self.usual = json.loads(self.usual_file.read_text()) if self.usual_file.exists() else {}
+        self.commands = {}
+
+    def configure(self):
+        if not (self.build / "build.ninja").exists():
+            subprocess.run(["cmake", "-S", self.root, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=",
+                            "-DCMAKE_CXX_FLAGS=-O1"], check=True)
+
+    def make(self, judge):
+        """Builds what the judge runs."""
+        outcome = run(["ninja", "-C", self.build, f"-j{self.jobs}", target_of(judge)], 3600)
+        if outcome.result == "failed" and re.search(r"error:|undefined reference", outcome.text):
+            return Outcome("uncompilable", outcome.text)
+        return outcome
+
+    def commands_of(self, judge):
+        if judge not in self.commands:
+            self.commands[judge] = list(self.find_commands(judge))
+        return self.commands[judge]
+
+    def find_commands(self, judge):
+        program = str(self.build / target_of(judge))
+        environment = {"RC_PARAMS": RANDOM}
+        if not judge.startswith("lockstep_") and judge not in BY_CASE:
+            left_out = ",".join([*TOO_SLOW, *self.excepted])
+            yield [program, "--abort-after=1", "--no-colors=1", *LEFT_OUT.get(judge, []),
+                   f"--test-case-exclude={left_out}"], environment
+            return
+        listing = subprocess.run(["ctest", "--test-dir", self.build, "--show-only=json-v1"], check=True,
+                                 capture_output=True)
+        for test in json.loads(listing.stdout)["tests"]:
+            command = test.get("command", [""])
+            if command[0] != program:
+                continue
+            if judge in LOCKSTEP_PROGRAMS:
+                environment = {"RC_PARAMS": f"{RANDOM} max_success={command[LOCKSTEP_PROGRAMS[judge]]}"}
+            elif judge == "lockstep_squares":
+                environment = {"RC_PARAMS": f"{RANDOM} max_success=30"}
+            yield command, environment
+
+    def ask(self, judge):
+        """The judge's verdict on the sources as they are."""
+        made = self.make(judge)
+        if made.result != "passed":
+            return made
+        end = time.monotonic() + max(LEAST_TIME_LIMIT, PATIENCE * self.usual.get(judge, 60.0))
+        for command, environment in self.commands_of(judge):
+            outcome = run(command, max(1.0, end - time.monotonic()), self.build, environment, MEMORY)
+            if outcome.result != "passed":
+                return outcome
+        return Outcome("passed")
+
+    def measure(self, judges):
+        """Makes sure that every judge passes the sources as they are, and notes how long it takes."""
+        for judge in judges:
+            if judge in self.usual:
+                continue
+            made = self.make(judge)
+            start = time.monotonic()
+            outcome = self.ask(judge) if made.result == "passed" else made
+            if outcome.result != "passed":
+                raise SystemExit(f"mutate.py: {judge} does not pass without any mutation ({outcome.result}):\n"
+                                 f"{outcome.text[-3000:]}")
+            self.usual[judge] = time.monotonic() - start
+            self.usual_file.write_text(json.dumps(self.usual, indent=1))
+            print(f"{judge}: passes in {self.usual[judge]:.1f} s", flush=True)
+
+    def dependants(self):
+        """How many objects each source file, relative to the root, goes into."""
+        deps = subprocess.run(["ninja", "-C", self.build, "-t", "deps"], check=True, capture_output=True, text=True)
+        counts = {}
+        for line in deps.stdout.splitlines():
+            if line.startswith("    "):
+                path = Path(os.path.normpath(self.build / line.strip()))
+                if path.is_relative_to(self.root):
+                    counts[path.relative_to(self.root)] = counts.get(path.relative_to(self.root), 0) + 1
+        return counts

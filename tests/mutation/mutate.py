@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Mutation testing: which small wrong edits of the rooms on which correctness rests does no test notice?"""
+
+import argparse
+import csv
+import fcntl
+import json
+import os
+import signal
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+from judges import JUDGES_OF, Judges
+from mutants import files_of, in_random_order
+
+ROOT = Path(__file__).resolve().parents[2]
+COLUMNS = ["room", "file", "line", "column", "edit", "kind", "result", "by", "seconds", "text"]
+MOST_DEPENDANTS = 12  # objects; headers that more depend on take too long to rebuild
+
+
+class Restored:
+    """A source file with an edit, put back whatever happens; after a crash, by the next run."""
+
+    def __init__(self, build, mutant):
+        self.note = build / "mutation-in-flight.json"
+        self.path = ROOT / mutant.file
+        self.mutant = mutant
+
+    def __enter__(self):
+        self.text = self.path.read_text()
+        self.note.write_text(json.dumps({"path": str(self.path), "text": self.text}))
+        self.path.write_text(self.mutant.apply(self.text))
+
+    def __exit__(self, *_):
+        self.path.write_text(self.text)
+        self.note.unlink()
+
+
+def restore_after_a_crash(build):
+    note = build / "mutation-in-flight.json"
+    if note.exists():
+        saved = json.loads(note.read_text())
+        Path(saved["path"]).write_text(saved["text"])
+        note.unlink()
+
+
+def judge(judges, room, asked, mutant, build):
+    """(result, by whom) of a mutant."""
+    with Restored(build, mutant):
+        for name in asked or JUDGES_OF[room]:
+            outcome = judges.ask(name)
+            if outcome.result != "passed":
+                return outcome.result, name
+    return "survived", ""
+
+
+def read_results(path):
+    if not path.exists():
+        return {}
+    with path.open(newline="") as file:
+        return {(row["file"], row["line"], row["column"], row["edit"]): row for row in csv.DictReader(file)}
+
+
+def append(path, row):
+    new = not path.exists()
+    with path.open("a", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS)
+        if new:
+            writer.writeheader()
+        writer.writerow(row)
+
+
+def summary(rows):
+    counts = Counter((row["room"], row["result"]) for row in rows)
+    results = ["failed", "timeout", "survived", "uncompilable"]
+    print(f"{'room':14}" + "".join(f"{name:>14}" for name in results))
+    for room in JUDGES_OF:
+        print(f"{room:14}" + "".join(f"{counts[room, name]:14}" for name in results))
+
+
+def line_text(mutant):
+    return (ROOT / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
+
+
+def chosen_mutants(judges, rooms, seed):
+    dependants = judges.dependants()
+    chosen = {}
+    for room in rooms:
+        files = [file for file in files_of(ROOT, room)
+                 if file.suffix == ".cpp" or 0 < dependants.get(file, 0) <= MOST_DEPENDANTS]
+        chosen[room] = iter(in_random_order(ROOT, room, files, seed))
+    return chosen
+
+
+def go_through(options, judges, rooms):
+    """Room by room in turn, until every room has its share of mutants that compile."""
+    results = read_results(options.results)
+    waiting = chosen_mutants(judges, rooms, options.seed)
+    wanted = {room: options.count // len(rooms) + (i < options.count % len(rooms)) for i, room in enumerate(rooms)}
+    while waiting:
+        for room in list(waiting):
+            mutant = next(waiting[room], None) if wanted[room] > 0 else None
+            if mutant is None:
+                del waiting[room]
+                continue
+            row = results.get(mutant.key)
+            if row is None:
+                start = time.monotonic()
+                text = line_text(mutant)
+                result, by = judge(judges, room, options.judge, mutant, options.build)
+                row = dict(zip(COLUMNS, [room, *mutant.key, mutant.kind, result, by,
+                                         f"{time.monotonic() - start:.1f}", text]))
+                append(options.results, row)
+                print(f"{result:12} {by:20} {row['seconds']:>6} s  {mutant.file}:{mutant.line}:{mutant.column}: "
+                      f"{mutant.edit}", flush=True)
+            wanted[room] -= row["result"] != "uncompilable"
+    return read_results(options.results).values()
+
+
+def try_again(options, judges):
+    """The survivors that the results file names, where they still are, judged by the tests as they are now."""
+    rows = read_results(options.again)
+    survivors = {key for key, row in rows.items() if row["result"] == "survived"}
+    for room in JUDGES_OF:
+        for place in all_mutants(room):
+            for mutant in place:
+                if mutant.key not in survivors or line_text(mutant) != rows[mutant.key]["text"]:
+                    continue
+                result, by = judge(judges, room, options.judge, mutant, options.build)
+                print(f"{result:12} {by:20} {mutant.file}:{mutant.line}:{mutant.column}: {mutant.edit}", flush=True)
+
+
+def all_mutants(room):
+    from mutants import mutants_of
+
+    return [place for file in files_of(ROOT, room) for place in mutants_of(ROOT, file)]
+
+
+def parsed(arguments):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen, and in which order (%(default)s)")
+    parser.add_argument("--count", type=int, default=200, help="mutants that compile, of all rooms (%(default)s)")
+    parser.add_argument("--room", action="append", choices=list(JUDGES_OF), help="only this room; may be repeated")
+    parser.add_argument("--judge", action="append", help="only this test executable, without test_; may be repeated")
+    parser.add_argument("--build", type=Path, default=ROOT / "build" / "mutants", help="the build folder (%(default)s)")
+    parser.add_argument("--results", type=Path, help="the results, appended to (BUILD/mutation-results.csv)")
+    parser.add_argument("--again", type=Path, help="try the survivors of this results file again, and nothing else")
+    parser.add_argument("--except", dest="excepted", action="append", default=[], metavar="CASE",
+                        help="leave out a test case that fails without any mutation; may be repeated")
+    parser.add_argument("--jobs", type=int, default=2, help="compilers at a time (%(default)s)")
+    options = parser.parse_args(arguments)
+    options.build = options.build.resolve()
+    options.results = options.results or options.build / "mutation-results.csv"
+    return options
+
+
+def main(arguments):
+    options = parsed(arguments)
+    os.nice(5)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    options.build.mkdir(parents=True, exist_ok=True)
+    lock = (options.build / "mutation-lock").open("w")
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        raise SystemExit(f"mutate.py: another run uses {options.build}; name another folder with --build") from None
+    restore_after_a_crash(options.build)
+    rooms = options.room or list(JUDGES_OF)
+    judges = Judges(ROOT, options.build, options.jobs, options.excepted)
+    judges.configure()
+    judges.measure(options.judge or dict.fromkeys(name for room in rooms for name in JUDGES_OF[room]))
+    if options.again:
+        try_again(options, judges)
+        return
+    summary(go_through(options, judges, rooms))
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except KeyboardInterrupt:
+        raise SystemExit(130) from None

@@ -1,0 +1,36 @@
+#include <doctest/doctest.h>
+
+#include <cstdint>
+
+#include "hw/array/pixel_array.h"
+
+using csgsim::array::AluFunction;
+using csgsim::array::ArrayStep;
+using csgsim::array::OperandSource;
+using csgsim::array::PixelArray;
+using csgsim::array::PixelProbe;
+using csgsim::array::Words;
+
+TEST_CASE("a probe shows the registers of its pixel, every bit of a latch as wide as the ALU at its own place") {
+  constexpr unsigned alu_bits = 4;
+  PixelArray array({70, 3, 16}, alu_bits);
+  array.reset(70, 3);
+  Words tree(array.shape().padded_words());
+  const auto set_leaf = [&](std::uint32_t x, std::uint32_t y) {
+    tree[y * array.shape().row_words() + x / 64] |= std::uint64_t{1} << (x % 64);
+  };
+  array.step({.function = AluFunction::enable_all}, tree);
+  // 1101 into the pixels whose leaf is 1, in the end.
+  set_leaf(66, 2);
+  array.step({.function = AluFunction::enable_load, .source = OperandSource::tree}, tree);
+  array.step({.function = AluFunction::store_constant, .write = 5, .bits = alu_bits, .constant = 0b1101}, tree);
+  array.step({.function = AluFunction::latch_x, .source = OperandSource::memory, .x = 5, .bits = alu_bits}, tree);
+  const PixelProbe probe = array.probe(66, 2, tree);
+  CHECK(probe.latch == 0b1101);
+  CHECK(probe.enable);
+  CHECK(probe.tree);
+  const PixelProbe beside = array.probe(65, 2, tree);
+  CHECK(beside.latch == 0);
+  CHECK_FALSE(beside.enable);
+  CHECK_FALSE(beside.tree);
+}
