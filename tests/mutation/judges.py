@@ -8,7 +8,6 @@ import signal
 import subprocess
 import time
 from dataclasses import dataclass
-from pathlib import Path
 
 PICTURES = ["rules", "strategies", "golden", "hard_cases", "agreement"]
 JUDGES_OF = {  # in the order in which they are asked
@@ -16,7 +15,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "host/facet": ["facet", "csg", "view", "accuracy", "emit", *PICTURES],
     "host/csg": ["csg", "emit", *PICTURES, "study"],
     "host/emit": ["emit", *PICTURES, "lockstep_models", "study"],
-    "hw/isa": ["isa", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
+    "hw/isa": ["isa", "view", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
     "hw/array": ["array", "pixel_planes", "pixel_square", "lockstep_cycle", "lockstep_squares", "lockstep_models"],
     "sim/accuracy": ["accuracy", "hard_cases", "study"],
 }
@@ -130,14 +129,3 @@ class Judges:
             self.usual[judge] = time.monotonic() - start
             self.usual_file.write_text(json.dumps(self.usual, indent=1))
             print(f"{judge}: passes in {self.usual[judge]:.1f} s", flush=True)
-
-    def dependants(self):
-        """How many objects each source file, relative to the root, goes into."""
-        deps = subprocess.run(["ninja", "-C", self.build, "-t", "deps"], check=True, capture_output=True, text=True)
-        counts = {}
-        for line in deps.stdout.splitlines():
-            if line.startswith("    "):
-                path = Path(os.path.normpath(self.build / line.strip()))
-                if path.is_relative_to(self.root):
-                    counts[path.relative_to(self.root)] = counts.get(path.relative_to(self.root), 0) + 1
-        return counts

@@ -21,6 +21,8 @@ TOKEN = re.compile(
     re.VERBOSE | re.DOTALL | re.MULTILINE,
 )
 
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+
 BETWEEN = {  # operators between two operands
     "<": ["<=", ">"],
     "<=": ["<", ">="],
@@ -148,10 +150,6 @@ def is_operand(token):
     )
 
 
-def more(text):
-    return f"{text} + 1"
-
-
 def constants(token, previous, following):
     if token.kind == "real":
         return [f"({token.text} + 1.0)"]
@@ -182,8 +180,6 @@ def edits_at(text, tokens, i):
         return [(*whole, after, "operator") for after in BETWEEN[token.text]]
     if token.text == "if" and following.text == "(":
         return conditions(text, tokens, i + 1)
-    if token.text == "?" :
-        return []
     return dropped_call(tokens, i)
 
 
@@ -233,13 +229,41 @@ def mutants_of(root, file):
     return places
 
 
-def in_random_order(root, room, files, seed):
-    """One mutant of every place in the room, in an order that the seed decides."""
-    rng = random.Random(f"{seed} {room}")
-    chosen = [rng.choice(place) for file in sorted(files) for place in mutants_of(root, file)]
-    rng.shuffle(chosen)
-    return chosen
+def in_random_order(root, files, seed):
+    """One mutant of every place in the files. The seed and the line decide which, and when it comes, so that changes of
+    other lines do not change the choice."""
+    chosen = []
+    for file in files:
+        lines = (root / file).read_text().splitlines()
+        for place in mutants_of(root, file):
+            rng = random.Random(f"{seed} {file} {place[0].column} {lines[place[0].line - 1]}")
+            chosen.append((rng.random(), rng.choice(place)))
+    return [mutant for _, mutant in sorted(chosen, key=lambda pair: pair[0])]
 
 
 def files_of(root, room):
     return [path.relative_to(root) for path in sorted(Path(root, room).iterdir()) if path.suffix in (".cpp", ".h")]
+
+
+def dependants(root):
+    """How many .cpp files include each file, directly or not."""
+    sources = [path for folder in ("hw", "host", "sim", "tests") for path in sorted((root / folder).rglob("*"))
+               if path.suffix in (".cpp", ".h")]
+    included = {str(path.relative_to(root)): INCLUDE.findall(path.read_text()) for path in sources}
+    counts = dict.fromkeys(included, 0)
+    for source in included:
+        if source.endswith(".cpp"):
+            for file in reached(source, included):
+                counts[file] += 1
+    return counts
+
+
+def reached(source, included):
+    found = set()
+    waiting = [source]
+    while waiting:
+        for file in included[waiting.pop()]:
+            if file in included and file not in found:
+                found.add(file)
+                waiting.append(file)
+    return found

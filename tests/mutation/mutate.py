@@ -13,11 +13,11 @@ from collections import Counter
 from pathlib import Path
 
 from judges import JUDGES_OF, Judges
-from mutants import files_of, in_random_order
+from mutants import dependants, files_of, in_random_order, mutants_of
 
 ROOT = Path(__file__).resolve().parents[2]
 COLUMNS = ["room", "file", "line", "column", "edit", "kind", "result", "by", "seconds", "text"]
-MOST_DEPENDANTS = 12  # objects; headers that more depend on take too long to rebuild
+MOST_DEPENDANTS = 16  # headers that more .cpp files include take too long to rebuild
 
 
 class Restored:
@@ -84,20 +84,19 @@ def line_text(mutant):
     return (ROOT / mutant.file).read_text().splitlines()[mutant.line - 1].strip()
 
 
-def chosen_mutants(judges, rooms, seed):
-    dependants = judges.dependants()
+def chosen_mutants(rooms, seed):
+    counts = dependants(ROOT)
     chosen = {}
     for room in rooms:
-        files = [file for file in files_of(ROOT, room)
-                 if file.suffix == ".cpp" or 0 < dependants.get(file, 0) <= MOST_DEPENDANTS]
-        chosen[room] = iter(in_random_order(ROOT, room, files, seed))
+        files = [file for file in files_of(ROOT, room) if counts[str(file)] <= MOST_DEPENDANTS]
+        chosen[room] = iter(in_random_order(ROOT, files, seed))
     return chosen
 
 
 def go_through(options, judges, rooms):
     """Room by room in turn, until every room has its share of mutants that compile."""
     results = read_results(options.results)
-    waiting = chosen_mutants(judges, rooms, options.seed)
+    waiting = chosen_mutants(rooms, options.seed)
     wanted = {room: options.count // len(rooms) + (i < options.count % len(rooms)) for i, room in enumerate(rooms)}
     while waiting:
         for room in list(waiting):
@@ -120,22 +119,15 @@ def go_through(options, judges, rooms):
 
 
 def try_again(options, judges):
-    """The survivors that the results file names, where they still are, judged by the tests as they are now."""
-    rows = read_results(options.again)
-    survivors = {key for key, row in rows.items() if row["result"] == "survived"}
-    for room in JUDGES_OF:
-        for place in all_mutants(room):
+    """The mutants that the results file names, where they still are, judged by the tests as they are now."""
+    rows = {key: row for key, row in read_results(options.again).items() if options.all or row["result"] == "survived"}
+    for room in options.room or JUDGES_OF:
+        for place in (place for file in files_of(ROOT, room) for place in mutants_of(ROOT, file)):
             for mutant in place:
-                if mutant.key not in survivors or line_text(mutant) != rows[mutant.key]["text"]:
+                if mutant.key not in rows or line_text(mutant) != rows[mutant.key]["text"]:
                     continue
                 result, by = judge(judges, room, options.judge, mutant, options.build)
                 print(f"{result:12} {by:20} {mutant.file}:{mutant.line}:{mutant.column}: {mutant.edit}", flush=True)
-
-
-def all_mutants(room):
-    from mutants import mutants_of
-
-    return [place for file in files_of(ROOT, room) for place in mutants_of(ROOT, file)]
 
 
 def parsed(arguments):
@@ -149,6 +141,7 @@ def parsed(arguments):
     parser.add_argument("--again", type=Path, help="try the survivors of this results file again, and nothing else")
     parser.add_argument("--except", dest="excepted", action="append", default=[], metavar="CASE",
                         help="leave out a test case that fails without any mutation; may be repeated")
+    parser.add_argument("--all", action="store_true", help="with --again: those that were killed as well")
     parser.add_argument("--jobs", type=int, default=2, help="compilers at a time (%(default)s)")
     options = parser.parse_args(arguments)
     options.build = options.build.resolve()
