@@ -105,6 +105,7 @@ std::string title_of(const Options& options, const CLI::App& command) {
 
 std::vector<study::WantedComparison> wanted_of(const Study& study) {
   std::vector<study::WantedComparison> wanted;
+  wanted.reserve(study.jobs.size());
   for (const study::ComparisonJob& job : study.jobs) wanted.push_back(job.wanted);
   return wanted;
 }

@@ -106,6 +106,7 @@ void refuse_failures(const SweepOptions& options, const Rows& rows) {
 
 std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std::vector<study::SweepJob>& jobs) {
   std::vector<study::WantedPoint> all;
+  all.reserve(jobs.size());
   for (const study::SweepJob& job : jobs) all.push_back(wanted(options, job));
   return all;
 }

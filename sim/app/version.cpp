@@ -13,6 +13,8 @@ namespace csgsim::app {
 
 namespace {
 
+using namespace std::string_view_literals;
+
 constexpr std::size_t digits_shown = 16;
 
 std::size_t aligned(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
@@ -26,7 +28,7 @@ std::string id_in(std::span<const std::byte> notes) {
     const std::size_t end = description + aligned(header.n_descsz);
     if (end > notes.size()) return {};
     const std::string_view name(reinterpret_cast<const char*>(notes.data() + sizeof header), header.n_namesz);
-    if (header.n_type == NT_GNU_BUILD_ID && name == std::string_view("GNU", 4)) {
+    if (header.n_type == NT_GNU_BUILD_ID && name == "GNU\0"sv) {
       std::string text;
       for (const std::byte byte : notes.subspan(description, header.n_descsz))
         text += fmt::format("{:02x}", std::to_integer<unsigned>(byte));
