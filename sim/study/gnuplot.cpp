@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -105,7 +106,7 @@ std::string data_text(std::string_view bytes) {
 
 std::string plot_stem(const std::filesystem::path& model) {
   constexpr std::size_t longest = 100;
-  const std::string stem = model.stem().native();
+  std::string stem = model.stem().native();
   if (stem.size() <= longest) return stem;
   Hash hash;
   hash.add(stem);
