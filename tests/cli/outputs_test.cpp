@@ -4,8 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -72,31 +70,6 @@ TEST_CASE("a folder is no output") {
   CHECK(outcome.code == 1);
   CHECK(one_line(outcome.err));
   CHECK(folder.files() == 1);
-}
-
-TEST_CASE("an interrupted command leaves no file behind") {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const Folder folder;
-    const std::string binary = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
-    const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/terrain_vehicle.csgt";
-    const std::string output = folder / "long.vcd";
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::execl(binary.c_str(), "csgsim", "wave", program.c_str(), "--probe", "1,1", "--window", "0:1000000", "-o",
-              output.c_str(), static_cast<char*>(nullptr));
-      std::_Exit(127);
-    }
-    for (int wait = 0; wait < 500 && folder.files() == 0; ++wait)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    CHECK(folder.files() > 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    ::kill(child, signal);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    CHECK(WIFSIGNALED(status));
-    CHECK(WTERMSIG(status) == signal);
-    CHECK(folder.files() == 0);
-  }
 }
 
 TEST_CASE("outputs that cannot be are told before anything is simulated, and leave nothing") {

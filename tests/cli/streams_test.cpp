@@ -47,8 +47,8 @@ TEST_CASE("an output never gets what is meant for a closed standard stream") {
 }
 
 TEST_CASE("no signal that can be caught leaves a file behind") {
-  for (const int signal :
-       {SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGPIPE, SIGRTMIN}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU, SIGXFSZ, SIGVTALRM,
+                           SIGPROF, SIGPIPE, SIGRTMIN}) {
     CAPTURE(signal);
     const Folder folder;
     const Folder temporary;
