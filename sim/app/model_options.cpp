@@ -148,11 +148,6 @@ emit::Options emit_options_of(const ModelOptions& options) {
   return emit;
 }
 
-std::string tolerance_text(const ModelOptions& options) {
-  if (!options.tolerance) return "0";
-  return fmt::format("{}{}", options.tolerance->value, options.tolerance->in_pixels ? "px" : "");
-}
-
 facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree) {
   if (!options.tolerance) return {};
   if (!options.tolerance->in_pixels) return {options.tolerance->value, std::nullopt};

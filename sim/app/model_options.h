@@ -59,9 +59,6 @@ std::vector<std::string> pruning_names();
 /// The machine with the array that the options ask for.
 machines::Machine machine_of(const ModelOptions& options);
 
-/// The tolerance as a title says it; 0 if there is none.
-std::string tolerance_text(const ModelOptions& options);
-
 /// A tolerance in pixels is turned into model units by what a pixel covers where the model is nearest to the eye, and
 /// what was chosen is printed.
 facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree);
