@@ -22,3 +22,4 @@ renew terrain_vehicle terrain_vehicle $whole --camera 560,-590,420,-5,0,68 --pro
 renew old_example002 old_example002 $whole --camera 65,-95,60,0,0,-2 --size 200x150
 renew old_example002_lines old_example002 scan-line --camera 65,-95,60,0,0,-2 --size 100x75
 renew thesis_fig_2_3_squares thesis_fig_2_3 pixel-square --camera 42,-38,41,10,5.5,2 --size 150x100
+renew thesis_fig_2_3_nodes thesis_fig_2_3 multi-processor --camera 42,-38,41,10,5.5,2 --size 96x64

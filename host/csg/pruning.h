@@ -11,9 +11,16 @@ struct Pruning {
   bool hidden = true;      ///< primitives behind a finished nearer one
   bool sets = true;        ///< primitives that only intersections join are one convex solid (thesis 7.3.2)
   bool early_out = true;   ///< while it runs, what no pixel is left for, if the machine has a global OR
+  bool near = true;        ///< the near plane where no pixel centre is before all fronts; else by corners alone
+  bool pairs = false;  ///< with `halfspaces`: those that any other one stands before, not only an extreme at a corner
+
+  constexpr bool operator==(const Pruning&) const = default;
 
   /// The I-trees as they are.
-  static constexpr Pruning none() { return {false, false, false, false, false, false, false}; }
+  static constexpr Pruning none() { return {false, false, false, false, false, false, false, false, false}; }
+
+  /// What the divider of the pixel-square machine does (hw/division): all by integers, boxes and corners of rectangles.
+  static constexpr Pruning divider() { return {false, true, false, true, false, true, false, false, true}; }
 };
 
 }  // namespace csgsim::csg

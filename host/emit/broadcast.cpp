@@ -4,6 +4,8 @@
 #include <bit>
 #include <stdexcept>
 
+#include "hw/isa/opcodes.h"
+
 namespace csgsim::emit {
 
 namespace {
@@ -23,24 +25,80 @@ unsigned shared_zeros(const view::FixedLinear& plane, unsigned limit) {
   return std::min(limit, static_cast<unsigned>(std::countr_zero(both)));
 }
 
+/// Whether E is after the instruction what it was before, whatever it meets.
+bool keeps_enable(isa::Opcode opcode) {
+  using isa::Opcode;
+  switch (opcode) {
+    case Opcode::enable_store:
+    case Opcode::set_constant:
+    case Opcode::copy:
+    case Opcode::bit_and:
+    case Opcode::bit_or:
+    case Opcode::bit_xor:
+    case Opcode::bit_and_not:
+    case Opcode::bit_not:
+    case Opcode::global_or:
+    case Opcode::xor_constant: return true;
+    case Opcode::enable_all:
+    case Opcode::enable_invert:
+    case Opcode::enable_load:
+    case Opcode::enable_and:
+    case Opcode::enable_and_not:
+    case Opcode::enable_or:
+    case Opcode::enable_xor:
+    case Opcode::edge_not_negative:
+    case Opcode::edge_negative:
+    case Opcode::linear_ge:
+    case Opcode::linear_gt:
+    case Opcode::linear_le:
+    case Opcode::linear_lt:
+    case Opcode::linear_eq:
+    case Opcode::load_linear:
+    case Opcode::keep_max:
+    case Opcode::keep_min:
+    case Opcode::field_lt:
+    case Opcode::field_le:
+    case Opcode::field_eq:
+    case Opcode::skip_if_none: return false;  // what follows a skip may follow what is before it too
+  }
+  return false;
+}
+
+/// A bit that E is equal to after the instruction, if it was equal to that one before.
+isa::Field equal_after(const isa::Instruction& instruction, isa::Field equal) {
+  const isa::Field first = instruction.fields[0];
+  if (instruction.opcode == isa::Opcode::enable_load || instruction.opcode == isa::Opcode::enable_store) return first;
+  const bool writes = isa::info(instruction.opcode).operands[0] == isa::OperandKind::target;
+  return keeps_enable(instruction.opcode) && !(writes && first.overlaps(equal)) ? equal : isa::Field{};
+}
+
 }  // namespace
 
 Broadcast::Broadcast(isa::Segment& segment, const view::Sampling& sampling)
     : segment_(segment), fraction_bits_(sampling.fraction_bits) {}
 
 void Broadcast::plain(isa::Opcode opcode, isa::Field first, isa::Field second, std::uint64_t constant) {
-  segment_.instructions.push_back({opcode, {first, second, {}}, {}, constant, origin});
+  append({opcode, {first, second, {}}, {}, constant, origin});
 }
 
 void Broadcast::bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right) {
-  segment_.instructions.push_back({opcode, {target, left, right}, {}, 0, origin});
+  append({opcode, {target, left, right}, {}, 0, origin});
 }
 
-void Broadcast::nowhere() {
-  segment_.instructions.push_back({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin});
+void Broadcast::nowhere() { append({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin}); }
+
+void Broadcast::append(const isa::Instruction& instruction) {
+  const bool meets_equal =
+      (instruction.opcode == isa::Opcode::enable_load || instruction.opcode == isa::Opcode::enable_store) &&
+      instruction.fields[0] == equal_;
+  if (meets_equal) return;
+  segment_.instructions.push_back(instruction);
+  equal_ = equal_after(instruction, equal_);
 }
 
 void Broadcast::insert(std::size_t place, const isa::Instruction& instruction) {
+  // A skip may end here: then E and memory are as they were at the place.
+  equal_ = {};
   segment_.instructions.insert(segment_.instructions.begin() + static_cast<std::ptrdiff_t>(place), instruction);
 }
 
@@ -53,7 +111,7 @@ void Broadcast::linear(isa::Opcode opcode, isa::Field field, view::FixedLinear p
   const std::int64_t corner = plane.c + plane.a * segment_.region.x + plane.b * segment_.region.y;
   const isa::Linear expression{plane.a, plane.b, corner, static_cast<std::uint16_t>(needed),
                                static_cast<std::uint16_t>(shift)};
-  segment_.instructions.push_back({opcode, {field, {}, {}}, expression, 0, origin});
+  append({opcode, {field, {}, {}}, expression, 0, origin});
 }
 
 void Broadcast::surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane,

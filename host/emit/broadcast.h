@@ -11,7 +11,8 @@
 
 namespace csgsim::emit {
 
-/// Appends instructions to a segment. `origin` goes with every instruction appended.
+/// Appends instructions to a segment. `origin` goes with every instruction appended. What would change nothing is left
+/// out: to load the bit that E is known to be equal to, or to store E there.
 class Broadcast {
  public:
   Broadcast(isa::Segment& segment, const view::Sampling& sampling);
@@ -35,7 +36,7 @@ class Broadcast {
     return std::span<const isa::Instruction>(segment_.instructions).subspan(begin);
   }
 
-  /// Puts an instruction before that one. No skip may reach over the place.
+  /// Puts an instruction that changes neither E nor memory before that one. No skip may reach over the place.
   void insert(std::size_t place, const isa::Instruction& instruction);
 
   /// A surface plane against a depth field, as wide as its values over `pixels` ask; E has to be 0 outside `pixels`.
@@ -50,9 +51,11 @@ class Broadcast {
  private:
   void linear(isa::Opcode opcode, isa::Field field, view::FixedLinear plane, unsigned shift,
               const view::PixelRect& pixels);
+  void append(const isa::Instruction& instruction);
 
   isa::Segment& segment_;
   unsigned fraction_bits_;
+  isa::Field equal_;  ///< a bit that E is equal to at every pixel; of width 0 if none is known
 };
 
 }  // namespace csgsim::emit

@@ -1,6 +1,7 @@
 #include "host/emit/comparison.h"
 
 #include "host/emit/halfspaces.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 

@@ -7,9 +7,11 @@
 #include <variant>
 
 #include "host/emit/context.h"
+#include "host/emit/divided.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/halfspaces.h"
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
 
@@ -62,12 +64,13 @@ struct Input {
   const view::View& view;
   const Plan& plan;
   const machines::Machine& machine;
+  std::optional<machines::Division> division;  ///< of the machine
 };
 
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
 isa::Segment compile_segment(const Context& context, ScanConversions& counts) {
   const SegmentPlan& plan = context.plan;
-  isa::Segment segment{plan.region, {}, plan.active_primitives, plan.active_halfspaces, 0, 0, 0};
+  isa::Segment segment{plan.region, {}, {plan.active_primitives, plan.active_halfspaces, 0, 0, 0}};
   const view::Sampling& sampling = context.view.sampling;
   const bool is_whole = plan.region == isa::Region{0, 0, sampling.width, sampling.height};
   if (plan.surfaces.empty() && !is_whole) return segment;
@@ -78,11 +81,11 @@ isa::Segment compile_segment(const Context& context, ScanConversions& counts) {
   for (const Planned& one : plan.surfaces) {
     const Sides sides = deciding_sides(context, one);
     emit_primitive(context, out, one, sides, counts);
-    segment.kept_primitives += static_cast<std::uint32_t>(one.set.size());
-    segment.kept_halfspaces += sides.count();
+    segment.facts.kept_primitives += static_cast<std::uint32_t>(one.set.size());
+    segment.facts.kept_halfspaces += sides.count();
   }
   if (segment.instructions.size() == setup && !is_whole) segment.instructions.clear();
-  segment.comparisons = static_cast<std::uint32_t>(counts.classified - classified_before);
+  segment.facts.comparisons = static_cast<std::uint32_t>(counts.classified - classified_before);
   return segment;
 }
 
@@ -95,28 +98,36 @@ isa::Program compile_as(const Input& input, const Options& options) {
       {sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, classification}, memory_bits);
   isa::Program program;
   program.shape = {sampling.width, sampling.height, memory_bits};
-  program.primitives = primitive_names(input.tree);
-  program.depth_scale = input.view.depth;
-  program.model = model_facts(input.tree, input.scene);
-  program.fields = named_fields(layout);
+  program.facts.primitives = primitive_names(input.tree);
+  program.facts.depth_scale = input.view.depth;
+  program.facts.model = model_facts(input.tree, input.scene);
+  program.facts.fields = named_fields(layout);
+  program.background = background(options);
 
   ScanConversions counts;
   for (const SegmentPlan& plan : input.plan.segments) {
     program.segments.push_back(compile_segment(
         {input.tree, input.scene, input.view, input.plan.positive, plan, layout, options, input.machine}, counts));
   }
-  program.compile = {std::string(name_of(options.strategy)),
-                     std::string(name_of(options.colouring)),
-                     background(options),
-                     sampling.z_bits,
-                     sampling.fraction_bits,
-                     sampling.edge_on_fraction,
-                     classification.total() + 1,
-                     input.plan.depth(),
-                     counts.rendered,
-                     counts.classified,
-                     counts.depth_tests,
-                     {"flat"}};
+  program.facts.compile = {std::string(name_of(options.strategy)),
+                           std::string(name_of(options.colouring)),
+                           sampling.z_bits,
+                           sampling.fraction_bits,
+                           sampling.edge_on_fraction,
+                           classification.total() + 1,
+                           input.plan.depth(),
+                           counts.rendered,
+                           counts.classified,
+                           counts.depth_tests,
+                           {"flat"}};
+  return program;
+}
+
+/// With what the machine needs to divide the model itself, if it does.
+isa::Program compile_for_machine(const Input& input, const Options& options) {
+  isa::Program program = compile_as(input, options);
+  if (input.division)
+    add_division(program, *input.division, input.tree, input.scene, input.view, input.machine, options);
   return program;
 }
 
@@ -152,20 +163,22 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
 }  // namespace
 
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                     const machines::Machine& machine, const Options& options, const ClockCounter& count) {
+                     const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
+  const std::optional<machines::Division> division = machines::division(machine);
+  const Options options = division ? options_for(*division, wanted) : wanted;
   csg::Pruning pruning = options.pruning;
   // Chapter 6 multiplies the tree of primitives out as it is.
   if (options.strategy == Strategy::products) pruning.sets = false;
   const Plan plan = make_plan(tree, scene, view, machines::regions(machine), pruning);
-  const Input input{tree, scene, view, plan, machine};
+  const Input input{tree, scene, view, plan, machine, division};
   const std::vector<Options> all = candidates(options, plan);
-  if (all.size() == 1) return compile_as(input, all.front());
+  if (all.size() == 1) return compile_for_machine(input, all.front());
   std::optional<isa::Program> best;
   std::uint64_t fewest = 0;
   std::exception_ptr why_not;
   for (const Options& one : all) {
     try {
-      isa::Program program = compile_as(input, one);
+      isa::Program program = compile_for_machine(input, one);
       const std::uint64_t clocks = count ? count(program) : machines::clocks(program, machine);
       if (!best || clocks < fewest) {
         best = std::move(program);

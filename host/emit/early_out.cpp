@@ -1,6 +1,8 @@
 #include "host/emit/early_out.h"
 
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/regions.h"
 
 namespace csgsim::emit {
 

@@ -12,13 +12,14 @@
 #include "host/emit/parallel.h"
 #include "host/emit/surface.h"
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 
 namespace {
 
-/// Levels that `Strategy::bits` works out by a stack: what the thesis's m bits leave beside those for front, back,
-/// product and sum. Not for m = 3, which has no sum.
+/// Levels that `Strategy::bits` works out by a stack: what m bits leave beside those for front, back, product and sum,
+/// as figure 6.3 of the thesis shows it (the text of 6.4 says m - 3). Not for m = 3, which has no sum.
 unsigned stack_levels(const Options& options) { return options.stack_bits - fewest_stack_bits - 1; }
 
 bool renders_each_product(const Options& options) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 
@@ -42,7 +43,8 @@ Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels
 }
 
 /// Drops half-spaces that never make the extreme of their side: at every corner another one is beyond them by a whole
-/// depth step at least, hence at every pixel between.
+/// depth step at least, hence at every pixel between. Another one is an extreme at a corner, or any that is left by
+/// these.
 void drop_outdone(const Context& context, std::vector<Facet>& facets, Side side, const view::PixelRect& pixels) {
   const std::int64_t sign = side == Side::front ? 1 : -1;
   const std::int64_t step = std::int64_t{1} << context.view.sampling.fraction_bits;
@@ -58,14 +60,22 @@ void drop_outdone(const Context& context, std::vector<Facet>& facets, Side side,
     leaders[corner] = *std::max_element(values.begin(), values.end(),
                                         [&](const Corners& a, const Corners& b) { return a[corner] < b[corner]; });
   }
-  const auto outdone = [&](const Corners& one) {
-    return std::any_of(leaders.begin(), leaders.end(), [&](const Corners& leader) {
-      return std::equal(one.begin(), one.end(), leader.begin(),
-                        [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
-    });
+  const auto erase_outdone_by = [&](const auto& others) {
+    std::vector<bool> outdone;
+    outdone.reserve(values.size());
+    for (const Corners& one : values) {
+      outdone.push_back(std::any_of(others.begin(), others.end(), [&](const Corners& other) {
+        return std::equal(one.begin(), one.end(), other.begin(),
+                          [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
+      }));
+    }
+    std::size_t facet = 0;
+    std::erase_if(facets, [&](const Facet&) { return outdone[facet++]; });
+    std::size_t value = 0;
+    std::erase_if(values, [&](const Corners&) { return outdone[value++]; });
   };
-  std::size_t index = 0;
-  std::erase_if(facets, [&](const Facet&) { return outdone(values[index++]); });
+  erase_outdone_by(leaders);
+  if (context.options.pruning.pairs) erase_outdone_by(std::vector<Corners>(values));
 }
 
 }  // namespace

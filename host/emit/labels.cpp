@@ -1,7 +1,10 @@
 #include "host/emit/labels.h"
 
+#include <span>
+
 #include "host/csg/ordered_list.h"
 #include "host/emit/comparison.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 
@@ -20,12 +23,19 @@ class ListEmitter {
 
   [[nodiscard]] std::uint64_t classified() const { return classified_; }
 
-  /// E is the mask, and every pixel in it begins at label 0.
-  void begin() { write_label(0); }
+  void emit(std::span<const csg::ListLeaf> leaves) {
+    // E is the mask, and every pixel in it begins at label 0, which is the first leaf's: none of them waits yet.
+    write_label(0);
+    for (const csg::ListLeaf& leaf : leaves) {
+      emit_stack(out_, Opcode::enable_load, context_.layout.mask);
+      if (&leaf != &leaves.front()) keep_label(leaf.name);
+      emit(leaf);
+    }
+  }
 
+ private:
+  /// Where E: those that wait for the leaf.
   void emit(const csg::ListLeaf& leaf) {
-    emit_stack(out_, Opcode::enable_load, context_.layout.mask);
-    keep_label(leaf.name);
     classified_ += emit_comparison(context_, out_, planned_.active.nodes[leaf.node], planned_);
     if (!stays(leaf, leaf.if_in)) {
       go(leaf.if_in);
@@ -34,14 +44,13 @@ class ListEmitter {
       emit_stack(out_, Opcode::enable_load, context_.layout.mask);
       keep_label(leaf.name);
     } else {
-      emit_stack(out_, Opcode::enable_invert, {});
-      emit_stack(out_, Opcode::enable_and, context_.layout.mask);
+      // E is in the mask, so that this is the mask without E.
+      emit_stack(out_, Opcode::enable_xor, context_.layout.mask);
       keep_label(leaf.name);
     }
     go(leaf.if_out);
   }
 
- private:
   static bool stays(const csg::ListLeaf& leaf, const csg::Target& target) {
     return target.to != csg::Destination::hidden && target.label == leaf.name;
   }
@@ -81,8 +90,7 @@ unsigned label_bits(const csg::ActiveTree& active) { return csg::make_ordered_li
 std::uint64_t emit_list(const Context& context, Broadcast& out, const Planned& planned) {
   const csg::OrderedList list = csg::make_ordered_list(planned.active);
   ListEmitter emitter(context, out, planned, list.label_bits);
-  emitter.begin();
-  for (const csg::ListLeaf& leaf : list.leaves) emitter.emit(leaf);
+  emitter.emit(list.leaves);
   return emitter.classified();
 }
 

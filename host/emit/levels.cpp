@@ -4,6 +4,7 @@
 
 #include "host/csg/products.h"
 #include "host/emit/comparison.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 
@@ -12,8 +13,9 @@ namespace {
 using csg::PositiveOperator;
 using isa::Opcode;
 
-/// Emits the evaluation of an active tree. E is kept inside the mask, where Z1 is a surface; what a result is elsewhere
-/// does not matter.
+/// Emits the evaluation of an active tree. E is kept inside the mask, where Z1 is a surface. So is every result: a bit
+/// of the stack is first stored from E at every pixel, and is set to 1 later where E only. So a result is 0 outside the
+/// mask, and the mask and the result is the result.
 class Classifier {
  public:
   Classifier(const Context& context, Broadcast& out, const Planned& planned, unsigned levels)
@@ -42,9 +44,9 @@ class Classifier {
   void stack(Opcode opcode, isa::Field field) { emit_stack(out_, opcode, field); }
   void set_bit(isa::Field bit, bool value) { emit_stack(out_, Opcode::set_constant, bit, value ? 1 : 0); }
 
-  void narrow_mask_by(isa::Field bit) {
-    stack(Opcode::enable_load, bit);
-    stack(Opcode::enable_and, context_.layout.mask);
+  /// mask := mask and the result.
+  void narrow_mask_by(isa::Field result) {
+    stack(Opcode::enable_load, result);
     stack(Opcode::enable_store, context_.layout.mask);
   }
 
@@ -94,7 +96,6 @@ class Classifier {
   void sum_products(const std::vector<csg::ActiveNode>& nodes, std::uint32_t root, isa::Field bit) {
     csg::ProductTraversal traversal(nodes, root);
     emit_product(nodes, traversal.leaves());
-    // Stored at every pixel, so that the bit is 0 outside the mask.
     stack(Opcode::enable_store, bit);
     while (traversal.next()) {
       emit_product(nodes, traversal.leaves());

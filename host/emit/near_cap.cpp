@@ -41,6 +41,10 @@ bool has_integer(double low, double high) { return std::ceil(low - slack) <= std
 bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, const csg::Block& block) {
   if (fronts.empty()) return true;
   if (block.z_low > 0) return false;
+  if (!context.options.pruning.near) {
+    return std::none_of(fronts.begin(), fronts.end(),
+                        [&](const Facet& front) { return context.range_of(front.halfspace, block.pixels).low >= 1; });
+  }
   Polygon polygon = corners(block.pixels);
   const double step = std::ldexp(1.0, static_cast<int>(context.view.sampling.fraction_bits));
   for (const Facet& front : fronts) {

@@ -7,7 +7,8 @@
 namespace csgsim::emit {
 
 /// Whether all the fronts may be before the near plane, or at it, at some pixel: whether a surface that is the farthest
-/// of them may be at depth 0. Without any front it is.
+/// of them may be at depth 0. Without any front it is. Without pruning `near`, they may unless one of them is at depth
+/// 1 or behind it at every corner.
 bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, const csg::Block& block);
 
 /// What is seen at depth 0 of a solid that may reach it, whatever facets are there: its first primitive's cap if the

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "host/emit/comparison.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 

@@ -5,6 +5,7 @@
 #include "host/emit/facet_colour.h"
 #include "host/emit/halfspaces.h"
 #include "host/emit/near_cap.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "host/read/polyhedron.h"
 
@@ -71,10 +72,20 @@ std::optional<model::Shape> read_cylinder(const Arguments& arguments) {
 }  // namespace
 
 std::optional<model::Shape> read_solid(NodeKind kind, const Arguments& arguments) {
-  if (kind == NodeKind::cube) return read_cube(arguments);
-  if (kind == NodeKind::sphere) return read_sphere(arguments);
-  if (kind == NodeKind::cylinder) return read_cylinder(arguments);
-  return read_polyhedron(arguments);
+  switch (kind) {
+    case NodeKind::cube: return read_cube(arguments);
+    case NodeKind::sphere: return read_sphere(arguments);
+    case NodeKind::cylinder: return read_cylinder(arguments);
+    case NodeKind::polyhedron: return read_polyhedron(arguments);
+    case NodeKind::unite:
+    case NodeKind::subtract:
+    case NodeKind::intersect:
+    case NodeKind::transform:
+    case NodeKind::colour:
+    case NodeKind::unsupported:
+    case NodeKind::source: break;
+  }
+  throw std::logic_error("a node that is no solid was read as one");
 }
 
 }  // namespace csgsim::read

@@ -8,7 +8,8 @@
 
 namespace csgsim::read {
 
-/// The solid of a `cube`, `sphere`, `cylinder` or `polyhedron` node; nothing if it is empty.
+/// The solid of a `cube`, `sphere`, `cylinder` or `polyhedron` node; nothing if it is empty. Throws std::logic_error
+/// for a node of another kind.
 std::optional<model::Shape> read_solid(NodeKind kind, const Arguments& arguments);
 
 }  // namespace csgsim::read

@@ -17,7 +17,15 @@ PixelArray::PixelArray(const isa::ArrayShape& shape, unsigned alu_bits)
 }
 
 void PixelArray::reset(std::uint32_t width, std::uint32_t height) {
-  for (Words& plane : memory_) std::fill(plane.begin(), plane.end(), 0);
+  clear_memory(0, memory_bits());
+  select(width, height);
+}
+
+void PixelArray::clear_memory(std::uint32_t address, std::uint32_t bits) {
+  for (std::uint32_t bit = address; bit < address + bits; ++bit) std::fill(memory_[bit].begin(), memory_[bit].end(), 0);
+}
+
+void PixelArray::select(std::uint32_t width, std::uint32_t height) {
   for (Words& plane : latch_) std::fill(plane.begin(), plane.end(), 0);
   for (Words* plane : {&enable_, &carry_, &present_}) std::fill(plane->begin(), plane->end(), 0);
   for (std::uint32_t y = 0; y < height; ++y) {

@@ -28,9 +28,15 @@ class PixelArray {
   [[nodiscard]] const PlaneShape& shape() const { return shape_; }
   [[nodiscard]] std::uint32_t memory_bits() const { return static_cast<std::uint32_t>(memory_.size()); }
 
-  /// Clears memory and registers. Pixels right of `width` or below `height` take no part until the next reset: their
-  /// enable bits stay 0.
+  /// Clears memory and registers, and selects.
   void reset(std::uint32_t width, std::uint32_t height);
+
+  /// Clears so many memory bits of every pixel, from that address on.
+  void clear_memory(std::uint32_t address, std::uint32_t bits);
+
+  /// Clears the registers. Pixels right of `width` or below `height` take no part until the next select: their enable
+  /// bits stay 0.
+  void select(std::uint32_t width, std::uint32_t height);
 
   /// One clock of all pixels; `tree` are the leaves of the multiplier trees (shape().padded_words() words).
   void step(const ArrayStep& step, std::span<const std::uint64_t> tree);

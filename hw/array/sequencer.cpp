@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hw/array/plane.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::array {
 

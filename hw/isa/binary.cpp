@@ -21,7 +21,7 @@ constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
 constexpr std::uint8_t version = 2;
 constexpr std::size_t checksum_size = 4;
 constexpr std::uint8_t same_origin = 0x80;
-static_assert(opcode_table.size() <= same_origin);
+static_assert(opcode_numbers <= same_origin);
 static_assert(no_primitive + 1 == 0 && no_node + 1 == 0);
 
 std::uint32_t checksum(std::span<const std::byte> bytes) {
@@ -51,7 +51,7 @@ std::uint16_t read_short(ByteReader& in) {
 
 void write_operand(ByteWriter& out, const Instruction& instruction, std::size_t operand) {
   const Linear& linear = instruction.linear;
-  switch (info(instruction.opcode).operands[operand]) {
+  switch (operands_of(instruction.opcode)[operand]) {
     case OperandKind::none: break;
     case OperandKind::target:
     case OperandKind::source:
@@ -70,7 +70,7 @@ void write_operand(ByteWriter& out, const Instruction& instruction, std::size_t 
 
 void read_operand(ByteReader& in, Instruction& instruction, std::size_t operand) {
   Linear& linear = instruction.linear;
-  switch (info(instruction.opcode).operands[operand]) {
+  switch (operands_of(instruction.opcode)[operand]) {
     case OperandKind::none: break;
     case OperandKind::target:
     case OperandKind::source:

@@ -36,11 +36,18 @@ void describe(T& model, Visit&& visit) {
   visit("halfspaces", model.halfspaces);
 }
 
-template <Any<CompileFacts> T, class Visit>
-void describe(T& compile, Visit&& visit) {
+/// How a Program was compiled, with the background, which stands among the settings.
+template <Any<Program> T>
+struct CompileRecord {
+  T& program;
+};
+
+template <class T, class Visit>
+void describe(const CompileRecord<T>& record, Visit&& visit) {
+  auto& compile = record.program.facts.compile;
   visit("strategy", compile.strategy);
   visit("colouring", compile.colouring);
-  visit("background", compile.background);
+  visit("background", record.program.background);
   visit("z_bits", compile.z_bits);
   visit("fraction_bits", compile.fraction_bits);
   visit("edge_on_fraction", compile.edge_on_fraction);
@@ -59,20 +66,43 @@ void describe(T& segment, Visit&& visit) {
   visit("y", segment.region.y);
   visit("width", segment.region.width);
   visit("height", segment.region.height);
-  visit("primitives", segment.primitives);
-  visit("halfspaces", segment.halfspaces);
-  visit("kept_primitives", segment.kept_primitives);
-  visit("kept_halfspaces", segment.kept_halfspaces);
-  visit("comparisons", segment.comparisons);
+  visit("primitives", segment.facts.primitives);
+  visit("halfspaces", segment.facts.halfspaces);
+  visit("kept_primitives", segment.facts.kept_primitives);
+  visit("kept_halfspaces", segment.facts.kept_halfspaces);
+  visit("comparisons", segment.facts.comparisons);
+}
+
+template <Any<DivisionFacts> T, class Visit>
+void describe(T& division, Visit&& visit) {
+  visit("boxes", division.boxes);
+  visit("tests", division.halfspaces);
+  visit("pairs", division.pairs);
+  visit("nodes", division.nodes);
+  visit("group_boxes", division.group_boxes);
+  visit("group_tests", division.group_halfspaces);
+}
+
+/// A segment but for its instructions, with what its division takes.
+template <Any<Segment> T>
+struct DividedSegment {
+  T& segment;
+};
+
+template <class T, class Visit>
+void describe(const DividedSegment<T>& divided, Visit&& visit) {
+  describe(divided.segment, visit);
+  describe(divided.segment.facts.division, visit);
 }
 
 /// Calls visit(name, record) for each record of a Program that stands once.
 template <Any<Program> T, class Visit>
 void describe_header(T& program, Visit&& visit) {
   visit("array", program.shape);
-  visit("depth", program.depth_scale);
-  visit("model", program.model);
-  visit("compile", program.compile);
+  visit("depth", program.facts.depth_scale);
+  visit("model", program.facts.model);
+  const CompileRecord<T> compile{program};
+  visit("compile", compile);
 }
 
 }  // namespace csgsim::isa

@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <string_view>
 
-#include "hw/isa/opcodes.h"
+#include "hw/isa/opcode.h"
 
 namespace csgsim::isa {
 
 inline constexpr unsigned max_field_width = 32;        ///< bits
 inline constexpr unsigned max_linear_width = 62;       ///< bits streamed by the linear expression evaluator
 inline constexpr unsigned max_memory_bits = 4096;      ///< bits a pixel
+inline constexpr unsigned max_count = 0xffffffffU;     ///< instructions that one skips
 inline constexpr unsigned max_array_side = 1U << 14U;  ///< pixels
 
 /// `width` consecutive bits of pixel memory, the least significant at `base`.
@@ -80,7 +81,7 @@ struct Origin {
 /// One broadcast instruction. Operand i of the opcode's row is fields[i] if it is a target or source, `linear` if it is
 /// linear, `constant` if it is a constant or a count; members that the row does not name are zero.
 struct Instruction {
-  Opcode opcode = Opcode::enable_all;
+  Opcode opcode{};  ///< enable_all
   std::array<Field, max_operands> fields{};
   Linear linear{};
   std::uint64_t constant = 0;

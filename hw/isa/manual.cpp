@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "hw/isa/describe.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/text.h"
+#include "hw/isa/wire.h"
 
 namespace csgsim::isa {
 
@@ -65,10 +67,11 @@ constexpr std::string_view clocks_text = R"(## How clocks are counted
 Each instruction expands to bit steps, and each bit step takes one clock. A machine's ALU works on one bit of a field
 in a clock, or on several adjacent ones (`alu.bits`); linear expressions come one bit a clock in any case. Instructions
 follow back to back: while the last bits of one expression run down the multiplier trees the first bits of the next
-enter at the root. So the clocks of a Program are the sum of the table below over its instructions, plus the latency of
-the trees once, at the end. The latency is one clock a level: ceil(log2 width) + ceil(log2 height) of the machine's
-array. `global_or` and `skip_if_none` pay it too, as the controller waits for the answer; instructions that are skipped
-take no clock. Both need a machine with a global OR.
+enter at the root. So a frame takes at least the sum of the table below over its instructions, plus the latency of
+the trees once, at the end; what a machine waits for besides, its page says. The latency is one clock a level:
+ceil(log2 width) + ceil(log2 height) of the machine's array. `global_or` and `skip_if_none` pay it too, and a clock for
+each level of the global OR, as the controller waits for the answer; instructions that are skipped take no clock, the
+jump over them a request on the link. Both need a machine with a global OR.
 
 | clocks | instructions |
 |---|---|
@@ -82,7 +85,7 @@ std::string_view clocks_of(ClockClass clock_class) {
     case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
     case ClockClass::two_fields:
       return "twice as many for the width of the fields; once on machines that read twice a clock";
-    case ClockClass::answer: return "1 + latency of the trees";
+    case ClockClass::answer: return "1 + latency of the trees + levels of the global OR";
   }
   return {};
 }
@@ -101,7 +104,7 @@ std::string_view operand_name(OperandKind kind) {
 
 std::string_view widths_of(const OpcodeInfo& row) {
   if (!is_field(row.operands[0])) return "";
-  switch (field_widths(row.opcode)) {
+  switch (row.widths) {
     case FieldWidths::free: return "any";
     case FieldWidths::equal:
     case FieldWidths::elementwise: return "equal";
@@ -120,18 +123,65 @@ std::string operands_of(const OpcodeInfo& row) {
   return out;
 }
 
+/// The bits of an instruction on a link, by the width w of its linear expression and n of its target.
+std::string wire_bits_of(Opcode opcode) {
+  const unsigned fixed = wire_bits(Instruction{opcode, {}, {}, 0, {}});
+  const unsigned a_linear_bit = wire_bits(Instruction{opcode, {}, {0, 0, 0, 1, 0}, 0, {}}) - fixed;
+  const unsigned a_target_bit = wire_bits(Instruction{opcode, {{{0, 1}}}, {}, 0, {}}) - fixed;
+  std::string sum = fmt::format("{}", fixed);
+  if (a_linear_bit > 0) put(sum, " + {}w", a_linear_bit);
+  if (a_target_bit > 0) put(sum, " + n");
+  return sum;
+}
+
 void put_opcodes(std::string& page) {
   put(page,
       "## Instructions\n\n"
       "E is the enable bit, t a target field, s and r source fields in the order of the operands, k a constant or a\n"
-      "count, F the value of the linear expression.\n\n"
-      "| number | instruction | operands | fields | meaning |\n|---|---|---|---|---|\n");
+      "count, F the value of the linear expression. On a link an instruction takes so many bits; w is the width of "
+      "its\n"
+      "linear expression, n that of its target.\n\n"
+      "| number | instruction | operands | fields | bits on a link | meaning |\n|---|---|---|---|---|---|\n");
   for (const OpcodeInfo& row : opcode_table)
-    put(page, "| {} | `{}` | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
-        widths_of(row), row.meaning);
+    put(page, "| {} | `{}` | {} | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
+        widths_of(row), wire_bits_of(row.opcode), row.meaning);
   put(page,
       "\nThe fields of one instruction do not overlap, except that those of the `bit_` instructions may be the "
       "same.\n\n");
+}
+
+void put_link(std::string& page) {
+  put(page,
+      "## On a link\n\n"
+      "Over a link of 1 to {} bits the stream travels as **commands**: the instructions, and three more. A command is "
+      "its\nnumber in {} bits, then its operands in their order, each number with its least significant bit first. It "
+      "begins at\na new word of the link, and the unused bits of its last word are 0: it takes ceil(bits / width of "
+      "the "
+      "link) words.\n\n"
+      "| operand | bits on a link |\n|---|---|\n"
+      "| target, source | base {}, width {} |\n"
+      "| linear | width {}, shift {}, then A, B and C in `width` bits each |\n"
+      "| constant | as many as its target has |\n"
+      "| count | {} |\n\n",
+      LinkWord::most_bits, opcode_bits, wire_base_bits, wire_field_width_bits, wire_linear_width_bits, wire_shift_bits,
+      wire_count_bits);
+  put(page,
+      "A, B and C travel as two's complement numbers modulo 2^width: more of them has no part in F. Origins do not "
+      "travel.\n\n"
+      "| number | command | bits on a link | meaning |\n|---|---|---|---|\n"
+      "| {} | segment | {} | x, y, width and height of a segment, {} bits each: memory and E become 0 at its pixels, "
+      "and "
+      "the instructions to come are theirs |\n"
+      "| {} | end of segment | {} | the pixels of the segment are finished |\n"
+      "| {} | end of frame | {} | the picture is finished |\n\n",
+      SegmentStart::number, wire_bits(SegmentStart{}), wire_region_bits, SegmentEnd::number, wire_bits(SegmentEnd{}),
+      FrameEnd::number, wire_bits(FrameEnd{}));
+  put(page,
+      "Example: `set_constant [16+:8], 0xa5` is 18 in {} bits, 16 in {}, 8 in {} and 0xa5 in 8, {} bits in all: one "
+      "word "
+      "of a\nlink of 32 bits, four of a link of 10.\n\n",
+      opcode_bits, wire_base_bits, wire_field_width_bits,
+      wire_bits(Instruction{Opcode::set_constant, {{{16, 8}}}, {}, 0xa5, {}}));
 }
 
 void put_clocks(std::string& page) {
@@ -165,12 +215,13 @@ void put_limits(std::string& page) {
       "\n## Limits\n\n| what | most |\n|---|---|\n"
       "| width of a field | {} bits |\n"
       "| width of a linear expression | {} bits |\n"
+      "| instructions that one skips | {} |\n"
       "| \\|A\\| \\* segment width + \\|B\\| \\* segment height + \\|C\\| | below 2^62 |\n"
       "| memory of a pixel | {} bits |\n"
       "| side of the array | {} pixels |\n\n"
       "A Program that breaks a rule of this page is refused when it is built and again when it is loaded, with the "
       "segment\nand instruction, or the line and column.\n",
-      max_field_width, max_linear_width, max_memory_bits, max_array_side);
+      max_field_width, max_linear_width, max_count, max_memory_bits, max_array_side);
 }
 
 constexpr std::string_view sample = R"(.array width=512 height=512 memory_bits=72
@@ -224,6 +275,12 @@ void put_text_form(std::string& page) {
   const Program program;
   describe_header(program, [&](std::string_view name, const auto& record) { put_keys(page, name, record); });
   put_keys(page, "segment", Segment{});
+  put(page,
+      "\nFor a machine that divides the model itself `.display_model \"DIGITS\"` lines, before the first `.segment`, "
+      "hold "
+      "what\nit is sent, two hexadecimal digits a byte. Then there is more to say of a segment, what its division "
+      "takes:\n\n");
+  put_keys(page, "segment", DivisionFacts{});
 }
 
 }  // namespace
@@ -231,6 +288,7 @@ void put_text_form(std::string& page) {
 std::string instruction_set_page() {
   std::string page(introduction);
   put_opcodes(page);
+  put_link(page);
   put_clocks(page);
   put_origins(page);
   put_roles(page);

@@ -9,6 +9,7 @@
 
 #include "hw/isa/bytes.h"
 #include "hw/isa/describe.h"
+#include "hw/isa/words.h"
 
 namespace csgsim::isa {
 
@@ -27,9 +28,12 @@ json field_row(const NamedField& named) {
   return json::array({named.name, named.field.base, named.field.width, name_of(named.role)});
 }
 
-json segment_row(const Segment& segment) {
+/// With what its division takes, where there is a display model.
+json segment_row(const Segment& segment, bool divided) {
   json row = json::array();
-  describe(segment, [&](const char*, const auto& member) { row.push_back(member); });
+  const auto put = [&](const char*, const auto& member) { row.push_back(member); };
+  describe(segment, put);
+  if (divided) describe(segment.facts.division, put);
   row.push_back(segment.instructions.size());
   return row;
 }
@@ -96,12 +100,16 @@ void read(const json& value, std::string_view what, std::vector<Element>& member
   for (const json& element : value) read(element, what, member.emplace_back());
 }
 
-void read_segment(const json& value, Segment& segment, std::uint64_t& count) {
+void read_segment(const json& value, bool divided, Segment& segment, std::uint64_t& count) {
   std::size_t members = 0;
-  describe(segment, [&](const char*, auto&) { ++members; });
+  const auto add = [&](const char*, auto&) { ++members; };
+  describe(segment, add);
+  if (divided) describe(segment.facts.division, add);
   const json& row = row_of(value, "segments", members + 1);
   std::size_t column = 0;
-  describe(segment, [&](const char* key, auto& member) { read(row[column++], key, member); });
+  const auto take = [&](const char* key, auto& member) { read(row[column++], key, member); };
+  describe(segment, take);
+  if (divided) describe(segment.facts.division, take);
   read(row[column], "instruction count", count);
 }
 
@@ -168,11 +176,13 @@ json parse_cbor(std::span<const std::byte> cbor) {
 std::vector<std::uint8_t> encode_metadata(const Program& program) {
   json root = json::object();
   describe_header(program, [&](const char* name, const auto& record) { root[name] = members_by_name(record); });
-  root["primitives"] = program.primitives;
+  root["primitives"] = program.facts.primitives;
   json& fields = root["fields"] = json::array();
-  for (const NamedField& named : program.fields) fields.push_back(field_row(named));
+  for (const NamedField& named : program.facts.fields) fields.push_back(field_row(named));
   json& segments = root["segments"] = json::array();
-  for (const Segment& segment : program.segments) segments.push_back(segment_row(segment));
+  const bool divided = !program.display_model.empty();
+  for (const Segment& segment : program.segments) segments.push_back(segment_row(segment, divided));
+  if (divided) root["display_model"] = hexadecimal(program.display_model);
   return json::to_cbor(root);
 }
 
@@ -185,12 +195,20 @@ Metadata decode_metadata(std::span<const std::byte> cbor) {
     if (!object.is_object()) malformed(name, "a map");
     describe(record, [&](const char* key, auto& member) { read(member_of(object, key), key, member); });
   });
-  read(member_of(root, "primitives"), "primitives", program.primitives);
-  read(member_of(root, "fields"), "fields", program.fields);
+  read(member_of(root, "primitives"), "primitives", program.facts.primitives);
+  read(member_of(root, "fields"), "fields", program.facts.fields);
+  if (const auto model = root.find("display_model"); model != root.end()) {
+    std::string digits;
+    read(*model, "display_model", digits);
+    const auto bytes = bytes_of(digits);
+    if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two a byte");
+    program.display_model = *bytes;
+  }
   const json& segments = member_of(root, "segments");
   if (!segments.is_array()) malformed("segments", "a list");
   for (const json& row : segments)
-    read_segment(row, program.segments.emplace_back(), metadata.instruction_counts.emplace_back());
+    read_segment(row, !program.display_model.empty(), program.segments.emplace_back(),
+                 metadata.instruction_counts.emplace_back());
   return metadata;
 }
 

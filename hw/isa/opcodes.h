@@ -5,16 +5,16 @@
 #include <cstdint>
 #include <string_view>
 
+#include "hw/isa/opcode.h"
+
 namespace csgsim::isa {
 
-/// What an operand of an instruction is.
-enum class OperandKind : std::uint8_t {
-  none,
-  target,    ///< a field of pixel memory that is written
-  source,    ///< a field of pixel memory that is read
-  linear,    ///< A, B, C, width, shift of a linear expression
-  constant,  ///< an unsigned constant as wide as the target field
-  count,     ///< a number of instructions, 1 at least
+/// What an instruction asks of the widths of its fields.
+enum class FieldWidths : std::uint8_t {
+  free,         ///< any width
+  equal,        ///< all equally wide
+  elementwise,  ///< all equally wide; these alone may coincide, but overlap in whole only
+  one,          ///< one bit each
 };
 
 /// How many clocks an instruction takes (see hw/machines/clocks.h for the figures).
@@ -27,7 +27,8 @@ enum class ClockClass : std::uint8_t {
   answer,        ///< one bit step, then the controller waits for the answer
 };
 
-/// The broadcast instruction set. Columns: opcode, operands (at most three), clock class, meaning.
+/// The broadcast instruction set. Columns: number, name, operands (at most three), widths of the fields, clock class,
+/// meaning. The numbers are what files and links carry: they stay as they are, and the rows may stand in any order.
 ///
 /// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant or a count, and
 /// F the pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number,
@@ -35,71 +36,98 @@ enum class ClockClass : std::uint8_t {
 /// Memory is written only where E is 1, but for enable_store.
 // clang-format off
 #define CSGSIM_OPCODES(OP)                                                                                             \
-  OP(enable_all,        none,   none,     none,   one,          "E := 1")                                              \
-  OP(enable_invert,     none,   none,     none,   one,          "E := not E")                                          \
-  OP(enable_load,       source, none,     none,   one,          "E := s")                                              \
-  OP(enable_and,        source, none,     none,   one,          "E := E and s")                                        \
-  OP(enable_and_not,    source, none,     none,   one,          "E := E and not s")                                    \
-  OP(enable_or,         source, none,     none,   one,          "E := E or s")                                         \
-  OP(enable_xor,        source, none,     none,   one,          "E := E xor s")                                        \
-  OP(enable_store,      target, none,     none,   one,          "t := E, at every pixel, enabled or not")              \
-  OP(edge_not_negative, linear, none,     none,   linear_once,  "E := E and F >= 0")                                   \
-  OP(edge_negative,     linear, none,     none,   linear_once,  "E := E and F < 0")                                    \
-  OP(linear_ge,         source, linear,   none,   linear_once,  "E := E and F >= s")                                   \
-  OP(linear_gt,         source, linear,   none,   linear_once,  "E := E and F > s")                                    \
-  OP(linear_le,         source, linear,   none,   linear_once,  "E := E and F <= s")                                   \
-  OP(linear_lt,         source, linear,   none,   linear_once,  "E := E and F < s")                                    \
-  OP(linear_eq,         source, linear,   none,   linear_once,  "E := E and F = s")                                    \
-  OP(load_linear,       target, linear,   none,   linear_once,                                                         \
-     "where E: t := the low bits of F, and E := 0 if F does not fit t")                                            \
-  OP(keep_max,          target, linear,   none,   linear_twice,                                                        \
-     "where E and F > t: t := the low bits of F, and E := 0 if F does not fit t")                                  \
-  OP(keep_min,          target, linear,   none,   linear_twice,                                                        \
-     "where E and F < t: t := the low bits of F, and E := 0 if F does not fit t")                                  \
-  OP(set_constant,      target, constant, none,   field,        "where E: t := k")                                     \
-  OP(copy,              target, source,   none,   field,        "where E: t := s")                                     \
-  OP(field_lt,          source, source,   none,   two_fields,   "E := E and s < r")                                    \
-  OP(field_le,          source, source,   none,   two_fields,   "E := E and s <= r")                                   \
-  OP(field_eq,          source, source,   none,   two_fields,   "E := E and s = r")                                    \
-  OP(bit_and,           target, source,   source, two_fields,   "where E: t := s and r, bit by bit")                   \
-  OP(bit_or,            target, source,   source, two_fields,   "where E: t := s or r, bit by bit")                    \
-  OP(bit_xor,           target, source,   source, two_fields,   "where E: t := s xor r, bit by bit")                   \
-  OP(bit_and_not,       target, source,   source, two_fields,   "where E: t := s and not r, bit by bit")               \
-  OP(bit_not,           target, source,   none,   field,        "where E: t := not s, bit by bit")                     \
-  OP(global_or,         none,   none,     none,   answer,       "the host is told whether E is 1 at any pixel")        \
-  OP(xor_constant,      target, constant, none,   field,        "where E: t := t xor k, bit by bit")                    \
-  OP(skip_if_none,      count,  none,     none,   answer,                                                              \
+  OP( 0, enable_all,        none,   none,     none,   one,         one,          "E := 1")                             \
+  OP( 1, enable_invert,     none,   none,     none,   one,         one,          "E := not E")                         \
+  OP( 2, enable_load,       source, none,     none,   one,         one,          "E := s")                             \
+  OP( 3, enable_and,        source, none,     none,   one,         one,          "E := E and s")                       \
+  OP( 4, enable_and_not,    source, none,     none,   one,         one,          "E := E and not s")                   \
+  OP( 5, enable_or,         source, none,     none,   one,         one,          "E := E or s")                        \
+  OP( 6, enable_xor,        source, none,     none,   one,         one,          "E := E xor s")                       \
+  OP( 7, enable_store,      target, none,     none,   one,         one,                                                \
+     "t := E, at every pixel, enabled or not")                                                                         \
+  OP( 8, edge_not_negative, linear, none,     none,   free,        linear_once,  "E := E and F >= 0")                  \
+  OP( 9, edge_negative,     linear, none,     none,   free,        linear_once,  "E := E and F < 0")                   \
+  OP(10, linear_ge,         source, linear,   none,   free,        linear_once,  "E := E and F >= s")                  \
+  OP(11, linear_gt,         source, linear,   none,   free,        linear_once,  "E := E and F > s")                   \
+  OP(12, linear_le,         source, linear,   none,   free,        linear_once,  "E := E and F <= s")                  \
+  OP(13, linear_lt,         source, linear,   none,   free,        linear_once,  "E := E and F < s")                   \
+  OP(14, linear_eq,         source, linear,   none,   free,        linear_once,  "E := E and F = s")                   \
+  OP(15, load_linear,       target, linear,   none,   free,        linear_once,                                        \
+     "where E: t := the low bits of F, and E := 0 if F does not fit t")                                                \
+  OP(16, keep_max,          target, linear,   none,   free,        linear_twice,                                       \
+     "where E and F > t: t := the low bits of F, and E := 0 if F does not fit t")                                      \
+  OP(17, keep_min,          target, linear,   none,   free,        linear_twice,                                       \
+     "where E and F < t: t := the low bits of F, and E := 0 if F does not fit t")                                      \
+  OP(18, set_constant,      target, constant, none,   free,        field,        "where E: t := k")                    \
+  OP(19, copy,              target, source,   none,   equal,       field,        "where E: t := s")                    \
+  OP(20, field_lt,          source, source,   none,   equal,       two_fields,   "E := E and s < r")                   \
+  OP(21, field_le,          source, source,   none,   equal,       two_fields,   "E := E and s <= r")                  \
+  OP(22, field_eq,          source, source,   none,   equal,       two_fields,   "E := E and s = r")                   \
+  OP(23, bit_and,           target, source,   source, elementwise, two_fields,   "where E: t := s and r, bit by bit")  \
+  OP(24, bit_or,            target, source,   source, elementwise, two_fields,   "where E: t := s or r, bit by bit")   \
+  OP(25, bit_xor,           target, source,   source, elementwise, two_fields,   "where E: t := s xor r, bit by bit")  \
+  OP(26, bit_and_not,       target, source,   source, elementwise, two_fields,                                         \
+     "where E: t := s and not r, bit by bit")                                                                          \
+  OP(27, bit_not,           target, source,   none,   elementwise, field,        "where E: t := not s, bit by bit")    \
+  OP(28, global_or,         none,   none,     none,   free,        answer,                                             \
+     "the host is told whether E is 1 at any pixel")                                                                   \
+  OP(29, xor_constant,      target, constant, none,   free,        field,        "where E: t := t xor k, bit by bit")  \
+  OP(30, skip_if_none,      count,  none,     none,   free,        answer,                                             \
      "if E is 1 at no pixel, the next k instructions of the segment are not carried out")
 // clang-format on
 
 enum class Opcode : std::uint8_t {
-#define CSGSIM_OPCODE_ENUMERATOR(name, ...) name,
+#define CSGSIM_OPCODE_ENUMERATOR(number, name, ...) name = number,
   CSGSIM_OPCODES(CSGSIM_OPCODE_ENUMERATOR)
 #undef CSGSIM_OPCODE_ENUMERATOR
 };
-
-inline constexpr std::size_t max_operands = 3;
 
 /// One row of the table.
 struct OpcodeInfo {
   Opcode opcode;
   std::string_view name;
-  std::array<OperandKind, max_operands> operands;
+  Operands operands;
+  FieldWidths widths;
   ClockClass clock_class;
   std::string_view meaning;
 };
 
 inline constexpr auto opcode_table = std::to_array<OpcodeInfo>({
-#define CSGSIM_OPCODE_ROW(name, first, second, third, clocks, meaning)      \
-  OpcodeInfo{Opcode::name,                                                  \
-             #name,                                                         \
-             {OperandKind::first, OperandKind::second, OperandKind::third}, \
-             ClockClass::clocks,                                            \
-             meaning},
+// clang-format off
+#define CSGSIM_OPCODE_ROW(number, name, first, second, third, widths, clocks, meaning)            \
+    OpcodeInfo{Opcode::name, #name, {OperandKind::first, OperandKind::second, OperandKind::third}, \
+               FieldWidths::widths, ClockClass::clocks, meaning},
+    // clang-format on
     CSGSIM_OPCODES(CSGSIM_OPCODE_ROW)
 #undef CSGSIM_OPCODE_ROW
 });
 
-constexpr const OpcodeInfo& info(Opcode opcode) { return opcode_table[static_cast<std::size_t>(opcode)]; }
+/// For each number the place of its row, opcode_table.size() where there is none.
+inline constexpr auto opcode_rows = [] {
+  std::array<std::uint8_t, opcode_numbers> rows{};
+  rows.fill(static_cast<std::uint8_t>(opcode_table.size()));
+  for (std::size_t row = 0; row < opcode_table.size(); ++row)
+    rows.at(static_cast<std::size_t>(opcode_table[row].opcode)) = static_cast<std::uint8_t>(row);
+  return rows;
+}();
+
+/// The row of an opcode that has one.
+constexpr const OpcodeInfo& info(Opcode opcode) { return opcode_table[opcode_rows[static_cast<std::size_t>(opcode)]]; }
+
+static_assert(
+    [] {
+      for (const OpcodeInfo& row : opcode_table)
+        if (static_cast<std::size_t>(row.opcode) >= opcode_numbers) return false;
+      return true;
+    }(),
+    "an opcode's number fits opcode_bits");
+static_assert(
+    [] {
+      for (const OpcodeInfo& row : opcode_table)
+        if (info(row.opcode).name != row.name) return false;
+      return true;
+    }(),
+    "no two opcodes share a number");
+static_assert(Opcode{} == Opcode::enable_all, "an Instruction begins as this one");
 
 }  // namespace csgsim::isa

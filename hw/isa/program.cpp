@@ -5,9 +5,13 @@
 namespace csgsim::isa {
 
 Field field_of(const Program& program, FieldRole role) {
-  const auto found = std::find_if(program.fields.begin(), program.fields.end(),
+  const auto found = std::find_if(program.facts.fields.begin(), program.facts.fields.end(),
                                   [role](const NamedField& named) { return named.role == role; });
-  return found == program.fields.end() ? Field{} : found->field;
+  return found == program.facts.fields.end() ? Field{} : found->field;
+}
+
+FrameHeader frame_header(const Program& program) {
+  return {program.shape, field_of(program, FieldRole::colour), program.background};
 }
 
 }  // namespace csgsim::isa

@@ -21,16 +21,36 @@ struct Region {
   constexpr bool operator==(const Region&) const = default;
 };
 
+/// What a machine that divides the model itself does for a region, as the host counts it (docs/division.md).
+struct DivisionFacts {
+  std::uint64_t boxes = 0;
+  std::uint64_t halfspaces = 0;
+  std::uint64_t pairs = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t group_boxes = 0;       ///< before the first region of a group
+  std::uint64_t group_halfspaces = 0;  ///< the same
+
+  constexpr bool operator==(const DivisionFacts&) const = default;
+};
+
+/// What the host knows of a region's part of the model and tells in the stats.
+struct SegmentFacts {
+  std::uint32_t primitives = 0;       ///< active in the region
+  std::uint32_t halfspaces = 0;       ///< of those primitives
+  std::uint32_t kept_primitives = 0;  ///< of the primitives, those that pruning leaves to be drawn
+  std::uint32_t kept_halfspaces = 0;  ///< of the half-spaces, those that pruning leaves to those primitives' surfaces
+  std::uint32_t comparisons = 0;      ///< of primitives with Z1, to classify it
+  DivisionFacts division{};           ///< all 0 without a display model
+
+  constexpr bool operator==(const SegmentFacts&) const = default;
+};
+
 /// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel. Without
 /// instructions the region shows the background, and no pixel processor works on it.
 struct Segment {
   Region region;
   std::vector<Instruction> instructions;
-  std::uint32_t primitives = 0;       ///< primitives active in the region
-  std::uint32_t halfspaces = 0;       ///< half-spaces of those primitives
-  std::uint32_t kept_primitives = 0;  ///< of the primitives, those that pruning leaves to be drawn
-  std::uint32_t kept_halfspaces = 0;  ///< of the half-spaces, those that pruning leaves to those primitives' surfaces
-  std::uint32_t comparisons = 0;      ///< of primitives with Z1, to classify it
+  SegmentFacts facts{};
 
   bool operator==(const Segment&) const = default;
 };
@@ -89,7 +109,6 @@ struct ModelFacts {
 struct CompileFacts {
   std::string strategy;
   std::string colouring;
-  std::uint32_t background = 0;  ///< colour where nothing is seen, as the colour field holds it
   std::uint32_t z_bits = 0;
   std::uint32_t fraction_bits = 0;
   double edge_on_fraction = 0;    ///< of a pixel
@@ -112,18 +131,40 @@ struct ArrayShape {
   constexpr bool operator==(const ArrayShape&) const = default;
 };
 
-/// All that crosses from host to machine.
-struct Program {
-  ArrayShape shape;  ///< the whole picture
+/// What people are told of a Program, in stats, pictures and waves. No hardware reads it.
+struct Facts {
   std::vector<NamedField> fields;
-  std::vector<Segment> segments;
   std::vector<std::string> primitives;  ///< a name for each primitive index that origins use
   DepthScale depth_scale;
   ModelFacts model;
   CompileFacts compile;
 
+  bool operator==(const Facts&) const = default;
+};
+
+/// All that crosses from host to machine, and what is known of it.
+struct Program {
+  ArrayShape shape;              ///< the whole picture
+  std::uint32_t background = 0;  ///< colour where nothing is seen, as the colour field holds it
+  std::vector<Segment> segments;
+  /// What a machine that divides the model itself is sent in place of the segments, the first bit in the lowest of the
+  /// first byte; none for other machines. The segments are what it has to make of that.
+  std::vector<std::uint8_t> display_model{};
+  Facts facts;
+
   bool operator==(const Program&) const = default;
 };
+
+/// What a machine is told of a frame besides its segments.
+struct FrameHeader {
+  ArrayShape shape;              ///< the whole picture
+  Field colour;                  ///< of pixel memory, which is shown; of width 0 where a Program has none
+  std::uint32_t background = 0;  ///< colour of a region without instructions
+
+  constexpr bool operator==(const FrameHeader&) const = default;
+};
+
+FrameHeader frame_header(const Program& program);
 
 /// The field with that role, or one of width 0 if there is none.
 Field field_of(const Program& program, FieldRole role);

@@ -29,6 +29,8 @@ namespace csgsim::isa {
 /// - Directives that begin with a dot come first, `.array` before all others, and then the segments. `key=value` pairs
 ///   come in any order; what is left out is zero (near 0, far 1). Values are numbers, `true` or `false`, strings, and
 ///   lists of strings.
+/// - `.display_model` lines hold hexadecimal digits, two a byte, for machines that divide the model themselves.
+///   Segments then have keys for what that takes.
 /// - A field is the name of a `.field`, `[bit]`, or `[base+:width]`: width bits of pixel memory, the least significant
 ///   at base.
 /// - A linear expression is a sum of A*x, B*y and C, each once at most, then `(wWIDTH)` or `(wWIDTH >> SHIFT)`.

@@ -66,7 +66,7 @@ struct operands {
       return Control<must<gap, Rule>>::template match<A, M, Action, Control>(in, reading);
     };
     for (std::size_t i = 0; i < max_operands; ++i) {
-      const OperandKind kind = info(reading.instruction.opcode).operands[i];
+      const OperandKind kind = operands_of(reading.instruction.opcode)[i];
       if (i > 0 && kind != OperandKind::none) demand(std::type_identity<comma>{});
       switch (kind) {
         case OperandKind::none: break;
@@ -123,7 +123,8 @@ struct directive_body {
     switch (reading.directive) {
       case Directive::field:
         return demand(std::type_identity<must<gap, new_field_name, gap, field_place, gap, role>>{});
-      case Directive::primitive: return demand(std::type_identity<must<gap, quoted_string>>{});
+      case Directive::primitive:
+      case Directive::display_model: return demand(std::type_identity<must<gap, quoted_string>>{});
       case Directive::record:
       case Directive::segment: return demand(std::type_identity<star<blanks, pair>>{});
     }

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <map>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +20,7 @@ namespace csgsim::isa {
 namespace {
 
 constexpr std::size_t origin_column = 56;
+constexpr std::size_t model_line = 48;  ///< bytes of a display model in a line
 
 using Buffer = fmt::memory_buffer;
 
@@ -58,7 +61,7 @@ void put_place(Buffer& out, Field field) {
 class FieldNames {
  public:
   explicit FieldNames(const Program& program) {
-    for (const NamedField& named : program.fields) names_.emplace(key_of(named.field), named.name);
+    for (const NamedField& named : program.facts.fields) names_.emplace(key_of(named.field), named.name);
   }
 
   void put(Buffer& out, Field field) const {
@@ -103,7 +106,7 @@ void put_linear(Buffer& out, const Linear& linear) {
 }
 
 void put_operand(Buffer& out, const Instruction& instruction, std::size_t operand, const FieldNames& names) {
-  const OperandKind kind = info(instruction.opcode).operands[operand];
+  const OperandKind kind = operands_of(instruction.opcode)[operand];
   if (kind != OperandKind::none) put(out, "{}", operand == 0 ? " " : ", ");
   switch (kind) {
     case OperandKind::none: break;
@@ -123,7 +126,7 @@ void put_origin(Buffer& out, const Origin& origin) {
 
 void put_instruction(Buffer& out, const Instruction& instruction, const FieldNames& names) {
   const std::size_t begin = out.size();
-  put(out, "  {}", info(instruction.opcode).name);
+  put(out, "  {}", name_of(instruction.opcode));
   for (std::size_t i = 0; i < max_operands; ++i) put_operand(out, instruction, i, names);
   const std::size_t length = out.size() - begin;
   put(out, "{:{}}", "", length < origin_column ? origin_column - length : 2);
@@ -131,16 +134,22 @@ void put_instruction(Buffer& out, const Instruction& instruction, const FieldNam
   put(out, "\n");
 }
 
+void put_display_model(Buffer& out, std::span<const std::uint8_t> bytes) {
+  for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), model_line)))
+    put(out, ".display_model \"{}\"\n", hexadecimal(bytes.first(std::min(bytes.size(), model_line))));
+}
+
 void put_header(Buffer& out, const Program& program) {
   put(out, "# csgsim program\n");
   describe_header(program, [&](std::string_view name, const auto& record) { put_record(out, name, record); });
-  for (const NamedField& named : program.fields) {
+  for (const NamedField& named : program.facts.fields) {
     put(out, ".field {} ", word_or_quoted(named.name));
     put_place(out, named.field);
     put(out, " {}\n", name_of(named.role));
   }
-  for (std::size_t i = 0; i < program.primitives.size(); ++i)
-    put(out, ".primitive {}  # p{}\n", quoted(program.primitives[i]), i);
+  for (std::size_t i = 0; i < program.facts.primitives.size(); ++i)
+    put(out, ".primitive {}  # p{}\n", quoted(program.facts.primitives[i]), i);
+  put_display_model(out, program.display_model);
 }
 
 void flush(Buffer& buffer, std::ostream& out) {
@@ -156,7 +165,11 @@ void print(std::ostream& out, const Program& program) {
   put_header(buffer, program);
   for (const Segment& segment : program.segments) {
     put(buffer, "\n");
-    put_record(buffer, "segment", segment);
+    if (program.display_model.empty()) {
+      put_record(buffer, "segment", segment);
+    } else {
+      put_record(buffer, "segment", DividedSegment<const Segment>{segment});
+    }
     for (const Instruction& instruction : segment.instructions) put_instruction(buffer, instruction, names);
     flush(buffer, out);
   }

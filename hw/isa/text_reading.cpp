@@ -12,6 +12,7 @@
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/isa/describe.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/validate.h"
 #include "hw/isa/words.h"
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr std::string_view field_directive = "field";
 constexpr std::string_view primitive_directive = "primitive";
+constexpr std::string_view model_directive = "display_model";
 constexpr std::string_view segment_directive = "segment";
 
 template <class... Args>
@@ -50,7 +52,7 @@ std::size_t index_in(const Table& table, std::string_view what, std::string_view
 }
 
 std::vector<std::string_view> directive_names(Program& program) {
-  std::vector<std::string_view> names{field_directive, primitive_directive, segment_directive};
+  std::vector<std::string_view> names{field_directive, primitive_directive, model_directive, segment_directive};
   describe_header(program, [&](std::string_view name, auto&) { names.push_back(name); });
   return names;
 }
@@ -117,6 +119,7 @@ void Reading::begin_directive(const std::string& name) {
   keys_seen_.clear();
   directive = name == field_directive       ? Directive::field
               : name == primitive_directive ? Directive::primitive
+              : name == model_directive     ? Directive::display_model
               : name == segment_directive   ? Directive::segment
                                             : Directive::record;
   if (records_seen_.empty() && name != "array") refuse(".{} comes before .array; begin with .array", name);
@@ -131,7 +134,11 @@ void Reading::begin_directive(const std::string& name) {
 
 void Reading::set_value() {
   if (!keys_seen_.insert(key).second) refuse("{} is given twice; keep one of them", key);
-  if (directive == Directive::segment) return assign_member(program_.segments.back(), key, value);
+  if (directive == Directive::segment) {
+    const DividedSegment<Segment> segment{program_.segments.back()};
+    if (program_.display_model.empty()) return assign_member(segment.segment, key, value);
+    return assign_member(segment, key, value);
+  }
   describe_header(program_, [&](std::string_view name, auto& record) {
     if (name == name_) assign_member(record, key, value);
   });
@@ -144,14 +151,20 @@ void Reading::set_role(std::string_view name) {
 void Reading::end_directive() {
   switch (directive) {
     case Directive::record: return validate_header(program_);
-    case Directive::primitive: program_.primitives.push_back(text); return;
+    case Directive::primitive: program_.facts.primitives.push_back(text); return;
+    case Directive::display_model: {
+      const auto bytes = bytes_of(text);
+      if (!bytes) refuse("a display model is hexadecimal digits, two a byte");
+      program_.display_model.insert(program_.display_model.end(), bytes->begin(), bytes->end());
+      return;
+    }
     case Directive::segment: return validate_region(program_.segments.back().region, program_.shape);
     case Directive::field:
       named_.field = field;
       validate_field(named_, program_.shape);
       if (!fields_.emplace(named_.name, named_.field).second)
         refuse("field {} is named twice; give each field a name of its own", quoted(named_.name));
-      program_.fields.push_back(named_);
+      program_.facts.fields.push_back(named_);
       return;
   }
 }
@@ -159,13 +172,14 @@ void Reading::end_directive() {
 void Reading::begin_instruction(std::string_view mnemonic) {
   instruction = Instruction{};
   terms_seen_.clear();
-  instruction.opcode = static_cast<Opcode>(index_in(opcode_table, "instruction", mnemonic));
+  instruction.opcode = opcode_table[index_in(opcode_table, "instruction", mnemonic)].opcode;
   if (program_.segments.empty()) refuse("the instruction is in no segment; put a .segment before it");
 }
 
 void Reading::refer_to_field(std::string_view name) {
   const auto found = fields_.find(name);
-  field = found != fields_.end() ? found->second : program_.fields[index_in(program_.fields, "field", name)].field;
+  field = found != fields_.end() ? found->second
+                                 : program_.facts.fields[index_in(program_.facts.fields, "field", name)].field;
 }
 
 void Reading::set_purpose(std::string_view name) {
@@ -194,7 +208,7 @@ void Reading::end_instruction() {
 
 void Reading::place_instruction(std::size_t line, std::size_t column) {
   const std::vector<Instruction>& instructions = program_.segments.back().instructions;
-  if (has_operand(info(instructions.back().opcode), OperandKind::count))
+  if (has_operand(operands_of(instructions.back().opcode), OperandKind::count))
     skips_.push_back({program_.segments.size() - 1, instructions.size() - 1, line, column});
 }
 

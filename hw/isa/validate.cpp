@@ -10,6 +10,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 
 namespace csgsim::isa {
@@ -33,7 +34,7 @@ void check_field(Field field, std::uint32_t memory_bits) {
 }
 
 void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::uint32_t memory_bits) {
-  const FieldWidths widths = field_widths(row.opcode);
+  const FieldWidths widths = row.widths;
   for (std::size_t i = 0; i < max_operands; ++i) {
     const Field field = instruction.fields[i];
     if (!is_field(row.operands[i])) {
@@ -68,7 +69,7 @@ std::optional<unsigned> met_width(const Instruction& instruction, const OpcodeIn
 
 void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
   const Linear& linear = instruction.linear;
-  if (!has_operand(row, OperandKind::linear)) {
+  if (!has_operand(row.operands, OperandKind::linear)) {
     require(linear == Linear{}, "{} has no linear expression; leave it zero", row.name);
     return;
   }
@@ -84,11 +85,13 @@ void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
 }
 
 void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
-  if (has_operand(row, OperandKind::count)) {
+  if (has_operand(row.operands, OperandKind::count)) {
     require(instruction.constant >= 1, "{} 0 skips nothing; skip an instruction at least, or leave it out", row.name);
+    require(instruction.constant <= max_count, "{} {}: it can skip {} instructions at most; divide the skip", row.name,
+            instruction.constant, max_count);
     return;
   }
-  if (!has_operand(row, OperandKind::constant)) {
+  if (!has_operand(row.operands, OperandKind::constant)) {
     require(instruction.constant == 0, "{} has no constant; leave it zero", row.name);
     return;
   }
@@ -104,13 +107,13 @@ void check_range(const Instruction& instruction, const Region& region) {
   const Wide bound = magnitude(linear.a) * region.width + magnitude(linear.b) * region.height + magnitude(linear.c);
   require(bound < static_cast<Wide>(1) << 62U,
           "{}: |A| * {} + |B| * {} + |C| reaches 2^62; use smaller coefficients or fewer fraction bits",
-          info(instruction.opcode).name, region.width, region.height);
+          name_of(instruction.opcode), region.width, region.height);
 }
 
 void check_index(std::uint32_t index, std::uint32_t none, const Program& program, std::string_view what) {
-  require(index == none || index < program.primitives.size(),
+  require(index == none || index < program.facts.primitives.size(),
           "the origin's {} is p{}, of {} primitives; name one that the Program lists", what, index,
-          program.primitives.size());
+          program.facts.primitives.size());
 }
 
 /// Runs a check; what it throws gets the place in front.
@@ -145,7 +148,7 @@ void validate_placed(const Instruction& instruction, const Region& region, const
 
 void validate_reach(const Instruction& instruction, std::size_t following) {
   const OpcodeInfo& row = info(instruction.opcode);
-  require(!has_operand(row, OperandKind::count) || instruction.constant <= following,
+  require(!has_operand(row.operands, OperandKind::count) || instruction.constant <= following,
           "{} {} leaves the segment, which has {} more instructions; skip no more than these", row.name,
           instruction.constant, following);
 }
@@ -172,21 +175,21 @@ void validate_header(const Program& program) {
           "the array has {}x{} pixels; each side takes 1 to {}", shape.width, shape.height, max_array_side);
   require(shape.memory_bits >= 1 && shape.memory_bits <= max_memory_bits,
           "a pixel has {} memory bits; it takes 1 to {}", shape.memory_bits, max_memory_bits);
-  const DepthScale& depth = program.depth_scale;
+  const DepthScale& depth = program.facts.depth_scale;
   require(std::isfinite(depth.near) && std::isfinite(depth.far) && depth.near < depth.far,
           "depth runs from {} to {}; give finite distances, near below far", depth.near, depth.far);
   require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
           "near is {} in perspective; put it before the eye, far enough above 0 for a reciprocal", depth.near);
-  require(program.compile.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
-          program.compile.background, most_colour_bits);
-  require(std::isfinite(program.compile.edge_on_fraction), "edge_on_fraction is {}; give a finite fraction of a pixel",
-          program.compile.edge_on_fraction);
+  require(program.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
+          program.background, most_colour_bits);
+  require(std::isfinite(program.facts.compile.edge_on_fraction),
+          "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts.compile.edge_on_fraction);
 }
 
 void validate(const Program& program) {
   validate_header(program);
   std::set<std::string_view> names;
-  for (const NamedField& named : program.fields) {
+  for (const NamedField& named : program.facts.fields) {
     at([&] { validate_field(named, program.shape); }, "field '{}'", named.name);
     require(names.insert(named.name).second, "field '{}' is named twice; give each field a name of its own",
             named.name);
@@ -194,6 +197,8 @@ void validate(const Program& program) {
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const Segment& segment = program.segments[s];
     at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
+    require(!program.display_model.empty() || segment.facts.division == DivisionFacts{},
+            "segment {} says what its division takes, but there is no display model", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const auto check = [&] {
         validate_placed(segment.instructions[i], segment.region, program);

@@ -38,6 +38,25 @@ std::string unescaped(std::string_view body) {
   return out;
 }
 
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string out;
+  out.reserve(2 * bytes.size());
+  for (const std::uint8_t byte : bytes) out += {digits[byte >> 4U], digits[byte & 0xfU]};
+  return out;
+}
+
+std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view digits) {
+  if (digits.size() % 2 != 0) return std::nullopt;
+  std::vector<std::uint8_t> bytes(digits.size() / 2);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const char* const first = digits.data() + 2 * i;
+    const auto [end, error] = std::from_chars(first, first + 2, bytes[i], 16);
+    if (error != std::errc{} || end != first + 2) return std::nullopt;
+  }
+  return bytes;
+}
+
 std::string word_or_quoted(std::string_view text) {
   tao::pegtl::memory_input<> in(text.data(), text.size(), "");
   return tao::pegtl::parse<tao::pegtl::seq<grammar::word, tao::pegtl::eof>>(in) ? std::string(text) : quoted(text);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "hw/machines/timing.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::machines {
 
@@ -11,13 +11,6 @@ namespace {
 
 std::uint32_t tree_levels(std::uint32_t leaves) {
   return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
-}
-
-/// Width of the widest memory operand.
-std::uint64_t field_width(const isa::Instruction& instruction) {
-  std::uint64_t width = 0;
-  for (const isa::Field& field : instruction.fields) width = std::max<std::uint64_t>(width, field.width);
-  return width;
 }
 
 /// Clocks in which every bit of the widest memory operand has passed the ALU.
@@ -31,16 +24,13 @@ std::uint32_t evaluator_latency(const isa::ArrayShape& array) {
   return tree_levels(array.width) + tree_levels(array.height);
 }
 
-std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine) {
-  const std::uint64_t word = std::max(machine.scan_line.word_bits, 1U);
-  const std::uint64_t bits = std::max<std::uint64_t>({instruction.linear.width, field_width(instruction), 1});
-  return (bits + word - 1) / word;
+std::uint64_t field_width(const isa::Instruction& instruction) {
+  std::uint64_t width = 0;
+  for (const isa::Field& field : instruction.fields) width = std::max<std::uint64_t>(width, field.width);
+  return width;
 }
 
-std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) {
-  if (machine.kind == Kind::scan_line) {
-    return packet_words(instruction, machine) * machine.scan_line.packet_interval;
-  }
+std::uint64_t bit_serial_clocks(const isa::Instruction& instruction, const Machine& machine) {
   switch (isa::info(instruction.opcode).clock_class) {
     case isa::ClockClass::one: return 1;
     case isa::ClockClass::linear_once: return instruction.linear.width;
@@ -50,31 +40,6 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
     case isa::ClockClass::answer: return 1ULL + evaluator_latency(machine.array);
   }
   return 0;
-}
-
-std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine) {
-  std::uint64_t total = 0;
-  for (const isa::Instruction& instruction : instructions) total += clocks(instruction, machine);
-  return total;
-}
-
-std::uint64_t clocks(const isa::Program& program, const Machine& machine) {
-  return time_frame(program, machine).clocks;
-}
-
-FrameTiming time_frame(const isa::Program& program, const Machine& machine) {
-  switch (machine.kind) {
-    case Kind::frame_buffer: return time_whole(program, machine);
-    case Kind::scan_line: return time_lines(program, machine);
-    case Kind::pixel_square: return time_squares(program, machine);
-  }
-  return {};
-}
-
-FrameTiming time_whole(const isa::Program& program, const Machine& machine) {
-  std::uint64_t total = evaluator_latency(machine.array);
-  for (const isa::Segment& segment : program.segments) total += clocks(segment.instructions, machine);
-  return {total, {}};
 }
 
 }  // namespace csgsim::machines

@@ -13,18 +13,21 @@ namespace csgsim::machines {
 /// to reach the pixels) and once at each answer to the host.
 std::uint32_t evaluator_latency(const isa::ArrayShape& array);
 
-/// Words of a scan-line array's packet: as many as the instruction's widest operand has, one at least.
-std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine);
+/// Width of the widest memory operand.
+std::uint64_t field_width(const isa::Instruction& instruction);
 
-/// Clocks that the controller spends on an instruction, without the program's final latency. A scan-line array's:
-/// those in which its packet's words enter.
+/// Clocks of an instruction on bit-serial pixel processors below multiplier trees.
+std::uint64_t bit_serial_clocks(const isa::Instruction& instruction, const Machine& machine);
+
+/// Clocks that the machine's processors spend on an instruction; of a scan-line array, those in which its packet's
+/// words enter.
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine);
 
-/// Clocks that the controller spends on these, if none is skipped.
+/// Clocks that they spend on these, if none is skipped.
 std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine);
 
-/// Clocks of a whole run in which no instruction is skipped, latency included: no run takes more. What a run really
-/// takes, only the run tells (sim::RunResult).
+/// Clocks of a whole run in which no instruction is skipped, latency included. What a run really takes, only the run
+/// tells (sim::RunResult).
 std::uint64_t clocks(const isa::Program& program, const Machine& machine);
 
 }  // namespace csgsim::machines

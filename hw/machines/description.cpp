@@ -42,7 +42,7 @@ std::string_view type_name(const toml::node& node) {
 
 class Reader {
  public:
-  explicit Reader(std::string_view file) : file_(file) {}
+  Reader(std::string_view file, std::span<const Kind* const> kinds) : file_(file), kinds_(kinds) {}
 
   Machine read(const toml::table& root) {
     read_kind(root);
@@ -50,7 +50,7 @@ class Reader {
     machine_.name = text_of(root, "name");
     machine_.description = text_of(root, "description");
     for (const FigureSchema& figure : schema())
-      if (is_figure_here(figure) && !seen(figure))
+      if (!seen(figure))
         fail(root.source().begin,
              fmt::format("key '{0}' is missing; add a table [{0}] with value, unit, provenance and "
                          "source",
@@ -59,11 +59,7 @@ class Reader {
       return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     });
     for (Placed& placed : figures_) machine_.figures.push_back(std::move(placed.figure));
-    if (machine_.kind == Kind::scan_line) {
-      machine_.array.height = 1;
-      machine_.array.memory_bits = machine_.scan_line.words * machine_.scan_line.word_bits;
-    }
-    if (machine_.kind != Kind::frame_buffer) check_picture(root);
+    complete(root);
     return std::move(machine_);
   }
 
@@ -101,39 +97,42 @@ class Reader {
 
   void read_kind(const toml::table& root) {
     const std::string kind = text_of(root, "kind");
-    const auto found = std::find(kind_names.begin(), kind_names.end(), kind);
-    if (found == kind_names.end()) {
+    const auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind* one) { return one->name == kind; });
+    if (found == kinds_.end()) {
+      std::vector<std::string_view> names;
+      for (const Kind* one : kinds_) names.push_back(one->name);
       fail(root.get("kind")->source().begin,
-           fmt::format("unknown kind '{}'; there are {}", kind, fmt::join(kind_names, ", ")));
+           fmt::format("unknown kind '{}'; there are {}", kind, fmt::join(names, ", ")));
     }
-    machine_.kind = static_cast<Kind>(found - kind_names.begin());
+    machine_ = blank(**found);
   }
 
-  void check_picture(const toml::table& root) {
+  void complete(const toml::table& root) {
     try {
+      machine_.kind->complete(machine_);
       set_picture_size(machine_, machine_.picture);
     } catch (const InputError& error) {
-      fail(root.get("picture")->source().begin, error.what());
+      const toml::node* const picture = root.get("picture");
+      fail(picture == nullptr ? root.source().begin : picture->source().begin, error.what());
     }
   }
 
-  [[nodiscard]] bool is_figure_here(const FigureSchema& figure) const { return figure.kinds.has(machine_.kind); }
+  [[nodiscard]] std::span<const FigureSchema> schema() const { return machine_.kind->schema; }
 
   /// The tables above the figures: prefix is "" or a group's name and a dot.
   void read_group(const toml::table& table, const std::string& prefix) {
     std::vector<std::string_view> known;
     if (prefix.empty()) known = {"name", "description", "kind"};
     for (const FigureSchema& figure : schema())
-      if (is_figure_here(figure) && figure.key.starts_with(prefix)) {
+      if (figure.key.starts_with(prefix)) {
         const std::string_view rest = figure.key.substr(prefix.size());
         known.push_back(rest.substr(0, rest.find('.')));
       }
     for (const auto& [key, node] : table) {
       const std::string full = prefix + std::string(key.str());
       if (std::find(known.begin(), known.end(), key.str()) == known.end()) fail_unknown(key, known, prefix);
-      const auto figure = std::find_if(schema().begin(), schema().end(), [&](const FigureSchema& candidate) {
-        return is_figure_here(candidate) && candidate.key == full;
-      });
+      const auto figure = std::find_if(schema().begin(), schema().end(),
+                                       [&](const FigureSchema& candidate) { return candidate.key == full; });
       if (figure != schema().end())
         read_figure(table_of(node, full), *figure, key.source().begin);
       else if (full != "name" && full != "description" && full != "kind")
@@ -152,10 +151,14 @@ class Reader {
       if (std::find(std::begin(figure_keys), std::end(figure_keys), key.str()) == std::end(figure_keys))
         fail_unknown(key, figure_keys, std::string(schema.key) + ".");
 
-    const std::int64_t value = schema.names.empty() ? value_of(table, schema) : choice_of(table, schema);
+    const bool is_ideal = says_ideal(table, schema);
+    const std::int64_t value = is_ideal               ? *schema.ideal
+                               : schema.names.empty() ? value_of(table, schema)
+                                                      : choice_of(table, schema);
     schema.store(machine_, value);
-    const std::string text =
-        schema.names.empty() ? fmt::format("{}", value) : std::string(schema.names[static_cast<std::size_t>(value)]);
+    const std::string text = is_ideal               ? std::string(ideal_value)
+                             : schema.names.empty() ? fmt::format("{}", value)
+                                                    : std::string(schema.names[static_cast<std::size_t>(value)]);
     Figure figure{std::string(schema.key), text, schema.unit.empty() ? "" : text_of(table, "unit"),
                   text_of(table, "provenance"), text_of(table, "source")};
     if (schema.unit.empty() && table.contains("unit"))
@@ -167,6 +170,11 @@ class Reader {
       fail(table.get("provenance")->source().begin,
            fmt::format("provenance '{}' of {}; say 'published' or 'assumed'", figure.provenance, schema.key));
     figures_.push_back({place, std::move(figure)});
+  }
+
+  [[nodiscard]] static bool says_ideal(const toml::table& table, const FigureSchema& schema) {
+    const auto* const text = table.get_as<std::string>("value");
+    return schema.ideal && text != nullptr && text->get() == ideal_value;
   }
 
   /// Which of its names the value is.
@@ -185,7 +193,8 @@ class Reader {
     if (node == nullptr) fail(table.source().begin, fmt::format("{} has no value; add value = ...", schema.key));
     const toml::value<std::int64_t>* const value = node->as_integer();
     if (value == nullptr)
-      fail(node->source().begin, fmt::format("{} is {}; make it an integer", schema.key, type_name(*node)));
+      fail(node->source().begin, fmt::format("{} is {}; make it an integer{}", schema.key, type_name(*node),
+                                             schema.ideal ? ", or \"ideal\"" : ""));
     if (value->get() < schema.least || value->get() > schema.most)
       fail(node->source().begin,
            schema.least == schema.most
@@ -196,6 +205,7 @@ class Reader {
   }
 
   std::string_view file_;
+  std::span<const Kind* const> kinds_;
   Machine machine_;
   std::vector<Placed> figures_;
 };
@@ -216,7 +226,7 @@ void check_dots(std::string_view text, std::string_view file) {
 
 }  // namespace
 
-Machine read_description(std::string_view text, std::string_view file) {
+Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds) {
   check_dots(text, file);
   std::optional<toml::table> root;
   try {
@@ -225,7 +235,7 @@ Machine read_description(std::string_view text, std::string_view file) {
     const toml::source_position place = error.source().begin;
     throw InputError(fmt::format("{}:{}:{}: {}", file, place.line, place.column, error.description()));
   }
-  return Reader(file).read(*root);
+  return Reader(file, kinds).read(*root);
 }
 
 }  // namespace csgsim::machines

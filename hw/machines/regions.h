@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hw/isa/program.h"
@@ -7,8 +9,23 @@
 
 namespace csgsim::machines {
 
-/// The regions of the machine's picture, in the order in which it draws them: the whole; each line, if interlaced the
-/// even ones first; or squares as large as the array, those at the right and bottom edges cut off there.
+/// The regions of the machine's picture, in the order in which it draws them.
 std::vector<isa::Region> regions(const Machine& machine);
+
+/// How a machine divides the model itself, by the rules of docs/division.md: the host sends it the model as the camera
+/// sees it, and it makes the instructions of each region.
+struct Division {
+  /// Regions of a group, along a row and down, for the first of two levels; 0 if there is one level.
+  std::uint32_t group_side = 0;
+  std::uint64_t list_entries = 0;  ///< that what a group leaves has to fit
+
+  constexpr bool operator==(const Division&) const = default;
+};
+
+/// None, if the host divides the model.
+std::optional<Division> division(const Machine& machine);
+
+/// Whether the controller learns if any pixel is enabled.
+bool answers(const Machine& machine);
 
 }  // namespace csgsim::machines

@@ -7,14 +7,12 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/operands.h"
+#include "hw/machines/kind.h"
 #include "hw/machines/regions.h"
 
 namespace csgsim::machines {
 
 namespace {
-
-constexpr std::uint64_t most_model_words = std::uint64_t{1} << 32U;
-constexpr std::uint64_t most_clocks = std::uint64_t{1} << 60U;
 
 void check_questions(const isa::Program& program, const Machine& machine) {
   if (answers(machine)) return;
@@ -24,11 +22,13 @@ void check_questions(const isa::Program& program, const Machine& machine) {
       if (!isa::asks(instructions[i].opcode)) continue;
       throw InputError(
           fmt::format("segment {}, instruction {}: {} needs a global OR, which the machine {} does not have; compile "
-                      "the model for this machine, or take one of kind {} whose global_or.present is 1",
-                      s, i, isa::info(instructions[i].opcode).name, machine.name, name_of(Kind::frame_buffer)));
+                      "the model for this machine, or take one whose global_or.present is 1",
+                      s, i, isa::name_of(instructions[i].opcode), machine.name));
     }
   }
 }
+
+}  // namespace
 
 void check_parts(const isa::Program& program, const Machine& machine) {
   if (program.shape.memory_bits > machine.array.memory_bits) {
@@ -48,32 +48,9 @@ void check_parts(const isa::Program& program, const Machine& machine) {
   }
 }
 
-}  // namespace
-
-void check_countable(const isa::Program& program, const Machine& machine) {
-  const PixelSquare& figures = machine.pixel_square;
-  if (program.model.primitives > most_model_words || program.model.halfspaces > most_model_words) {
-    throw InputError(fmt::format("a model of {} primitives of {} half-spaces; a pixel-square machine takes {} of each",
-                                 program.model.primitives, program.model.halfspaces, most_model_words));
-  }
-  std::uint64_t clocks = 0;
-  for (const isa::Segment& segment : program.segments) {
-    clocks += program.model.primitives * figures.primitive_clocks +
-              std::uint64_t{segment.halfspaces} * figures.halfspace_clocks;
-    if (clocks > most_clocks) {
-      throw InputError(
-          fmt::format("the divider would test for more than {} clocks; give it a smaller model, or {} "
-                      "fewer clocks a test",
-                      most_clocks, machine.name));
-    }
-  }
-}
-
 void check_runs_on(const isa::Program& program, const Machine& machine) {
   check_questions(program, machine);
-  if (machine.kind == Kind::frame_buffer) return;
-  check_parts(program, machine);
-  if (machine.kind == Kind::pixel_square) check_countable(program, machine);
+  machine.kind->check(program, machine);
 }
 
 }  // namespace csgsim::machines

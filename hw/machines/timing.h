@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hw/isa/program.h"
 #include "hw/machines/accounts.h"
@@ -8,32 +9,27 @@
 
 namespace csgsim::machines {
 
+/// A skip_if_none that found no pixel enabled, so that the instructions it names were not carried out.
+struct Skip {
+  std::uint32_t segment = 0;
+  std::uint32_t index = 0;  ///< of the question within the segment
+
+  constexpr bool operator==(const Skip&) const = default;
+};
+
 /// The clocks of a frame and what they went into.
 struct FrameTiming {
-  std::uint64_t clocks = 0;
+  std::uint64_t clocks = 0;           ///< from the frame's first until its picture stands in the memory that is shown
+  std::uint64_t shown_clocks = 0;     ///< from its first until its last pixel is shown: the frame's latency
+  std::uint64_t interval_clocks = 0;  ///< from one frame to the next, where the same is drawn again and again
+  std::uint64_t latency_clocks = 0;   ///< of these, for the last instruction to reach the pixels of a whole picture
   Account account;
 
   bool operator==(const FrameTiming&) const = default;
 };
 
-/// Of any kind.
-FrameTiming time_frame(const isa::Program& program, const Machine& machine);
-
-/// Of a machine that holds the whole picture: its instructions follow back to back.
-FrameTiming time_whole(const isa::Program& program, const Machine& machine);
-
-/// Least clocks from a mark's entry into a chain of a scan-line array to the next mark's. A line's cells hold their
-/// colours from the clock in which the mark is in them until the refresh path takes the line, as many clocks after the
-/// mark's entry as the line has pixels; and as many clocks later the path is free for the next line.
-constexpr std::uint64_t mark_spacing(std::uint32_t line_pixels) { return line_pixels; }
-
-/// Clocks that the refresh gives to each line of a picture so high, times the chains that share the lines.
-std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height);
-
-/// Of a scan-line array: worked out from the packets of each line (hw/scan_line counts the same).
-FrameTiming time_lines(const isa::Program& program, const Machine& machine);
-
-/// Of a pixel-square machine: worked out from the clocks of each instruction (hw/pixel_square counts the same).
-FrameTiming time_squares(const isa::Program& program, const Machine& machine);
+/// Of any kind; one that does not tell when a frame is shown, or the interval, shows it when it is drawn, and then
+/// begins the next. `skips`: in program order, what the run skipped, which only the run tells.
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Skip> skips = {});
 
 }  // namespace csgsim::machines

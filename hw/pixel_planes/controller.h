@@ -4,6 +4,9 @@
 #include <systemc>
 
 #include "hw/array/sequencer.h"
+#include "hw/isa/wire.h"
+#include "hw/link/receiver.h"
+#include "hw/pixel_planes/account.h"
 #include "hw/pixel_planes/words.h"
 
 namespace csgsim::pixel_planes {
@@ -11,52 +14,85 @@ namespace csgsim::pixel_planes {
 /// What the controller is at, for waves.
 struct ControllerStatus {
   bool busy = false;          ///< with an instruction
-  std::uint64_t ordinal = 0;  ///< of the instruction within the program
+  std::uint64_t ordinal = 0;  ///< of the instruction within the frame, those skipped included
   isa::Instruction instruction;
   std::uint32_t bit = 0;     ///< of the stream or field, the first of the step on the wires
   std::uint32_t pass = 0;    ///< of a stream that is sent twice, or of a memory read
-  std::uint64_t clocks = 0;  ///< since the program's first step
+  std::uint64_t clocks = 0;  ///< since the frame's first
 };
 
-/// Takes instructions from the host and issues a bit step at each rising edge. An instruction's clocks are the clock
-/// periods in which one of its steps is on the wires, and, for a question, those until the answer has come. If
-/// instructions are to be skipped then, it drops what the link holds and jumps: the host goes on from another place
-/// within the same clock period. After the end word it waits `latency` clocks for the last step to reach the pixels.
+/// The sizes of what the controller is built of.
+struct ControllerFigures {
+  std::uint32_t link_width = 1;    ///< bits
+  std::uint32_t latency = 0;       ///< clocks from the roots of the multiplier trees to the pixels
+  std::uint32_t memory_bits = 1;   ///< of a pixel
+  std::uint32_t clear_clocks = 0;  ///< in which these become 0; at least one is taken
+};
+
+/// Takes commands from the link and puts a control word on the wires at each rising edge. A frame begins with the clock
+/// in which the controller asks the host for it. An instruction's clocks are those in which one of its steps is on the
+/// wires, and, for a question, those until the answer has come. If instructions are to be skipped then, it drops what
+/// the link holds and asks the host to go on from another place. After the frame's last command it waits `latency`
+/// clocks for the last step to reach the pixels. Between two frames it sends the refresh words that the scan-out asks
+/// for.
 class Controller final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
-  sc_core::sc_fifo_in<HostWord> link{"link"};
-  sc_core::sc_fifo_out<std::uint64_t> jumps{"jumps"};  ///< ordinals of instructions that the host has to go on from
+  sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
+  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};  ///< the instructions that the host has to go on from
+  sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};   ///< that the scan-out asks for
   sc_core::sc_in<Answer> answer{"answer"};
   sc_core::sc_out<RootWord> root{"root"};
   sc_core::sc_out<ControlWord> control{"control"};
   sc_core::sc_fifo_out<Account> accounts{"accounts"};
   sc_core::sc_out<std::uint64_t> programs{"programs"};  ///< carried out to their end
 
-  /// `latency`: clocks from the roots of the multiplier trees to the pixels.
-  Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, unsigned latency);
+  Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, const ControllerFigures& figures);
 
-  /// Clocks counted for the program that is running or ran last, the final latency included.
+  /// The next clock is the first of a frame.
+  void begin();
+
+  /// Clocks counted for the frame that is being drawn or was drawn last, the final latency included.
   [[nodiscard]] std::uint64_t clocks() const { return status_.clocks; }
+  [[nodiscard]] const ControllerAccount& account() const { return account_; }
+  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }  ///< of that frame, carried out
+  [[nodiscard]] bool idle() const { return state_ == State::idle; }
   [[nodiscard]] const ControllerStatus& status() const { return status_; }
 
  private:
-  enum class State : std::uint8_t { idle, issuing, waiting, jumping, draining };
+  enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, draining };
 
   void on_clock();
-  void fetch();
+  void ask();
+  void begin_command();
+  void begin(const isa::Instruction& instruction);
+  void begin(const isa::SegmentStart& start);
+  void begin(const isa::SegmentEnd& end);
+  void begin(const isa::FrameEnd& end);
+  void put_control_word();
   void issue();
+  void clear();
   void rest();
+  bool refresh();
   void take_answer();
   void jump(std::uint64_t skipped);
   void drain();
+  void receive();
 
-  const unsigned latency_;
+  const ControllerFigures figures_;
   array::Sequencer sequencer_;
+  link::Receiver receiver_;
   State state_ = State::idle;
   ControllerStatus status_;
+  ControllerAccount account_;
+  std::uint64_t next_ordinal_ = 0;  ///< of the instruction that comes next
+  std::uint64_t instructions_ = 0;
   std::uint64_t instruction_clocks_ = 0;
-  unsigned drained_ = 0;
+  bool jumped_ = false;         ///< and no command has come since
+  unsigned edges_to_drop_ = 0;  ///< at which what the link holds has to be dropped
+  isa::Region region_;          ///< that is being cleared
+  std::uint32_t cleared_ = 0;   ///< clocks of that
+  std::uint32_t drained_ = 0;
   std::uint64_t programs_done_ = 0;
 };
 

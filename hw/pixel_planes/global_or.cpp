@@ -1,17 +1,69 @@
 #include "hw/pixel_planes/global_or.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace csgsim::pixel_planes {
 
-GlobalOr::GlobalOr(sc_core::sc_module_name name) : sc_core::sc_module(name) {
+GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in)
+    : sc_core::sc_module(name), shape_(shape), fan_in_(fan_in) {
+  std::size_t lines = fan_in == 0 ? 1 : std::size_t{shape.width} * shape.height;
+  while (lines > 1) {
+    lines = (lines + fan_in - 1) / fan_in;
+    levels_.push_back({.asked = false, .bits = std::vector<bool>(lines)});
+  }
   SC_HAS_PROCESS(GlobalOr);
-  SC_METHOD(reduce);
-  dont_initialize();
-  sensitive << question << enable;
+  if (levels_.empty()) {
+    SC_METHOD(reduce);
+    dont_initialize();
+    sensitive << question;
+  } else {
+    SC_METHOD(shift);
+    dont_initialize();
+    sensitive << clock.pos();
+  }
 }
 
+/// No pixel's enable changes while a question is at the pixels, so that the wire need not be looked at again.
 void GlobalOr::reduce() {
   const bool asked = question.read();
   answer.write({.valid = asked, .any_enabled = asked && enable->any_enabled()});
+}
+
+/// From the last level to the first, so that each takes what the one before it held. Bits that nobody asks for stay.
+void GlobalOr::shift() {
+  for (std::size_t i = levels_.size() - 1; i > 0; --i) {
+    levels_[i].asked = levels_[i - 1].asked;
+    if (levels_[i].asked) gather(levels_[i - 1], levels_[i]);
+  }
+  levels_.front().asked = question.read();
+  if (levels_.front().asked) gather_enable(levels_.front());
+  const Level& last = levels_.back();
+  answer.write({.valid = last.asked, .any_enabled = last.asked && last.bits.front()});
+}
+
+/// A gate of the first level has pixels that follow each other in row order.
+void GlobalOr::gather_enable(Level& level) const {
+  std::fill(level.bits.begin(), level.bits.end(), false);
+  const std::span<const std::uint64_t> bits = enable->pixels().enable();
+  for (std::size_t y = 0; y < shape_.height; ++y) {
+    for (std::size_t word = 0; word < shape_.row_words(); ++word) {
+      const std::size_t first = y * shape_.width + word * array::word_bits;
+      for (std::uint64_t rest = bits[y * shape_.row_words() + word]; rest != 0;) {
+        const std::size_t gate = (first + static_cast<std::size_t>(std::countr_zero(rest))) / fan_in_;
+        level.bits[gate] = true;
+        const std::size_t next = (gate + 1) * fan_in_;  // the first pixel of the next gate
+        rest = next - first < array::word_bits ? rest & ~array::low_bits(next - first) : 0;
+      }
+    }
+  }
+}
+
+void GlobalOr::gather(const Level& from, Level& to) const {
+  std::fill(to.bits.begin(), to.bits.end(), false);
+  for (std::size_t i = 0; i < from.bits.size(); ++i) {
+    if (from.bits[i]) to.bits[i / fan_in_] = true;
+  }
 }
 
 }  // namespace csgsim::pixel_planes

@@ -1,24 +1,42 @@
 #pragma once
 
+#include <cstdint>
 #include <systemc>
+#include <vector>
 
 #include "hw/pixel_planes/pixel_processors.h"
 #include "hw/pixel_planes/words.h"
 
 namespace csgsim::pixel_planes {
 
-/// The wired OR of all enable bits: within the clock in which a question is at the pixels, the answer is at the
-/// controller.
+/// The OR of all enable bits: a tree of gates with a register behind each, so that the answer to a question is at the
+/// controller a clock a level after the question is at the pixels. Without levels it is a wire, and the answer is there
+/// within the clock.
 class GlobalOr final : public sc_core::sc_module {
  public:
+  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_in<bool> question{"question"};
   sc_core::sc_port<EnableLines> enable{"enable"};
   sc_core::sc_out<Answer> answer{"answer"};
 
-  explicit GlobalOr(sc_core::sc_module_name name);
+  /// `fan_in`: inputs of a gate; 0 for one gate that settles within the clock.
+  GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in);
 
  private:
+  /// The registers behind the gates of a level.
+  struct Level {
+    bool asked = false;  ///< they hold what a question asks for
+    std::vector<bool> bits;
+  };
+
   void reduce();
+  void shift();
+  void gather_enable(Level& level) const;
+  void gather(const Level& from, Level& to) const;
+
+  array::PlaneShape shape_;
+  std::uint32_t fan_in_;
+  std::vector<Level> levels_;  ///< from the pixels on
 };
 
 }  // namespace csgsim::pixel_planes

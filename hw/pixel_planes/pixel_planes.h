@@ -2,50 +2,48 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <systemc>
 #include <vector>
 
+#include "hw/isa/link_word.h"
 #include "hw/isa/program.h"
+#include "hw/link/link_source.h"
 #include "hw/machines/machine.h"
+#include "hw/pixel_planes/completion.h"
 #include "hw/pixel_planes/control_delay.h"
 #include "hw/pixel_planes/controller.h"
 #include "hw/pixel_planes/global_or.h"
-#include "hw/pixel_planes/host_link.h"
 #include "hw/pixel_planes/linear_expression_evaluator.h"
 #include "hw/pixel_planes/pixel_processors.h"
 #include "hw/pixel_planes/plane_channel.h"
-#include "hw/pixel_planes/retirement.h"
 #include "hw/pixel_planes/scan_out.h"
 #include "hw/pixel_planes/wave.h"
+#include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_planes {
 
-struct RunReport {
-  std::uint64_t clocks = 0;          ///< from the first step on the wires until the last has been carried out
-  std::uint64_t latency_clocks = 0;  ///< of these, after the last instruction's
-  std::uint64_t skipped = 0;         ///< instructions that were not carried out
-  std::vector<bool> answers;         ///< to the host's questions, in order
-  bool recorded = false;             ///< the run reached the window of clocks that was to be recorded
-};
-
 struct Frame {
   std::uint64_t clocks = 0;
+  std::uint64_t latch_clocks = 0;      ///< of these, until pixel memory may change
   std::vector<std::uint32_t> colours;  ///< in row order, the array's width a row
 };
 
-/// The whole Pixel-planes machine. SystemC elaborates once a process, so there can be one in a process; it runs any
-/// number of programs one after the other. From its construction on, a SystemC warning is an exception.
-class PixelPlanes final : public sc_core::sc_module {
+/// The whole Pixel-planes machine.
+class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachine {
  public:
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Runs the segments, one straight after the other: they have to be valid (isa::validate) for the machine's array.
-  /// What the listener throws comes out when the machine is done.
-  RunReport run(std::span<const isa::Segment> segments, RunListener& listener);
+  /// A frame begins with the clock in which the controller asks for it and ends when its last step has been carried
+  /// out; then a Program with colours is scanned out.
+  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
 
-  /// Has the next run recorded. Throws std::invalid_argument for a probe or field outside the array.
-  void record(WaveRequest request);
+  /// The next frame begins when the last row of the one before it has been latched, and is drawn while that is shown.
+  std::vector<kernel::RunReport> run_sequence(std::span<const isa::Program> programs,
+                                              std::span<kernel::RunListener* const> listeners) override;
+
+  [[nodiscard]] bool can_record() const override { return true; }
+  void record(const WaveRequest& request) override;
 
   /// Scans the field out of the memory that the last program left.
   Frame scan_out(isa::Field colour);
@@ -57,13 +55,21 @@ class PixelPlanes final : public sc_core::sc_module {
 
  private:
   void elaborate();
+  kernel::RunReport draw(const isa::Program& program, kernel::RunListener& listener);
+  bool clock_program(const std::optional<WaveRequest>& wave);
+  void show(const isa::Program& program, kernel::RunReport& report);
+  template <class Condition>
+  void run_until(const Condition& holds);
+  [[nodiscard]] std::uint64_t edges() const;
   void on_done();
 
-  unsigned latency_;
+  const machines::Machine machine_;
+  const unsigned latency_;
 
   sc_core::sc_clock clock_;
-  sc_core::sc_fifo<HostWord> link_;
-  sc_core::sc_fifo<std::uint64_t> jumps_{"jumps", 1};
+  sc_core::sc_fifo<isa::LinkWord> link_;
+  sc_core::sc_fifo<std::uint64_t> requests_{"requests", 1};
+  sc_core::sc_fifo<RefreshStep> refreshes_{"refreshes", 2};  ///< two, so that one goes through in each clock
   sc_core::sc_signal<RootWord> root_{"root_bits"};
   sc_core::sc_signal<ControlWord> control_{"control"};
   sc_core::sc_signal<ControlWord> control_at_pixels_{"control_at_pixels"};
@@ -74,15 +80,17 @@ class PixelPlanes final : public sc_core::sc_module {
   sc_core::sc_fifo<Account> accounts_;
   sc_core::sc_signal<std::uint64_t> programs_{"programs"};
   sc_core::sc_signal<std::uint32_t> video_{"video"};
+  sc_core::sc_signal<std::uint64_t> latched_{"latched"};
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
-  HostLink host_{"host"};
+  link::LinkSource host_;
   Controller controller_;
   ControlDelay control_delay_;
   LinearExpressionEvaluator evaluator_;
   PixelProcessors processors_;
-  GlobalOr global_or_{"global_or"};
-  Retirement retirement_{"retirement"};
+  GlobalOr global_or_;
+  Completion completion_{"completion"};
+  kernel::Retirement retirement_{"retirement"};
   ScanOut scan_out_;
   WaveRecorder wave_;
   std::optional<WaveRequest> wave_request_;

@@ -14,13 +14,13 @@ PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayS
 
 void PixelProcessors::step() {
   const ControlWord& word = control.read();
-  pixels_.step(word.step, tree->current());
+  if (word.clears) {
+    pixels_.clear_memory(word.clear.address, word.clear.bits);
+    pixels_.select(word.clear.width, word.clear.height);
+  } else if (!word.refreshes) {
+    pixels_.step(word.step, tree->current());
+  }
   if (word.last) retired.write(++retired_count_);
-}
-
-void PixelProcessors::reset(const isa::Region& region) {
-  pixels_.reset(region.width, region.height);
-  was_reset_.notify(sc_core::SC_ZERO_TIME);
 }
 
 }  // namespace csgsim::pixel_planes

@@ -15,14 +15,13 @@ class RefreshPort : virtual public sc_core::sc_interface {
   [[nodiscard]] virtual std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const = 0;
 };
 
-/// The enable bits, and their reset. The default event is that of a reset.
+/// The enable bits, and the pixels for who watches the run.
 class EnableLines : virtual public sc_core::sc_interface {
  public:
   [[nodiscard]] virtual bool any_enabled() const = 0;
   [[nodiscard]] virtual std::uint64_t count_enabled() const = 0;
 
-  /// Clears memory and registers; pixels outside the region take no part from now on.
-  virtual void reset(const isa::Region& region) = 0;
+  [[nodiscard]] virtual const array::PixelArray& pixels() const = 0;
 };
 
 /// The pixel processors and memories, which carry out one control word a clock.
@@ -31,7 +30,7 @@ class PixelProcessors final : public sc_core::sc_module, public RefreshPort, pub
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_in<ControlWord> control{"control"};
   sc_core::sc_port<PlaneIn> tree{"tree"};
-  sc_core::sc_out<std::uint64_t> retired{"retired"};  ///< instructions whose last step has been carried out
+  sc_core::sc_out<std::uint64_t> retired{"retired"};  ///< commands whose last word has been carried out
   sc_core::sc_export<RefreshPort> refresh{"refresh"};
   sc_core::sc_export<EnableLines> enable_lines{"enable_lines"};
 
@@ -42,10 +41,7 @@ class PixelProcessors final : public sc_core::sc_module, public RefreshPort, pub
   }
   [[nodiscard]] bool any_enabled() const override { return pixels_.any_enabled(); }
   [[nodiscard]] std::uint64_t count_enabled() const override { return pixels_.count_enabled(); }
-  void reset(const isa::Region& region) override;
-  [[nodiscard]] const sc_core::sc_event& default_event() const override { return was_reset_; }
-
-  [[nodiscard]] const array::PixelArray& pixels() const { return pixels_; }
+  [[nodiscard]] const array::PixelArray& pixels() const override { return pixels_; }
 
   /// Registers of one pixel.
   [[nodiscard]] array::PixelProbe probe(std::uint32_t x, std::uint32_t y) const {
@@ -57,7 +53,6 @@ class PixelProcessors final : public sc_core::sc_module, public RefreshPort, pub
 
   array::PixelArray pixels_;
   std::uint64_t retired_count_ = 0;
-  sc_core::sc_event was_reset_{"was_reset"};
 };
 
 }  // namespace csgsim::pixel_planes

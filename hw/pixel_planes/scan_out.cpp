@@ -5,8 +5,14 @@
 
 namespace csgsim::pixel_planes {
 
-ScanOut::ScanOut(sc_core::sc_module_name name, array::PlaneShape shape)
-    : sc_core::sc_module(name), shape_(shape), latch_row_(shape.width), shift_row_(shape.width), shifted_(shape.width) {
+ScanOut::ScanOut(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t pixels, ScanOutPort port)
+    : sc_core::sc_module(name),
+      shape_(shape),
+      pixels_(pixels),
+      port_(port),
+      latch_row_(shape.width),
+      shift_row_(shape.width),
+      shifted_(shape.width) {
   SC_HAS_PROCESS(ScanOut);
   SC_METHOD(on_clock);
   dont_initialize();
@@ -16,9 +22,12 @@ ScanOut::ScanOut(sc_core::sc_module_name name, array::PlaneShape shape)
 void ScanOut::begin(isa::Field colour) {
   colour_ = colour;
   row_ = 0;
+  asked_ = 0;
   latched_ = 0;
   shifted_ = shape_.width;
   clocks_ = 0;
+  latch_clocks_ = 0;
+  busy_ = true;
   picture_.clear();
   picture_.reserve(std::size_t{shape_.width} * shape_.height);
   std::fill(latch_row_.begin(), latch_row_.end(), 0U);
@@ -32,7 +41,11 @@ void ScanOut::on_clock() {
   shift();
   latch();
   const bool finished = row_ == shape_.height && latched_ == 0 && shifted_ == shape_.width;
-  if (finished) return frames.write(++frames_done_);
+  if (finished) {
+    busy_ = false;
+    frames.write(++frames_done_);
+    return;
+  }
   next_trigger(clock.posedge_event());
 }
 
@@ -41,26 +54,47 @@ void ScanOut::transfer() {
   if (latched_ != colour_.width || shifted_ != shape_.width) return;
   std::swap(latch_row_, shift_row_);
   std::fill(latch_row_.begin(), latch_row_.end(), 0U);
+  asked_ = 0;
   latched_ = 0;
   shifted_ = 0;
   ++row_;
 }
 
 void ScanOut::shift() {
-  if (shifted_ == shape_.width) return;
-  const std::uint32_t colour = shift_row_[shifted_++];
-  video.write(colour);
-  picture_.push_back(colour);
+  for (std::uint32_t i = 0; i < pixels_ && shifted_ < shape_.width; ++i) {
+    const std::uint32_t colour = shift_row_[shifted_++];
+    video.write(colour);
+    picture_.push_back(colour);
+  }
 }
 
 void ScanOut::latch() {
   if (row_ == shape_.height || latched_ == colour_.width) return;
-  const std::span<const std::uint64_t> bits = refresh->memory_row(colour_.base + latched_, row_);
+  if (port_ == ScanOutPort::own) {
+    latch_bit({static_cast<std::uint16_t>(colour_.base + latched_), static_cast<std::uint16_t>(row_)});
+  } else {
+    if (control.read().refreshes) latch_bit(control.read().refresh);
+    ask();
+  }
+}
+
+void ScanOut::ask() {
+  if (asked_ == colour_.width) return;
+  const RefreshStep step{static_cast<std::uint16_t>(colour_.base + asked_), static_cast<std::uint16_t>(row_)};
+  if (refreshes.nb_write(step)) ++asked_;
+}
+
+void ScanOut::latch_bit(RefreshStep step) {
+  const std::span<const std::uint64_t> bits = refresh->memory_row(step.address, step.row);
+  const std::uint32_t place = step.address - colour_.base;
   for (std::uint32_t x = 0; x < shape_.width; ++x) {
     const auto bit = static_cast<std::uint32_t>(bits[x / array::word_bits] >> (x % array::word_bits)) & 1U;
-    latch_row_[x] |= bit << latched_;
+    latch_row_[x] |= bit << place;
   }
   ++latched_;
+  if (latched_ != colour_.width || row_ + 1 != shape_.height) return;
+  latch_clocks_ = clocks_;
+  latched.write(++frames_latched_);
 }
 
 }  // namespace csgsim::pixel_planes

@@ -2,8 +2,6 @@
 
 #include <sysc/tracing/sc_tracing_ids.h>
 
-#include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,13 +18,6 @@ std::string name_of(const WaveProbe& probe) {
 }
 
 }  // namespace
-
-std::string wave_identifier(std::string_view name) {
-  std::string result(name);
-  std::replace_if(
-      result.begin(), result.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return result;
-}
 
 void check(const WaveRequest& request, const array::PixelArray& pixels) {
   for (const WaveProbe& probe : request.probes) {
@@ -65,8 +56,10 @@ WaveRecorder::WaveRecorder(sc_core::sc_module_name name, const WaveTaps& taps, u
   sensitive << start_;
 }
 
-void WaveRecorder::arm(WaveRequest request) {
+void WaveRecorder::arm(WaveRequest request, std::span<const isa::Segment> segments) {
   request_ = std::move(request);
+  segments_ = segments;
+  segment_begin_ = 0;
   if (request_.begin >= request_.end) return;
   clock_ = request_.begin;
   next_edge_ = sc_core::sc_time_stamp() + static_cast<double>(clock_ + 1) * taps_.clock.period();
@@ -150,15 +143,25 @@ void WaveRecorder::trace_pixel(const WaveProbe& probe, const Pixel& pixel) {
   sc_trace(file_, pixel.read_y, prefix + "mem_read_y");
   sc_trace(file_, pixel.written, prefix + "mem_written");
   for (std::size_t i = 0; i < pixel.fields.size(); ++i) {
-    sc_trace(file_, pixel.fields[i], prefix + wave_identifier(request_.fields[i].name));
+    sc_trace(file_, pixel.fields[i], prefix + kernel::wave_identifier(request_.fields[i].name));
   }
+}
+
+/// The controller does not know whom its instruction serves; the Program does.
+void WaveRecorder::find_origin() {
+  while (status_.ordinal - segment_begin_ >= segments_.front().instructions.size()) {
+    segment_begin_ += segments_.front().instructions.size();
+    segments_ = segments_.subspan(1);
+  }
+  status_.instruction.origin = segments_.front().instructions[status_.ordinal - segment_begin_].origin;
 }
 
 void WaveRecorder::sample() {
   status_ = taps_.controller.status();
+  if (status_.busy) find_origin();
   opcode_ = static_cast<unsigned char>(status_.instruction.opcode);
   purpose_ = static_cast<unsigned char>(status_.instruction.origin.purpose);
-  opcode_text_.set(status_.busy ? isa::info(status_.instruction.opcode).name : "");
+  opcode_text_.set(status_.busy ? isa::name_of(status_.instruction.opcode) : "");
   purpose_text_.set(status_.busy ? isa::info(status_.instruction.origin.purpose).name : "");
   executed_ = std::exchange(arriving_, taps_.control_at_pixels.read());
   function_text_.set(array::info(arriving_.step.function).name);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string_view>
 #include <systemc>
 #include <vector>
@@ -10,10 +11,13 @@
 #include "hw/isa/program.h"
 #include "hw/pixel_planes/controller.h"
 #include "hw/pixel_planes/pixel_processors.h"
-#include "hw/pixel_planes/wave_request.h"
 #include "hw/pixel_planes/words.h"
+#include "hw/systemc/wave_request.h"
 
 namespace csgsim::pixel_planes {
+
+using kernel::WaveProbe;
+using kernel::WaveRequest;
 
 /// Throws std::invalid_argument for a probe or field outside the array.
 void check(const WaveRequest& request, const array::PixelArray& pixels);
@@ -47,8 +51,8 @@ class WaveRecorder final : public sc_core::sc_module {
   /// `alu_bits`: width of the buses from and to pixel memory.
   WaveRecorder(sc_core::sc_module_name name, const WaveTaps& taps, unsigned alu_bits);
 
-  /// Records the run that starts now.
-  void arm(WaveRequest request);
+  /// Records the run that starts now. The segments, which say whom an instruction serves, have to live until finish.
+  void arm(WaveRequest request, std::span<const isa::Segment> segments);
 
   /// Closes the file if the run has ended inside the window. Says whether the window was reached.
   bool finish();
@@ -69,6 +73,7 @@ class WaveRecorder final : public sc_core::sc_module {
   };
 
   void proceed();
+  void find_origin();
   void open();
   void stop();
   void trace_controller();
@@ -80,6 +85,8 @@ class WaveRecorder final : public sc_core::sc_module {
   WaveTaps taps_;
   unsigned alu_bits_;
   WaveRequest request_;
+  std::span<const isa::Segment> segments_;  ///< from the one on that the controller is at
+  std::uint64_t segment_begin_ = 0;         ///< ordinal of its first instruction
   Phase phase_ = Phase::idle;
   sc_core::sc_time next_edge_;
   std::uint64_t clock_ = 0;  ///< of the program, at next_edge_

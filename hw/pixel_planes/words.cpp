@@ -2,21 +2,21 @@
 
 namespace csgsim::pixel_planes {
 
-std::ostream& operator<<(std::ostream& stream, const HostWord& word) {
-  return word.end ? stream << "end" : stream << word.ordinal << ' ' << isa::info(word.instruction.opcode).name;
-}
-
 std::ostream& operator<<(std::ostream& stream, const RootWord& word) {
   return stream << "bit " << word.bits.token.bit << " a=" << word.bits.a << " b=" << word.bits.b
                 << " c=" << word.bits.c;
 }
 
 std::ostream& operator<<(std::ostream& stream, const ControlWord& word) {
-  return stream << word.ordinal << ' ' << array::info(word.step.function).name;
+  return stream << word.ordinal << ' ' << (word.clears ? "clear" : array::info(word.step.function).name);
 }
 
 std::ostream& operator<<(std::ostream& stream, const Answer& answer) {
   return answer.valid ? stream << answer.any_enabled : stream << '-';
+}
+
+std::ostream& operator<<(std::ostream& stream, const RefreshStep& step) {
+  return stream << "bit " << step.address << " of row " << step.row;
 }
 
 std::ostream& operator<<(std::ostream& stream, const Account& account) { return stream << account.clocks << " clocks"; }
@@ -35,6 +35,9 @@ void sc_trace(sc_core::sc_trace_file* file, const ControlWord& word, const std::
   sc_core::sc_trace(file, word.step.write, name + ".write");
   sc_core::sc_trace(file, word.step.bits, name + ".bits");
   sc_core::sc_trace(file, word.step.constant, name + ".constant");
+  sc_core::sc_trace(file, word.clears, name + ".clears");
+  sc_core::sc_trace(file, word.clear.address, name + ".clear_address");
+  sc_core::sc_trace(file, word.refreshes, name + ".refreshes");
   sc_core::sc_trace(file, word.last, name + ".last");
   sc_core::sc_trace(file, word.ordinal, name + ".instruction");
 }

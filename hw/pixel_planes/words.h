@@ -7,17 +7,10 @@
 
 #include "hw/array/linear_evaluator.h"
 #include "hw/array/sequencer.h"
-#include "hw/isa/instruction.h"
+#include "hw/isa/program.h"
 
 /// What travels on the wires between the modules, one value a clock.
 namespace csgsim::pixel_planes {
-
-/// Host to controller: one instruction, or the end of the program.
-struct HostWord {
-  bool end = false;
-  std::uint64_t ordinal = 0;  ///< within the program
-  isa::Instruction instruction;
-};
 
 /// Controller to the roots of the multiplier trees.
 struct RootWord {
@@ -26,11 +19,34 @@ struct RootWord {
   constexpr bool operator==(const RootWord&) const = default;
 };
 
+/// Clears so many memory bits of every pixel from that address on, and all registers. Pixels right of `width` or below
+/// `height` take no part until the next word that clears.
+struct ClearStep {
+  std::uint16_t address = 0;
+  std::uint16_t bits = 0;
+  std::uint16_t width = 0;   ///< pixels
+  std::uint16_t height = 0;  ///< pixels
+
+  constexpr bool operator==(const ClearStep&) const = default;
+};
+
+/// A memory bit of a row of pixels.
+struct RefreshStep {
+  std::uint16_t address = 0;
+  std::uint16_t row = 0;
+
+  constexpr bool operator==(const RefreshStep&) const = default;
+};
+
 /// Controller, through a delay line, to the pixels.
 struct ControlWord {
   array::ArrayStep step;
-  bool last = false;          ///< step of its instruction
-  std::uint64_t ordinal = 0;  ///< of the instruction within the program
+  bool clears = false;  ///< the pixels obey `clear` and not `step`
+  ClearStep clear;
+  bool refreshes = false;  ///< the scan-out latches the bit that `refresh` names; the pixels do nothing
+  RefreshStep refresh;
+  bool last = false;          ///< word of its command
+  std::uint64_t ordinal = 0;  ///< of the instruction within the frame, those skipped included
 
   constexpr bool operator==(const ControlWord&) const = default;
 };
@@ -43,18 +59,19 @@ struct Answer {
   constexpr bool operator==(const Answer&) const = default;
 };
 
-/// What the controller counted for one instruction.
+/// What the controller counted for one instruction, or that a segment's pixels were cleared.
 struct Account {
+  bool cleared = false;
   std::uint64_t clocks = 0;
   bool answered = false;  ///< the instruction was a question of the host's
   bool answer = false;
   std::uint64_t skipped = 0;  ///< instructions after it that are not carried out
 };
 
-std::ostream& operator<<(std::ostream& stream, const HostWord& word);
 std::ostream& operator<<(std::ostream& stream, const RootWord& word);
 std::ostream& operator<<(std::ostream& stream, const ControlWord& word);
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
+std::ostream& operator<<(std::ostream& stream, const RefreshStep& step);
 std::ostream& operator<<(std::ostream& stream, const Account& account);
 
 void sc_trace(sc_core::sc_trace_file* file, const RootWord& word, const std::string& name);

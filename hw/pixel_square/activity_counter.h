@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "hw/machines/accounts.h"
+#include "hw/pixel_square/account.h"
 
 namespace csgsim::pixel_square {
 
@@ -10,12 +10,12 @@ namespace csgsim::pixel_square {
 class ActivityCounter {
  public:
   void clear() { clocks_ = {}; }
-  void count(machines::SquareActivity activity) { ++clocks_[static_cast<std::size_t>(activity)]; }
+  void count(SquareActivity activity) { ++clocks_[static_cast<std::size_t>(activity)]; }
 
-  [[nodiscard]] const machines::SquareClocks& clocks() const { return clocks_; }
+  [[nodiscard]] const SquareClocks& clocks() const { return clocks_; }
 
  private:
-  machines::SquareClocks clocks_{};
+  SquareClocks clocks_{};
 };
 
 }  // namespace csgsim::pixel_square

@@ -4,13 +4,8 @@
 
 namespace csgsim::pixel_square {
 
-using machines::SquareActivity;
-
-FrameBuffer::FrameBuffer(sc_core::sc_module_name name, machines::Size picture, std::uint32_t renderers)
-    : sc_core::sc_module(name),
-      colours("colours", renderers),
-      size_(picture),
-      picture_(std::size_t{picture.width} * picture.height) {
+FrameBuffer::FrameBuffer(sc_core::sc_module_name name, std::uint32_t renderers, std::uint32_t port_bits)
+    : sc_core::sc_module(name), colours("colours", renderers), port_bits_(port_bits), incoming_(renderers + 1) {
   SC_HAS_PROCESS(FrameBuffer);
   SC_METHOD(on_clock);
   dont_initialize();
@@ -18,7 +13,11 @@ FrameBuffer::FrameBuffer(sc_core::sc_module_name name, machines::Size picture, s
 }
 
 void FrameBuffer::begin(const FrameContents& contents) {
+  if (contents.picture != contents_.picture) {
+    picture_.assign(std::size_t{contents.picture.width} * contents.picture.height, 0);
+  }
   contents_ = contents;
+  incoming_.assign(incoming_.size(), {});
   squares_ = 0;
   turn_ = 0;
   counter_.clear();
@@ -27,7 +26,7 @@ void FrameBuffer::begin(const FrameContents& contents) {
 void FrameBuffer::on_clock() { counter_.count(act()); }
 
 SquareActivity FrameBuffer::act() {
-  const std::size_t ports = colours.size() + 1;
+  const std::size_t ports = incoming_.size();
   for (std::size_t i = 0; i < ports; ++i) {
     const std::size_t port = turn_ + i < ports ? turn_ + i : turn_ + i - ports;
     if (!serve(port)) continue;
@@ -38,41 +37,69 @@ SquareActivity FrameBuffer::act() {
 }
 
 bool FrameBuffer::serve(std::size_t port) {
-  if (port == colours.size()) {
-    ClearWord word;
-    if (!clears.nb_read(word)) return false;
-    clear(word.region);
+  const bool is_sender = port == colours.size();
+  if (is_sender && incoming_[port].gathered == header_bits) {
+    clear(incoming_[port]);
     return true;
   }
-  if (colours[port].num_available() == 0) return false;
-  ColourWord word;
-  colours[port].nb_read(word);
-  store(word);
+  auto& fifo = is_sender ? clears : colours[port];
+  if (fifo.num_available() == 0) return false;
+  PortWord word;
+  fifo.nb_read(word);
+  take(port, word);
   return true;
 }
 
-void FrameBuffer::store(const ColourWord& word) {
-  for (std::uint32_t i = 0; i < word.count; ++i) {
-    const std::uint64_t pixel = (word.first + i) / contents_.colour_bits;
-    const std::uint64_t bit = (word.first + i) % contents_.colour_bits;
-    const std::uint64_t x = word.region.x + pixel % word.region.width;
-    const std::uint64_t y = word.region.y + pixel / word.region.width;
-    std::uint32_t& colour = picture_[y * size_.width + x];
-    if (bit == 0) colour = 0;
-    colour |= static_cast<std::uint32_t>(word.bits[i / 64] >> (i % 64) & 1U) << bit;
-  }
-  if (word.last) count_square();
+void FrameBuffer::take(std::size_t port, const PortWord& word) {
+  Incoming& square = incoming_[port];
+  if (square.gathered == header_bits) return store(square, word.bits);
+  take_header(square, word);
+  if (square.gathered == header_bits) finish_if_whole(square);
 }
 
-void FrameBuffer::clear(const isa::Region& region) {
-  for (std::size_t y = region.y; y < std::size_t{region.y} + region.height; ++y) {
-    std::fill_n(&picture_[y * size_.width + region.x], region.width, contents_.background);
-  }
-  count_square();
+void FrameBuffer::take_header(Incoming& square, const PortWord& word) const {
+  const unsigned count = std::min<unsigned>(port_bits_, header_bits - square.gathered);
+  square.header |= word.bits.front() << square.gathered;
+  square.gathered += count;
+  if (square.gathered == header_bits) square.region = region_of(square.header);
 }
 
-void FrameBuffer::count_square() {
+/// The bits follow those before; those beyond the square's are padding.
+void FrameBuffer::store(Incoming& square, const std::vector<std::uint64_t>& bits) {
+  const std::uint64_t end = std::min(square.next_bit + port_bits_, colour_bits(square));
+  for (std::uint64_t i = 0; square.next_bit < end; ++i, ++square.next_bit) {
+    std::uint32_t& colour = pixel(square, square.next_bit / contents_.colour_bits);
+    const std::uint64_t place = square.next_bit % contents_.colour_bits;
+    if (place == 0) colour = 0;
+    colour |= static_cast<std::uint32_t>(bits[i / 64] >> (i % 64) & 1U) << place;
+  }
+  finish_if_whole(square);
+}
+
+void FrameBuffer::clear(Incoming& square) {
+  std::vector<std::uint64_t> bits((port_bits_ + 63U) / 64U);
+  const std::uint64_t count = std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t place = (square.next_bit + i) % contents_.colour_bits;
+    put_bits(bits, i, 1, contents_.background >> place & 1U);
+  }
+  store(square, bits);
+}
+
+void FrameBuffer::finish_if_whole(Incoming& square) {
+  if (square.next_bit < colour_bits(square)) return;
+  square = {};
   if (++squares_ == contents_.squares) frames.write(++frames_done_);
+}
+
+std::uint64_t FrameBuffer::colour_bits(const Incoming& square) const {
+  return std::uint64_t{square.region.width} * square.region.height * contents_.colour_bits;
+}
+
+std::uint32_t& FrameBuffer::pixel(const Incoming& square, std::uint64_t index) {
+  const std::uint64_t x = square.region.x + index % square.region.width;
+  const std::uint64_t y = square.region.y + index / square.region.width;
+  return picture_[static_cast<std::size_t>(y * contents_.picture.width + x)];
 }
 
 }  // namespace csgsim::pixel_square

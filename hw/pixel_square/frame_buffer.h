@@ -12,42 +12,57 @@
 
 namespace csgsim::pixel_square {
 
-/// What the frame buffer has to take for a frame.
+/// What the frame buffer is told before a frame.
 struct FrameContents {
+  machines::Size picture;         ///< pixels that it holds
   std::uint64_t squares = 0;      ///< drawn or cleared
   std::uint32_t colour_bits = 0;  ///< a pixel
   std::uint32_t background = 0;   ///< colour of a cleared square
 };
 
-/// Holds the picture. Takes one word of colours, or clears one square, a clock. Its ports, one a renderer and after
-/// them the divider's, take turns: the first that has a word gets its turn, counted from the one after the port that
-/// had the last.
+/// Holds the picture. In a clock it takes one word from a port, or writes one word of background. Its ports, one a
+/// renderer and after them the sender's, take turns: the first that has a word, or a square to clear, gets its turn,
+/// counted from the one after the port that had the last. After the header of a square to clear come turns in which
+/// background is written, as many as the square's colours would be words.
 class FrameBuffer final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
-  sc_core::sc_vector<sc_core::sc_fifo_in<ColourWord>> colours;  ///< one a renderer
-  sc_core::sc_fifo_in<ClearWord> clears{"clears"};
+  sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> colours;  ///< one a renderer
+  sc_core::sc_fifo_in<PortWord> clears{"clears"};
   sc_core::sc_out<std::uint64_t> frames{"frames"};  ///< that are whole
 
-  FrameBuffer(sc_core::sc_module_name name, machines::Size picture, std::uint32_t renderers);
+  FrameBuffer(sc_core::sc_module_name name, std::uint32_t renderers, std::uint32_t port_bits);
 
   void begin(const FrameContents& contents);
 
-  /// Of every pixel, in row order: what was stored last, 0 if nothing ever was.
+  /// Of every pixel, in row order: what was stored last; 0 if nothing was since a picture of that size was begun.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
-  [[nodiscard]] const machines::SquareClocks& account() const { return counter_.clocks(); }
+  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
 
  private:
-  void on_clock();
-  machines::SquareActivity act();
-  bool serve(std::size_t port);
-  void store(const ColourWord& word);
-  void clear(const isa::Region& region);
-  void count_square();
+  /// The square that comes through a port.
+  struct Incoming {
+    std::uint64_t header = 0;
+    unsigned gathered = 0;       ///< bits of the header that are in
+    isa::Region region;          ///< once the header is whole
+    std::uint64_t next_bit = 0;  ///< of its colours
+  };
 
-  const machines::Size size_;
+  void on_clock();
+  SquareActivity act();
+  bool serve(std::size_t port);
+  void take(std::size_t port, const PortWord& word);
+  void take_header(Incoming& square, const PortWord& word) const;
+  void store(Incoming& square, const std::vector<std::uint64_t>& bits);
+  void clear(Incoming& square);
+  void finish_if_whole(Incoming& square);
+  [[nodiscard]] std::uint64_t colour_bits(const Incoming& square) const;
+  [[nodiscard]] std::uint32_t& pixel(const Incoming& square, std::uint64_t index);
+
+  const std::uint32_t port_bits_;
   std::vector<std::uint32_t> picture_;
   FrameContents contents_;
+  std::vector<Incoming> incoming_;  ///< one a port
   std::uint64_t squares_ = 0;
   std::size_t turn_ = 0;  ///< port that is asked first
   std::uint64_t frames_done_ = 0;

@@ -8,35 +8,29 @@
 
 namespace csgsim::pixel_square {
 
-/// The colours of a finished square, which leave it in words of `port_bits`. Without colours a square is one empty
-/// word, which tells of its end.
+/// A finished square, its header and its colours, which leaves in words of `port_bits`.
 class OutputBuffer {
  public:
   explicit OutputBuffer(std::uint32_t port_bits) : port_bits_(port_bits) {}
 
-  /// Takes the field of every pixel of the region, which the array's corner holds, all at once.
+  /// Takes the field of every pixel of the region, which the array's corner holds.
   void load(const array::PixelArray& pixels, isa::Field colour, const isa::Region& region);
 
   /// Some of the square has not left.
-  [[nodiscard]] bool busy() const { return busy_; }
+  [[nodiscard]] bool busy() const { return first_ < size_; }
 
   /// The word to leave next, while busy.
-  [[nodiscard]] ColourWord word() const;
+  [[nodiscard]] PortWord word() const { return {slice_of(bits_, first_, port_bits_)}; }
 
   /// It has left.
-  void advance();
+  void advance() { first_ += port_bits_; }
 
  private:
-  [[nodiscard]] bool bit(std::uint64_t index) const { return (bits_[index / 64] >> (index % 64) & 1U) != 0; }
-  [[nodiscard]] std::uint64_t left() const { return size_ - first_; }
-
   std::uint32_t port_bits_;
-  isa::Region region_;
   std::vector<std::uint32_t> colours_;
   std::vector<std::uint64_t> bits_;
-  std::uint64_t size_ = 0;   ///< colour bits of the square
+  std::uint64_t size_ = 0;   ///< bits of header and colours
   std::uint64_t first_ = 0;  ///< that has not left
-  bool busy_ = false;
 };
 
 }  // namespace csgsim::pixel_square

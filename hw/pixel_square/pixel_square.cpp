@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hw/pixel_square/division_check.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/make.h"
 #include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {
@@ -15,34 +18,31 @@ auto fifo_maker(int depth) {
   return [depth](const char* name, std::size_t /*index*/) { return new sc_core::sc_fifo<Word>(name, depth); };
 }
 
-int depth_of(const machines::Machine& machine) { return static_cast<int>(machine.pixel_square.fifo_depth); }
+int link_depth(const machines::Machine& machine) { return static_cast<int>(machine.link.fifo_depth); }
+
+int port_depth(const machines::Machine& machine) {
+  return static_cast<int>(machines::own<Figures>(machine).port_fifo_depth);
+}
 
 }  // namespace
 
 PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
+      machine_(machine),
       clock_("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)),
-      model_("model", depth_of(machine)),
-      instructions_("instructions", machine.pixel_square.renderers, fifo_maker<InstructionWord>(depth_of(machine))),
-      colours_("colours", machine.pixel_square.renderers, fifo_maker<ColourWord>(depth_of(machine))),
-      clears_("clears", depth_of(machine)),
-      finished_("finished", machine.pixel_square.renderers),
-      host_("host", machine.pixel_square.host_word_clocks),
-      divider_("divider", machine.pixel_square),
-      renderers_("renderers", machine.pixel_square.renderers,
+      instructions_("instructions", machines::own<Figures>(machine).renderers,
+                    fifo_maker<isa::LinkWord>(link_depth(machine))),
+      colours_("colours", machines::own<Figures>(machine).renderers, fifo_maker<PortWord>(port_depth(machine))),
+      clears_("clears", port_depth(machine)),
+      finished_("finished", machines::own<Figures>(machine).renderers),
+      renderers_("renderers", machines::own<Figures>(machine).renderers,
                  [&](const char* renderer, std::size_t /*index*/) { return new Renderer(renderer, machine); }),
-      frame_buffer_("frame_buffer", machine.picture, machine.pixel_square.renderers) {
+      frame_buffer_("frame_buffer", machines::own<Figures>(machine).renderers,
+                    machines::own<Figures>(machine).port_bits) {
   SC_HAS_PROCESS(PixelSquareMachine);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
-  host_.clock(clock_);
-  host_.model(model_);
-
-  divider_.clock(clock_);
-  divider_.model(model_);
-  divider_.links(instructions_);
-  divider_.finished(finished_);
-  divider_.clears(clears_);
+  bind_front(machine);
 
   for (std::size_t i = 0; i < renderers_.size(); ++i) {
     renderers_[i].clock(clock_);
@@ -62,34 +62,70 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
   sensitive << frames_;
 }
 
+void PixelSquareMachine::bind_front(const machines::Machine& machine) {
+  if (machines::own<Figures>(machine).divider == DividerKind::host) {
+    front_.host = std::make_unique<HostSender>("host", machine);
+  } else {
+    front_.model = std::make_unique<sc_core::sc_fifo<isa::LinkWord>>("model", link_depth(machine));
+    front_.source = std::make_unique<ModelSource>("host", machine.link);
+    front_.source->clock(clock_);
+    front_.source->words(*front_.model);
+    front_.divider = std::make_unique<CornerDivider>("divider", machine);
+    front_.divider->model(*front_.model);
+  }
+  sender().clock(clock_);
+  sender().links(instructions_);
+  sender().finished(finished_);
+  sender().clears(clears_);
+  sender().retirement(retirement_);
+}
+
+void PixelSquareMachine::begin_front(const isa::Program& program) {
+  if (front_.host) return front_.host->begin(program.segments);
+  const isa::FrameHeader header = isa::frame_header(program);
+  front_.source->begin(program.display_model);
+  front_.divider->begin({header.shape.width, header.shape.height}, program.display_model.size());
+}
+
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
 void PixelSquareMachine::on_done() { sc_core::sc_pause(); }
 
-RunReport PixelSquareMachine::run(const isa::Program& program, RunListener& listener) {
+kernel::RunReport PixelSquareMachine::run(const isa::Program& program, kernel::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  check_division(program, machine_);
   begin(program, listener);
   if (!program.segments.empty()) sc_core::sc_start();
   retirement_.rethrow();
-  const machines::SquareClocks& counted = frame_buffer_.account();
-  return {.clocks = std::accumulate(counted.begin(), counted.end(), std::uint64_t{0}), .account = account()};
+  const SquareClocks& stored = frame_buffer_.account();
+  return {.clocks = std::accumulate(stored.begin(), stored.end(), std::uint64_t{0}),
+          .answers = {},
+          .account = account(counted()),
+          .picture = picture_of(program)};
 }
 
-void PixelSquareMachine::begin(const isa::Program& program, RunListener& listener) {
-  const isa::Field colour = isa::field_of(program, isa::FieldRole::colour);
-  const std::uint64_t model_words = program.segments.empty() ? 0 : program.model.primitives + program.model.halfspaces;
+std::vector<std::uint32_t> PixelSquareMachine::picture_of(const isa::Program& program) const {
+  if (isa::field_of(program, isa::FieldRole::colour).width == 0) return {};
+  return {frame_buffer_.picture().begin(), frame_buffer_.picture().end()};
+}
+
+void PixelSquareMachine::begin(const isa::Program& program, kernel::RunListener& listener) {
+  const isa::FrameHeader header = isa::frame_header(program);
   retirement_.begin(listener);
-  host_.begin(model_words);
-  divider_.begin({.segments = program.segments, .model_words = model_words, .primitives = program.model.primitives});
-  std::for_each(renderers_.begin(), renderers_.end(), [&](Renderer& renderer) { renderer.begin(colour); });
-  frame_buffer_.begin(
-      {.squares = program.segments.size(), .colour_bits = colour.width, .background = program.compile.background});
+  names_.begin(program.segments);
+  begin_front(program);
+  std::for_each(renderers_.begin(), renderers_.end(),
+                [&](Renderer& renderer) { renderer.begin(header.colour, names_); });
+  frame_buffer_.begin({.picture = {header.shape.width, header.shape.height},
+                       .squares = program.segments.size(),
+                       .colour_bits = header.colour.width,
+                       .background = header.background});
 }
 
-machines::SquareAccount PixelSquareMachine::account() const {
-  machines::SquareAccount account;
-  account.squares_skipped = divider_.squares_skipped();
-  account.host = host_.account();
-  account.divider = divider_.account();
+SquareAccount PixelSquareMachine::counted() const {
+  SquareAccount account;
+  account.squares_skipped = sender().squares_skipped();
+  account.host = front_.host ? front_.host->account() : front_.source->account();
+  if (front_.divider) account.divider = front_.divider->account();
   account.frame_buffer = frame_buffer_.account();
   std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& renderer) {
     account.renderers.push_back(renderer.account());
@@ -97,6 +133,10 @@ machines::SquareAccount PixelSquareMachine::account() const {
     account.squares_drawn += renderer.squares();
   });
   return account;
+}
+
+std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+  return std::make_unique<PixelSquareMachine>("pixel_square", machine);
 }
 
 }  // namespace csgsim::pixel_square

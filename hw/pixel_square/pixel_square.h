@@ -1,64 +1,76 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <systemc>
+#include <vector>
 
 #include "hw/isa/program.h"
-#include "hw/machines/accounts.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/divider.h"
+#include "hw/pixel_square/account.h"
+#include "hw/pixel_square/corner_divider.h"
 #include "hw/pixel_square/frame_buffer.h"
-#include "hw/pixel_square/host.h"
+#include "hw/pixel_square/host_sender.h"
+#include "hw/pixel_square/model_source.h"
 #include "hw/pixel_square/renderer.h"
-#include "hw/pixel_square/retirement.h"
+#include "hw/pixel_square/square_names.h"
 #include "hw/pixel_square/words.h"
+#include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_square {
 
-struct RunReport {
-  std::uint64_t clocks = 0;  ///< until the frame buffer has stored the last word or cleared the last square
-  machines::SquareAccount account;
-};
-
 /// The whole pixel-square machine (thesis fig. 7.3):
 ///
-///     host ─▶ FIFO ─▶ divider ─▶ FIFO ─▶ renderer 0 ─▶ FIFO ─▶ frame buffer
-///                        ├─────▶ FIFO ─▶ renderer 1 ─▶ FIFO ─────▲  ▲
-///                        └─────▶ FIFO of clears ────────────────────┘
+///     host ─┬─▶ FIFO ─▶ renderer 0 ─▶ FIFO ─▶ frame buffer
+///           ├─▶ FIFO ─▶ renderer 1 ─▶ FIFO ─────▲  ▲
+///           └─▶ FIFO of clears ────────────────────┘
+///
+/// With a divider of its own that stands in the host's place, behind a FIFO for the model.
 ///
 /// All parts act on the rising edge of one clock. A word written at an edge can be read at the next; a place freed at
-/// an edge can be filled at the next. SystemC elaborates once a process, so there can be one in a process; it runs any
-/// number of Programs one after the other. From its construction on, a SystemC warning is an exception.
-class PixelSquareMachine final : public sc_core::sc_module {
+/// an edge can be filled at the next.
+class PixelSquareMachine final : public sc_core::sc_module, public kernel::ClockedMachine {
  public:
   PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Draws a frame. The Program has to be one for the machine (machines::check_runs_on). Without segments it takes no
-  /// clock. What the listener throws comes out when the machine is done.
-  RunReport run(const isa::Program& program, RunListener& listener);
-
-  /// The frame buffer's colours, in row order.
-  [[nodiscard]] std::span<const std::uint32_t> picture() const { return frame_buffer_.picture(); }
+  /// Draws a frame, until the frame buffer has stored the last word or cleared the last square. Without segments it
+  /// takes no clock.
+  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
 
  private:
-  void begin(const isa::Program& program, RunListener& listener);
-  void on_done();
-  [[nodiscard]] machines::SquareAccount account() const;
+  /// What hands out the squares: the host, or a divider and the host before it.
+  struct Front {
+    std::unique_ptr<HostSender> host;
+    std::unique_ptr<sc_core::sc_fifo<isa::LinkWord>> model;
+    std::unique_ptr<ModelSource> source;
+    std::unique_ptr<CornerDivider> divider;
+  };
 
+  void bind_front(const machines::Machine& machine);
+  void begin_front(const isa::Program& program);
+  [[nodiscard]] Sender& sender() { return front_.host ? static_cast<Sender&>(*front_.host) : *front_.divider; }
+  [[nodiscard]] const Sender& sender() const {
+    return front_.host ? static_cast<const Sender&>(*front_.host) : *front_.divider;
+  }
+  void begin(const isa::Program& program, kernel::RunListener& listener);
+  void on_done();
+  [[nodiscard]] SquareAccount counted() const;
+  [[nodiscard]] std::vector<std::uint32_t> picture_of(const isa::Program& program) const;
+
+  const machines::Machine machine_;
   sc_core::sc_clock clock_;
-  sc_core::sc_fifo<ModelWord> model_;
-  sc_core::sc_vector<sc_core::sc_fifo<InstructionWord>> instructions_;
-  sc_core::sc_vector<sc_core::sc_fifo<ColourWord>> colours_;
-  sc_core::sc_fifo<ClearWord> clears_;
+  sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> instructions_;
+  sc_core::sc_vector<sc_core::sc_fifo<PortWord>> colours_;
+  sc_core::sc_fifo<PortWord> clears_;
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> finished_;
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
-  Host host_;
-  Divider divider_;
+  Front front_;
   sc_core::sc_vector<Renderer> renderers_;
   FrameBuffer frame_buffer_;
-  Retirement retirement_{"retirement"};
+  SquareNames names_;
+  kernel::Retirement retirement_{"retirement"};
 };
 
 }  // namespace csgsim::pixel_square

@@ -1,10 +1,13 @@
 #include "hw/pixel_square/renderer.h"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
+
+#include "hw/pixel_square/figures.h"
+#include "hw/systemc/array_view.h"
 
 namespace csgsim::pixel_square {
-
-using machines::SquareActivity;
 
 namespace {
 
@@ -14,12 +17,15 @@ array::PlaneShape plane_shape(const machines::Machine& machine) { return {machin
 
 Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
-      buffered_(machine.pixel_square.buffers >= 2),
+      buffered_(machines::own<Figures>(machine).buffers >= 2),
+      clear_clocks_(machine.clear_clocks),
+      move_bits_(machines::own<Figures>(machine).move_bits),
+      receiver_(machine.link.width),
       sequencer_(machine.memory_reads, machine.alu_bits),
       trees_(plane_shape(machine)),
       leaves_(plane_shape(machine).padded_words()),
       pixels_(machine.array, machine.alu_bits),
-      output_(machine.pixel_square.port_bits),
+      output_(machines::own<Figures>(machine).port_bits),
       delay_(trees_.levels()) {
   SC_HAS_PROCESS(Renderer);
   SC_METHOD(on_clock);
@@ -27,15 +33,16 @@ Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machin
   sensitive << clock.pos();
 }
 
-void Renderer::begin(isa::Field colour) {
+void Renderer::begin(isa::Field colour, const SquareNames& names) {
   colour_ = colour;
+  names_ = &names;
   squares_ = 0;
   idle_ = 0;
   counter_.clear();
 }
 
-machines::SquareClocks Renderer::account() const {
-  machines::SquareClocks clocks = counter_.clocks();
+SquareClocks Renderer::account() const {
+  SquareClocks clocks = counter_.clocks();
   clocks[static_cast<std::size_t>(SquareActivity::done)] += idle_;
   return clocks;
 }
@@ -44,7 +51,8 @@ void Renderer::on_clock() {
   const bool output_free = !output_.busy();
   send();
   const SquareActivity activity = draw(output_free);
-  if (!in_square_ && activity == SquareActivity::waiting_for_divider) {
+  receiver_.clock(link);
+  if (state_ == State::idle && activity == SquareActivity::waiting_for_divider) {
     ++idle_;
     return;
   }
@@ -53,32 +61,38 @@ void Renderer::on_clock() {
 }
 
 void Renderer::send() {
-  if (output_.busy() && colours.num_free() > 0) {
-    colours.nb_write(output_.word());
-    output_.advance();
-  }
+  const bool on_its_way = state_ == State::moving;
+  if (on_its_way || !output_.busy() || colours.num_free() == 0) return;
+  colours.nb_write(output_.word());
+  output_.advance();
 }
 
 SquareActivity Renderer::draw(bool output_free) {
   switch (state_) {
+    case State::idle:
     case State::drawing:
     case State::draining: return issue(output_free);
+    case State::clearing: return clear();
     case State::drawn:
       if (output_free) move_out();
       return SquareActivity::waiting_for_frame_buffer;
     case State::moving:
+      if (--clocks_left_ == 0) finish();
+      return SquareActivity::working;
+    case State::leaving:
       if (!output_.busy()) finish();
       return SquareActivity::waiting_for_frame_buffer;
   }
   return SquareActivity::working;
 }
 
-/// Puts the next step on its way, or none if there is no instruction, and lets the pixels obey the one that arrives.
+/// Puts the next step on its way, or none if there is no command, and lets the pixels obey the one that arrives.
 SquareActivity Renderer::issue(bool output_free) {
   ControlWord word;
   const bool draining = state_ == State::draining;
   const bool waiting = !draining && !sequencer_.busy() && !fetch(word);
-  if (waiting && !in_square_) return SquareActivity::waiting_for_divider;
+  if (state_ == State::clearing) return clear();
+  if (waiting && state_ == State::idle) return SquareActivity::waiting_for_divider;
   array::RootBits root;
   if (sequencer_.busy()) {
     const array::BitStep step = sequencer_.issue();
@@ -91,13 +105,14 @@ SquareActivity Renderer::issue(bool output_free) {
   return waiting ? SquareActivity::waiting_for_divider : SquareActivity::working;
 }
 
-/// Takes an instruction, or the end of the square, which goes into the control word.
+/// Takes the receiver's command; the end of the square goes into the control word.
 bool Renderer::fetch(ControlWord& word) {
-  InstructionWord taken;
-  if (!link.nb_read(taken)) return false;
-  if (!in_square_) begin_square(taken.square);
-  if (taken.instruction != nullptr) {
-    sequencer_.begin(*taken.instruction);
+  if (!receiver_.holds()) return false;
+  const isa::Command command = receiver_.take();
+  if (const auto* start = std::get_if<isa::SegmentStart>(&command)) {
+    begin_square(*start);
+  } else if (const auto* instruction = std::get_if<isa::Instruction>(&command)) {
+    sequencer_.begin(*instruction);
   } else {
     word.end = true;
     state_ = State::draining;
@@ -105,12 +120,24 @@ bool Renderer::fetch(ControlWord& word) {
   return true;
 }
 
-void Renderer::begin_square(const Square& square) {
-  in_square_ = true;
-  square_ = square;
+void Renderer::begin_square(const isa::SegmentStart& start) {
+  region_ = start.region;
+  segment_ = names_->segment_of(region_);
   retired_ = 0;
   enabled_ = 0;
-  pixels_.reset(square.region.width, square.region.height);
+  pixels_.select(region_.width, region_.height);
+  state_ = State::clearing;
+  clocks_left_ = std::max(clear_clocks_, 1U);
+}
+
+/// Some bits of memory in each of the clocks, as evenly as they go.
+SquareActivity Renderer::clear() {
+  const std::uint64_t clocks = std::max(clear_clocks_, 1U);
+  const std::uint64_t first = pixels_.memory_bits() * (clocks - clocks_left_) / clocks;
+  const std::uint64_t end = pixels_.memory_bits() * (clocks - clocks_left_ + 1) / clocks;
+  pixels_.clear_memory(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first));
+  if (--clocks_left_ == 0) state_ = State::drawing;
+  return SquareActivity::working;
 }
 
 /// Without a tree level the leaves are wires, which follow the roots within the clock.
@@ -129,28 +156,32 @@ void Renderer::obey(const ControlWord& word, bool output_free) {
   pixels_.step(word.step, leaves_);
   if (word.last) retire();
   if (!word.end) return;
-  retirement->drawn(square_.segment, pixels_);
+  retirement->after_segment(segment_, kernel::ArrayView(pixels_));
   state_ = State::drawn;
   if (output_free) move_out();
 }
 
 void Renderer::retire() {
-  retirement->carried_out(
-      {.segment = square_.segment, .index = retired_++, .clocks = issued_.front(), .enabled_pixels = enabled_},
-      pixels_);
+  retirement->after_instruction(
+      {.segment = segment_, .index = retired_++, .clocks = issued_.front(), .enabled_pixels = enabled_},
+      kernel::ArrayView(pixels_));
   issued_.pop_front();
   enabled_ = pixels_.count_enabled();
 }
 
 void Renderer::move_out() {
-  output_.load(pixels_, colour_, square_.region);
+  output_.load(pixels_, colour_, region_);
+  if (!buffered_) {
+    state_ = State::leaving;
+    return;
+  }
+  clocks_left_ = move_bits_ == all_planes ? 0 : static_cast<std::uint32_t>(words_for(colour_.width, move_bits_));
   state_ = State::moving;
-  if (buffered_) finish();
+  if (clocks_left_ == 0) finish();
 }
 
 void Renderer::finish() {
-  state_ = State::drawing;
-  in_square_ = false;
+  state_ = State::idle;
   ++squares_;
   finished.write(++finished_count_);
 }

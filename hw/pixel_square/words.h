@@ -5,43 +5,38 @@
 #include <vector>
 
 #include "hw/isa/program.h"
+#include "hw/isa/wire.h"
 
-/// What travels through the FIFOs between the modules, one word a clock.
+/// What travels through the FIFOs before the frame buffer, one word a clock. Those before the renderers hold words of
+/// the link.
 namespace csgsim::pixel_square {
 
-/// Host to divider: a primitive or a half-space of the model.
-struct ModelWord {};
-
-/// The address that goes with the words of a square.
-struct Square {
-  std::uint32_t segment = 0;  ///< of the Program
-  isa::Region region;
+/// To the frame buffer: `port.width` bits, 64 an element, the first on the lowest wire; bits beyond the width are 0.
+///
+/// A square begins with its header, x, y, width and height of its region with wire_region_bits each, the least
+/// significant bit first. Its colours follow from a new word on, in row order, the least significant bit of each first.
+/// From the sender, a header alone asks for the square to be cleared.
+struct PortWord {
+  std::vector<std::uint64_t> bits;
 };
 
-/// Divider to renderer: an instruction, or the end of the square.
-struct InstructionWord {
-  Square square;
-  const isa::Instruction* instruction = nullptr;  ///< of the Program; null at the end of the square
-};
+inline constexpr unsigned header_bits = 4 * isa::wire_region_bits;
+static_assert(header_bits == 64);
 
-/// Divider to frame buffer: a square that nothing touches.
-struct ClearWord {
-  isa::Region region;
-};
+std::uint64_t header_of(const isa::Region& region);
+isa::Region region_of(std::uint64_t header);
 
-/// Renderer to frame buffer: some of a square's colour bits. Colours follow each other in row order, the least
-/// significant bit of each first.
-struct ColourWord {
-  isa::Region region;
-  std::uint64_t first = 0;          ///< of the square's colour bits
-  std::uint32_t count = 0;          ///< bits in this word
-  bool last = false;                ///< word of the square
-  std::vector<std::uint64_t> bits;  ///< 64 a word
-};
+/// Words of so many bits in which that many bits travel.
+constexpr std::uint64_t words_for(std::uint64_t bits, std::uint32_t word_bits) {
+  return (bits + word_bits - 1) / word_bits;
+}
 
-std::ostream& operator<<(std::ostream& stream, const ModelWord& word);
-std::ostream& operator<<(std::ostream& stream, const InstructionWord& word);
-std::ostream& operator<<(std::ostream& stream, const ClearWord& word);
-std::ostream& operator<<(std::ostream& stream, const ColourWord& word);
+/// Puts `count` bits (0 to 64) where only zeros are.
+void put_bits(std::vector<std::uint64_t>& into, std::uint64_t first, unsigned count, std::uint64_t value);
+
+/// `count` bits from `first` on, those beyond the end 0.
+std::vector<std::uint64_t> slice_of(const std::vector<std::uint64_t>& bits, std::uint64_t first, std::uint32_t count);
+
+std::ostream& operator<<(std::ostream& stream, const PortWord& word);
 
 }  // namespace csgsim::pixel_square

@@ -1,7 +1,9 @@
 #include "hw/scan_line/cells.h"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "hw/isa/opcodes.h"
 #include "hw/scan_line/snapshot.h"
 
 namespace csgsim::scan_line {
@@ -19,24 +21,28 @@ std::int64_t value_of_f(std::uint64_t sum, const isa::Linear& linear) {
 
 }  // namespace
 
-Cells::Cells(std::uint32_t count, std::uint32_t memory_bits, std::uint32_t word_bits)
+Cells::Cells(std::uint32_t count, std::uint32_t memory_bits, const CellShape& shape)
     : memory_bits_(memory_bits),
-      word_bits_(word_bits),
-      word_mask_(~std::uint64_t{0} >> (storage_bits - word_bits)),
+      shape_(shape),
+      word_mask_(~std::uint64_t{0} >> (storage_bits - shape.word_bits)),
       cell_words_((memory_bits + storage_bits - 1) / storage_bits),
       memory_(count * cell_words_),
       sum_(count),
       carry_(count),
-      enable_(count) {}
+      enable_(count),
+      fetched_(count),
+      words_fetched_(count),
+      result_(count),
+      writes_(count) {}
 
 void Cells::add(std::uint32_t cell, PacketWord& word) {
   const bool first = word.number == 0;
   const std::uint64_t carry = first ? 0 : carry_[cell];
-  const std::uint64_t place = word.f << (word.number * word_bits_);
+  const std::uint64_t place = word.f << (word.number * shape_.word_bits);
   sum_[cell] = first ? place : sum_[cell] | place;
   const std::uint64_t half = word.f + word.a;
   const std::uint64_t whole = half + carry;
-  const bool beyond = word_bits_ == storage_bits ? half < word.f || whole < half : whole > word_mask_;
+  const bool beyond = shape_.word_bits == storage_bits ? half < word.f || whole < half : whole > word_mask_;
   carry_[cell] = beyond ? 1 : 0;
   word.f = whole & word_mask_;
 }
@@ -58,76 +64,104 @@ void Cells::write(std::uint32_t cell, isa::Field field, std::uint64_t value) {
   word[1] = (word[1] & ~(mask >> (storage_bits - shift))) | value >> (storage_bits - shift);
 }
 
-/// Disables the cell if the number does not fit.
-void Cells::write_linear(std::uint32_t cell, isa::Field field, std::int64_t value) {
-  write(cell, field, static_cast<std::uint64_t>(value));
-  if (value < 0 || value >> field.width != 0) enable_[cell] = 0;
+/// The part of the field in one of its words.
+isa::Field Cells::part_in(const FieldWords& words, std::uint32_t word) const {
+  const std::uint32_t word_base = (words.first + word) * shape_.word_bits;
+  const std::uint32_t first = std::max<std::uint32_t>(words.field.base, word_base);
+  const std::uint32_t end = std::min<std::uint32_t>(words.field.end(), word_base + shape_.word_bits);
+  return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(end - first)};
 }
 
-void Cells::act(std::uint32_t cell, const isa::Instruction& instruction) {
+void Cells::fetch(std::uint32_t cell, const PacketWord& beat) {
+  const auto& [first, second] = beat.accesses.sources;
+  if (beat.number == 0) {
+    fetched_[cell] = {};
+    words_fetched_[cell] = 0;
+  }
+  const std::uint32_t words = std::uint32_t{first.count} + second.count;
+  std::uint32_t& done = words_fetched_[cell];
+  const std::uint32_t end = shape_.ports == 0 ? words : std::min(words, done + shape_.ports);
+  for (; done < end; ++done) {
+    const bool of_first = done < first.count;
+    const FieldWords& source = of_first ? first : second;
+    const isa::Field part = part_in(source, of_first ? done : done - first.count);
+    fetched_[cell][of_first ? 0 : 1] |= read(cell, part) << (part.base - source.field.base);
+  }
+}
+
+void Cells::act(std::uint32_t cell, const PacketWord& beat) {
+  const auto& [first, second] = beat.accesses.sources;
+  if (words_fetched_[cell] < std::uint32_t{first.count} + second.count)
+    throw std::logic_error("a cell acts before its ports have read the fields");
+  const Result result = result_of(cell, beat.instruction);
+  enable_[cell] = result.enable ? 1 : 0;
+  writes_[cell] = result.writes ? 1 : 0;
+  result_[cell] = result.value;
+}
+
+/// In the clocks from that of the result on.
+void Cells::store(std::uint32_t cell, const PacketWord& beat) {
+  const FieldWords& target = beat.accesses.target;
+  if (writes_[cell] == 0 || target.count == 0) return;
+  const std::uint32_t first = shape_.ports == 0 ? 0 : (beat.number - beat.accesses.result) * shape_.ports;
+  const std::uint32_t end =
+      shape_.ports == 0 ? target.count : std::min<std::uint32_t>(target.count, first + shape_.ports);
+  for (std::uint32_t word = first; word < end; ++word) {
+    const isa::Field part = part_in(target, word);
+    write(cell, part, result_[cell] >> (part.base - target.field.base));
+  }
+}
+
+Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instruction) const {
   using isa::Opcode;
-  const auto& [first, second, third] = instruction.fields;
   const bool e = enabled(cell);
-  const auto enable = [&](bool value) { enable_[cell] = value ? 1 : 0; };
-  const auto number = [&](isa::Field field) { return static_cast<std::int64_t>(read(cell, field)); };
-  const auto bit = [&](isa::Field field) { return read(cell, field) != 0; };
-  const auto f = [&] { return value_of_f(sum_[cell], instruction.linear); };
+  const std::uint64_t first = fetched_[cell][0];
+  const std::uint64_t second = fetched_[cell][1];
+  const auto number = static_cast<std::int64_t>(first);
+  const auto bit = first != 0;
+  const std::int64_t f = value_of_f(sum_[cell], instruction.linear);
+  const auto enable = [](bool value) { return Result{.enable = value}; };
+  const auto write = [e](std::uint64_t value) { return Result{.enable = e, .writes = e, .value = value}; };
+  // Disables the cell if the number does not fit.
+  const auto write_linear = [&](bool writes) {
+    const bool fits = f >= 0 && f >> instruction.fields[0].width == 0;
+    return Result{.enable = e && (fits || !writes), .writes = e && writes, .value = static_cast<std::uint64_t>(f)};
+  };
 
   switch (instruction.opcode) {
-    case Opcode::enable_all: enable(true); return;
-    case Opcode::enable_invert: enable(!e); return;
-    case Opcode::enable_load: enable(bit(first)); return;
-    case Opcode::enable_or: enable(e || bit(first)); return;
-    case Opcode::enable_xor: enable(e != bit(first)); return;
-    case Opcode::enable_store: write(cell, first, e ? 1 : 0); return;
-    case Opcode::enable_and: enable(e && bit(first)); return;
-    case Opcode::enable_and_not: enable(e && !bit(first)); return;
-    case Opcode::edge_not_negative: enable(e && f() >= 0); return;
-    case Opcode::edge_negative: enable(e && f() < 0); return;
-    case Opcode::linear_ge: enable(e && f() >= number(first)); return;
-    case Opcode::linear_gt: enable(e && f() > number(first)); return;
-    case Opcode::linear_le: enable(e && f() <= number(first)); return;
-    case Opcode::linear_lt: enable(e && f() < number(first)); return;
-    case Opcode::linear_eq: enable(e && f() == number(first)); return;
-    case Opcode::load_linear:
-      if (e) write_linear(cell, first, f());
-      return;
-    case Opcode::keep_max:
-      if (e && f() > number(first)) write_linear(cell, first, f());
-      return;
-    case Opcode::keep_min:
-      if (e && f() < number(first)) write_linear(cell, first, f());
-      return;
-    case Opcode::set_constant:
-      if (e) write(cell, first, instruction.constant);
-      return;
-    case Opcode::copy:
-      if (e) write(cell, first, read(cell, second));
-      return;
-    case Opcode::field_lt: enable(e && number(first) < number(second)); return;
-    case Opcode::field_le: enable(e && number(first) <= number(second)); return;
-    case Opcode::field_eq: enable(e && number(first) == number(second)); return;
-    case Opcode::bit_and:
-      if (e) write(cell, first, read(cell, second) & read(cell, third));
-      return;
-    case Opcode::bit_or:
-      if (e) write(cell, first, read(cell, second) | read(cell, third));
-      return;
-    case Opcode::bit_xor:
-      if (e) write(cell, first, read(cell, second) ^ read(cell, third));
-      return;
-    case Opcode::bit_and_not:
-      if (e) write(cell, first, read(cell, second) & ~read(cell, third));
-      return;
-    case Opcode::bit_not:
-      if (e) write(cell, first, ~read(cell, second));
-      return;
-    case Opcode::xor_constant:
-      if (e) write(cell, first, read(cell, first) ^ instruction.constant);
-      return;
+    case Opcode::enable_all: return enable(true);
+    case Opcode::enable_invert: return enable(!e);
+    case Opcode::enable_load: return enable(bit);
+    case Opcode::enable_or: return enable(e || bit);
+    case Opcode::enable_xor: return enable(e != bit);
+    case Opcode::enable_store: return {.enable = e, .writes = true, .value = e ? 1U : 0U};
+    case Opcode::enable_and: return enable(e && bit);
+    case Opcode::enable_and_not: return enable(e && !bit);
+    case Opcode::edge_not_negative: return enable(e && f >= 0);
+    case Opcode::edge_negative: return enable(e && f < 0);
+    case Opcode::linear_ge: return enable(e && f >= number);
+    case Opcode::linear_gt: return enable(e && f > number);
+    case Opcode::linear_le: return enable(e && f <= number);
+    case Opcode::linear_lt: return enable(e && f < number);
+    case Opcode::linear_eq: return enable(e && f == number);
+    case Opcode::load_linear: return write_linear(true);
+    case Opcode::keep_max: return write_linear(f > number);
+    case Opcode::keep_min: return write_linear(f < number);
+    case Opcode::set_constant: return write(instruction.constant);
+    case Opcode::copy: return write(first);
+    case Opcode::field_lt: return enable(e && first < second);
+    case Opcode::field_le: return enable(e && first <= second);
+    case Opcode::field_eq: return enable(e && first == second);
+    case Opcode::bit_and: return write(first & second);
+    case Opcode::bit_or: return write(first | second);
+    case Opcode::bit_xor: return write(first ^ second);
+    case Opcode::bit_and_not: return write(first & ~second);
+    case Opcode::bit_not: return write(~first);
+    case Opcode::xor_constant: return write(first ^ instruction.constant);
     case Opcode::global_or:
-    case Opcode::skip_if_none: return;
+    case Opcode::skip_if_none: return enable(e);
   }
+  return enable(e);
 }
 
 }  // namespace csgsim::scan_line

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,10 +10,12 @@
 
 namespace csgsim::scan_line {
 
-/// The cells of a chain: memory, enable bit, and an adder of `word_bits` bits with its carry.
+/// The cells of a chain. Each has a memory of words with so many ports, an enable bit, an adder of a word with its
+/// carry, and registers: the words of F that have come in, two fields that have been read, and a field to be written.
+/// The memory writes single bits of a word.
 class Cells {
  public:
-  Cells(std::uint32_t count, std::uint32_t memory_bits, std::uint32_t word_bits);
+  Cells(std::uint32_t count, std::uint32_t memory_bits, const CellShape& shape);
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(enable_.size()); }
   [[nodiscard]] std::uint32_t memory_bits() const { return memory_bits_; }
@@ -26,8 +29,18 @@ class Cells {
   /// Memory and enable become 0.
   void clear(std::uint32_t cell);
 
-  /// Carries out a valid instruction, whose F has come in.
-  void act(std::uint32_t cell, const isa::Instruction& instruction);
+  /// What the ports read in the clock of that beat.
+  void fetch(std::uint32_t cell, const PacketWord& beat);
+
+  /// Carries out a valid instruction, whose F and fields have come in, but for what is written. Throws std::logic_error
+  /// if a field has not been read.
+  void act(std::uint32_t cell, const PacketWord& beat);
+
+  /// What the ports write in the clock of that beat.
+  void store(std::uint32_t cell, const PacketWord& beat);
+
+  /// The first field that has been read.
+  [[nodiscard]] std::uint64_t fetched(std::uint32_t cell) const { return fetched_[cell][0]; }
 
   [[nodiscard]] bool enabled(std::uint32_t cell) const { return enable_[cell] != 0; }
   [[nodiscard]] std::size_t cell_words() const { return cell_words_; }
@@ -37,17 +50,29 @@ class Cells {
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
 
  private:
+  /// What the ALU makes of an instruction.
+  struct Result {
+    bool enable = false;
+    bool writes = false;
+    std::uint64_t value = 0;
+  };
+
+  [[nodiscard]] Result result_of(std::uint32_t cell, const isa::Instruction& instruction) const;
   void write(std::uint32_t cell, isa::Field field, std::uint64_t value);
-  void write_linear(std::uint32_t cell, isa::Field field, std::int64_t value);
+  [[nodiscard]] isa::Field part_in(const FieldWords& words, std::uint32_t word) const;
 
   std::uint32_t memory_bits_;
-  std::uint32_t word_bits_;
+  CellShape shape_;
   std::uint64_t word_mask_;
   std::size_t cell_words_;
   std::vector<std::uint64_t> memory_;
   std::vector<std::uint64_t> sum_;
   std::vector<std::uint8_t> carry_;
   std::vector<std::uint8_t> enable_;
+  std::vector<std::array<std::uint64_t, 2>> fetched_;
+  std::vector<std::uint32_t> words_fetched_;  ///< of the packet
+  std::vector<std::uint64_t> result_;
+  std::vector<std::uint8_t> writes_;  ///< whether the result is to be written
 };
 
 }  // namespace csgsim::scan_line

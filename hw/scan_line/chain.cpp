@@ -11,8 +11,8 @@ constexpr std::uint32_t plane_bits = 64;
 
 }  // namespace
 
-Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, std::uint32_t word_bits)
-    : cells_(cells, memory_bits, word_bits), flights_(cells), hold_(cells), shift_(cells) {}
+Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& shape)
+    : cells_(cells, memory_bits, shape), flights_(cells), hold_(cells), shift_(cells) {}
 
 void Chain::begin(std::uint32_t pixels) {
   pixels_ = pixels;
@@ -26,12 +26,13 @@ void Chain::begin(std::uint32_t pixels) {
   snapshots_.clear();
   unused_.clear();
   busy_cells_ = 0;
+  due_ = 0;
 }
 
 void Chain::step(const PacketWord& entering) {
   shift();
   transfer();
-  if (entering.kind != WordKind::none) enter(entering);
+  enter(entering);
   const std::size_t until_wrap = std::min(count_, flights_.size() - oldest_);
   for (std::size_t i = 0; i < until_wrap; ++i) work(flights_[oldest_ + i]);
   for (std::size_t i = 0; i < count_ - until_wrap; ++i) work(flights_[i]);
@@ -58,39 +59,52 @@ void Chain::transfer() {
 }
 
 void Chain::enter(const PacketWord& word) {
-  if (word.kind == WordKind::mark) {
+  if (word.number != due_) throw std::logic_error("a packet does not enter beat by beat");
+  if (word.kind == WordKind::none) return;
+  due_ = word.last() ? 0 : word.number + 1;
+  if (word.kind == WordKind::mark && word.last()) {
     if (held_) throw std::logic_error("a mark came to hold registers that the refresh path had not read");
     held_ = true;
   }
   const std::size_t place = oldest_ + count_;
   flights_[place < flights_.size() ? place : place - flights_.size()] = {
-      .word = word, .snapshot = word.last && word.keep != Keep::nothing ? take_snapshot(word.keep) : no_snapshot};
+      .word = word, .snapshot = word.last() && word.keep != Keep::nothing ? take_snapshot(word.keep) : no_snapshot};
   ++count_;
 }
 
 void Chain::work(Flight& flight) {
-  PacketWord& word = flight.word;
-  if (word.kind == WordKind::instruction) {
-    ++busy_cells_;
-    if (word.instruction.linear.width > 0) cells_.add(flight.cell, word);
+  const PacketWord& beat = flight.word;
+  if (beat.begins_line && beat.number == 0) cells_.clear(flight.cell);
+  switch (beat.kind) {
+    case WordKind::none: break;
+    case WordKind::clear:
+      if (beat.last()) cells_.clear(flight.cell);
+      break;
+    case WordKind::instruction: work_on_instruction(flight); break;
+    case WordKind::mark: work_on_mark(flight); break;
   }
-  if (word.last) {
-    if (word.begins_line) cells_.clear(flight.cell);
-    if (word.kind == WordKind::mark) {
-      hold(flight);
-    } else {
-      flight.enabled += cells_.enabled(flight.cell) ? 1U : 0U;
-      cells_.act(flight.cell, word.instruction);
-    }
-    if (flight.snapshot != no_snapshot) take_down(flight);
-  }
+  if (flight.snapshot != no_snapshot) take_down(flight);
   ++flight.cell;
 }
 
-void Chain::hold(const Flight& flight) {
+void Chain::work_on_instruction(Flight& flight) {
+  PacketWord& beat = flight.word;
+  ++busy_cells_;
+  if (beat.number < beat.words && beat.instruction.linear.width > 0) cells_.add(flight.cell, beat);
+  cells_.fetch(flight.cell, beat);
+  if (beat.number == beat.accesses.result) {
+    flight.enabled += cells_.enabled(flight.cell) ? 1U : 0U;
+    cells_.act(flight.cell, beat);
+  }
+  if (beat.number >= beat.accesses.result) cells_.store(flight.cell, beat);
+}
+
+void Chain::work_on_mark(const Flight& flight) {
   const PacketWord& mark = flight.word;
-  hold_[flight.cell] = static_cast<std::uint32_t>(
-      mark.begins_line ? mark.instruction.constant : cells_.read(flight.cell, mark.instruction.fields[0]));
+  cells_.fetch(flight.cell, mark);
+  if (!mark.last()) return;
+  hold_[flight.cell] =
+      static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : cells_.fetched(flight.cell));
 }
 
 void Chain::take_down(const Flight& flight) {
@@ -110,12 +124,13 @@ void Chain::depart() {
   departure_ = {};
   if (count_ == 0 || flights_[oldest_].cell < pixels_) return;
   const Flight& flight = flights_[oldest_];
-  if (flight.word.last) {
+  if (flight.word.number == flight.word.accesses.result) enabled_ = flight.enabled;
+  if (flight.word.last()) {
     departed_snapshot_ = flight.snapshot;
     departure_ = {.kind = flight.word.kind,
                   .segment = flight.word.segment,
                   .index = flight.word.index,
-                  .enabled_pixels = flight.enabled,
+                  .enabled_pixels = enabled_,
                   .snapshot = flight.snapshot == no_snapshot ? nullptr : &snapshots_[flight.snapshot]};
     if (flight.word.kind == WordKind::mark) transfers_ = true;
   }

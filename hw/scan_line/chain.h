@@ -10,7 +10,7 @@
 
 namespace csgsim::scan_line {
 
-/// A packet or mark whose last word has just left the last cell of the line.
+/// A packet whose last beat has just left the last cell of the line.
 struct Departure {
   WordKind kind = WordKind::none;
   std::uint32_t segment = 0;
@@ -20,19 +20,19 @@ struct Departure {
 };
 
 /// A chain of cells, the hold register of each, and the shift chain that takes the colours back to the refresh port at
-/// cell 0. In a clock every word works in the cell that it is in, and then moves on by one.
+/// cell 0. In a clock every beat of a packet works in the cell that it is in, and then moves on by one.
 ///
-/// A mark makes each cell hold its colour as it passes. In the clock after it has been in the line's last cell, all
-/// hold registers go to the shift chain, which has pixel 0 at the port in the next clock, then pixel 1, and so on.
+/// A mark makes each cell hold its colour with its last beat. In the clock after that has been in the line's last cell,
+/// all hold registers go to the shift chain, which has pixel 0 at the port in the next clock, then pixel 1, and so on.
 class Chain {
  public:
-  Chain(std::uint32_t cells, std::uint32_t memory_bits, std::uint32_t word_bits);
+  Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& shape);
 
   /// Empties the chain, for lines of that many pixels (1 to the number of cells).
   void begin(std::uint32_t pixels);
 
-  /// One clock, in which that word is in cell 0. Throws std::logic_error for a mark that comes too soon: a hold
-  /// register or the shift chain is not free yet.
+  /// One clock, in which that beat is in cell 0. Throws std::logic_error for a mark that comes too soon, so that a hold
+  /// register or the shift chain is not free yet, and for a beat that is not the next of its packet or comes into one.
   void step(const PacketWord& entering);
 
   /// What is at the refresh port in the clock that comes.
@@ -41,17 +41,17 @@ class Chain {
   /// What left the last cell in the clock that has been; of WordKind::none if nothing did.
   [[nodiscard]] const Departure& departure() const { return departure_; }
 
-  /// Clocks in which an instruction's word was in a cell of the line, summed over the cells, since begin.
+  /// Clocks in which an instruction's packet occupied a cell of the line, summed over the cells, since begin.
   [[nodiscard]] std::uint64_t busy_cells() const { return busy_cells_; }
 
   [[nodiscard]] const Cells& cells() const { return cells_; }
 
  private:
-  /// A word on its way.
+  /// A beat on its way.
   struct Flight {
     PacketWord word;
     std::uint32_t cell = 0;
-    std::uint64_t enabled = 0;
+    std::uint64_t enabled = 0;  ///< cells that the instruction found enabled, counted with the beat of its result
     std::size_t snapshot = no_snapshot;
   };
 
@@ -61,7 +61,8 @@ class Chain {
   void transfer();
   void enter(const PacketWord& word);
   void work(Flight& flight);
-  void hold(const Flight& flight);
+  void work_on_instruction(Flight& flight);
+  void work_on_mark(const Flight& flight);
   void take_down(const Flight& flight);
   void depart();
   std::size_t take_snapshot(Keep keep);
@@ -82,6 +83,8 @@ class Chain {
   Departure departure_;
   std::size_t departed_snapshot_ = no_snapshot;
   std::uint64_t busy_cells_ = 0;
+  std::uint32_t due_ = 0;      ///< number of the beat that has to enter next
+  std::uint64_t enabled_ = 0;  ///< of the packet that is leaving the last cell
 };
 
 }  // namespace csgsim::scan_line

@@ -1,25 +1,100 @@
 #include "hw/scan_line/packet.h"
 
+#include <algorithm>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+
 namespace csgsim::scan_line {
 
 namespace {
 
-constexpr unsigned most_word_bits = 64;
+constexpr std::uint32_t most_word_bits = 64;
 
-std::uint64_t word_of(std::int64_t coefficient, unsigned number, unsigned word_bits) {
-  const unsigned low = number * word_bits;
-  const auto shifted = static_cast<std::uint64_t>(coefficient >> (low < most_word_bits ? low : most_word_bits - 1));
+std::uint64_t word_of(std::int64_t coefficient, std::uint32_t number, std::uint32_t word_bits) {
+  const std::uint32_t low = number * word_bits;
+  const auto shifted = static_cast<std::uint64_t>(coefficient >> std::min(low, most_word_bits - 1));
   return word_bits == most_word_bits ? shifted : shifted & ((std::uint64_t{1} << word_bits) - 1);
+}
+
+constexpr std::uint32_t whole(std::uint32_t amount, std::uint32_t a_piece) { return (amount + a_piece - 1) / a_piece; }
+
+FieldWords words_of(isa::Field field, const CellShape& cell) {
+  if (field.width == 0) return {};
+  const auto first = static_cast<std::uint16_t>(field.base / cell.word_bits);
+  return {field, first, static_cast<std::uint16_t>((field.end() - 1) / cell.word_bits - first + 1)};
+}
+
+bool reads_target(isa::Opcode opcode) {
+  return opcode == isa::Opcode::keep_max || opcode == isa::Opcode::keep_min || opcode == isa::Opcode::xor_constant;
+}
+
+Accesses accesses_of(const isa::Instruction& instruction, const CellShape& cell) {
+  Accesses accesses;
+  std::size_t sources = 0;
+  const isa::Operands& operands = isa::operands_of(instruction.opcode);
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    const bool target = operands[i] == isa::OperandKind::target;
+    const FieldWords words = words_of(instruction.fields[i], cell);
+    if (target) accesses.target = words;
+    if (operands[i] == isa::OperandKind::source || (target && reads_target(instruction.opcode)))
+      accesses.sources.at(sources++) = words;
+  }
+  return accesses;
+}
+
+/// Finds out how long the packet occupies a cell.
+void schedule(PacketWord& packet, const CellShape& cell) {
+  Accesses& accesses = packet.accesses;
+  const std::uint32_t read_words = std::uint32_t{accesses.sources[0].count} + accesses.sources[1].count;
+  const std::uint32_t reads = cell.ports == 0 ? 0 : whole(read_words, cell.ports);
+  const std::uint32_t writes = cell.ports == 0 ? 0 : whole(accesses.target.count, cell.ports);
+  const std::uint32_t last_read = reads > 0 ? reads - 1 : 0;
+  accesses.result = std::max(packet.words - 1, writes > 0 ? reads : last_read);
+  packet.beats = accesses.result + std::max(writes, 1U);
+}
+
+void load_words(PacketWord& beat, const CellShape& cell) {
+  const bool comes_in = beat.number < beat.words;
+  beat.a = comes_in ? word_of(beat.instruction.linear.a, beat.number, cell.word_bits) : 0;
+  beat.f = comes_in ? word_of(beat.instruction.linear.c, beat.number, cell.word_bits) : 0;
 }
 
 }  // namespace
 
-PacketWord packet_word(const isa::Instruction& instruction, std::uint16_t number, std::uint32_t word_bits) {
-  return {.kind = WordKind::instruction,
-          .number = number,
-          .a = word_of(instruction.linear.a, number, word_bits),
-          .f = word_of(instruction.linear.c, number, word_bits),
-          .instruction = instruction};
+PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell) {
+  std::uint32_t bits = std::max<std::uint32_t>(instruction.linear.width, 1);
+  for (const isa::Field& field : instruction.fields) bits = std::max<std::uint32_t>(bits, field.width);
+  PacketWord packet{.kind = WordKind::instruction,
+                    .words = whole(bits, cell.word_bits),
+                    .accesses = accesses_of(instruction, cell),
+                    .instruction = instruction};
+  schedule(packet, cell);
+  load_words(packet, cell);
+  return packet;
+}
+
+PacketWord clear_packet(std::uint32_t clocks) { return {.kind = WordKind::clear, .beats = clocks}; }
+
+PacketWord mark_packet(isa::Field colour, const CellShape& cell) {
+  PacketWord packet{.kind = WordKind::mark};
+  packet.accesses.sources[0] = words_of(colour, cell);
+  schedule(packet, cell);
+  return packet;
+}
+
+PacketWord background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell) {
+  PacketWord packet{.kind = WordKind::mark, .background = true};
+  packet.words = whole(std::max<std::uint32_t>(colour.width, 1), cell.word_bits);
+  packet.instruction.constant = background;
+  schedule(packet, cell);
+  return packet;
+}
+
+PacketWord next_beat(PacketWord beat, const CellShape& cell) {
+  ++beat.number;
+  load_words(beat, cell);
+  return beat;
 }
 
 }  // namespace csgsim::scan_line

@@ -1,35 +1,69 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "hw/isa/instruction.h"
+#include "hw/systemc/run_listener.h"
 
 namespace csgsim::scan_line {
 
-/// What to take down of the cells as a packet leaves them, for who watches the run.
-enum class Keep : std::uint8_t { nothing, enable, all };
+using kernel::Keep;
+
+/// What a cell is built of.
+struct CellShape {
+  std::uint32_t word_bits = 1;  ///< of a word of memory, of the adder and of the ALU: 1 to 64
+  std::uint32_t ports = 0;      ///< words of memory that are read or written in a clock; 0 for any number
+
+  constexpr bool operator==(const CellShape&) const = default;
+};
 
 enum class WordKind : std::uint8_t {
   none,
-  instruction,  ///< one of the words of an instruction's packet
+  clear,        ///< the beginning of a line: memory and enable become 0
+  instruction,  ///< an instruction's packet
   mark,         ///< the end of a line: each cell holds its colour for the refresh
 };
 
-/// What moves from cell to cell, one a clock: a word of a packet. The packet's other fields stand in each of its words
-/// here; cells use them with the last.
+/// A field and the words of a cell's memory that it lies in.
+struct FieldWords {
+  isa::Field field{};
+  std::uint16_t first = 0;
+  std::uint16_t count = 0;
+
+  constexpr bool operator==(const FieldWords&) const = default;
+};
+
+/// What a packet asks of a cell's memory. Reads begin with the packet's first word, at each port one a clock. The clock
+/// of the result is the first in which all words of the packet are there and the last read is done, or, if something
+/// is to be written, the ports are free again; the writes begin in it.
+struct Accesses {
+  std::array<FieldWords, 2> sources{};  ///< read one after the other
+  FieldWords target{};                  ///< written
+  std::uint32_t result = 0;             ///< clock of the result, counted from the packet's first word in the cell
+
+  constexpr bool operator==(const Accesses&) const = default;
+};
+
+/// What moves from cell to cell, one a clock. A packet occupies each cell for `beats` clocks: in the first `words` of
+/// them a word of A and F comes in, then the cell goes on with what it has. The packet's other fields stand with each
+/// beat here.
 struct PacketWord {
   WordKind kind = WordKind::none;
-  bool begins_line = false;  ///< clears the cell's memory and enable before the cell acts
-  bool last = false;         ///< of its packet: the cell acts
-  Keep keep = Keep::nothing;
-  std::uint16_t number = 0;  ///< in the packet, the least significant word of A and F first
+  bool begins_line = false;   ///< clears the cell's memory and enable before the cell acts
+  bool background = false;    ///< a mark for a line that shows the constant
+  Keep keep = Keep::nothing;  ///< what to take down of the cells as the packet leaves them, for who watches the run
+  std::uint32_t number = 0;   ///< of the beat; the least significant word of A and F comes first
+  std::uint32_t words = 1;
+  std::uint32_t beats = 1;
   std::uint32_t segment = 0;
   std::uint32_t index = 0;  ///< of the instruction in the segment
   std::uint64_t a = 0;      ///< word of A
   std::uint64_t f = 0;      ///< word of A*x + C, where x is the cell that the word is in
-  /// Of a mark: fields[0] is the colour field; a line that is its mark alone shows the constant.
-  isa::Instruction instruction{};
+  Accesses accesses{};
+  isa::Instruction instruction{};  ///< of a mark with a background: only the constant
 
+  [[nodiscard]] constexpr bool last() const { return number + 1 == beats; }
   constexpr bool operator==(const PacketWord&) const = default;
 };
 
@@ -41,7 +75,14 @@ struct RefreshPixel {
   constexpr bool operator==(const RefreshPixel&) const = default;
 };
 
-/// That word of a packet, as it enters cell 0, where F is C. A word has `word_bits` bits, 1 to 64.
-PacketWord packet_word(const isa::Instruction& instruction, std::uint16_t number, std::uint32_t word_bits);
+/// The first beat of a packet, as it enters cell 0, where F is C.
+PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell);
+PacketWord clear_packet(std::uint32_t clocks);
+PacketWord mark_packet(isa::Field colour, const CellShape& cell);
+/// For a line that shows the background, in a field as wide as `colour`.
+PacketWord background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell);
+
+/// The beat after one that is not the last.
+PacketWord next_beat(PacketWord beat, const CellShape& cell);
 
 }  // namespace csgsim::scan_line

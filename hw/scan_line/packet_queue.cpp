@@ -1,14 +1,19 @@
 #include "hw/scan_line/packet_queue.h"
 
 #include <algorithm>
+#include <variant>
 
-#include "hw/machines/clocks.h"
-#include "hw/machines/timing.h"
+#include "hw/scan_line/timing.h"
 
 namespace csgsim::scan_line {
 
 PacketQueue::PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain)
-    : sc_core::sc_module(name), machine_(machine), chain_(chain) {
+    : sc_core::sc_module(name),
+      machine_(machine),
+      figures_(machines::own<Figures>(machine)),
+      cell_{.word_bits = figures_.word_bits, .ports = figures_.ports},
+      chain_(chain),
+      receiver_(machine.link.width) {
   SC_HAS_PROCESS(PacketQueue);
   SC_METHOD(on_clock);
   dont_initialize();
@@ -17,89 +22,85 @@ PacketQueue::PacketQueue(sc_core::sc_module_name name, const machines::Machine& 
 
 void PacketQueue::begin(const Frame& frame) {
   frame_ = frame;
-  budget_ = machines::line_budget(machine_, static_cast<std::uint32_t>(frame.lines.size()));
+  budget_ = line_budget(machine_, static_cast<std::uint32_t>(frame.lines.size()));
   line_ = chain_;
   index_ = 0;
-  word_clocks_ = 0;
-  packet_clocks_ = 0;
+  begins_line_ = false;
+  beat_.reset();
   line_clocks_ = 0;
-  since_mark_ = machines::mark_spacing(frame.pixels());
+  marked_ = false;
   counts_ = {};
-  if (line_ < frame_.lines.size()) next_packet();
+  counter_.begin();
 }
 
 void PacketQueue::on_clock() {
-  const bool sends = line_ < frame_.lines.size();
-  busy.write(sends);
+  busy.write(line_ < frame_.lines.size());
   entry.write({});
-  ++since_mark_;
-  if (!sends) return;
-  if (word_clocks_ < machine_.scan_line.packet_interval) {
-    ++word_clocks_;
-    ++packet_clocks_;
-    ++line_clocks_;
-    ++counts_.clocks;
+  ++line_clocks_;
+  if (!beat_ && receiver_.holds()) take(receiver_.take());
+  counter_.edge(act());
+  receiver_.clock(link);
+}
+
+LineActivity PacketQueue::act() {
+  if (!beat_) return line_ < frame_.lines.size() ? LineActivity::waiting_for_link : LineActivity::done;
+  if (!may_enter()) return LineActivity::waiting_for_refresh;
+  entry.write(*beat_);
+  if (beat_->last()) {
+    end_packet();
   } else {
-    ++counts_.waits;
+    beat_ = next_beat(*beat_, cell_);
   }
-  if (word_clocks_ < machine_.scan_line.packet_interval || !may_enter()) return;
-  entry.write(word_);
-  word_clocks_ = 0;
-  word_.last ? end_packet() : next_word();
+  return LineActivity::entering;
 }
 
-void PacketQueue::next_packet() {
-  const isa::Segment& line = frame_.lines[line_];
-  word_ = {};
-  if (index_ == line.instructions.size()) {
-    words_ = 1;
-    word_ = {.kind = WordKind::mark, .last = true, .keep = Keep::all};
-    word_.instruction.fields[0] = frame_.colour;
-    word_.instruction.constant = frame_.background;
-  } else {
-    const isa::Instruction& instruction = line.instructions[index_];
-    words_ = static_cast<std::uint16_t>(machines::packet_words(instruction, machine_));
-    word_ = packet_word(instruction, 0, machine_.scan_line.word_bits);
-    word_.keep = frame_.listener->keeps_after(static_cast<std::uint32_t>(line_), index_);
-    word_.last = words_ == 1;
+void PacketQueue::take(const isa::Command& command) {
+  if (std::holds_alternative<isa::SegmentStart>(command)) {
+    begins_line_ = true;
+    if (machine_.clear_clocks > 0) take_packet(clear_packet(machine_.clear_clocks));
+  } else if (const auto* const instruction = std::get_if<isa::Instruction>(&command)) {
+    take_packet(instruction_packet(*instruction, cell_));
+    beat_->keep = retirement->keeps_after(static_cast<std::uint32_t>(line_), index_);
+  } else if (std::holds_alternative<isa::SegmentEnd>(command)) {
+    take_packet(index_ > 0 ? mark_packet(frame_.colour, cell_)
+                           : background_packet(frame_.colour, frame_.background, cell_));
+    beat_->keep = kernel::Keep::all;
   }
-  word_.begins_line = index_ == 0;
-  word_.segment = static_cast<std::uint32_t>(line_);
-  word_.index = index_;
 }
 
-void PacketQueue::next_word() {
-  const auto number = static_cast<std::uint16_t>(word_.number + 1);
-  const PacketWord next = packet_word(word_.instruction, number, machine_.scan_line.word_bits);
-  word_.number = number;
-  word_.a = next.a;
-  word_.f = next.f;
-  word_.last = number + 1 == words_;
+void PacketQueue::take_packet(PacketWord packet) {
+  packet.begins_line = begins_line_ && packet.kind != WordKind::clear;
+  packet.segment = static_cast<std::uint32_t>(line_);
+  packet.index = index_;
+  begins_line_ = false;
+  beat_ = packet;
 }
 
+/// A mark has to be so late that its last beat keeps the distance.
 bool PacketQueue::may_enter() const {
-  return word_.kind != WordKind::mark || since_mark_ >= machines::mark_spacing(frame_.pixels());
+  if (beat_->kind != WordKind::mark || !marked_) return true;
+  return line_clocks_ + beat_->beats - beat_->number > mark_spacing(frame_.pixels());
 }
 
 void PacketQueue::end_packet() {
-  accounts.nb_write({.clocks = packet_clocks_});
-  packet_clocks_ = 0;
-  if (word_.kind == WordKind::mark) {
-    end_line();
-  } else {
-    ++index_;
-    ++counts_.packets;
-  }
-  if (line_ < frame_.lines.size()) next_packet();
+  const PacketWord packet = *beat_;
+  beat_.reset();
+  if (packet.kind == WordKind::clear) return;
+  accounts.nb_write({.clocks = packet.beats});
+  if (packet.kind == WordKind::mark) return end_line();
+  ++index_;
+  ++counts_.packets;
 }
 
 void PacketQueue::end_line() {
   counts_.most_packets = std::max<std::uint64_t>(counts_.most_packets, index_);
   if (line_clocks_ > budget_) ++counts_.late_lines;
+  counts_.clocks += line_clocks_;
+  if (!marked_) counts_.first_mark = line_clocks_;
   line_clocks_ = 0;
-  since_mark_ = 0;
+  marked_ = true;
   index_ = 0;
-  line_ += machine_.scan_line.chains;
+  line_ += figures_.chains;
 }
 
 }  // namespace csgsim::scan_line

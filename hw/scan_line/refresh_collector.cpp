@@ -21,20 +21,28 @@ void RefreshCollector::begin(const Frame& frame) {
   lines_.assign(frame.lines.size(), {});
   for (std::vector<std::uint32_t>& line : lines_) line.reserve(frame.pixels());
   std::iota(line_of_chain_.begin(), line_of_chain_.end(), std::size_t{0});
+  chains_.assign(refresh.size(), {});
+  last_chain_ = 0;
+  last_pixel_ = 0;
   missing_lines_ = frame.lines.size();
 }
 
 void RefreshCollector::on_clock() {
   if (!active_) return;
   periods_.edge();
-  if (periods_.count() > 0 && !any_enters()) ++drain_clocks_;
-  for (std::size_t chain = 0; chain < refresh.size(); ++chain) {
-    const RefreshPixel& pixel = refresh[chain].read();
-    if (pixel.valid) collect(chain, pixel.colour);
-  }
+  if (periods_.count() == 0) return;
+  if (!any_enters()) ++drain_clocks_;
+  for (std::size_t chain = 0; chain < refresh.size(); ++chain) look_at(chain);
   if (missing_lines_ > 0) return;
   active_ = false;
   frames.write(++frames_done_);
+}
+
+void RefreshCollector::look_at(std::size_t chain) {
+  const RefreshPixel& pixel = refresh[chain].read();
+  const bool waits = line_of_chain_[chain] < lines_.size();
+  chains_[chain].add(pixel.valid ? LineActivity::showing : waits ? LineActivity::waiting_for_line : LineActivity::done);
+  if (pixel.valid) collect(chain, pixel.colour);
 }
 
 void RefreshCollector::collect(std::size_t chain, std::uint32_t colour) {
@@ -44,6 +52,8 @@ void RefreshCollector::collect(std::size_t chain, std::uint32_t colour) {
   if (line.size() < frame_.pixels()) return;
   number += line_of_chain_.size();
   --missing_lines_;
+  if (periods_.count() > last_pixel_) last_chain_ = chain;
+  last_pixel_ = periods_.count();
 }
 
 bool RefreshCollector::any_enters() const {

@@ -5,6 +5,7 @@
 #include <systemc>
 #include <vector>
 
+#include "hw/scan_line/activity.h"
 #include "hw/scan_line/frame.h"
 #include "hw/scan_line/words.h"
 
@@ -15,24 +16,31 @@ class RefreshCollector final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_vector<sc_core::sc_in<RefreshPixel>> refresh;  ///< one a chain
-  sc_core::sc_vector<sc_core::sc_in<bool>> entering;         ///< a word is entering that chain, or waits
+  sc_core::sc_vector<sc_core::sc_in<bool>> entering;         ///< a line of that chain has not entered whole
   sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< that have come whole
 
   RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains);
 
   void begin(const Frame& frame);
 
-  /// From the first in which a word is entering until that in which the last pixel was at its port.
+  /// From the first in which the host works until that in which the last pixel was at its port.
   [[nodiscard]] std::uint64_t clocks() const { return periods_.count(); }
 
-  /// Those after the last word has entered.
+  /// Those after the last mark has entered.
   [[nodiscard]] std::uint64_t drain_clocks() const { return drain_clocks_; }
+
+  /// Of the refresh port of that chain.
+  [[nodiscard]] const LineClocks& clocks(std::size_t chain) const { return chains_[chain]; }
+
+  /// The first of those whose last pixel came last.
+  [[nodiscard]] std::size_t last_chain() const { return last_chain_; }
 
   /// Of each line the pixels from left to right; the lines in the frame's order.
   [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& lines() const { return lines_; }
 
  private:
   void on_clock();
+  void look_at(std::size_t chain);
   void collect(std::size_t chain, std::uint32_t colour);
   [[nodiscard]] bool any_enters() const;
 
@@ -42,6 +50,9 @@ class RefreshCollector final : public sc_core::sc_module {
   std::uint64_t drain_clocks_ = 0;
   std::vector<std::vector<std::uint32_t>> lines_;
   std::vector<std::size_t> line_of_chain_;  ///< whose pixels come
+  std::vector<LineClocks> chains_;
+  std::size_t last_chain_ = 0;
+  std::uint64_t last_pixel_ = 0;  ///< clock in which it came
   std::size_t missing_lines_ = 0;
   std::uint64_t frames_done_ = 0;
 };

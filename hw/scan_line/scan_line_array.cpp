@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "hw/machines/timing.h"
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/make.h"
+#include "hw/scan_line/timing.h"
 #include "hw/systemc/kernel.h"
 
 namespace csgsim::scan_line {
 
 namespace {
 
-/// A packet is accounted for when its last word enters, and the account is read when that has left the last cell.
+const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
+
+/// A packet is accounted for when its last beat enters, and the account is read when that has left the last cell.
 int most_accounts(const machines::Machine& machine) { return static_cast<int>(machine.array.width) + 2; }
 
 /// By index: two iterators of SystemC 2.3's sc_vector do not compare in C++20, since `a != b` and `b != a` fit equally.
@@ -19,53 +23,75 @@ void for_each(sc_core::sc_vector<Module>& modules, const Act& act) {
   for (std::size_t i = 0; i < modules.size(); ++i) act(modules[i]);
 }
 
+/// The picture in row order, of lines in the Program's order.
+std::vector<std::uint32_t> picture_of(const isa::Program& program,
+                                      const std::vector<std::vector<std::uint32_t>>& lines) {
+  std::vector<std::uint32_t> picture(std::size_t{program.shape.width} * program.shape.height);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::copy(lines[i].begin(), lines[i].end(),
+              &picture[std::size_t{program.segments[i].region.y} * program.shape.width]);
+  }
+  return picture;
+}
+
 }  // namespace
 
 ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       machine_(machine),
       clock_("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)),
-      entry_("entry", machine.scan_line.chains),
-      entering_("entering", machine.scan_line.chains),
-      refresh_("refresh", machine.scan_line.chains),
-      departed_("departed", machine.scan_line.chains),
+      lines_("lines"),
+      words_("words"),
+      entry_("entry", figures_of(machine).chains),
+      entering_("entering", figures_of(machine).chains),
+      refresh_("refresh", figures_of(machine).chains),
       accounts_("accounts"),
+      host_("host", figures_of(machine)),
+      links_("links"),
       queues_("queues"),
       chains_("chains"),
-      retirements_("retirements", machine.scan_line.chains),
-      collector_("collector", machine.scan_line.chains) {
+      collector_("collector", figures_of(machine).chains) {
   SC_HAS_PROCESS(ScanLineArray);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
-  const std::uint32_t chains = machine.scan_line.chains;
+  const std::uint32_t chains = figures_of(machine).chains;
+  const CellShape cell{.word_bits = figures_of(machine).word_bits, .ports = figures_of(machine).ports};
+  lines_.init(chains, [](const char* part, std::size_t) { return new sc_core::sc_fifo<std::uint32_t>(part, 1); });
+  words_.init(chains, [&machine](const char* part, std::size_t) {
+    return new sc_core::sc_fifo<isa::LinkWord>(part, static_cast<int>(machine.link.fifo_depth));
+  });
   accounts_.init(chains, [&machine](const char* part, std::size_t) {
     return new sc_core::sc_fifo<EntryAccount>(part, most_accounts(machine));
   });
+  links_.init(chains, [&machine](const char* part, std::size_t) { return new ChainLink(part, machine.link); });
   queues_.init(chains, [&machine](const char* part, std::size_t chain) {
     return new PacketQueue(part, machine, static_cast<std::uint32_t>(chain));
   });
-  chains_.init(chains, [&machine](const char* part, std::size_t) {
-    return new CellChain(part, machine.array, machine.scan_line.word_bits);
-  });
+  chains_.init(chains, [&](const char* part, std::size_t) { return new CellChain(part, machine.array, cell); });
 
   for (std::size_t i = 0; i < chains; ++i) {
+    host_.lines[i](lines_[i]);
+    links_[i].clock(clock_);
+    links_[i].lines(lines_[i]);
+    links_[i].words(words_[i]);
+
     queues_[i].clock(clock_);
+    queues_[i].link(words_[i]);
     queues_[i].entry(entry_[i]);
     queues_[i].busy(entering_[i]);
     queues_[i].accounts(accounts_[i]);
+    queues_[i].retirement(retirement_);
 
     chains_[i].clock(clock_);
     chains_[i].entry(entry_[i]);
     chains_[i].refresh(refresh_[i]);
-    chains_[i].departed(departed_[i]);
-
-    retirements_[i].departed(departed_[i]);
-    retirements_[i].accounts(accounts_[i]);
-    retirements_[i].exit(chains_[i].exit);
+    chains_[i].accounts(accounts_[i]);
+    chains_[i].retirement(retirement_);
 
     collector_.refresh[i](refresh_[i]);
     collector_.entering[i](entering_[i]);
   }
+  host_.clock(clock_);
   collector_.clock(clock_);
   collector_.frames(frames_);
 
@@ -77,29 +103,61 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
 void ScanLineArray::on_done() { sc_core::sc_pause(); }
 
-RunReport ScanLineArray::run(const Frame& frame) {
-  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
-  for_each(queues_, [&](PacketQueue& queue) { queue.begin(frame); });
-  for_each(chains_, [&](CellChain& chain) { chain.begin(frame.pixels()); });
-  for_each(retirements_, [&](Retirement& retirement) { retirement.begin(*frame.listener); });
-  collector_.begin(frame);
-  sc_core::sc_start();
-  for_each(retirements_, [](Retirement& retirement) { retirement.rethrow(); });
-  return {.clocks = collector_.clocks(), .account = account(frame)};
+kernel::RunReport ScanLineArray::run(const isa::Program& program, kernel::RunListener& listener) {
+  const isa::FrameHeader header = isa::frame_header(program);
+  const Frame frame{.lines = program.segments, .colour = header.colour, .background = header.background};
+  draw(frame, listener);
+  kernel::RunReport report{.clocks = collector_.clocks(),
+                           .answers = {},
+                           .account = account(counted(), machine_, collector_.clocks()),
+                           .shown_clocks = collector_.clocks(),
+                           .interval_clocks = interval(frame)};
+  if (header.colour.width > 0) report.picture = picture_of(program, collector_.lines());
+  return report;
 }
 
-machines::LineAccount ScanLineArray::account(const Frame& frame) const {
-  const auto height = static_cast<std::uint32_t>(frame.lines.size());
-  machines::LineAccount account{.lines = collector_.lines().size(),
-                                .line_budget = machines::line_budget(machine_, height),
-                                .drain_clocks = collector_.drain_clocks()};
+void ScanLineArray::draw(const Frame& frame, kernel::RunListener& listener) {
+  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  retirement_.begin(listener);
+  host_.begin(frame);
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    links_[i].begin(frame, (frame.lines.size() + links_.size() - 1 - i) / links_.size());
+  for_each(queues_, [&](PacketQueue& queue) { queue.begin(frame); });
+  for_each(chains_, [&](CellChain& chain) { chain.begin(frame.pixels()); });
+  collector_.begin(frame);
+  sc_core::sc_start();
+  retirement_.rethrow();
+}
+
+/// The frame after begins when all marks have entered, and so late that none of its own waits for one of these.
+std::uint64_t ScanLineArray::interval(const Frame& frame) const {
+  std::uint64_t clocks = 0;
+  for (const PacketQueue& queue : queues_) {
+    const EntryCounts& counts = queue.counts();
+    if (counts.clocks == 0) continue;
+    const std::uint64_t free = counts.clocks + mark_spacing(frame.pixels());
+    clocks = std::max({clocks, counts.clocks, free - std::min(free, counts.first_mark)});
+  }
+  return clocks;
+}
+
+LineAccount ScanLineArray::counted() const {
+  const std::size_t last = collector_.last_chain();
+  LineAccount account{.lines = collector_.lines().size(),
+                      .line_budget = line_budget(machine_, static_cast<std::uint32_t>(collector_.lines().size())),
+                      .drain_clocks = collector_.drain_clocks(),
+                      .host = host_.clocks(),
+                      .link = links_[last].clocks(),
+                      .entry = queues_[last].clocks(),
+                      .refresh = collector_.clocks(last)};
+  for (const ChainLink& link : links_) account.link_words += link.sent();
   for (const PacketQueue& queue : queues_) {
     const EntryCounts& counts = queue.counts();
     account.packets += counts.packets;
     account.most_packets = std::max(account.most_packets, counts.most_packets);
     account.late_lines += counts.late_lines;
-    account.entry_clocks += counts.clocks;
-    account.refresh_clocks += counts.waits;
+    account.entry_clocks += queue.clocks().of(LineActivity::entering);
+    account.refresh_clocks += queue.clocks().of(LineActivity::waiting_for_refresh);
   }
   for (const CellChain& chain : chains_) {
     const std::uint64_t fill = chain.fill_clocks();
@@ -107,6 +165,10 @@ machines::LineAccount ScanLineArray::account(const Frame& frame) const {
     account.busy_cells += chain.chain().busy_cells();
   }
   return account;
+}
+
+std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+  return std::make_unique<ScanLineArray>("scan_line", machine);
 }
 
 }  // namespace csgsim::scan_line

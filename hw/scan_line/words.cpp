@@ -5,8 +5,9 @@ namespace csgsim::scan_line {
 std::ostream& operator<<(std::ostream& stream, const PacketWord& word) {
   switch (word.kind) {
     case WordKind::none: return stream << '-';
+    case WordKind::clear: return stream << "clear";
     case WordKind::instruction:
-      return stream << isa::info(word.instruction.opcode).name << " word " << word.number << " a=" << word.a
+      return stream << isa::name_of(word.instruction.opcode) << " beat " << word.number << " a=" << word.a
                     << " f=" << word.f;
     case WordKind::mark: return stream << "mark";
   }

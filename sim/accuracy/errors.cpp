@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "hw/isa/depth_scale.h"
+#include "sim/accuracy/explain.h"
+#include "sim/accuracy/truth.h"
 
 namespace csgsim::accuracy {
 
@@ -31,7 +33,7 @@ Errors measure(const Truth& truth, const sim::Frame& frame, const isa::Program& 
   if (frame.width != truth.width || frame.height != truth.height) {
     throw std::invalid_argument("the picture and the truth have different sizes");
   }
-  const unsigned bits = program.compile.z_bits;
+  const unsigned bits = program.facts.compile.z_bits;
   const std::uint32_t farthest = static_cast<std::uint32_t>((1ULL << bits) - 1);
   Errors errors;
   errors.pixels = truth.owner.size();
@@ -52,8 +54,8 @@ Errors measure(const Truth& truth, const sim::Frame& frame, const isa::Program& 
       wrong = false;
     }
     if (!wrong && expected != nothing) {
-      model_units.push_back(std::abs(isa::distance_of(program.depth_scale, bits, depth) - truth.distance[i]));
-      steps.push_back(std::abs(isa::depth_of(program.depth_scale, bits, truth.distance[i]) - depth));
+      model_units.push_back(std::abs(isa::distance_of(program.facts.depth_scale, bits, depth) - truth.distance[i]));
+      steps.push_back(std::abs(isa::depth_of(program.facts.depth_scale, bits, truth.distance[i]) - depth));
       if (allowed) {
         const Steps may = allowed(truth.plane[i], place);
         wrong = depth < std::max<std::int64_t>(may.low, 0) || depth > std::max<std::int64_t>(may.high, 0);

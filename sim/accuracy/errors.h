@@ -5,11 +5,12 @@
 #include <string>
 
 #include "hw/isa/program.h"
-#include "sim/accuracy/explain.h"
-#include "sim/accuracy/truth.h"
 #include "sim/observe/frame.h"
 
 namespace csgsim::accuracy {
+
+class Explainer;
+struct Truth;
 
 /// How far depths are off where the owner is right.
 struct DepthError {

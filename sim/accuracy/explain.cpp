@@ -39,10 +39,10 @@ Explainer::Explainer(const model::Tree& tree, const facet::Scene& scene, const v
       scene_(scene),
       width_(program.shape.width),
       height_(program.shape.height),
-      sight_(scene.planes, camera, width_, height_, program.depth_scale),
-      z_bits_(program.compile.z_bits),
-      ulp_(std::ldexp(0.5, -static_cast<int>(program.compile.fraction_bits))) {
-  const isa::DepthScale& scale = program.depth_scale;
+      sight_(scene.planes, camera, width_, height_, program.facts.depth_scale),
+      z_bits_(program.facts.compile.z_bits),
+      ulp_(std::ldexp(0.5, -static_cast<int>(program.facts.compile.fraction_bits))) {
+  const isa::DepthScale& scale = program.facts.depth_scale;
   const double steps = std::ldexp(1.0, static_cast<int>(z_bits_)) - 4.0;
   const double unit = sight_.axis_length();
   if (scale.perspective) {
@@ -58,7 +58,7 @@ Explainer::Explainer(const model::Tree& tree, const facet::Scene& scene, const v
     q_middle_ = (scale.near + scale.far) / 2.0 / unit;
     q_half_range_ = (scale.far - scale.near) / 2.0 / unit;
   }
-  steepest_ = (steps + 4.0) / program.compile.edge_on_fraction;
+  steepest_ = (steps + 4.0) / program.facts.compile.edge_on_fraction;
 }
 
 /// How far rounded coefficients may take a linear function from what it is at the middle of the picture, in units of

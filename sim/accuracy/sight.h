@@ -46,7 +46,7 @@ struct SightPlane {
   [[nodiscard]] double at(Place place) const { return c + a * place.x + b * place.y; }
 };
 
-/// The canonical planes of a scene as a camera (DESIGN.md section 8) sees them, in exact numbers.
+/// The canonical planes of a scene as a camera (host/view/camera.h) sees them, in exact numbers.
 ///
 /// The planes' doubles are taken as they are. The camera's direction v = centre - eye, r = v x up and u = r x v are
 /// exact too, and not normalised, so that what is perpendicular or parallel to them is so exactly. Only two lengths are

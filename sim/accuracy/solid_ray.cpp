@@ -135,22 +135,29 @@ Interval TrueSolid::on(const Line& line) const {
   const long double shift =
       glm::dot(middle - local.origin, local.direction) / glm::dot(local.direction, local.direction);
   local.origin += shift * local.direction;
-  Interval in = everywhere;
-  if (const auto* sphere = std::get_if<model::Sphere>(&primitive_.shape)) {
-    in = ball(sphere->radius, local);
-  } else if (const auto* cylinder = std::get_if<model::Cylinder>(&primitive_.shape)) {
-    in = frustum(*cylinder, local);
-  } else if (!sides_.empty()) {
-    for (const Side& side : sides_) {
-      in = common(
-          in, below_zero(glm::dot(side.normal, local.direction), glm::dot(side.normal, local.origin) + side.offset));
-    }
-  } else {
-    for (int axis = 0; axis < 3; ++axis) {
-      in = common(in, slab(low_[axis], high_[axis], local.origin[axis], local.direction[axis]));
-    }
-  }
+  const Interval in = std::visit([&](const auto& shape) { return within(shape, local); }, primitive_.shape);
   return {in.low + shift, in.high + shift};
+}
+
+Interval TrueSolid::within(const model::Cube& /*shape*/, const Line& line) const {
+  Interval in = everywhere;
+  for (int axis = 0; axis < 3; ++axis) {
+    in = common(in, slab(low_[axis], high_[axis], line.origin[axis], line.direction[axis]));
+  }
+  return in;
+}
+
+Interval TrueSolid::within(const model::Sphere& shape, const Line& line) { return ball(shape.radius, line); }
+
+Interval TrueSolid::within(const model::Cylinder& shape, const Line& line) { return frustum(shape, line); }
+
+Interval TrueSolid::within(const model::Polyhedron& /*shape*/, const Line& line) const {
+  Interval in = everywhere;
+  for (const Side& side : sides_) {
+    in =
+        common(in, below_zero(glm::dot(side.normal, line.direction), glm::dot(side.normal, line.origin) + side.offset));
+  }
+  return in;
 }
 
 std::vector<LongVector> TrueSolid::corners() const {

@@ -43,6 +43,12 @@ class TrueSolid {
     long double offset;
   };
 
+  // The part of a line in object space that is in a shape: one for each of model::Shape.
+  [[nodiscard]] Interval within(const model::Cube& shape, const Line& line) const;
+  [[nodiscard]] static Interval within(const model::Sphere& shape, const Line& line);
+  [[nodiscard]] static Interval within(const model::Cylinder& shape, const Line& line);
+  [[nodiscard]] Interval within(const model::Polyhedron& shape, const Line& line) const;
+
   const model::Primitive& primitive_;
   LongMatrix to_model_;
   LongMatrix to_object_;

@@ -32,11 +32,11 @@ inline Truth empty_truth(std::uint32_t width, std::uint32_t height) {
           std::vector<std::uint32_t>(pixels, nothing), std::vector<std::uint32_t>(pixels, nothing)};
 }
 
-/// The picture that the scene's half-spaces make by the rules of DESIGN.md section 3, in exact arithmetic (sight.h).
+/// The picture that the scene's half-spaces make by the rules of docs/numbers.md (half-open, ties, owner) and of
+/// docs/algorithm.md (view), in exact arithmetic (sight.h).
 ///
 /// - A primitive fills [front, back) along the ray of a pixel centre: front is its farthest plane that faces the eye,
-/// back
-///   its nearest that faces away. In perspective it begins at the near plane, depth.near, at the earliest.
+///   back its nearest that faces away. In perspective it begins at the near plane, depth.near, at the earliest.
 /// - The depth seen is the first at which the tree, as the model states it, holds the point just behind.
 /// - Its owner is the first primitive in tree order of those whose front (back, where the primitive is taken away) is
 ///   at that depth exactly and whose surface no operator takes away.

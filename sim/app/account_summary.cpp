@@ -2,65 +2,56 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "sim/app/numbers.h"
-#include "sim/observe/account_json.h"
 
 namespace csgsim::app {
 
 namespace {
 
-void print_part(const std::string& part, const machines::SquareClocks& clocks, std::uint64_t frame) {
-  fmt::print("  {:<16}", part);
-  for (const std::uint64_t clock : clocks)
-    fmt::print("{:>14}{:>6.1f} %", grouped(clock), 100.0 * sim::share(clock, frame));
-  fmt::print("\n");
-}
-
 /// waiting_for_host as `wait: host`.
 std::string heading(std::string_view activity) {
   constexpr std::string_view waiting = "waiting_for_";
   std::string text(activity.starts_with(waiting) ? activity.substr(waiting.size()) : activity);
-  for (char& c : text) c = c == '_' ? ' ' : c;
+  std::replace(text.begin(), text.end(), '_', ' ');
   return activity.starts_with(waiting) ? "wait: " + text : text;
 }
 
-struct Printer {
-  const sim::Report& report;
+bool same_activities(const machines::PartAccount& one, const machines::PartAccount& other) {
+  return std::equal(one.clocks.begin(), one.clocks.end(), other.clocks.begin(), other.clocks.end(),
+                    [](const auto& a, const auto& b) { return a.activity == b.activity; });
+}
 
-  void operator()(const std::monostate& /*whole*/) const {}
+void print_heading(const machines::PartAccount& part) {
+  fmt::print("\n{:<18}", "part");
+  for (const machines::ActivityClocks& one : part.clocks) fmt::print("{:>22}", heading(one.activity));
+  fmt::print("\n");
+}
 
-  void operator()(const machines::LineAccount& account) const {
-    fmt::print("\n{:<18}{} in {}, {:.1f} a line, {} at most; {} of {} lines are late: more than {} clocks\n", "packets",
-               grouped(account.packets), counted(account.lines, "line"),
-               static_cast<double>(account.packets) / static_cast<double>(std::max<std::uint64_t>(account.lines, 1)),
-               grouped(account.most_packets), grouped(account.late_lines), grouped(account.lines),
-               grouped(account.line_budget));
-    fmt::print("{:<18}{} entering packets, {} waiting for the refresh path, {} to fill, {} to drain\n", "chain clocks",
-               grouped(account.entry_clocks), grouped(account.refresh_clocks), grouped(account.fill_clocks),
-               grouped(account.drain_clocks));
-    fmt::print("{:<18}{:.1f} % of the cells' clocks\n", "busy cells", 100.0 * sim::cell_utilisation(account, report));
+void print_part(const machines::PartAccount& part, std::uint64_t frame) {
+  fmt::print("  {:<16}", part.part);
+  for (const machines::ActivityClocks& one : part.clocks) {
+    fmt::print("{:>14}{:>6.1f} %", grouped(one.clocks), 100.0 * machines::Share{{}, one.clocks, frame}.value());
   }
-
-  void operator()(const machines::SquareAccount& account) const {
-    fmt::print("\n{:<18}{} drawn, {} skipped; the renderers draw {:.1f} % of the time\n", "squares",
-               grouped(account.squares_drawn), grouped(account.squares_skipped),
-               100.0 * sim::renderer_utilisation(account));
-    fmt::print("{:<18}", "part");
-    for (const machines::SquareActivityInfo& activity : machines::square_activities)
-      fmt::print("{:>22}", heading(activity.name));
-    fmt::print("\n");
-    print_part("host", account.host, report.result.clocks);
-    print_part("divider", account.divider, report.result.clocks);
-    for (std::size_t i = 0; i < account.renderers.size(); ++i)
-      print_part(fmt::format("renderer {}", i), account.renderers[i], report.result.clocks);
-    print_part("frame buffer", account.frame_buffer, report.result.clocks);
-  }
-};
+  fmt::print("\n");
+}
 
 }  // namespace
 
-void print_account(const sim::Report& report) { std::visit(Printer{report}, report.result.account); }
+void print_account(const sim::Report& report) {
+  const machines::Account& account = report.result.account;
+  if (!account.counts.empty() || !account.shares.empty()) fmt::print("\n");
+  for (const machines::Count& count : account.counts)
+    fmt::print("{:<26}{:>18}\n", heading(count.name), grouped(count.value));
+  for (const machines::Share& share : account.shares) {
+    fmt::print("{:<26}{:>18.4g}\n", heading(share.name), share.value());
+  }
+  for (std::size_t i = 0; i < account.parts.size(); ++i) {
+    if (i == 0 || !same_activities(account.parts[i - 1], account.parts[i])) print_heading(account.parts[i]);
+    print_part(account.parts[i], report.result.clocks);
+  }
+}
 
 }  // namespace csgsim::app

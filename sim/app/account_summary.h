@@ -4,7 +4,7 @@
 
 namespace csgsim::app {
 
-/// Prints where the clocks of a machine that works on parts of the picture went; nothing for one that holds the whole.
+/// Prints what the machine's kind tells of the frame: counts, shares, and where the clocks of each part went.
 void print_account(const sim::Report& report);
 
 }  // namespace csgsim::app

@@ -9,6 +9,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
+#include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
@@ -36,7 +37,7 @@ struct Options {
   std::string progress = "auto";
 };
 
-std::string title_of(const Options& options, const CLI::App& command) {
+std::string title_of(const Options& options, const Command& command) {
   return study_title(command, {}) + " of " + escaped(std::filesystem::path(options.model.model).filename().native());
 }
 
@@ -112,7 +113,7 @@ void complete(const Options& options, const Study& study, Table& table) {
   if (show) tell("\r\x1b[K");
 }
 
-void run(const Options& options, const CLI::App& command) {
+void run(const Options& options, const Command& command) {
   const Study study = study_of(options);
   const StudyFolder folder(options.folder, "accuracy", options.model.inputs());
   const std::string title = title_of(options, command);
@@ -122,7 +123,7 @@ void run(const Options& options, const CLI::App& command) {
   complete(options, study, table);
   print_table(table.rows());
   print_front(table.rows());
-  write_points(folder.path() / "accuracy.json", title, table.rows(), study::to_json<study::Measurement>);
+  write_file(folder.path() / "accuracy.json", study::points_json(title, table.rows()));
   if (!options.no_plots) study::draw_plots(table.rows(), study::plot_stem(options.model.model), folder.path());
   fmt::print("\n{}: accuracy.csv, accuracy.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) a knob and of the front");
@@ -130,27 +131,22 @@ void run(const Options& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_accuracy(CLI::App& app) {
+void add_accuracy(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("accuracy", "Show what accuracy costs in clocks: turn every knob and measure the errors");
-  command.footer(
-      "Example:\n  csgsim accuracy carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-accuracy\n"
-      "What has been measured is in accuracy.csv at once; the same command goes on after an interruption.");
+  Command command =
+      line.add("accuracy", "Show what accuracy costs in clocks: turn every knob and measure the errors",
+               "Example:\n  csgsim accuracy carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-accuracy\n"
+               "What has been measured is in accuracy.csv at once; the same command goes on after an interruption.");
   options->model.add_to(command);
-  command.remove_option(command.get_option("--memory-bits"));  // what is needed is one of the results
-  command.add_option("-o,--output", options->folder, "Folder for accuracy.csv, accuracy.json and the plots")
-      ->required()
-      ->check(not_empty);
-  command
-      .add_option("--views", options->views, "Views that a point is measured in: the camera turned about the vertical")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command.add_flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
-  command.add_option("--progress", options->progress, "auto (when standard error is a terminal) or none")
-      ->check(CLI::IsMember({"auto", "none"}))
-      ->capture_default_str();
-  command.callback([options, &command] { run(*options, command); });
+  command.remove("--memory-bits");  // what is needed is one of the results
+  command.option("-o,--output", options->folder, "Folder for accuracy.csv, accuracy.json and the plots")
+      .required()
+      .check(not_empty);
+  command.option("--views", options->views, "Views that a point is measured in: the camera turned about the vertical")
+      .between(1, 64);
+  command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  add_progress(command, options->progress);
+  command.runs([options, command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "hw/base/error.h"
+#include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
@@ -20,6 +21,7 @@
 #include "sim/app/version.h"
 #include "sim/study/comparison.h"
 #include "sim/study/gnuplot.h"
+#include "sim/study/ideal.h"
 #include "sim/study/ranges.h"
 #include "sim/study/table.h"
 
@@ -34,10 +36,11 @@ constexpr unsigned most_fragments = 4096;
 
 struct Options {
   ModelOptions model;
-  std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5";
+  std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5,multi-processor";
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
   std::string folder;
+  bool ideal = false;
   bool no_plots = false;
   std::string progress = "auto";
 };
@@ -54,6 +57,16 @@ machines::Machine machine_named(const Options& options, const std::string& name)
   ModelOptions one = options.model;
   one.machine = name;
   return machine_of(one);
+}
+
+/// The machine's own picture, as the machine is and with one figure after the other made ideal.
+std::vector<study::ComparisonPoint> ideal_points(const machines::Machine& machine, const std::string& name) {
+  std::vector<study::ComparisonPoint> points{{name, machine.picture.width, machine.picture.height, 0}};
+  for (const std::string& choice : study::ideal_choices(machine)) {
+    points.push_back(points.front());
+    points.back().ideal = choice;
+  }
+  return points;
 }
 
 /// The machine's own picture, with every number of fragments, and pictures of every size.
@@ -81,15 +94,17 @@ Study study_of(const Options& options) {
   const facet::Scene scene = facet::make_scene(study.tree);
   for (const std::string& name : study::parse_words(options.machines)) {
     const machines::Machine machine = machine_named(options, name);
-    const machines::Size base = machines::picture_size(machine);
+    const machines::Size base = machine.picture;
     const study::Inputs inputs{file.hash, study::hash_of(machine), version_and_build()};
     if (study.jobs.empty()) study.base = base;
-    for (study::ComparisonPoint& point : points_of(options, escaped(name), base)) {
+    for (study::ComparisonPoint& point :
+         options.ideal ? ideal_points(machine, escaped(name)) : points_of(options, escaped(name), base)) {
+      machines::Machine drawing = study::made_ideal(machine, point.ideal);
       view::Sampling sampling = sampling_of(options.model, machine);
       sampling.width = point.width;
       sampling.height = point.height;
       study.jobs.push_back({{std::move(point), inputs},
-                            machine,
+                            std::move(drawing),
                             camera_of(options.model, machine, scene),
                             sampling,
                             emit_options_of(options.model)});
@@ -98,7 +113,7 @@ Study study_of(const Options& options) {
   return study;
 }
 
-std::string title_of(const Options& options, const CLI::App& command) {
+std::string title_of(const Options& options, const Command& command) {
   return study_title(command, {"machines", "sides", "fragments"}) + " of " +
          escaped(std::filesystem::path(options.model.model).filename().native());
 }
@@ -141,6 +156,23 @@ void print_row(const study::ComparisonRow& row) {
              grouped(row.processor_clocks), grouped(row.memory_bits), 100.0 * row.utilisation);
 }
 
+/// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
+void print_ideal_rows(const Rows& rows) {
+  fmt::print("{:<16}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", "ideal", "clocks", "ms", "frames/s", "worth %");
+  const study::ComparisonRow* as_it_is = nullptr;
+  for (const study::ComparisonRow& row : rows) {
+    if (row.point.ideal.empty()) as_it_is = &row;
+    fmt::print("{:<16}{:<28}", row.point.machine, row.point.ideal.empty() ? "as it is" : row.point.ideal);
+    if (!row.drawn()) {
+      fmt::print("  {}\n", row.reason);
+      continue;
+    }
+    fmt::print("{:>13}{:>11.2f}{:>9.1f}", grouped(row.clocks), row.seconds * 1e3, row.frames_per_second);
+    if (as_it_is->drawn()) fmt::print("{:>9.2f}", 100.0 * (1.0 - row.seconds / as_it_is->seconds));
+    fmt::print("\n");
+  }
+}
+
 void print_rows(const Rows& rows) {
   fmt::print("{:<16}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>8}\n", "machine", "picture", "$fn",
              "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.", "processor clocks", "memory bits",
@@ -166,7 +198,7 @@ void refuse_differences(const Rows& rows) {
   fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
 }
 
-void run(const Options& options, const CLI::App& command) {
+void run(const Options& options, const Command& command) {
   const std::string stem = study::plot_stem(options.model.model);
   const Study study = study_of(options);
   const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare",
@@ -176,46 +208,47 @@ void run(const Options& options, const CLI::App& command) {
   Table table(table_path, title);
   tell_stale(table_path, table.drop_stale(std::span<const study::WantedComparison>(wanted_of(study))));
   const Rows rows = complete(options, study, table);
-  write_points(folder.path() / "compare.json", title, rows, study::to_json<study::ComparisonRow>);
-  print_rows(rows);
-  if (!options.no_plots) study::draw_comparison(rows, study.base, stem, folder.path());
+  write_file(folder.path() / "compare.json", study::points_json(title, rows));
+  options.ideal ? print_ideal_rows(rows) : print_rows(rows);
+  const bool plots = !options.no_plots && !options.ideal;
+  if (plots) study::draw_comparison(rows, study.base, stem, folder.path());
   refuse_differences(rows);
   fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
-             options.no_plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
+             !plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
 }
 
 }  // namespace
 
-void add_compare(CLI::App& app) {
+void add_compare(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("compare", "Draw a model on several machines: clocks, time, memory, utilisation, growth");
-  command.footer(
+  Command command = line.add(
+      "compare", "Draw a model on several machines: clocks, time, memory, utilisation, growth",
       "Example:\n  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5\n"
       "  csgsim compare carburettor.csg --machines pixel-planes-4,mine.toml --sides 64,128 --fragments 8,16 -o out\n"
+      "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5 --ideal -o carburettor-ideal\n"
       "What has been measured is in compare.csv at once; the same command goes on after an interruption.");
   options->model.add_to(command);
-  command.remove_option(command.get_option("--machine"));
-  command.remove_option(command.get_option("--tolerance"));
-  command.add_option("--machines", options->machines, "List of machines, by name or .toml file")->capture_default_str();
+  command.remove("--machine");
+  command.remove("--tolerance");
+  command.option("--machines", options->machines, "List of machines, by name or .toml file");
   command
-      .add_option("--fragments", options->fragments,
-                  "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
-                  "empty for the model's own only")
-      ->check(is_read_by(fragments_of))
-      ->capture_default_str();
-  command.add_option("--sides", options->sides, "Numbers: sides of square pictures in pixels; empty for one size only")
-      ->check(is_read_by(sides_of))
-      ->capture_default_str();
+      .option("--fragments", options->fragments,
+              "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
+              "empty for the model's own only")
+      .check(is_read_by(fragments_of));
+  command.option("--sides", options->sides, "Numbers: sides of square pictures in pixels; empty for one size only")
+      .check(is_read_by(sides_of));
   command
-      .add_option("-o,--output", options->folder,
-                  "Folder for compare.csv, compare.json and the plots; MODEL-compare if not given")
-      ->check(not_empty);
-  command.add_flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
-  command.add_option("--progress", options->progress, "auto (when standard error is a terminal) or none")
-      ->check(CLI::IsMember({"auto", "none"}))
-      ->capture_default_str();
-  command.callback([options, &command] { run(*options, command); });
+      .option("-o,--output", options->folder,
+              "Folder for compare.csv, compare.json and the plots; MODEL-compare if not given")
+      .check(not_empty);
+  command.flag(
+      "--ideal", options->ideal,
+      "What each idealisation is worth: every figure of a machine that may be ideal is, one after the other and "
+      "all at once; no other sizes or fragments, and no plots");
+  command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  add_progress(command, options->progress);
+  command.runs([options, command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -13,20 +13,19 @@
 
 namespace csgsim::app {
 
-void add_compile(CLI::App& app) {
+void add_compile(CommandLine& line) {
   struct Options {
     ModelOptions model;
     std::string output;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("compile", "Compile a CSG model into a Program file, to be run without the model");
-  command.footer(
+  Command command = line.add(
+      "compile", "Compile a CSG model into a Program file, to be run without the model",
       "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt --view-all\n  csgsim run carburettor.csgt -o "
       "carburettor.png");
   options->model.add_to(command);
-  command.add_option("-o,--output", options->output, "The Program file, .csgt")->required()->check(not_empty);
-  command.callback([options] {
+  command.option("-o,--output", options->output, "The Program file, .csgt").required().check(not_empty);
+  command.runs([options] {
     refuse_clashes(options->model.inputs(), std::to_array<std::filesystem::path>({options->output}));
     const isa::Program program = compile_model(options->model, machine_of(options->model)).program;
     isa::save_program(program, options->output);

@@ -13,17 +13,17 @@
 
 namespace csgsim::app {
 
-void add_disasm(CLI::App& app) {
+void add_disasm(CommandLine& line) {
   struct Options {
     std::string program;
     std::string output;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand("disasm", "Show a Program as text, which csgsim run reads too");
-  command.footer("Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
-  command.add_option("PROGRAM", options->program, "The Program, .csgt or its text form")->required();
-  command.add_option("-o,--output", options->output, "The text file; standard output if not given")->check(not_empty);
-  command.callback([options] {
+  Command command = line.add("disasm", "Show a Program as text, which csgsim run reads too",
+                             "Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
+  command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
+  command.option("-o,--output", options->output, "The text file; standard output if not given").check(not_empty);
+  command.runs([options] {
     refuse_clashes(std::to_array<std::filesystem::path>({options->program}),
                    std::to_array<std::filesystem::path>({options->output}));
     const isa::Program program = read_program(options->program);

@@ -5,10 +5,10 @@
 
 namespace csgsim::app {
 
-void add_isa(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("isa", "Print the manual page of the broadcast instruction set, in Markdown");
-  command.footer("Example:\n  csgsim isa > docs/instruction-set.md");
-  command.callback([] { fmt::print("{}", isa::instruction_set_page()); });
+void add_isa(CommandLine& line) {
+  Command command = line.add("isa", "Print the manual page of the broadcast instruction set, in Markdown",
+                             "Example:\n  csgsim isa > docs/instruction-set.md");
+  command.runs([] { fmt::print("{}", isa::instruction_set_page()); });
 }
 
 }  // namespace csgsim::app

@@ -45,7 +45,7 @@ Outcome run_level(sim::Engine& engine, const isa::Program& program) {
 void compare_levels(const ModelOptions& options) {
   const machines::Machine machine = machine_of(options);
   const isa::Program program = compile_model(options, machine).program;
-  const machines::Size picture = machines::picture_size(machine);
+  const machines::Size picture = machine.picture;
   const std::array<std::unique_ptr<sim::Engine>, 3> engines{
       sim::make_functional_engine(machine), sim::make_cycle_engine(machine), sim::make_reference_engine(machine)};
   fmt::print("{} at {} x {}\n{:<12}{:>12}{:>12}{:>16}{:>20}  {}\n", printable(options.model), picture.width,
@@ -65,13 +65,13 @@ void compare_levels(const ModelOptions& options) {
 
 }  // namespace
 
-void add_levels(CLI::App& app) {
+void add_levels(CommandLine& line) {
   const auto options = std::make_shared<ModelOptions>();
-  CLI::App& command = *app.add_subcommand(
-      "levels", "Run a model at every level: what fidelity costs in time, and that the results are equal");
-  command.footer("Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256");
+  Command command =
+      line.add("levels", "Run a model at every level: what fidelity costs in time, and that the results are equal",
+               "Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256");
   options->add_to(command);
-  command.callback([options] { compare_levels(*options); });
+  command.runs([options] { compare_levels(*options); });
 }
 
 }  // namespace csgsim::app

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "hw/base/error.h"
@@ -8,10 +9,12 @@
 #include "sim/accuracy/explain.h"
 #include "sim/accuracy/truth.h"
 #include "sim/app/commands.h"
+#include "sim/app/frames.h"
 #include "sim/app/model_options.h"
 #include "sim/app/options.h"
 #include "sim/app/run_options.h"
 #include "sim/app/run_outputs.h"
+#include "sim/app/usage.h"
 #include "sim/study/measure.h"
 
 namespace csgsim::app {
@@ -23,25 +26,27 @@ struct Options {
   RunOptions run;
   bool check = false;
   std::optional<std::uint64_t> max_wrong_pixels;
+  Turntable turntable;
 };
 
 /// Holds the picture against the exact one of the same half-spaces.
-Verdict verdict(const CompiledModel& compiled, const sim::Frame& frame) {
+std::string verdict(const CompiledModel& compiled, const sim::Frame& frame, nlohmann::ordered_json& json) {
   const isa::Program& program = compiled.program;
-  const accuracy::Truth truth = accuracy::exact_truth(compiled.tree, compiled.scene, compiled.camera,
-                                                      program.shape.width, program.shape.height, program.depth_scale);
+  const accuracy::Truth truth =
+      accuracy::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width, program.shape.height,
+                            program.facts.depth_scale);
   const accuracy::Explainer explainer(compiled.tree, compiled.scene, compiled.camera, program);
   const accuracy::Errors errors = accuracy::judge(truth, frame, program, explainer);
-  nlohmann::ordered_json json{{"wrong_pixels", errors.wrong()},
-                              {"silhouette", errors.silhouette},
-                              {"owner", errors.owner},
-                              {"depth", errors.depth},
-                              {"explained", errors.explained},
-                              {"unexplained", errors.unexplained},
-                              {"covered", errors.covered},
-                              {"depth_error", {{"max", errors.model_units.max}, {"p999", errors.model_units.p999}}},
-                              {"depth_error_steps", {{"max", errors.steps.max}, {"p999", errors.steps.p999}}}};
-  return {std::move(json), fmt::format("{:<18}{}\n", "accuracy", accuracy::to_text(errors))};
+  json = {{"wrong_pixels", errors.wrong()},
+          {"silhouette", errors.silhouette},
+          {"owner", errors.owner},
+          {"depth", errors.depth},
+          {"explained", errors.explained},
+          {"unexplained", errors.unexplained},
+          {"covered", errors.covered},
+          {"depth_error", {{"max", errors.model_units.max}, {"p999", errors.model_units.p999}}},
+          {"depth_error_steps", {{"max", errors.steps.max}, {"p999", errors.steps.p999}}}};
+  return fmt::format("{:<18}{}\n", "accuracy", accuracy::to_text(errors));
 }
 
 /// Takes the cheapest z bits and fraction bits whose picture has at most so many wrong pixels, and says which.
@@ -64,34 +69,49 @@ void choose_settings(Options& options, const machines::Machine& machine) {
              options.model.z_bits, options.model.fraction_bits, *options.max_wrong_pixels);
 }
 
+void run_frames(const Options& options) {
+  if (options.check) throw UsageError("--check", "is for one frame; leave out --frames");
+  if (options.max_wrong_pixels) throw UsageError("--max-wrong-pixels", "is for one frame; leave out --frames");
+  draw_frames(options.model, options.run, options.turntable, machine_of(options.model));
+}
+
 void run(Options& options) {
+  if (options.turntable.frames > 1) return run_frames(options);
   RunOutputs outputs(options.run, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
   if (options.max_wrong_pixels) choose_settings(options, machine);
   const CompiledModel compiled = compile_model(options.model, machine);
   Judge judge;
-  if (options.check) judge = [&compiled](const sim::Frame& frame) { return verdict(compiled, frame); };
+  if (options.check)
+    judge = [&compiled](const sim::Frame& frame, nlohmann::ordered_json& json) {
+      return verdict(compiled, frame, json);
+    };
   run_program(compiled.program, machine, options.run, outputs, judge);
 }
 
 }  // namespace
 
-void add_render(CLI::App& app) {
+void add_render(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand("render", "Draw a CSG model on a machine and count what it takes");
-  command.footer(
-      "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
-      "carburettor.json\n"
-      "  csgsim render carburettor.csg -o carburettor.png --view-all --projection perspective --level cycle");
+  Command command =
+      line.add("render", "Draw a CSG model on a machine and count what it takes",
+               "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
+               "carburettor.json\n"
+               "  csgsim render carburettor.csg -o carburettor.png --view-all --projection perspective --level cycle");
   options->model.add_to(command);
   options->run.add_to(command);
-  command.add_flag("--check", options->check,
-                   "Hold the picture against the exact one, and add what differs to the stats");
+  command.flag("--check", options->check, "Hold the picture against the exact one, and add what differs to the stats");
   command
-      .add_option("--max-wrong-pixels", options->max_wrong_pixels,
-                  "Take the cheapest --z-bits and --fraction-bits with at most so many wrong pixels")
-      ->check(whole_number);
-  command.callback([options] { run(*options); });
+      .option("--max-wrong-pixels", options->max_wrong_pixels,
+              "Take the cheapest --z-bits and --fraction-bits with at most so many wrong pixels")
+      .check(whole_number);
+  command
+      .option("--frames", options->turntable.frames,
+              "Draw so many pictures, NAME_000.png and so on, and tell how many the machine draws a second")
+      .between(1U, most_frames);
+  command.option("--turn", options->turntable.degrees,
+                 "Degrees that the camera turns about the vertical axis through its centre from one frame to the next");
+  command.runs([options] { run(*options); });
 }
 
 }  // namespace csgsim::app

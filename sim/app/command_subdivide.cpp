@@ -11,6 +11,8 @@
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "hw/multi_processor/kind.h"
+#include "hw/pixel_square/kind.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
@@ -43,6 +45,7 @@ struct Column {
   std::uint64_t halfspaces = 0;
   study::Squares segments;
   study::Squares subsegments;
+  std::optional<study::Stages> stages;  ///< of a multi-processor
 };
 
 /// Rounded up, so that the squares cover the picture.
@@ -56,8 +59,9 @@ struct Subject {
 
 Subject subject_of(const Options& options) {
   machines::Machine machine = machine_of(options.model);
-  if (machine.kind != machines::Kind::pixel_square)
-    throw InputError(machine.name + " does not draw square by square; take a machine of kind pixel-square");
+  if (machine.kind != &pixel_square::kind && machine.kind != &multi_processor::kind)
+    throw InputError(machine.name +
+                     " does not draw square by square; take a machine of kind pixel-square or multi-processor");
   return {std::move(machine), read_model(options.model)};
 }
 
@@ -69,12 +73,18 @@ Column measure(const Options& options, const Subject& subject, unsigned levels,
   const view::View view =
       view::make_view(scene, tree, camera_of(options.model, machine, scene), sampling_of(options.model, machine));
   const study::Subdivided subdivided{tree, scene, view, machine, emit_options_of(options.model)};
-  const machines::Size picture = machines::picture_size(machine);
+  const machines::Size picture = machine.picture;
   const auto squares = [&](std::uint32_t columns, std::uint32_t rows) {
     return study::measure_squares(subdivided, {part_of(picture.width, columns), part_of(picture.height, rows)});
   };
-  Column column{levels, tolerance, tree.primitives.size(), 0, {}, {}};
+  Column column{levels, tolerance, tree.primitives.size(), 0, {}, {}, {}};
   for (const facet::Convex& solid : scene.solids) column.halfspaces += solid.halfspaces.size();
+  if (machine.kind == &multi_processor::kind) {
+    column.stages = study::measure_stages(subdivided, levels);
+    column.segments = column.stages->segments;
+    column.subsegments = column.stages->subsegments;
+    return column;
+  }
   const std::uint32_t columns = 1U << (levels + 1) / 2;
   const std::uint32_t rows = 1U << levels / 2;
   column.segments = squares(columns, rows);
@@ -90,6 +100,49 @@ void print_line(const char* what, const std::vector<Column>& columns, Text text)
 }
 
 std::string mean_text(double mean) { return fmt::format("{:.1f}", mean); }
+
+/// A row of seconds: ours, and those of thesis table 7.3, whose models have so many half-spaces.
+struct StageRow {
+  const char* name;
+  double study::StageSeconds::*seconds;
+  std::array<double, 3> thesis;
+};
+
+constexpr std::array<unsigned, 3> thesis_halfspaces{1258, 2042, 3876};
+
+// Its scan conversion, classification and depth sort are what its nodes do to pixels.
+constexpr auto stage_rows = std::to_array<StageRow>({
+    {"transformation of half-spaces, s", &study::StageSeconds::transformation, {6.4, 10.2, 19.0}},
+    {"first pruning, s", &study::StageSeconds::first_pruning, {12.8, 20.3, 38.0}},
+    {"second pruning, s", &study::StageSeconds::second_pruning, {2.4, 3.4, 5.4}},
+    {"communication, s", &study::StageSeconds::communication, {0.2, 0.3, 0.5}},
+    {"rendering, s", &study::StageSeconds::rendering, {67.3, 67.7, 76.2}},
+    {"  scan conversion, s", &study::StageSeconds::scan_conversion, {32.6, 34.5, 42.3}},
+    {"  CSG classification, s", &study::StageSeconds::classification, {29.1, 27.6, 28.3}},
+    {"  depth sort, s", &study::StageSeconds::depth_sort, {5.6, 5.6, 5.6}},
+    {"total, s", &study::StageSeconds::total, {89.7, 102.5, 139.7}},
+});
+
+void print_stages(const std::vector<Column>& columns) {
+  print_line("half-space tests of the first pruning", columns,
+             [](const Column& c) { return grouped(c.stages->halfspace_tests); });
+  print_line("  half-spaces of the primitives that touch a segment, in all", columns,
+             [](const Column& c) { return grouped(c.stages->halfspaces_touching); });
+  print_line("mean of half-spaces broadcast for a segment that is drawn", columns,
+             [](const Column& c) { return mean_text(c.stages->broadcast_halfspaces); });
+  print_line("clocks of a frame", columns, [](const Column& c) { return grouped(c.subsegments.clocks); });
+  fmt::print("\n  {:<66}{:>{}}\n", "", "thesis table 7.3, half-spaces:", 12 * columns.size() + 36);
+  fmt::print("  {:<66}", "");
+  for (const Column& column : columns) fmt::print("{:>12}", grouped(column.halfspaces));
+  for (const unsigned halfspaces : thesis_halfspaces) fmt::print("{:>12}", grouped(halfspaces));
+  fmt::print("\n");
+  for (const StageRow& row : stage_rows) {
+    fmt::print("  {:<66}", row.name);
+    for (const Column& column : columns) fmt::print("{:>12.2f}", column.stages->seconds.*row.seconds);
+    for (const double seconds : row.thesis) fmt::print("{:>12.1f}", seconds);
+    fmt::print("\n");
+  }
+}
 
 void print_table(const std::vector<Column>& columns) {
   if (columns.front().tolerance) {
@@ -113,6 +166,7 @@ void print_table(const std::vector<Column>& columns) {
              [](const Column& c) { return mean_text(c.segments.kept_halfspaces); });
   print_line("  mean in a subsegment after the second pruning", columns,
              [](const Column& c) { return mean_text(c.subsegments.kept_halfspaces); });
+  if (columns.front().stages) return print_stages(columns);
   print_line("clocks of a frame, squares as large as segments", columns,
              [](const Column& c) { return grouped(c.segments.clocks); });
   print_line("clocks of a frame, squares as large as subsegments", columns,
@@ -131,6 +185,23 @@ nlohmann::ordered_json to_json(const study::Squares& squares) {
           {"instruction_clocks", squares.instruction_clocks}};
 }
 
+nlohmann::ordered_json to_json(const study::Stages& stages) {
+  const study::StageSeconds& seconds = stages.seconds;
+  return {{"first_halfspace_tests", stages.halfspace_tests},
+          {"halfspaces_touching", stages.halfspaces_touching},
+          {"broadcast_halfspaces_mean", stages.broadcast_halfspaces},
+          {"seconds",
+           {{"transformation", seconds.transformation},
+            {"first_pruning", seconds.first_pruning},
+            {"second_pruning", seconds.second_pruning},
+            {"communication", seconds.communication},
+            {"rendering", seconds.rendering},
+            {"scan_conversion", seconds.scan_conversion},
+            {"classification", seconds.classification},
+            {"depth_sort", seconds.depth_sort},
+            {"total", seconds.total}}}};
+}
+
 nlohmann::ordered_json to_json(const std::vector<Column>& columns) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Column& column : columns) {
@@ -140,6 +211,11 @@ nlohmann::ordered_json to_json(const std::vector<Column>& columns) {
     one["halfspaces"] = column.halfspaces;
     one["segments"] = to_json(column.segments);
     one["subsegments"] = to_json(column.subsegments);
+    if (column.stages) {
+      for (const char* key : {"segments", "subsegments"}) one[key].erase("instruction_clocks");
+      one["segments"].erase("clocks");  // of a frame that no machine draws so
+      one["stages"] = to_json(*column.stages);
+    }
     json.push_back(std::move(one));
   }
   return json;
@@ -184,25 +260,26 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_subdivide(CLI::App& app) {
+void add_subdivide(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   options->model.machine = "pixel-square";
-  CLI::App& command = *app.add_subcommand("subdivide", "Show what subdividing the picture leaves to do in each square");
-  command.footer(
+  Command command = line.add(
+      "subdivide", "Show what subdividing the picture leaves to do in each square",
       "Example:\n  csgsim subdivide carburettor.csg --size 256x256 --camera 220,-255,135,2,0,5\n"
       "  csgsim subdivide carburettor.csg --size 256x256 --levels 6 --tolerances 0.2,0.05,0.01\n"
-      "Levels are binary subdivisions of the picture into segments; each has 4 x 4 subsegments.");
+      "Levels are binary subdivisions of the picture into segments; each has 4 x 4 subsegments. On a machine of\n"
+      "kind multi-processor they are its own segments, with a subsegment a node, and the times of its stages\n"
+      "stand beside the thesis's.");
   options->model.add_to(command);
-  command.add_option("--levels", options->levels, "Numbers: levels of binary subdivision, 0 to 20")
-      ->check(is_read_by(levels_of))
-      ->capture_default_str();
+  command.option("--levels", options->levels, "Numbers: levels of binary subdivision, 0 to 20")
+      .check(is_read_by(levels_of));
   command
-      .add_option("--tolerances", options->tolerances,
-                  "List of tolerances, model units, that curved solids are faceted with")
-      ->check(is_read_by(tolerances_of))
-      ->excludes("--tolerance");
-  command.add_option("-o,--output", options->json, "The same figures, .json")->check(not_empty);
-  command.callback([options] { run(*options); });
+      .option("--tolerances", options->tolerances,
+              "List of tolerances, model units, that curved solids are faceted with")
+      .check(is_read_by(tolerances_of))
+      .excludes("--tolerance");
+  command.option("-o,--output", options->json, "The same figures, .json").check(not_empty);
+  command.runs([options] { run(*options); });
 }
 
 }  // namespace csgsim::app

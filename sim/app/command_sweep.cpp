@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/paths.h"
@@ -30,7 +31,7 @@ using Rows = std::vector<SweepRow>;
 using Table = study::Table<SweepRow>;
 
 /// Everything that all points share; tables of other sweeps are refused by it. The rest is in each point.
-std::string title_of(const CLI::App& command) {
+std::string title_of(const Command& command) {
   return study_title(command,
                      {"strategy", "stack-bits", "z-bits", "colouring", "pruning", "machine", "memory-bits", "no-draw"});
 }
@@ -111,7 +112,7 @@ std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std
   return all;
 }
 
-void run(const SweepOptions& options, const CLI::App& command) {
+void run(const SweepOptions& options, const Command& command) {
   const std::vector<study::SweepJob> jobs = jobs_of(options);
   const StudyFolder folder(options.folder, "sweep", input_files(options.models, study::parse_words(options.machines)));
   const std::string title = title_of(command);
@@ -119,7 +120,7 @@ void run(const SweepOptions& options, const CLI::App& command) {
   Table table(table_path, title);
   tell_stale(table_path, table.drop_stale(std::span<const study::WantedPoint>(wanted_of(options, jobs))));
   const Rows rows = complete(options, jobs, table);
-  write_points(folder.path() / "sweep.json", title, rows, study::sweep_json);
+  write_file(folder.path() / "sweep.json", study::points_json(title, rows));
   for (const auto& [name, of_model] : by_model(rows)) {
     print_sweep(of_model);
     if (!options.no_plots) study::draw_sweep(of_model, name, folder.path());
@@ -131,11 +132,10 @@ void run(const SweepOptions& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app) {
+void add_sweep(CommandLine& line) {
   const auto options = std::make_shared<SweepOptions>();
-  CLI::App& command =
-      *app.add_subcommand("sweep", "Show what memory bits buy: every strategy with every number of bits, in parallel");
-  command.footer(
+  Command command = line.add(
+      "sweep", "Show what memory bits buy: every strategy with every number of bits, in parallel",
       "Example:\n  csgsim sweep carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-sweep\n"
       "  csgsim sweep *.csg --strategy bits --stack-bits 3..12 --no-draw -o table_6_1\n"
       "  csgsim sweep a.csg b.csg --strategy stack,list --z-bits 16,20 --colouring rebroadcast,field -o out\n"
@@ -143,7 +143,7 @@ void add_sweep(CLI::App& app) {
       "Lists are with commas, ranges of numbers as 3..8; every combination is a point. What has been measured is in\n"
       "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is new.");
   options->add_to(command);
-  command.callback([options, &command] { run(*options, command); });
+  command.runs([options, command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -18,6 +18,7 @@
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
 #include "sim/app/run_options.h"
+#include "sim/app/usage.h"
 #include "sim/app/wave_view.h"
 #include "sim/cycle/record.h"
 
@@ -33,12 +34,11 @@ struct Options {
 };
 
 /// A Program has been compiled: what says how to compile has no meaning for it.
-void refuse_model_options(const CLI::App& command) {
-  const std::set<std::string> own{"MODEL", "machine", "probe", "window", "output", "help"};
-  for (const CLI::Option* option : command.get_options()) {
-    const std::string name = option->get_positional() ? "MODEL" : option->get_lnames().front();
-    if (option->count() > 0 && !own.contains(name))
-      throw CLI::ValidationError("--" + name, "is for models; a Program has been compiled already");
+void refuse_model_options(const Command& command) {
+  const std::set<std::string> own{"machine", "probe", "window", "output"};
+  for (const GivenOption& option : command.given()) {
+    if (!own.contains(option.name))
+      throw UsageError("--" + option.name, "is for models; a Program has been compiled already");
   }
 }
 
@@ -50,30 +50,28 @@ isa::Program program_of(const ModelOptions& options, machines::Machine& machine)
   return program;
 }
 
-pixel_planes::WaveRequest request_of(const Options& options, const isa::Program& program,
-                                     const std::filesystem::path& file) {
-  pixel_planes::WaveRequest request;
+kernel::WaveRequest request_of(const Options& options, const isa::Program& program, const std::filesystem::path& file) {
+  kernel::WaveRequest request;
   request.file = file;
   const auto window = numbers<std::uint64_t>(options.window, ':', 2, "--window", "FIRST:END");
   request.begin = window[0];
   request.end = window[1];
-  if (request.begin >= request.end)
-    throw CLI::ValidationError("--window", "the window's end has to come after its first clock");
+  if (request.begin >= request.end) throw UsageError("--window", "the window's end has to come after its first clock");
   for (const std::string& text : options.probes) {
     const auto place = numbers<std::uint32_t>(text, ',', 2, "--probe", "x,y");
     if (place[0] >= program.shape.width || place[1] >= program.shape.height) {
-      throw CLI::ValidationError("--probe", fmt::format("there is no pixel {} in a picture of {} x {}", text,
-                                                        program.shape.width, program.shape.height));
+      throw UsageError("--probe", fmt::format("there is no pixel {} in a picture of {} x {}", text, program.shape.width,
+                                              program.shape.height));
     }
     request.probes.push_back({place[0], place[1]});
   }
-  request.fields = program.fields;
+  request.fields = program.facts.fields;
   return request;
 }
 
-void record(const Options& options, const CLI::App& command) {
+void record(const Options& options, const Command& command) {
   if (!ends_in(options.output, ".vcd")) {
-    throw CLI::ValidationError("--output", "the waveform's name has to end in .vcd");
+    throw UsageError("--output", "the waveform's name has to end in .vcd");
   }
   if (!is_model(options.model.model)) refuse_model_options(command);
   const std::filesystem::path view_path = std::filesystem::path(options.output).replace_extension(".gtkw");
@@ -83,7 +81,7 @@ void record(const Options& options, const CLI::App& command) {
   machines::Machine machine = machine_of(options.model);
   const isa::Program program = program_of(options.model, machine);
   PipeInto pipe(file, ".vcd");
-  const pixel_planes::WaveRequest request = request_of(options, program, pipe.path());
+  const kernel::WaveRequest request = request_of(options, program, pipe.path());
   const sim::RecordedRun run =
       with_memory_for_picture(machine.array, [&] { return sim::run_and_record(machine, program, {}, request); });
   if (!run.window_reached) {
@@ -101,18 +99,17 @@ void record(const Options& options, const CLI::App& command) {
 
 }  // namespace
 
-void add_wave(CLI::App& app) {
+void add_wave(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand("wave", "Record the machine's wires and some pixels over a window of clocks");
-  command.footer(
+  Command command = line.add(
+      "wave", "Record the machine's wires and some pixels over a window of clocks",
       "Example:\n  csgsim wave traces/thesis_fig_2_3.csgt --probe 200,300 --window 0:3000 -o fig_2_3.vcd\n  gtkwave "
       "fig_2_3.vcd");
   options->model.add_to(command);
-  command.add_option("--probe", options->probes, "A pixel to look into, x,y; may be given several times")->required();
-  command.add_option("--window", options->window, "Clocks to record, FIRST:END, END not included")
-      ->capture_default_str();
-  command.add_option("-o,--output", options->output, "The waveform, .vcd")->required();
-  command.callback([options, &command] { record(*options, command); });
+  command.option("--probe", options->probes, "A pixel to look into, x,y; may be given several times").required();
+  command.option("--window", options->window, "Clocks to record, FIRST:END, END not included");
+  command.option("-o,--output", options->output, "The waveform, .vcd").required();
+  command.runs([options, command] { record(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -1,21 +1,26 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "sim/app/command_line.h"
 
 namespace csgsim::app {
 
-/// Each adds one command to the command line; the command runs when the command line has been read.
-void add_render(CLI::App& app);
-void add_compile(CLI::App& app);
-void add_run(CLI::App& app);
-void add_disasm(CLI::App& app);
-void add_wave(CLI::App& app);
-void add_accuracy(CLI::App& app);
-void add_sweep(CLI::App& app);
-void add_compare(CLI::App& app);
-void add_subdivide(CLI::App& app);
-void add_levels(CLI::App& app);
-void add_machines(CLI::App& app);
-void add_isa(CLI::App& app);
+/// Every command, in the order of help: command_NAME.cpp describes the command NAME in add_NAME.
+#define CSGSIM_COMMANDS(COMMAND) \
+  COMMAND(render)                \
+  COMMAND(compile)               \
+  COMMAND(run)                   \
+  COMMAND(disasm)                \
+  COMMAND(wave)                  \
+  COMMAND(accuracy)              \
+  COMMAND(sweep)                 \
+  COMMAND(compare)               \
+  COMMAND(subdivide)             \
+  COMMAND(levels)                \
+  COMMAND(machines)              \
+  COMMAND(isa)
+
+#define CSGSIM_COMMAND_DECLARATION(name) void add_##name(CommandLine& line);
+CSGSIM_COMMANDS(CSGSIM_COMMAND_DECLARATION)
+#undef CSGSIM_COMMAND_DECLARATION
 
 }  // namespace csgsim::app

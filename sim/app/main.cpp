@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <span>
 #include <string>
 
 #include "hw/base/error.h"
@@ -24,12 +25,11 @@ int not_printed() {
   return bad_input;
 }
 
-int run(CLI::App& app, int argc, char** argv) {
+int run(csgsim::app::CommandLine& line, std::span<char* const> arguments) {
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    csgsim::tell_line("csgsim: " + csgsim::app::explain(app, error, {argv, static_cast<std::size_t>(argc)}));
+    line.run(arguments);
+  } catch (const csgsim::app::UsageError& error) {
+    csgsim::tell_line("csgsim: " + std::string(error.what()));
     return bad_usage;
   } catch (const csgsim::InputError& error) {
     csgsim::tell_line(error.what());
@@ -45,27 +45,21 @@ int run(CLI::App& app, int argc, char** argv) {
   return 0;
 }
 
+void add_commands(csgsim::app::CommandLine& line) {
+#define CSGSIM_ADD_COMMAND(name) csgsim::app::add_##name(line);
+  CSGSIM_COMMANDS(CSGSIM_ADD_COMMAND)
+#undef CSGSIM_ADD_COMMAND
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   csgsim::keep_standard_numbers();
   csgsim::delete_partial_files_on_signals();
-  CLI::App app("csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models",
-               "csgsim");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "csgsim " CSGSIM_VERSION);
-  csgsim::app::add_render(app);
-  csgsim::app::add_compile(app);
-  csgsim::app::add_run(app);
-  csgsim::app::add_disasm(app);
-  csgsim::app::add_wave(app);
-  csgsim::app::add_accuracy(app);
-  csgsim::app::add_sweep(app);
-  csgsim::app::add_compare(app);
-  csgsim::app::add_subdivide(app);
-  csgsim::app::add_levels(app);
-  csgsim::app::add_machines(app);
-  csgsim::app::add_isa(app);
-  const int code = run(app, argc, argv);
+  csgsim::app::CommandLine line(
+      "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models", "csgsim",
+      "csgsim " CSGSIM_VERSION);
+  add_commands(line);
+  const int code = run(line, {argv, static_cast<std::size_t>(argc)});
   return code == 0 && !printed() ? not_printed() : code;
 }

@@ -18,7 +18,7 @@ constexpr std::uint64_t much = std::uint64_t{1} << 30U;
 std::uint64_t memory_estimate(const machines::Machine& machine, const isa::ArrayShape& picture,
                               std::string_view level) {
   const std::uint64_t pixels = std::uint64_t{picture.width} * picture.height;
-  const bool is_whole = machine.kind == machines::Kind::frame_buffer;
+  const bool is_whole = machine.array.width >= picture.width && machine.array.height >= picture.height;
   if (level == "functional" || !is_whole) return pixels * functional_bytes;
   return pixels * ((level == "cycle" ? cycle_bytes : reference_bytes) + picture.memory_bits / 8);
 }

@@ -13,9 +13,11 @@
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
+#include "hw/kinds/load.h"
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
+#include "sim/app/usage.h"
 #include "sim/functional/clocks.h"
 #include "sim/study/hash.h"
 
@@ -50,7 +52,7 @@ constexpr NamedPruning prunings[] = {
     {"space", &csg::Pruning::space},           {"picture", &csg::Pruning::picture},
     {"separation", &csg::Pruning::separation}, {"halfspaces", &csg::Pruning::halfspaces},
     {"hidden", &csg::Pruning::hidden},         {"sets", &csg::Pruning::sets},
-    {"early-out", &csg::Pruning::early_out}};
+    {"early-out", &csg::Pruning::early_out},   {"near", &csg::Pruning::near}};
 
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
@@ -68,64 +70,53 @@ std::vector<std::string> pruning_names() {
   return names;
 }
 
-void ModelOptions::add_to(CLI::App& command) {
-  command.add_option("MODEL", model, "The model, an OpenSCAD .csg file")->required();
-  command.add_option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file")
-      ->capture_default_str();
-  command.add_option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
-      ->check(CLI::Range(1U, isa::max_memory_bits));
+void ModelOptions::add_to(Command& command) {
+  command.option("MODEL", model, "The model, an OpenSCAD .csg file").required();
+  command.option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file");
+  command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
+      .between(1U, isa::max_memory_bits);
   add_view_to(command);
-  command.add_option("--z-bits", z_bits, "Bits of depth")->capture_default_str();
+  command.option("--z-bits", z_bits, "Bits of depth");
   command
-      .add_option(
-          "--strategy", strategy,
-          "How classifications are worked out: stack, list, bits (with --stack-bits), products, parallel, or auto")
-      ->check(CLI::IsMember(by_name(emit::strategies)))
-      ->capture_default_str();
+      .option("--strategy", strategy,
+              "How classifications are worked out: stack, list, bits (with --stack-bits), products, parallel, or auto")
+      .one_of(by_name(emit::strategies));
   command
-      .add_option("--stack-bits", stack_bits,
-                  "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 renders a primitive "
-                  "for each product, 4 sums products, each more keeps the results of one more level")
-      ->check(CLI::Range(emit::fewest_stack_bits, most_stack_bits))
-      ->capture_default_str();
+      .option("--stack-bits", stack_bits,
+              "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 renders a primitive "
+              "for each product, 4 sums products, each more keeps the results of one more level")
+      .between(emit::fewest_stack_bits, most_stack_bits);
   command
-      .add_option("--colouring", colouring,
-                  "rebroadcast (facets again after the merge), field (a second colour beside Z1), or auto")
-      ->check(CLI::IsMember(by_name(emit::colourings)))
-      ->capture_default_str();
+      .option("--colouring", colouring,
+              "rebroadcast (facets again after the merge), field (a second colour beside Z1), or auto")
+      .one_of(by_name(emit::colourings));
   command
-      .add_option("--without", without,
-                  "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, sets, "
-                  "early-out, or all")
-      ->delimiter(',')
-      ->check(CLI::IsMember(pruning_names()));
+      .option("--without", without,
+              "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, sets, "
+              "early-out, near, or all")
+      .comma_list()
+      .one_of(pruning_names());
 }
 
-void ModelOptions::add_view_to(CLI::App& command) {
-  command.add_option("--size", size, "Picture and array size in pixels, WxH; the machine's own if not given");
-  command.add_option("--camera", camera, "Eye and centre as OpenSCAD takes them: ex,ey,ez,cx,cy,cz");
-  command.add_option("--projection", projection, "ortho or perspective")
-      ->check(CLI::IsMember(projections))
-      ->capture_default_str();
-  command.add_flag("--view-all", view_all, "Move the camera so that the whole model just fits");
-  command.add_option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
-  command.add_option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
-      ->capture_default_str();
-  command
-      .add_option("--edge-on", edge_on,
-                  "Planes that pass the depth range within this part of a pixel become edge tests")
-      ->capture_default_str();
-  command.add_option_function<std::string>(
+void ModelOptions::add_view_to(Command& command) {
+  command.option("--size", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  command.option("--camera", camera, "Eye and centre as OpenSCAD takes them: ex,ey,ez,cx,cy,cz");
+  command.option("--projection", projection, "ortho or perspective").one_of(projections);
+  command.flag("--view-all", view_all, "Move the camera so that the whole model just fits");
+  command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+  command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients");
+  command.option("--edge-on", edge_on,
+                 "Planes that pass the depth range within this part of a pixel become edge tests");
+  command.read_option(
       "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
       "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
       "of as OpenSCAD does");
-  command.add_option("--colour-bits", colour_bits, "Bits of a colour")
-      ->check(CLI::Range(isa::fewest_colour_bits, isa::most_colour_bits))
-      ->capture_default_str();
+  command.option("--colour-bits", colour_bits, "Bits of a colour")
+      .between(isa::fewest_colour_bits, isa::most_colour_bits);
 }
 
 machines::Machine machine_of(const ModelOptions& options) {
-  machines::Machine machine = machines::load(options.machine);
+  machines::Machine machine = kinds::load(options.machine);
   if (!options.size.empty()) {
     const auto size = numbers<std::uint32_t>(options.size, 'x', 2, "--size", "WxH");
     machines::set_picture_size(machine, {size[0], size[1]});
@@ -154,8 +145,7 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
   const facet::Scene scene = facet::make_scene(tree);
   const view::Camera camera = camera_of(options, machine, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
-  const double tolerance =
-      options.tolerance->value * view::pixel_size(camera, machines::picture_size(machine).height, nearest);
+  const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
   fmt::print("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
              options.tolerance->value);
   return {tolerance, std::nullopt};
@@ -163,14 +153,14 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
 
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine) {
   if (options.near && projections.at(options.projection) != view::Projection::perspective) {
-    throw CLI::ValidationError("--near", "an orthographic view has no near plane; leave it out");
+    throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
-  const machines::Size picture = machines::picture_size(machine);
+  const machines::Size picture = machine.picture;
   return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, options.near};
 }
 
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene) {
-  const machines::Size picture = machines::picture_size(machine);
+  const machines::Size picture = machine.picture;
   view::Camera camera = view::default_camera(scene.box, picture.width, picture.height);
   if (!options.camera.empty()) {
     const auto v = numbers<double>(options.camera, ',', 6, "--camera", "ex,ey,ez,cx,cy,cz");

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "sim/app/command_line.h"
 
 namespace csgsim::app {
 
@@ -44,13 +44,13 @@ struct ModelOptions {
   unsigned colour_bits = isa::most_colour_bits;
   std::vector<std::string> without;
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
 
   /// The files that are read: the model, and the machine if it is one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
 
   /// Of these only what the picture shows and how exactly: nothing that a sweep varies.
-  void add_view_to(CLI::App& command);
+  void add_view_to(Command& command);
 };
 
 /// `all`, and the names of the prunings that can be left out.
@@ -85,7 +85,7 @@ struct CompiledModel {
   isa::Program program;
 };
 
-/// Throws InputError, or CLI::ValidationError for options that make no sense.
+/// Throws InputError, or UsageError for options that make no sense.
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine);
 
 }  // namespace csgsim::app

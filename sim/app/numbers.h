@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -10,9 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/app/usage.h"
+
 namespace csgsim::app {
 
-/// `count` numbers of an option's text. Throws CLI::ValidationError, which shows the form that was expected.
+/// `count` numbers of an option's text. Throws UsageError, which shows the form that was expected.
 template <typename Number>
 std::vector<Number> numbers(const std::string& text, char separator, std::size_t count, const std::string& option,
                             const std::string& form) {
@@ -24,7 +25,7 @@ std::vector<Number> numbers(const std::string& text, char separator, std::size_t
     const auto [next, error] = std::from_chars(at, end, value);
     const bool last = values.size() + 1 == count;
     if (error != std::errc{} || (last ? next != end : next == end || *next != separator)) {
-      throw CLI::ValidationError(option, fmt::format("'{}' is not of the form {}", text, form));
+      throw UsageError(option, fmt::format("'{}' is not of the form {}", text, form));
     }
     values.push_back(value);
     at = last ? next : next + 1;

@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <iterator>
 #include <optional>
 
 #include "hw/base/file_roles.h"
+#include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
+#include "sim/app/usage.h"
 
 namespace csgsim::app {
 
@@ -21,7 +22,7 @@ bool ends_in(const std::filesystem::path& path, std::string_view ending) {
 std::vector<std::filesystem::path> input_files(const std::vector<std::string>& subjects,
                                                const std::vector<std::string>& machines) {
   std::vector<std::filesystem::path> files(subjects.begin(), subjects.end());
-  std::copy_if(machines.begin(), machines.end(), std::back_inserter(files), machines::is_file);
+  std::copy_if(machines.begin(), machines.end(), std::back_inserter(files), kinds::is_file);
   return files;
 }
 
@@ -31,11 +32,10 @@ void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<con
                [](const std::filesystem::path& path) { return !path.empty(); });
   const std::optional<Clash> clash = find_clash(inputs, named);
   if (!clash) return;
-  throw CLI::ValidationError(
-      clash->output.native(),
-      clash->is_input
-          ? fmt::format("it is the same file as {}, which is read; name another output", clash->other.native())
-          : "two outputs cannot be the same file");
+  throw UsageError(clash->output.native(),
+                   clash->is_input ? fmt::format("it is the same file as {}, which is read; name another output",
+                                                 clash->other.native())
+                                   : "two outputs cannot be the same file");
 }
 
 }  // namespace csgsim::app

@@ -16,7 +16,7 @@ std::vector<std::filesystem::path> input_files(const std::vector<std::string>& s
                                                const std::vector<std::string>& machines);
 
 /// Refuses outputs that are among what is read, or the same as another output; empty paths are none. Throws
-/// CLI::ValidationError.
+/// UsageError.
 void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs);
 
 inline bool is_model(const std::filesystem::path& path) { return ends_in(path, ".csg"); }

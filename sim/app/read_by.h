@@ -1,19 +1,22 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "hw/base/error.h"
+#include "sim/app/command_line.h"
+#include "sim/app/usage.h"
 
 namespace csgsim::app {
 
-/// For CLI11: the text is as the function wants it, or what is wrong with it.
+/// The text is as the function wants it, or what is wrong with it.
 template <class Parse>
-std::function<std::string(const std::string&)> is_read_by(Parse parse) {
+Check is_read_by(Parse parse) {
   return [parse](const std::string& text) -> std::string {
     try {
       parse(text);
     } catch (const InputError& error) {
+      return error.what();
+    } catch (const UsageError& error) {
       return error.what();
     }
     return {};

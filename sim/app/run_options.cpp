@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "hw/base/error.h"
@@ -38,30 +39,25 @@ std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const
   throw std::logic_error("a level without an engine");
 }
 
-/// For CLI11: what is wrong with the name of a picture that has to be an EXR file, or nothing.
+/// What is wrong with the name of a picture that has to be an EXR file, or nothing.
 std::string exr_name(const std::string& name) {
   return ends_in(name, ".exr") ? "" : "'" + name + "' has to end in .exr";
 }
 
 }  // namespace
 
-void RunOptions::add_to(CLI::App& command) {
-  command.add_option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...)")
-      ->check(not_empty);
-  command.add_option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
-      ->check(exr_name);
-  command.add_option("--owner", owner, "Owner picture, .exr: index of the primitive seen")->check(exr_name);
-  command.add_option("--stats", stats, "All counts, .json")->check(not_empty);
-  command
-      .add_option("--level", level, "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow)")
-      ->check(CLI::IsMember(levels))
-      ->capture_default_str();
-  command.add_option("--threads", threads, "Threads that the functional level works on; the picture is the same")
-      ->check(CLI::Range(1U, most_threads))
-      ->capture_default_str();
-  command.add_option("--progress", progress, "auto (when standard error is a terminal) or none")
-      ->check(CLI::IsMember({"auto", "none"}))
-      ->capture_default_str();
+void RunOptions::add_to(Command& command) {
+  command.option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...)")
+      .check(not_empty);
+  command.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
+      .check(exr_name);
+  command.option("--owner", owner, "Owner picture, .exr: index of the primitive seen").check(exr_name);
+  command.option("--stats", stats, "All counts, .json").check(not_empty);
+  command.option("--level", level, "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow)")
+      .one_of(levels);
+  command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
+      .between(1U, most_threads);
+  add_progress(command, progress);
 }
 
 void refuse_overflow(const sim::RunResult& result) {
@@ -92,13 +88,12 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
   if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
   const sim::Report report{program, machine, engine->level(), result, stats.stats(), wall.count()};
   nlohmann::ordered_json stats_file = sim::to_json(report);
-  const Verdict verdict = judge ? judge(picture) : Verdict{};
-  if (judge) stats_file["accuracy"] = verdict.json;
+  const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
   outputs.write_pictures(picture, program);
-  outputs.write_stats(stats_file);
+  outputs.write_stats(stats_file.dump(2) + "\n");
   outputs.commit();
   print_summary(report);
-  fmt::print("{}", verdict.text);
+  fmt::print("{}", verdict);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "sim/app/command_line.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 
@@ -24,15 +24,11 @@ struct RunOptions {
   std::string progress = "auto";
   unsigned threads = 1;
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
 };
 
-/// Says how right a finished picture is, for the stats and, in lines of text, for the summary.
-struct Verdict {
-  nlohmann::ordered_json json;
-  std::string text;
-};
-using Judge = std::function<Verdict(const sim::Frame&)>;
+/// Says how right a finished picture is: writes it for the stats, and returns lines of text for the summary.
+using Judge = std::function<std::string(const sim::Frame&, nlohmann::ordered_json&)>;
 
 class RunOutputs;
 

@@ -33,8 +33,8 @@ void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& pro
   if (owner_) sim::write_owner(*owner_, frame);
 }
 
-void RunOutputs::write_stats(const nlohmann::ordered_json& stats) {
-  if (stats_) stats_->write(stats.dump(2) + "\n");
+void RunOutputs::write_stats(std::string_view json) {
+  if (stats_) stats_->write(json);
 }
 
 void RunOutputs::commit() {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "hw/base/output_file.h"
 #include "sim/app/run_options.h"
@@ -13,11 +14,11 @@ namespace csgsim::app {
 /// together at its end.
 class RunOutputs {
  public:
-  /// Throws CLI::ValidationError for one that is another or an input, InputError for one that cannot be written.
+  /// Throws UsageError for one that is another or an input, InputError for one that cannot be written.
   RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs);
 
   void write_pictures(const sim::Frame& frame, const isa::Program& program);
-  void write_stats(const nlohmann::ordered_json& stats);
+  void write_stats(std::string_view json);
   void commit();
 
  private:

@@ -12,6 +12,7 @@
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 #include "sim/app/paths.h"
+#include "sim/app/usage.h"
 
 namespace csgsim::app {
 
@@ -21,7 +22,7 @@ namespace {
 constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".json", ".png", ".svg"});
 
 std::filesystem::path made_folder(const std::filesystem::path& folder) {
-  if (folder.empty()) throw CLI::ValidationError("--output", "the name is empty; name the folder");
+  if (folder.empty()) throw UsageError("--output", "the name is empty; name the folder");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
@@ -42,7 +43,7 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
   return files;
 }
 
-constexpr auto without_effect = std::to_array<std::string_view>({"help", "output", "threads", "progress", "no-plots"});
+constexpr auto without_effect = std::to_array<std::string_view>({"output", "threads", "progress", "no-plots"});
 
 }  // namespace
 
@@ -52,15 +53,12 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string&
   for (const std::filesystem::path& file : replaceable(path_)) refuse_clashes(inputs, std::span(&file, 1));
 }
 
-std::string study_title(const CLI::App& command, const std::set<std::string>& but) {
-  std::string title = "csgsim " + command.get_name();
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional() || option->get_lnames().empty()) continue;
-    const std::string& name = option->get_lnames().front();
-    const bool has_effect = std::find(without_effect.begin(), without_effect.end(), name) == without_effect.end();
-    const std::string value = fmt::format("{}", fmt::join(option->results(), ","));
-    if (!has_effect || but.contains(name) || option->count() == 0 || value == option->get_default_str()) continue;
-    title += fmt::format(" --{} {}", name, escaped(value));
+std::string study_title(const Command& command, const std::set<std::string>& but) {
+  std::string title = "csgsim " + command.name();
+  for (const GivenOption& option : command.given()) {
+    const bool has_effect = std::ranges::find(without_effect, option.name) == without_effect.end();
+    if (!has_effect || option.is_default || but.contains(option.name)) continue;
+    title += fmt::format(" --{} {}", option.name, escaped(option.value));
   }
   return title;
 }

@@ -13,6 +13,7 @@
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/isa/instruction.h"
+#include "hw/kinds/load.h"
 #include "sim/app/options.h"
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
@@ -72,7 +73,7 @@ study::SweepRanges ranges_of(const SweepOptions& options) {
   }
   ranges.machines = study::parse_words(options.machines);
   for (const std::string& machine : ranges.machines) {
-    ranges.memory_bits[machine] = options.memory_bits.empty() ? std::vector{machines::load(machine).array.memory_bits}
+    ranges.memory_bits[machine] = options.memory_bits.empty() ? std::vector{kinds::load(machine).array.memory_bits}
                                                               : memory_bits_of(options.memory_bits);
   }
   ranges.z_bits = z_bits_of(options.z_bits);
@@ -106,7 +107,7 @@ std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
   for (study::SweepPoint& point : study::points_of(ranges_of(options))) {
     const ModelOptions one = options_of(options, point);
     const machines::Machine machine = machine_of(one);
-    const machines::Size picture = machines::picture_size(machine);
+    const machines::Size picture = machine.picture;
     std::shared_ptr<const study::Subject>& subject = subjects[{point.model, picture.width, picture.height}];
     if (!subject) {
       ModelFile file = read_model_file(one);
@@ -127,13 +128,11 @@ std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
   return jobs;
 }
 
-void SweepOptions::add_to(CLI::App& command) {
-  command.add_option("MODEL", models, "The models, OpenSCAD .csg files")->required();
-  command.add_option("-o,--output", folder, "Folder for sweep.csv, sweep.json and the plots")
-      ->required()
-      ->check(not_empty);
+void SweepOptions::add_to(Command& command) {
+  command.option("MODEL", models, "The models, OpenSCAD .csg files").required();
+  command.option("-o,--output", folder, "Folder for sweep.csv, sweep.json and the plots").required().check(not_empty);
   const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
-    command.add_option(name, value, help)->check(is_read_by(parse))->capture_default_str();
+    command.option(name, value, help).check(is_read_by(parse));
   };
   add_list("--strategy", strategies, strategies_of, "List of stack, list, bits, products, parallel, auto");
   add_list("--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
@@ -145,14 +144,10 @@ void SweepOptions::add_to(CLI::App& command) {
   add_list("--memory-bits", memory_bits, memory_bits_of,
            "Numbers: memory bits a pixel; the machine's own if not given");
   view.add_view_to(command);
-  command.add_option("--threads", threads, "Points that are measured at the same time")
-      ->check(CLI::Range(1U, most_threads))
-      ->capture_default_str();
-  command.add_flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
-  command.add_flag("--no-plots", no_plots, "Do without plots (gnuplot)");
-  command.add_option("--progress", progress, "auto (when standard error is a terminal) or none")
-      ->check(CLI::IsMember({"auto", "none"}))
-      ->capture_default_str();
+  command.option("--threads", threads, "Points that are measured at the same time").between(1U, most_threads);
+  command.flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
+  command.flag("--no-plots", no_plots, "Do without plots (gnuplot)");
+  add_progress(command, progress);
 }
 
 }  // namespace csgsim::app

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
 #include "sim/study/sweep_run.h"
 
@@ -28,7 +28,7 @@ struct SweepOptions {
   bool no_plots = false;
   std::string progress = "auto";
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
 };
 
 /// The points asked for, with all that they are made from; each model is read once for each picture size. Throws

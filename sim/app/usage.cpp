@@ -3,32 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <vector>
 
 #include "hw/base/nearest.h"
 
 namespace csgsim::app {
 
 namespace {
-
-/// The subcommand that the arguments begin with, if they do.
-CLI::App* command_of(CLI::App& app, std::span<char* const> arguments) {
-  if (arguments.size() < 2) return nullptr;
-  const std::string name = arguments[1];
-  for (CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == name) return command;
-  }
-  return nullptr;
-}
-
-std::vector<std::string> option_names(CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
 
 /// A question after a blank, or nothing where no known word is like it.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
@@ -37,25 +17,28 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
 }
 
+std::string explain_command(std::span<const KnownCommand> commands, std::string_view word) {
+  std::vector<std::string> known;
+  for (const KnownCommand& command : commands) known.push_back(command.name);
+  return fmt::format("there is no command '{}';{} See csgsim --help", word, did_you_mean(word, known));
+}
+
 }  // namespace
 
-std::string explain(CLI::App& app, const CLI::ParseError& error, std::span<char* const> arguments) {
-  CLI::App* const command = command_of(app, arguments);
-  if (command == nullptr) {
-    if (arguments.size() < 2) return "a subcommand is required; see csgsim --help";
-    std::vector<std::string> known;
-    for (const CLI::App* one : app.get_subcommands({})) known.push_back(one->get_name());
-    return fmt::format("there is no command '{}';{} See csgsim --help", arguments[1],
-                       did_you_mean(arguments[1], known));
-  }
-  const std::string help = fmt::format("see csgsim {} --help", command->get_name());
-  const std::vector<std::string> known = option_names(*command);
-  for (const char* argument : arguments.subspan(2)) {
-    const std::string word = std::string(argument).substr(0, std::string_view(argument).find('='));
+std::string explain(std::span<const KnownCommand> commands, std::string_view reason, std::span<char* const> arguments) {
+  if (arguments.size() < 2) return "a subcommand is required; see csgsim --help";
+  const std::string_view first = arguments[1];
+  const auto command =
+      std::find_if(commands.begin(), commands.end(), [&](const KnownCommand& one) { return one.name == first; });
+  if (command == commands.end()) return explain_command(commands, first);
+  const std::string help = fmt::format("see csgsim {} --help", command->name);
+  const std::vector<std::string>& known = command->options;
+  for (const std::string_view argument : arguments.subspan(2)) {
+    const std::string_view word = argument.substr(0, argument.find('='));
     const bool unknown = word.starts_with("--") && std::find(known.begin(), known.end(), word) == known.end();
     if (unknown) return fmt::format("there is no option {};{} {}", word, did_you_mean(word, known), help);
   }
-  return fmt::format("{}; {}", error.what(), help);
+  return fmt::format("{}; {}", reason, help);
 }
 
 }  // namespace csgsim::app

@@ -32,8 +32,7 @@ std::string_view format_of(const isa::NamedField& named) {
 /// What GTKWave appends to the name of a bus.
 std::string bus(unsigned width) { return width > 1 ? fmt::format("[{}:0]", width - 1) : ""; }
 
-std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<isa::NamedField>& fields,
-                       unsigned alu_bits) {
+std::string pixel_view(const kernel::WaveProbe& probe, const std::vector<isa::NamedField>& fields, unsigned alu_bits) {
   const std::string pixel = fmt::format("SystemC.pixel_{}_{}.", probe.x, probe.y);
   std::string view = fmt::format("{}-pixel {},{}\n{}", as_comment, probe.x, probe.y, as_bits);
   for (const std::string_view wire : {"tree_bit", "carry", "enable"}) view += pixel + std::string(wire) + "\n";
@@ -41,14 +40,14 @@ std::string pixel_view(const pixel_planes::WaveProbe& probe, const std::vector<i
     view += pixel + std::string(port) + bus(alu_bits) + "\n";
   for (const isa::NamedField& named : fields) {
     view += format_of(named);
-    view += pixel + pixel_planes::wave_identifier(named.name) + bus(named.field.width) + "\n";
+    view += pixel + kernel::wave_identifier(named.name) + bus(named.field.width) + "\n";
   }
   return view;
 }
 
 }  // namespace
 
-std::string gtkwave_view(const pixel_planes::WaveRequest& request, const std::string& waveform,
+std::string gtkwave_view(const kernel::WaveRequest& request, const std::string& waveform,
                          const machines::Machine& machine) {
   const std::uint64_t start = (request.begin + 1) * period(machine.clock_hz);
   // A name that would end its line or its quotes is left out: the file is then named beside this one.
@@ -67,8 +66,7 @@ std::string gtkwave_view(const pixel_planes::WaveRequest& request, const std::st
   view += "SystemC.pixels.function_text[159:0]\n";
   view += as_number;
   view += "SystemC.pixels.read_x[15:0]\nSystemC.pixels.write[15:0]\n";
-  for (const pixel_planes::WaveProbe& probe : request.probes)
-    view += pixel_view(probe, request.fields, machine.alu_bits);
+  for (const kernel::WaveProbe& probe : request.probes) view += pixel_view(probe, request.fields, machine.alu_bits);
   return view;
 }
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "hw/pixel_planes/wave_request.h"
+#include "hw/systemc/wave_request.h"
 #include "sim/engine/engine.h"
 
 namespace csgsim::sim {
@@ -13,9 +13,9 @@ struct RecordedRun {
 };
 
 /// Runs the Program on the clocked machine, as make_cycle_engine's does, and writes the requested window of clocks as a
-/// VCD file. Throws std::invalid_argument for a probe or field outside the array, InputError for a machine that is not
-/// of Kind::frame_buffer or a file that cannot be opened.
+/// VCD file. Throws std::invalid_argument for a probe or field outside the array, InputError for a machine
+/// without waves or a file that cannot be opened.
 RecordedRun run_and_record(const machines::Machine& machine, const isa::Program& program,
-                           std::span<Observer* const> observers, const pixel_planes::WaveRequest& request);
+                           std::span<Observer* const> observers, const kernel::WaveRequest& request);
 
 }  // namespace csgsim::sim

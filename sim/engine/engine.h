@@ -52,14 +52,15 @@ struct RunResult {
   std::uint64_t clocks = 0;  ///< in all, latency included
   std::uint64_t latency_clocks =
       0;  ///< of these, for the last instruction to reach the pixels, where the array is the whole picture
-  std::uint64_t scan_out_clocks = 0;  ///< of the frame's scan-out, where the engine simulates it; not part of clocks
+  std::uint64_t shown_clocks = 0;     ///< as machines::FrameTiming
+  std::uint64_t interval_clocks = 0;  ///< as machines::FrameTiming
   std::uint64_t overflows = 0;  ///< enabled pixels at which A*x + B*y + C did not fit the width (0 if not checked)
   std::uint64_t skipped = 0;    ///< instructions that a skip_if_none left out
   std::vector<bool> answers;    ///< of global_or, in order
   /// Colour of every pixel of the picture, in row order, as the machine's scan-out delivers it; empty where the engine
   /// simulates none.
   std::vector<std::uint32_t> scanned_out{};
-  machines::Account account{};  ///< what the clocks went into, where the machine works on parts of the picture
+  machines::Account account{};  ///< what the machine's kind tells of the frame
 };
 
 /// Runs Programs at one level of fidelity. All levels leave the same bits in memory and enable at every instruction

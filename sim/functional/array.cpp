@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "sim/functional/edge.h"
 #include "sim/functional/linear_kernels.h"
 #include "sim/functional/word_kernels.h"

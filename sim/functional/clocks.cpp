@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "sim/engine/engine.h"
 

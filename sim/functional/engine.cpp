@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
@@ -45,25 +47,24 @@ class FunctionalEngine final : public Engine {
     machines::check_runs_on(program, machine_);
     RunResult result;
     Bands bands(program, threads_);
+    std::vector<machines::Skip> skips;
     for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
       bands.begin(program.segments[s].region);
-      run_segment(program.segments[s].instructions, s, bands, observers, result);
+      run_segment(program.segments[s].instructions, s, bands, observers, result, skips);
       for (Observer* const observer : observers) observer->after_segment(s, bands);
     }
-    if (machine_.kind != machines::Kind::frame_buffer) {
-      machines::FrameTiming timing = machines::time_frame(program, machine_);
-      result.clocks = timing.clocks;
-      result.account = std::move(timing.account);
-      return result;
-    }
-    result.latency_clocks = machines::evaluator_latency(machine_.array);
-    result.clocks += result.latency_clocks;
+    machines::FrameTiming timing = machines::time_frame(program, machine_, skips);
+    result.clocks = timing.clocks;
+    result.shown_clocks = timing.shown_clocks;
+    result.interval_clocks = timing.interval_clocks;
+    result.latency_clocks = timing.latency_clocks;
+    result.account = std::move(timing.account);
     return result;
   }
 
  private:
-  void run_segment(Instructions all, std::uint32_t segment, Bands& bands, Observers observers,
-                   RunResult& result) const {
+  void run_segment(Instructions all, std::uint32_t segment, Bands& bands, Observers observers, RunResult& result,
+                   std::vector<machines::Skip>& skips) const {
     for (std::size_t begin = 0; begin < all.size();) {
       const Instructions stretch = all.subspan(begin, unread_stretch(all.subspan(begin), observers));
       const Bands::Tally tally = bands.execute(stretch);
@@ -71,12 +72,12 @@ class FunctionalEngine final : public Engine {
       for (std::size_t i = 0; i < stretch.size(); ++i) {
         const Step step{segment, static_cast<std::uint32_t>(begin + i), stretch[i],
                         machines::clocks(stretch[i], machine_), tally.enabled[i]};
-        result.clocks += step.clocks;
         if (step.instruction.opcode == isa::Opcode::global_or) result.answers.push_back(step.enabled_pixels != 0);
         for (Observer* const observer : observers) observer->after_instruction(step, bands);
       }
       const std::uint64_t skipped = isa::skipped_after(stretch.back(), tally.enabled.back());
       result.skipped += skipped;
+      if (skipped > 0) skips.push_back({segment, static_cast<std::uint32_t>(begin + stretch.size() - 1)});
       begin += stretch.size() + skipped;
     }
   }

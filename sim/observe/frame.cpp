@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "hw/isa/opcodes.h"
+
 namespace csgsim::sim {
 
 namespace {
@@ -25,7 +27,7 @@ FrameObserver::FrameObserver(const isa::Program& program)
       colour_(isa::field_of(program, isa::FieldRole::colour)),
       candidate_colour_(isa::field_of(program, isa::FieldRole::candidate_colour)),
       frame_{program.shape.width, program.shape.height,
-             std::vector<std::uint32_t>(pixel_count(program), program.compile.background),
+             std::vector<std::uint32_t>(pixel_count(program), program.background),
              std::vector<std::uint32_t>(pixel_count(program), nothing_in(depth_)),
              std::vector<std::uint32_t>(pixel_count(program), no_owner)} {
   if (candidate_colour_.width > 0) candidate_owner_ = frame_.owner;

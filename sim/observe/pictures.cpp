@@ -82,7 +82,7 @@ void write_depth(OutputFile& file, const Frame& frame, const isa::Program& progr
   pixels.reserve(frame.depth.size());
   const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
   for (const std::uint32_t step : frame.depth) {
-    pixels.push_back(static_cast<float>(isa::distance_of(program.depth_scale, bits, step)));
+    pixels.push_back(static_cast<float>(isa::distance_of(program.facts.depth_scale, bits, step)));
   }
   OIIO::ImageSpec spec = specify(frame, 1, OIIO::TypeDesc::FLOAT);
   spec.channelnames = {"Z"};

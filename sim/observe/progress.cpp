@@ -18,7 +18,9 @@ constexpr std::uint64_t look_every = 64;
 }  // namespace
 
 ProgressObserver::ProgressObserver(const isa::Program& program, const machines::Machine& machine)
-    : program_(program), machine_(machine), total_(machines::clocks(program, machine)) {}
+    : program_(program), machine_(machine) {
+  for (const isa::Segment& segment : program.segments) total_ += machines::clocks(segment.instructions, machine);
+}
 
 ProgressObserver::~ProgressObserver() {
   if (shown_) tell("\r\x1b[K");

@@ -24,7 +24,7 @@ class ProgressObserver : public Observer {
   using Clock = std::chrono::steady_clock;
   const isa::Program& program_;
   const machines::Machine& machine_;
-  std::uint64_t total_;
+  std::uint64_t total_ = 0;
   std::uint64_t done_ = 0;
   std::uint64_t instructions_ = 0;
   Clock::time_point begin_ = Clock::now();

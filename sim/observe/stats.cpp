@@ -14,7 +14,7 @@ StatsObserver::StatsObserver(const isa::Program& program) {
   for (const isa::Segment& segment : program.segments) {
     pixels_of_segment_.push_back(static_cast<std::uint64_t>(segment.region.width) * segment.region.height);
   }
-  stats_.by_primitive.resize(program.primitives.size());
+  stats_.by_primitive.resize(program.facts.primitives.size());
 }
 
 void StatsObserver::after_instruction(const Step& step, const PixelState& /*state*/) {

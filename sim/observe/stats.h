@@ -24,7 +24,7 @@ struct Cost {
 /// worked on side by side, and the run's clocks are another account (machines::Account).
 struct Stats {
   Cost total;
-  std::array<Cost, isa::opcode_table.size()> by_opcode{};
+  std::array<Cost, isa::opcode_numbers> by_opcode{};  ///< by its number
   std::array<Cost, isa::purpose_table.size()> by_purpose{};
   std::vector<Cost> by_primitive;  ///< one a primitive of the Program
 

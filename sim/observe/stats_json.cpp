@@ -1,9 +1,12 @@
 #include "sim/observe/stats_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "hw/base/text.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/kind.h"
 #include "sim/observe/account_json.h"
 
 namespace csgsim::sim {
@@ -25,14 +28,15 @@ Json model_json(const isa::ModelFacts& model) {
 
 Json machine_json(const Report& report) {
   const machines::Machine& machine = report.machine;
-  const isa::CompileFacts& compile = report.program.compile;
+  const isa::CompileFacts& compile = report.program.facts.compile;
   return {{"name", machine.name},
-          {"kind", machines::name_of(machine.kind)},
+          {"kind", machine.kind->name},
           {"picture", {{"width", report.program.shape.width}, {"height", report.program.shape.height}}},
           {"width", machine.array.width},
           {"height", machine.array.height},
           {"memory_bits", machine.array.memory_bits},
           {"clock_hz", machine.clock_hz},
+          {"ideal", machines::idealisations(machine)},
           {"memory_reads_per_clock", machine.memory_reads},
           {"alu_bits", machine.alu_bits},
           {"evaluator_latency", machines::evaluator_latency(machine.array)},
@@ -54,7 +58,7 @@ Json instructions_json(const Report& report) {
 
 Json memory_json(const Report& report) {
   Json fields = Json::array();
-  for (const isa::NamedField& named : report.program.fields) {
+  for (const isa::NamedField& named : report.program.facts.fields) {
     fields.push_back({{"name", printable(named.name)},
                       {"base", named.field.base},
                       {"width", named.field.width},
@@ -62,8 +66,8 @@ Json memory_json(const Report& report) {
   }
   return {{"available", report.machine.array.memory_bits},
           {"used", used_memory_bits(report.program)},
-          {"stack", report.program.compile.stack_bits},
-          {"tree_depth", report.program.compile.tree_depth},
+          {"stack", report.program.facts.compile.stack_bits},
+          {"tree_depth", report.program.facts.compile.tree_depth},
           {"fields", fields}};
 }
 
@@ -79,8 +83,8 @@ Json purposes_json(const Report& report) {
 
 Json primitives_json(const Report& report) {
   Json primitives = Json::array();
-  for (std::size_t i = 0; i < report.program.primitives.size(); ++i) {
-    Json entry{{"index", i}, {"name", printable(report.program.primitives[i])}};
+  for (std::size_t i = 0; i < report.program.facts.primitives.size(); ++i) {
+    Json entry{{"index", i}, {"name", printable(report.program.facts.primitives[i])}};
     entry.update(cost_json(report.stats.by_primitive[i]));
     primitives.push_back(std::move(entry));
   }
@@ -103,39 +107,50 @@ double mean_linear_width(const isa::Program& program) {
 
 Json segments_json(const isa::Program& program) {
   const double count = program.segments.empty() ? 1.0 : static_cast<double>(program.segments.size());
-  const auto mean = [&](std::uint32_t isa::Segment::*member) {
+  const auto mean = [&](std::uint32_t isa::SegmentFacts::*member) {
     double sum = 0;
-    for (const isa::Segment& segment : program.segments) sum += segment.*member;
+    for (const isa::Segment& segment : program.segments) sum += segment.facts.*member;
     return sum / count;
   };
   const auto drawn = std::count_if(program.segments.begin(), program.segments.end(),
                                    [](const isa::Segment& segment) { return !segment.instructions.empty(); });
   return {{"count", program.segments.size()},
           {"drawn", drawn},
-          {"primitives_mean", mean(&isa::Segment::primitives)},
-          {"halfspaces_mean", mean(&isa::Segment::halfspaces)},
-          {"kept_primitives_mean", mean(&isa::Segment::kept_primitives)},
-          {"kept_halfspaces_mean", mean(&isa::Segment::kept_halfspaces)},
-          {"comparisons_mean", mean(&isa::Segment::comparisons)},
+          {"primitives_mean", mean(&isa::SegmentFacts::primitives)},
+          {"halfspaces_mean", mean(&isa::SegmentFacts::halfspaces)},
+          {"kept_primitives_mean", mean(&isa::SegmentFacts::kept_primitives)},
+          {"kept_halfspaces_mean", mean(&isa::SegmentFacts::kept_halfspaces)},
+          {"comparisons_mean", mean(&isa::SegmentFacts::comparisons)},
           {"linear_width_mean", mean_linear_width(program)}};
+}
+
+/// 0 where a frame takes no time.
+double frames_a_second(const Report& report) {
+  const std::uint64_t interval = report.result.interval_clocks;
+  return interval == 0 ? 0 : static_cast<double>(report.machine.clock_hz) / static_cast<double>(interval);
 }
 
 }  // namespace
 
 std::uint32_t used_memory_bits(const isa::Program& program) {
   std::uint32_t used = 0;
-  for (const isa::NamedField& named : program.fields) used += named.field.width;
+  for (const isa::NamedField& named : program.facts.fields) used += named.field.width;
   return used;
 }
 
 nlohmann::ordered_json to_json(const Report& report) {
-  const isa::CompileFacts& compile = report.program.compile;
+  const isa::CompileFacts& compile = report.program.facts.compile;
   Json json;
-  json["model"] = model_json(report.program.model);
+  json["model"] = model_json(report.program.facts.model);
   json["machine"] = machine_json(report);
   json["level"] = report.level;
   json["strategy"] = printable(compile.strategy);
   json["clocks"] = report.result.clocks;
+  json["shown_clocks"] = report.result.shown_clocks;
+  json["interval_clocks"] = report.result.interval_clocks;
+  json["frame_seconds"] =
+      static_cast<double>(report.result.shown_clocks) / static_cast<double>(report.machine.clock_hz);
+  json["frames_a_second"] = frames_a_second(report);
   json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
   json["instructions"] = instructions_json(report);
   json["pixel_operations"] = pixel_operations(report.stats.total);
@@ -145,7 +160,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["by_purpose"] = purposes_json(report);
   json["by_primitive"] = primitives_json(report);
   json["segments"] = segments_json(report.program);
-  if (report.machine.kind != machines::Kind::frame_buffer) json["account"] = account_json(report);
+  json["account"] = account_json(report.result.account);
   json["effects"] = Json::array();
   for (const std::string& effect : compile.effects) json["effects"].push_back(printable(effect));
   json["wall_seconds"] = report.wall_seconds;

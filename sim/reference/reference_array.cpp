@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hw/isa/opcodes.h"
+
 namespace csgsim::sim {
 
 namespace {

@@ -1,5 +1,7 @@
 #include <utility>
+#include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/timing.h"
@@ -18,21 +20,20 @@ class ReferenceEngine final : public Engine {
   RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
     machines::check_runs_on(program, machine_);
     RunResult result;
-    for (std::size_t s = 0; s < program.segments.size(); ++s) run_segment(program, s, observers, result);
-    if (machine_.kind != machines::Kind::frame_buffer) {
-      machines::FrameTiming timing = machines::time_frame(program, machine_);
-      result.clocks = timing.clocks;
-      result.account = std::move(timing.account);
-      return result;
-    }
-    result.latency_clocks = machines::evaluator_latency(machine_.array);
-    result.clocks += result.latency_clocks;
+    std::vector<machines::Skip> skips;
+    for (std::size_t s = 0; s < program.segments.size(); ++s) run_segment(program, s, observers, result, skips);
+    machines::FrameTiming timing = machines::time_frame(program, machine_, skips);
+    result.clocks = timing.clocks;
+    result.shown_clocks = timing.shown_clocks;
+    result.interval_clocks = timing.interval_clocks;
+    result.latency_clocks = timing.latency_clocks;
+    result.account = std::move(timing.account);
     return result;
   }
 
  private:
-  void run_segment(const isa::Program& program, std::size_t s, std::span<Observer* const> observers,
-                   RunResult& result) const {
+  void run_segment(const isa::Program& program, std::size_t s, std::span<Observer* const> observers, RunResult& result,
+                   std::vector<machines::Skip>& skips) const {
     const isa::Segment& segment = program.segments[s];
     const auto number = static_cast<std::uint32_t>(s);
     ReferenceArray array(segment.region, program.shape.memory_bits);
@@ -41,11 +42,11 @@ class ReferenceEngine final : public Engine {
       const std::uint64_t enabled = array.enabled_pixels();
       const std::uint64_t clocks = machines::clocks(instruction, machine_);
       array.execute(instruction);
-      result.clocks += clocks;
       if (instruction.opcode == isa::Opcode::global_or) result.answers.push_back(enabled > 0);
       const Step step{number, static_cast<std::uint32_t>(index), instruction, clocks, enabled};
       for (Observer* observer : observers) observer->after_instruction(step, array);
       if (instruction.opcode == isa::Opcode::skip_if_none && enabled == 0) {
+        skips.push_back({number, static_cast<std::uint32_t>(index)});
         index += instruction.constant;
         result.skipped += instruction.constant;
       }

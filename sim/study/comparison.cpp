@@ -6,6 +6,7 @@
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/machines/kind.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
@@ -20,23 +21,17 @@ facet::Faceting faceting_of(const ComparisonPoint& point) {
   return {std::nullopt, point.fragments};
 }
 
-std::uint64_t memory_bits(const machines::Machine& machine, const isa::Program& program) {
-  const std::uint64_t pixels = std::uint64_t{program.shape.width} * program.shape.height;
-  const bool beside = machine.kind == machines::Kind::pixel_square;
-  return processors(machine) * machine.array.memory_bits +
-         (beside ? pixels * isa::field_of(program, isa::FieldRole::colour).width : 0);
-}
-
 void count(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
-  row.primitives = program.model.primitives;
-  row.halfspaces = program.model.halfspaces;
+  row.primitives = program.facts.model.primitives;
+  row.halfspaces = program.facts.model.halfspaces;
   row.segments = program.segments.size();
   for (const isa::Segment& segment : program.segments) {
     row.instructions += segment.instructions.size();
     if (!segment.instructions.empty()) ++row.drawn_segments;
   }
-  row.processors = processors(machine);
-  row.memory_bits = memory_bits(machine, program);
+  const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
+  row.processors = resources.processors;
+  row.memory_bits = resources.memory_bits;
 }
 
 void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
@@ -47,7 +42,8 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
   row.clocks = result.clocks;
   row.seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
-  row.frames_per_second = 1.0 / row.seconds;
+  row.shown_clocks = result.shown_clocks;
+  row.frames_per_second = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
   row.pixel_operations = stats.stats().total.pixel_operations;
   row.enabled = stats.stats().total.enabled;
   row.processor_clocks = row.processors * row.clocks;
@@ -56,16 +52,6 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
 }
 
 }  // namespace
-
-std::uint64_t processors(const machines::Machine& machine) {
-  const std::uint64_t of_one = std::uint64_t{machine.array.width} * machine.array.height;
-  switch (machine.kind) {
-    case machines::Kind::frame_buffer: return of_one;
-    case machines::Kind::scan_line: return of_one * machine.scan_line.chains;
-    case machines::Kind::pixel_square: return of_one * machine.pixel_square.renderers;
-  }
-  return of_one;
-}
 
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
   ComparisonRow row;

@@ -23,6 +23,7 @@ struct ComparisonPoint {
   std::uint32_t width = 0;   ///< pixels
   std::uint32_t height = 0;  ///< pixels
   double fragments = 0;      ///< of a circle; 0 for facets as the model asks for them
+  std::string ideal{};       ///< the figure that is made ideal, `all` of them, or none
 
   bool operator==(const ComparisonPoint&) const = default;
 };
@@ -33,12 +34,13 @@ struct ComparisonRow {
   Inputs inputs;
   std::uint64_t primitives = 0;
   std::uint64_t halfspaces = 0;
-  std::uint64_t segments = 0;        ///< parts of the picture
-  std::uint64_t drawn_segments = 0;  ///< of these, those that something touches
-  std::uint64_t instructions = 0;    ///< in all segments
-  std::uint64_t clocks = 0;          ///< of a frame
-  double seconds = 0;                ///< of a frame, at the machine's clock rate
-  double frames_per_second = 0;
+  std::uint64_t segments = 0;          ///< parts of the picture
+  std::uint64_t drawn_segments = 0;    ///< of these, those that something touches
+  std::uint64_t instructions = 0;      ///< in all segments
+  std::uint64_t clocks = 0;            ///< in which a frame is drawn
+  double seconds = 0;                  ///< these, at the machine's clock rate
+  std::uint64_t shown_clocks = 0;      ///< until its last pixel has been shown
+  double frames_per_second = 0;        ///< in a sequence of such frames
   std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
   std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
   std::uint64_t processors = 0;
@@ -58,6 +60,7 @@ void visit_columns(Point& point, Visitor&& visit) {
   visit("width", point.width);
   visit("height", point.height);
   visit("fragments", point.fragments);
+  visit("ideal", point.ideal);
 }
 
 template <class Row, class Visitor>
@@ -72,6 +75,7 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("instructions", row.instructions);
   visit("clocks", row.clocks);
   visit("seconds", row.seconds);
+  visit("shown_clocks", row.shown_clocks);
   visit("frames_per_second", row.frames_per_second);
   visit("pixel_operations", row.pixel_operations);
   visit("enabled", row.enabled);
@@ -82,6 +86,9 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("picture", row.picture);
   visit("reason", row.reason);
 }
+
+/// A comparison's file of points.
+std::string points_json(const std::string& title, std::span<const ComparisonRow> rows);
 
 /// A point of the files as they are now.
 struct WantedComparison {
@@ -105,9 +112,6 @@ struct ComparisonJob {
   view::Sampling sampling;
   emit::Options options;
 };
-
-/// Pixel processors of the whole machine: cells of all chains, pixels of all renderers.
-std::uint64_t processors(const machines::Machine& machine);
 
 /// Compiles the point and draws it at the functional level.
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);

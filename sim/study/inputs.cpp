@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "hw/machines/kind.h"
 #include "sim/study/hash.h"
 
 namespace csgsim::study {
 
 std::string hash_of(const machines::Machine& machine) {
-  std::vector<std::string> lines{std::string(machines::name_of(machine.kind))};
+  std::vector<std::string> lines{std::string(machine.kind->name)};
   for (const machines::Figure& figure : machine.figures) lines.push_back(figure.key + "=" + figure.value);
   std::sort(lines.begin(), lines.end());
   Hash hash;

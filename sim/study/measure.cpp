@@ -13,10 +13,12 @@
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "sim/accuracy/analytic.h"
+#include "sim/accuracy/errors.h"
 #include "sim/accuracy/explain.h"
 #include "sim/accuracy/truth.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
+#include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
 
 namespace csgsim::study {
@@ -102,7 +104,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, ample_memory_bits);
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine, options_), machine);
-  const isa::DepthScale& depth = drawn.program.depth_scale;
+  const isa::DepthScale& depth = drawn.program.facts.depth_scale;
   accuracy::Truth exact = accuracy::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
   accuracy::Truth analytic = accuracy::analytic_truth(tree_, cameras_[camera], sampling.width, sampling.height, depth);
   return subjects_
@@ -135,7 +137,7 @@ Measurement Meter::measure(const Settings& settings) {
     const accuracy::Errors errors = accuracy::judge(subject.exact, drawn.frame, drawn.program, explainer);
     const accuracy::Errors facets = accuracy::compare(subject.analytic, drawn.frame, drawn.program);
     sum.clocks += drawn.clocks;
-    sum.halfspaces = drawn.program.model.halfspaces;
+    sum.halfspaces = drawn.program.facts.model.halfspaces;
     sum.memory_bits = std::max(sum.memory_bits, sim::used_memory_bits(drawn.program));
     sum.covered += errors.covered;
     sum.wrong += errors.wrong();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -13,8 +14,6 @@
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/machines/machine.h"
-#include "sim/accuracy/errors.h"
-#include "sim/observe/frame.h"
 #include "sim/study/inputs.h"
 #include "sim/study/settings.h"
 
@@ -78,6 +77,9 @@ struct WantedSettings {
   Settings point;
   Inputs inputs;
 };
+
+/// A study's file of points.
+std::string points_json(const std::string& title, std::span<const Measurement> rows);
 
 bool measures(const Measurement& row, const WantedSettings& wanted);
 

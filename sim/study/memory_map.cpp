@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "hw/base/error.h"
@@ -11,7 +12,7 @@ namespace csgsim::study {
 
 MemoryMap memory_map(const isa::Program& program) {
   MemoryMap map;
-  for (const isa::NamedField& field : program.fields) {
+  for (const isa::NamedField& field : program.facts.fields) {
     const bool is_stack = field.role == isa::FieldRole::stack;
     MemoryPart part{is_stack ? "stack" : field.name, field.field.base, field.field.width};
     const bool goes_on =

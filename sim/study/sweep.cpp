@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "host/emit/options.h"
-#include "sim/study/table.h"
 
 namespace csgsim::study {
 
@@ -53,14 +52,6 @@ std::vector<SweepPoint> points_of(const SweepRanges& ranges) {
     }
   }
   return points;
-}
-
-nlohmann::ordered_json sweep_json(const SweepRow& row) {
-  if (row.compiled()) return to_json(row);
-  nlohmann::ordered_json json = to_json(row.point);
-  visit_columns(row.inputs, [&](const char* name, const std::string& member) { json[name] = member; });
-  json["reason"] = row.reason;
-  return json;
 }
 
 bool measures(const SweepRow& row, const WantedPoint& wanted) {

@@ -3,7 +3,6 @@
 #include <concepts>
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -115,8 +114,8 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("reason", row.reason);
 }
 
-/// The row for a file: where there is no Program, only the point and why.
-nlohmann::ordered_json sweep_json(const SweepRow& row);
+/// A sweep's file of points; where there is no Program, it says of a point only why.
+std::string points_json(const std::string& title, std::span<const SweepRow> rows);
 
 /// A point of the files as they are now, that is to be drawn or not.
 struct WantedPoint {

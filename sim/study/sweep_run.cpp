@@ -45,16 +45,16 @@ isa::Program compile(const SweepJob& job) {
 }
 
 void count(const isa::Program& program, SweepRow& row) {
-  row.strategy_used = program.compile.strategy;
-  row.colouring_used = program.compile.colouring;
-  row.primitives = program.model.primitives;
-  row.halfspaces = program.model.halfspaces;
+  row.strategy_used = program.facts.compile.strategy;
+  row.colouring_used = program.facts.compile.colouring;
+  row.primitives = program.facts.model.primitives;
+  row.halfspaces = program.facts.model.halfspaces;
   for (const isa::Segment& segment : program.segments) row.instructions += segment.instructions.size();
-  row.rendered = program.compile.rendered;
-  row.classified = program.compile.classified;
-  row.depth_tests = program.compile.depth_tests;
-  row.tree_depth = program.compile.tree_depth;
-  row.classification_bits = program.compile.stack_bits;
+  row.rendered = program.facts.compile.rendered;
+  row.classified = program.facts.compile.classified;
+  row.depth_tests = program.facts.compile.depth_tests;
+  row.tree_depth = program.facts.compile.tree_depth;
+  row.classification_bits = program.facts.compile.stack_bits;
   row.used_bits = sim::used_memory_bits(program);
   row.memory_map = memory_map(program);
 }
@@ -65,8 +65,8 @@ SweepRow measure(const SweepJob& job, bool is_drawn) {
   SweepRow row;
   row.point = job.point;
   row.inputs = job.inputs;
-  row.width = machines::picture_size(job.machine).width;
-  row.height = machines::picture_size(job.machine).height;
+  row.width = job.machine.picture.width;
+  row.height = job.machine.picture.height;
   std::optional<isa::Program> program;
   try {
     program = compile(job);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <string>
@@ -47,13 +46,6 @@ Row from_line(const std::string& line) {
   });
   if (next < cells.size()) throw InputError("'" + cells[next] + "' is one cell too many");
   return row;
-}
-
-template <class Row>
-nlohmann::ordered_json to_json(const Row& row) {
-  nlohmann::ordered_json json;
-  visit_columns(row, [&](const char* name, const auto& member) { json[name] = member; });
-  return json;
 }
 
 /// The rows of a study, kept in a CSV file that grows by a line a point.

@@ -9,6 +9,7 @@
 
 #include "hw/array/pixel_array.h"
 #include "hw/array/sequencer.h"
+#include "hw/pixel_planes/kind.h"
 #include "sim/engine/engine.h"
 #include "tests/bench/typical_mix.h"
 
@@ -49,7 +50,7 @@ void run(isa::ArrayShape shape, unsigned primitives) {
   report("pixel processors",
          [&] { return each_step(program, [&](const array::BitStep& step) { pixels.step(step.pixels, leaves); }); });
 
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.name = "bench";
   machine.array = shape;
   machine.clock_hz = 10'000'000;

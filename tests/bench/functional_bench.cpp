@@ -6,8 +6,10 @@
 #include <array>
 #include <random>
 
+#include "hw/isa/opcodes.h"
 #include "hw/isa/validate.h"
 #include "hw/machines/clocks.h"
+#include "hw/pixel_planes/kind.h"
 #include "sim/engine/engine.h"
 
 namespace {
@@ -28,7 +30,7 @@ constexpr Field inside{65, 1};
 constexpr Field seen{66, 1};
 
 machines::Machine machine() {
-  machines::Machine result;
+  machines::Machine result = machines::blank(pixel_planes::kind);
   result.name = "bench";
   result.array = {side, side, 72};
   result.clock_hz = clock_hz;

@@ -12,6 +12,7 @@
 #include <limits>
 #include <string>
 
+#include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
@@ -52,7 +53,7 @@ int main(int argc, char** argv) {
   try {
     const std::string model = argc > 1 ? argv[1] : testing::model_path("terrain_vehicle");
     testing::Setup setup{{{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective}, {}, 72};
-    machines::Machine machine = machines::load("pixel-planes-4");
+    machines::Machine machine = kinds::load("pixel-planes-4");
     const auto begin = std::chrono::steady_clock::now();
     const isa::Program program =
         argc > 1 ? testing::compile_default_view(model, setup, view::Projection::perspective).program

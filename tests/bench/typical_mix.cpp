@@ -1,5 +1,7 @@
 #include "tests/bench/typical_mix.h"
 
+#include "hw/isa/opcodes.h"
+
 namespace csgsim::bench {
 
 namespace {

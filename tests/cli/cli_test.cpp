@@ -27,10 +27,13 @@ TEST_CASE("the stats have the keys that the documentation lists, and their accou
   const nlohmann::json stats = json(folder / "s.json");
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
-  CHECK(keys == std::vector<std::string>{"by_primitive", "by_purpose", "clocks", "depth_tests", "effects",
-                                         "instructions", "level", "machine", "memory_bits", "model", "pixel_operations",
-                                         "scan_conversions", "segments", "simulated_seconds", "strategy",
-                                         "wall_seconds"});
+  CHECK(
+      keys ==
+      std::vector<std::string>{
+          "account",           "by_primitive",    "by_purpose",       "clocks",           "depth_tests", "effects",
+          "frame_seconds",     "frames_a_second", "instructions",     "interval_clocks",  "level",       "machine",
+          "memory_bits",       "model",           "pixel_operations", "scan_conversions", "segments",    "shown_clocks",
+          "simulated_seconds", "strategy",        "wall_seconds"});
   CHECK(stats["model"]["primitives"] == 22);
   CHECK(stats["model"]["unions"] == 11);
   CHECK(stats["model"]["differences"] == 10);
@@ -38,6 +41,9 @@ TEST_CASE("the stats have the keys that the documentation lists, and their accou
   CHECK(stats["model"]["halfspaces"] == 2038);
   std::uint64_t clocks = 0;
   for (const auto& [purpose, cost] : stats["by_purpose"].items()) clocks += cost["clocks"].get<std::uint64_t>();
+  const nlohmann::json& controller = stats["account"]["parts"]["controller"];
+  for (const std::string activity : {"clearing", "starved", "jumping"})
+    clocks += controller[activity].get<std::uint64_t>();
   CHECK(clocks == stats["clocks"]);
   std::uint64_t named = 0;
   for (const auto& [name, cost] : stats["instructions"]["by_name"].items()) named += cost["count"].get<std::uint64_t>();
@@ -62,6 +68,24 @@ TEST_CASE("all levels give the same picture, depth, owner and counts") {
     for (const std::string key : {"level", "wall_seconds"}) stats[key] = expected[key];
     CHECK(stats == expected);
   }
+}
+
+TEST_CASE("a sequence of frames is the same at both levels, begins with the picture of one, and tells its pace") {
+  const Folder folder;
+  const std::string options = model("thesis_fig_2_3") + " --size 40x30 --view-all --frames 3 --turn 20 ";
+  const auto functional = run("render " + options + "-o " + (folder / "f.png"));
+  const auto cycle = run("render " + options + "--level cycle -o " + (folder / "c.png"));
+  REQUIRE(functional.code == 0);
+  REQUIRE(cycle.code == 0);
+  CHECK(folder.files() == 6);
+  for (const std::string number : {"_000.png", "_001.png", "_002.png"})
+    CHECK(content(folder / ("c" + number)) == content(folder / ("f" + number)));
+  CHECK(content(folder / "f_000.png") != content(folder / "f_001.png"));
+  CHECK(cycle.out.substr(cycle.out.find("drawn after")) == functional.out.substr(functional.out.find("drawn after")));
+  CHECK(cycle.out.find(" frames a second") != std::string::npos);
+  REQUIRE(run("render " + model("thesis_fig_2_3") + " --size 40x30 --view-all -o " + (folder / "one.png")).code == 0);
+  CHECK(content(folder / "one.png") == content(folder / "f_000.png"));
+  CHECK(run("render " + options + "--stats " + (folder / "s.json")).code == 2);
 }
 
 TEST_CASE("a Program runs from its file, in either form, to the picture and the counts of its render") {

@@ -58,8 +58,12 @@ TEST_CASE("every machine draws the same picture at both levels, and counts the c
                      {"chains.count 3", "refresh.interlaced 1", "cells.word_bits 16", "cells.words 6"}),
         machine_file(
             folder, "pixel-square",
-            {"array.width 7", "array.height 9", "divider.order \"morton\"", "fifo.depth 1", "renderers.count 3"}),
-        machine_file(folder, "pixel-planes-5", {"fifo.depth 1000", "renderers.buffers 1"})}) {
+            {"array.width 7", "array.height 9", "divider.order \"morton\"", "link.fifo_depth 1", "renderers.count 3"}),
+        machine_file(folder, "pixel-planes-5", {"link.fifo_depth 1000", "renderers.buffers 1"}),
+        std::string("multi-processor"),
+        machine_file(folder, "multi-processor",
+                     {"nodes.columns 3", "nodes.rows 2", "rendering.order \"pixel\"", "display.divides_ahead 1",
+                      "link.width 9", "node.word_bits 13"})}) {
     CAPTURE(machine);
     const Drawn worked_out = draw(folder, "--machine " + machine);
     const Drawn counted = draw(folder, "--machine " + machine + " --level cycle");
@@ -74,16 +78,13 @@ TEST_CASE("each part of the pixel-square machine has an account of all clocks of
   const Folder folder;
   const Drawn drawn = draw(folder, "--machine " + machine_file(folder, "pixel-square", {"renderers.count 2"}));
   const nlohmann::json& account = drawn.stats["account"];
-  for (const char* part : {"host", "divider", "frame_buffer"}) CHECK(sum(account[part]) == drawn.stats["clocks"]);
-  REQUIRE(account["renderers"].size() == 2);
-  std::uint64_t squares = 0;
-  for (const nlohmann::json& renderer : account["renderers"]) {
-    CHECK(sum(renderer["clocks"]) == drawn.stats["clocks"]);
-    squares += renderer["squares"].get<std::uint64_t>();
+  for (const char* part : {"host", "renderer 0", "renderer 1", "frame buffer"}) {
+    CHECK(sum(account["parts"].at(part)) == drawn.stats["clocks"]);
   }
-  CHECK(squares == account["squares"]["drawn"]);
-  CHECK(account["squares"]["drawn"].get<int>() + account["squares"]["skipped"].get<int>() == 5 * 4);
-  CHECK(drawn.stats["segments"]["drawn"] == account["squares"]["drawn"]);
+  const auto count = [&](const char* name) { return account.at(name).get<int>(); };
+  CHECK(count("squares of renderer 0") + count("squares of renderer 1") == count("squares_drawn"));
+  CHECK(count("squares_drawn") + count("squares_skipped") == 5 * 4);
+  CHECK(drawn.stats["segments"]["drawn"] == account["squares_drawn"]);
 }
 
 TEST_CASE("a Program for one kind of machine is refused by another, with what to do") {
@@ -151,4 +152,32 @@ TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-
   CHECK(json(folder / "e.json")[0]["segments"]["kept_halfspaces_mean"] ==
         columns[1]["subsegments"]["kept_halfspaces_mean"]);
   CHECK(run("subdivide " + model("carburettor") + " --machine scan-line").code == 1);
+}
+
+TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up but for barriers") {
+  const Folder folder;
+  const std::string options = model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128";
+  const Outcome outcome =
+      run("subdivide " + options + " --machine multi-processor --levels 4,6 -o " + (folder / "m.json"));
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.out.find("89.7       102.5       139.7") != std::string::npos);
+  const nlohmann::json columns = json(folder / "m.json");
+  REQUIRE(run("subdivide " + options + " --levels 4,6 -o " + (folder / "s.json")).code == 0);
+  const nlohmann::json squares = json(folder / "s.json");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const nlohmann::json& stages = columns[i]["stages"];
+    const auto seconds = [&](const char* stage) { return stages["seconds"][stage].get<double>(); };
+    const double sum = seconds("transformation") + seconds("first_pruning") + seconds("second_pruning") +
+                       seconds("communication") + seconds("rendering");
+    CHECK(sum < seconds("total"));
+    CHECK(sum > 0.99 * seconds("total"));
+    CHECK(seconds("scan_conversion") + seconds("classification") + seconds("depth_sort") < seconds("rendering"));
+    CHECK(stages["first_halfspace_tests"] <= stages["halfspaces_touching"]);
+    // Segments and subsegments are those of any machine that cuts the picture so.
+    for (const char* part : {"segments", "subsegments"}) {
+      CHECK(columns[i][part]["count"] == squares[i][part]["count"]);
+      CHECK(columns[i][part]["halfspaces_mean"] == squares[i][part]["halfspaces_mean"]);
+    }
+  }
 }

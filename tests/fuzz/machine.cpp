@@ -6,11 +6,12 @@
 #include <charconv>
 #include <string>
 
+#include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
-#include "hw/machines/schema.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;
+namespace kinds = csgsim::kinds;
 namespace machines = csgsim::machines;
 
 namespace {
@@ -25,19 +26,18 @@ std::string toml_string(std::string_view text) {
   return out + '"';
 }
 
-const machines::FigureSchema& schema_of(const machines::Figure& figure) {
-  const auto found = std::ranges::find(machines::schema(), figure.key, &machines::FigureSchema::key);
-  fuzz::require(found != machines::schema().end(), "every figure is one of the schema");
+const machines::FigureSchema& schema_of(const machines::Machine& machine, const machines::Figure& figure) {
+  const auto found = std::ranges::find(machine.kind->schema, figure.key, &machines::FigureSchema::key);
+  fuzz::require(found != machine.kind->schema.end(), "every figure is one of its kind");
   return *found;
 }
 
 /// A machine file with the same figures.
 std::string description_of(const machines::Machine& machine) {
-  std::string text =
-      fmt::format("name = {}\ndescription = {}\nkind = \"{}\"\n", toml_string(machine.name),
-                  toml_string(machine.description), machines::kind_names[static_cast<std::size_t>(machine.kind)]);
+  std::string text = fmt::format("name = {}\ndescription = {}\nkind = \"{}\"\n", toml_string(machine.name),
+                                 toml_string(machine.description), machine.kind->name);
   for (const machines::Figure& figure : machine.figures) {
-    const bool is_name = !schema_of(figure).names.empty();
+    const bool is_name = !schema_of(machine, figure).names.empty() || figure.value == machines::ideal_value;
     text += fmt::format("[{}]\nvalue = {}\n", figure.key, is_name ? toml_string(figure.value) : figure.value);
     if (!figure.unit.empty()) text += fmt::format("unit = {}\n", toml_string(figure.unit));
     text += fmt::format("provenance = {}\nsource = {}\n", toml_string(figure.provenance), toml_string(figure.source));
@@ -46,6 +46,7 @@ std::string description_of(const machines::Machine& machine) {
 }
 
 bool is_within(const machines::Figure& figure, const machines::FigureSchema& schema) {
+  if (schema.ideal && figure.value == machines::ideal_value) return true;
   if (!schema.names.empty()) return std::ranges::find(schema.names, figure.value) != schema.names.end();
   std::int64_t value = 0;
   const char* const end = figure.value.data() + figure.value.size();
@@ -63,20 +64,20 @@ bool same_machine(const machines::Machine& one, const machines::Machine& other) 
   return one.name == other.name && one.description == other.description && one.kind == other.kind &&
          one.array == other.array && one.picture == other.picture && one.clock_hz == other.clock_hz &&
          one.memory_reads == other.memory_reads && one.alu_bits == other.alu_bits &&
-         one.has_global_or == other.has_global_or && one.scan_line == other.scan_line &&
-         one.pixel_square == other.pixel_square && same_figures(one, other);
+         machines::same_hardware(one, other) && same_figures(one, other);
 }
 
 void check(const machines::Machine& machine) {
-  for (const machines::FigureSchema& schema : machines::schema()) {
-    const auto count = std::ranges::count(machine.figures, schema.key, &machines::Figure::key);
-    fuzz::require(count == (schema.kinds.has(machine.kind) ? 1 : 0), "a machine has every figure of its kind once");
+  for (const machines::FigureSchema& schema : machine.kind->schema) {
+    fuzz::require(std::ranges::count(machine.figures, schema.key, &machines::Figure::key) == 1,
+                  "a machine has every figure of its kind once");
   }
   for (const machines::Figure& figure : machine.figures)
-    fuzz::require(is_within(figure, schema_of(figure)), "every figure is within its range");
+    fuzz::require(is_within(figure, schema_of(machine, figure)), "every figure is within its range");
   try {
-    fuzz::require(same_machine(machines::read_description(description_of(machine), "again.toml"), machine),
-                  "a machine described again is the same");
+    fuzz::require(
+        same_machine(machines::read_description(description_of(machine), "again.toml", kinds::all()), machine),
+        "a machine described again is the same");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());
   }
@@ -87,7 +88,7 @@ void check(const machines::Machine& machine) {
 /// Any bytes are either a machine that keeps to the schema or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    check(machines::read_description(fuzz::text_of(data, size), "fuzz.toml"));
+    check(machines::read_description(fuzz::text_of(data, size), "fuzz.toml", kinds::all()));
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.toml");
   }

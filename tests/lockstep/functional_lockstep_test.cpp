@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "hw/isa/opcodes.h"
 #include "hw/isa/validate.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/array.h"
@@ -177,7 +178,7 @@ TEST_CASE("F that wraps is compared as it wraps, and counted") {
   const isa::Linear steep{.a = 100, .b = 7, .c = -1000, .width = 9, .shift = 0};
   for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_gt, Opcode::linear_le, Opcode::linear_lt,
                               Opcode::linear_eq, Opcode::load_linear, Opcode::keep_max, Opcode::keep_min}) {
-    CAPTURE(isa::info(opcode).name);
+    CAPTURE(isa::name_of(opcode));
     CHECK(difference(program_of({70, 9, 8}, {op(Opcode::enable_all), set(z, 90), with(opcode, z, steep)})) == "");
   }
 }

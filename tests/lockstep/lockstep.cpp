@@ -6,8 +6,10 @@
 #include <numeric>
 #include <utility>
 
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/timing.h"
+#include "hw/pixel_planes/kind.h"
 
 namespace csgsim::test {
 
@@ -74,7 +76,7 @@ void check_boundary(const Boundary& expected, const Boundary& actual, const isa:
   if (expected == actual) return;
   const isa::Instruction& instruction = program.segments[expected.segment].instructions[expected.index];
   throw Difference(fmt::format("{} engine, segment {} instruction {} ({}): {}", level, expected.segment, expected.index,
-                               isa::info(instruction.opcode).name, what_differs(expected, actual)));
+                               isa::name_of(instruction.opcode), what_differs(expected, actual)));
 }
 
 std::size_t instructions_of(const isa::Program& program) {
@@ -83,29 +85,33 @@ std::size_t instructions_of(const isa::Program& program) {
       [](std::size_t sum, const isa::Segment& segment) { return sum + segment.instructions.size(); });
 }
 
-/// Of a machine that works on parts of the picture: instructions of different parts go on side by side.
-void check_frame(const sim::RunResult& result, const isa::Program& program, const machines::Machine& machine,
-                 std::string_view level) {
-  const machines::FrameTiming expected = machines::time_frame(program, machine);
-  require(result.clocks == expected.clocks,
-          fmt::format("{} engine: {} clocks in all, not {}", level, result.clocks, expected.clocks));
-  require(result.account == expected.account, fmt::format("{} engine: another account", level));
+/// The questions after which the run skipped instructions.
+std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& program) {
+  std::vector<machines::Skip> skips;
+  for (const Boundary& boundary : run.boundaries) {
+    const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
+    const bool skips_if_none = instruction.opcode == isa::Opcode::skip_if_none;
+    if (skips_if_none && boundary.enabled_pixels == 0) skips.push_back({boundary.segment, boundary.index});
+  }
+  return skips;
 }
 
 void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::Program& program,
                   const machines::Machine& machine, std::string_view level) {
-  std::uint64_t sum = 0;
   for (const Boundary& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
     require(boundary.clocks == machines::clocks(instruction, machine),
-            fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::info(instruction.opcode).name));
-    sum += boundary.clocks;
+            fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::name_of(instruction.opcode)));
   }
-  if (machine.kind != machines::Kind::frame_buffer) return check_frame(result, program, machine, level);
-  require(result.latency_clocks == machines::evaluator_latency(machine.array),
+  const machines::FrameTiming expected = machines::time_frame(program, machine, skips_of(run, program));
+  require(result.clocks == expected.clocks,
+          fmt::format("{} engine: {} clocks in all, not {}", level, result.clocks, expected.clocks));
+  require(result.latency_clocks == expected.latency_clocks,
           fmt::format("{} engine: latency {}", level, result.latency_clocks));
-  require(result.clocks == sum + result.latency_clocks,
-          fmt::format("{} engine: {} clocks in all, {} by instruction", level, result.clocks, sum));
+  require(result.shown_clocks == expected.shown_clocks && result.interval_clocks == expected.interval_clocks,
+          fmt::format("{} engine: shown after {} clocks and again after {}, not {} and {}", level, result.shown_clocks,
+                      result.interval_clocks, expected.shown_clocks, expected.interval_clocks));
+  require(result.account == expected.account, fmt::format("{} engine: another account", level));
   require(run.boundaries.size() + result.skipped == instructions_of(program),
           fmt::format("{} engine: {} instructions carried out and {} skipped, of {}", level, run.boundaries.size(),
                       result.skipped, instructions_of(program)));
@@ -137,7 +143,7 @@ Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Progr
 }
 
 machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, std::uint32_t alu_bits) {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.name =
       fmt::format("test-{}x{}x{}-{}-{}", shape.width, shape.height, shape.memory_bits, memory_reads, alu_bits);
   machine.array = shape;

@@ -38,7 +38,7 @@ class TraceObserver : public sim::Observer {
     values_.resize(static_cast<std::size_t>(region.width) * region.height);
     enable_.resize(static_cast<std::size_t>((region.width + 63) / 64) * region.height);
     std::size_t bits = 0;
-    for (const isa::NamedField& named : program_.fields) {
+    for (const isa::NamedField& named : program_.facts.fields) {
       state.read_field(named.field, values_);
       mix(bits, values_);
     }

@@ -1,7 +1,8 @@
-// lockstep_scan_line CELLS WIDTH HEIGHT WORDS WORD_BITS CHAINS INTERVAL INTERLACED PROGRAMS INSTRUCTIONS: holds that
-// many random Programs, of at most so many instructions a line, clocked in SystemC against the reference engine, and
-// the picture against that of the functional engine. One machine a process, as SystemC elaborates once. RC_PARAMS
-// overrides the seed and the number of Programs.
+// lockstep_scan_line CELLS WIDTH HEIGHT WORDS WORD_BITS PORTS CLEAR_CLOCKS CHAINS INTERLACED LINK_WIDTH WORD_CLOCKS
+// FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS PROGRAMS INSTRUCTIONS: holds that many random
+// Programs, of at most so many instructions a line, clocked in SystemC against the reference engine, and the picture
+// against that of the functional engine. PORTS 0 are ideal. One machine a process, as SystemC elaborates once.
+// RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
@@ -13,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/kind.h"
 #include "sim/observe/frame.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/support/random_program.h"
@@ -22,18 +25,22 @@ namespace csgsim::test {
 namespace {
 
 machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(scan_line::kind);
   machine.name = "test";
-  machine.kind = machines::Kind::scan_line;
   machine.array = {figures[0], 1, figures[3] * figures[4]};
   machine.picture = {figures[1], figures[2]};
   machine.clock_hz = 20'000;  // some lines are late, some are not
-  machine.scan_line = {.words = figures[3],
-                       .word_bits = figures[4],
-                       .chains = figures[5],
-                       .packet_interval = figures[6],
-                       .refresh_hz = 60,
-                       .interlaced = figures[7] != 0};
+  machine.own = scan_line::Figures{.words = figures[3],
+                                   .word_bits = figures[4],
+                                   .ports = figures[5],
+                                   .chains = figures[7],
+                                   .bucket_clocks = figures[13],
+                                   .active_clocks = figures[14],
+                                   .instruction_clocks = figures[15],
+                                   .refresh_hz = 60,
+                                   .interlaced = figures[8] != 0};
+  machine.clear_clocks = figures[6];
+  machine.link = {.width = figures[9], .word_clocks = figures[10], .fifo_depth = figures[11], .latency = figures[12]};
   return machine;
 }
 
@@ -62,12 +69,12 @@ void check_pictures(sim::Engine& judge, sim::Engine& engine, const isa::Program&
 
 int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[8]).c_str(), 0);
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[16]).c_str(), 0);
   const auto judge = sim::make_reference_engine(machine);
   const auto drawing = sim::make_functional_engine(machine);
   const auto engine = sim::make_cycle_engine(machine);
   const bool agree = rc::check("the clocked scan-line array agrees with the reference", [&] {
-    const auto program = *arbitrary_program_in_parts(machine, figures[9]);
+    const auto program = *arbitrary_program_in_parts(machine, figures[17]);
     check_lockstep(*judge, *engine, program, machine);
     check_pictures(*drawing, *engine, program);
     RC_ASSERT(engine->run(program, {}).overflows == judge->run(program, {}).overflows);
@@ -83,9 +90,10 @@ int main(int argc, char** argv) {
   try {
     std::vector<std::uint32_t> figures;
     for (int i = 1; i < argc; ++i) figures.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
-    if (figures.size() == 10) return csgsim::test::run(figures);
+    if (figures.size() == 18) return csgsim::test::run(figures);
     fmt::print(stderr,
-               "usage: {} CELLS WIDTH HEIGHT WORDS WORD_BITS CHAINS INTERVAL INTERLACED PROGRAMS INSTRUCTIONS\n",
+               "usage: {} CELLS WIDTH HEIGHT WORDS WORD_BITS PORTS CLEAR_CLOCKS CHAINS INTERLACED LINK_WIDTH "
+               "WORD_CLOCKS FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS PROGRAMS INSTRUCTIONS\n",
                argv[0]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

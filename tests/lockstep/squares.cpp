@@ -1,4 +1,5 @@
-// lockstep_squares KEY=NUMBER...: draws random Programs on the clocked pixel-square machine with those figures and
+// lockstep_squares KEY=NUMBER...: draws random Programs, or with divider=1 random models, on the clocked pixel-square
+// machine with those figures and
 // holds them against the reference's bits, the functional engine's picture, clocks and account. One machine a process,
 // as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
@@ -18,6 +19,10 @@
 #include <vector>
 
 #include "hw/isa/validate.h"
+#include "hw/machines/regions.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/kind.h"
+#include "tests/lockstep/divided_program.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/support/random_program.h"
 
@@ -25,11 +30,8 @@ namespace csgsim::test {
 
 namespace {
 
-using machines::SquareAccount;
-using machines::SquareClocks;
-
 struct Settings {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_square::kind);
   unsigned programs = 40;
   unsigned instructions = 12;  ///< of a square at most
 };
@@ -38,26 +40,39 @@ Settings read_settings(int count, char** arguments) {
   Settings settings;
   machines::Machine& machine = settings.machine;
   machine.name = "squares";
-  machine.kind = machines::Kind::pixel_square;
   machine.array = {8, 8, 40};
   machine.picture = {20, 20};
   machine.clock_hz = 10'000'000;
-  machines::PixelSquare& figures = machine.pixel_square;
+  machine.link = {.width = 32, .word_clocks = 1, .fifo_depth = 64, .latency = 0};
+  auto& figures = machines::own<pixel_square::Figures>(machine);
+  figures.model_bits = 10'000'000;
   std::uint32_t order = 0;
+  std::uint32_t divider = 0;
   const std::map<std::string, std::uint32_t*> known{{"picture_width", &machine.picture.width},
                                                     {"picture_height", &machine.picture.height},
                                                     {"width", &machine.array.width},
                                                     {"height", &machine.array.height},
                                                     {"bits", &machine.array.memory_bits},
                                                     {"reads", &machine.memory_reads},
-                                                    {"depth", &figures.fifo_depth},
+                                                    {"clear", &machine.clear_clocks},
+                                                    {"link_width", &machine.link.width},
+                                                    {"word", &machine.link.word_clocks},
+                                                    {"depth", &machine.link.fifo_depth},
+                                                    {"latency", &machine.link.latency},
+                                                    {"port_depth", &figures.port_fifo_depth},
+                                                    {"move", &figures.move_bits},
                                                     {"renderers", &figures.renderers},
                                                     {"buffers", &figures.buffers},
                                                     {"port", &figures.port_bits},
-                                                    {"host", &figures.host_word_clocks},
-                                                    {"primitive", &figures.primitive_clocks},
-                                                    {"halfspace", &figures.halfspace_clocks},
                                                     {"order", &order},
+                                                    {"divider", &divider},
+                                                    {"levels", &figures.levels},
+                                                    {"group", &figures.group_side},
+                                                    {"list", &figures.list_entries},
+                                                    {"box", &figures.box_clocks},
+                                                    {"halfspace", &figures.halfspace_clocks},
+                                                    {"pair", &figures.pair_clocks},
+                                                    {"node", &figures.node_clocks},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
   for (int i = 1; i < count; ++i) {
@@ -67,7 +82,8 @@ Settings read_settings(int count, char** arguments) {
     if (equals == argument.npos || setting == known.end()) throw std::invalid_argument("what is " + argument + "?");
     *setting->second = static_cast<std::uint32_t>(std::stoul(argument.substr(equals + 1)));
   }
-  figures.order = static_cast<machines::SquareOrder>(order);
+  figures.divider = static_cast<pixel_square::DividerKind>(divider);
+  figures.order = static_cast<pixel_square::SquareOrder>(order);
   return settings;
 }
 
@@ -83,7 +99,7 @@ class Picture final : public sim::Observer {
 
   void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
     const isa::Region region = state.region();
-    std::vector<std::uint32_t> values(std::size_t{region.width} * region.height, program_.compile.background);
+    std::vector<std::uint32_t> values(std::size_t{region.width} * region.height, program_.background);
     if (!program_.segments[segment].instructions.empty()) state.read_field(colour_, values);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::size_t y = region.y + i / region.width;
@@ -99,33 +115,22 @@ class Picture final : public sim::Observer {
   std::vector<std::uint32_t> colours;
 };
 
-std::uint64_t sum(const SquareClocks& clocks) {
-  return std::accumulate(clocks.begin(), clocks.end(), std::uint64_t{0});
-}
-
 /// Every clock of the frame is accounted for, in every part.
 bool adds_up(const sim::RunResult& result) {
-  const auto& account = std::get<SquareAccount>(result.account);
-  bool whole = sum(account.host) == result.clocks && sum(account.divider) == result.clocks &&
-               sum(account.frame_buffer) == result.clocks;
-  for (const SquareClocks& one : account.renderers) whole = whole && sum(one) == result.clocks;
-  return whole;
+  return std::all_of(result.account.parts.begin(), result.account.parts.end(), [&](const machines::PartAccount& part) {
+    std::uint64_t sum = 0;
+    for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
+    return sum == result.clocks;
+  });
 }
 
 std::string show(const sim::RunResult& result) {
-  const auto& account = std::get<SquareAccount>(result.account);
-  std::string text = fmt::format("{} clocks, {} squares drawn, {} skipped", result.clocks, account.squares_drawn,
-                                 account.squares_skipped);
-  const auto add = [&](std::string_view part, const SquareClocks& clocks) {
-    text += fmt::format("\n  {}:", part);
-    for (std::size_t i = 0; i < clocks.size(); ++i) {
-      text += fmt::format(" {} {}", machines::square_activities[i].name, clocks[i]);
-    }
-  };
-  add("host", account.host);
-  add("divider", account.divider);
-  for (const SquareClocks& one : account.renderers) add("renderer", one);
-  add("frame buffer", account.frame_buffer);
+  std::string text = fmt::format("{} clocks", result.clocks);
+  for (const machines::Count& count : result.account.counts) text += fmt::format(", {} {}", count.value, count.name);
+  for (const machines::PartAccount& part : result.account.parts) {
+    text += fmt::format("\n  {}:", part.part);
+    for (const machines::ActivityClocks& one : part.clocks) text += fmt::format(" {} {}", one.activity, one.clocks);
+  }
   return text;
 }
 
@@ -135,7 +140,9 @@ bool agree(const Settings& settings) {
   const auto functional = sim::make_functional_engine(machine);
   const auto cycle = sim::make_cycle_engine(machine);
   return rc::check("the clocked pixel-square machine leaves the bits, picture, clocks and account worked out", [&] {
-    const isa::Program program = *arbitrary_program_in_parts(machine, settings.instructions);
+    const isa::Program program = machines::division(machine)
+                                     ? any_divided_program(machine)
+                                     : *arbitrary_program_in_parts(machine, settings.instructions);
     isa::validate(program);
     const sim::RunResult counted = check_lockstep(*reference, *cycle, program, machine).engine;
     Picture picture(program);

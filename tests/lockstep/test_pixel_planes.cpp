@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
+#include "hw/machines/timing.h"
+#include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/pixel_planes.h"
 #include "sim/cycle/record.h"
 #include "tests/lockstep/lockstep.h"
@@ -19,26 +23,35 @@ namespace {
 using csgsim::isa::Field;
 using csgsim::isa::Instruction;
 using csgsim::isa::Opcode;
+using csgsim::isa::Program;
 using csgsim::isa::Segment;
+using csgsim::kernel::PixelView;
+using csgsim::kernel::Retired;
+using csgsim::kernel::RunListener;
 using csgsim::pixel_planes::PixelPlanes;
-using csgsim::pixel_planes::Retired;
-using csgsim::pixel_planes::RunListener;
 
 constexpr csgsim::isa::ArrayShape shape_8x8{8, 8, 32};
 constexpr unsigned latency_8x8 = 6;
 
-/// The clock edges, counted from the program's first step on the wires, at which instructions were carried out.
+// On a link that brings a command a clock, without latency:
+/// clocks before the first step of a frame's first instruction: the request, the word of the SegmentStart on the link,
+/// in the FIFO and in the receiver, and the clock in which the pixels are cleared
+constexpr unsigned lead = 5;
+/// from an answer that makes the controller jump to the next instruction's first step: the same, without clearing
+constexpr unsigned jump = 4;
+
+/// The clock edges, counted from the first of the frame, at which instructions were carried out.
 class Stopwatch final : public RunListener {
  public:
   explicit Stopwatch(const PixelPlanes& machine) : machine_(machine), start_(sc_core::sc_time_stamp()) {}
 
-  void after_instruction(const Retired& retired) override {
+  void after_instruction(const Retired& retired, const PixelView& /*pixels*/) override {
     edges.push_back(edges_since_start());
     clocks.push_back(retired.clocks);
     enabled.push_back(retired.enabled_pixels);
   }
 
-  /// The first step goes on the wires one period after the machine has been started.
+  /// The frame begins one period after the machine has been started.
   [[nodiscard]] double edges_since_start() const { return (sc_core::sc_time_stamp() - start_) / machine_.period() - 1; }
 
   std::vector<double> edges;
@@ -52,6 +65,18 @@ class Stopwatch final : public RunListener {
 
 Segment segment_of(std::vector<Instruction> instructions, std::uint32_t width = 8, std::uint32_t height = 8) {
   return {.region = {0, 0, width, height}, .instructions = std::move(instructions)};
+}
+
+/// Without fields, so that nothing is scanned out.
+Program program_of(std::vector<Segment> segments) {
+  Program program;
+  program.shape = {1, 1, 8};
+  for (const Segment& segment : segments) {
+    program.shape.width = std::max(program.shape.width, segment.region.width);
+    program.shape.height = std::max(program.shape.height, segment.region.height);
+  }
+  program.segments = std::move(segments);
+  return program;
 }
 
 Instruction constant(Field field, std::uint64_t value) {
@@ -72,41 +97,76 @@ std::string contents(const std::filesystem::path& file) {
 
 csgsim::machines::Machine machine_8x8() { return csgsim::test::machine_of(shape_8x8, 1); }
 
+/// Draws frames of two kinds, one that takes longer than a row is shown and one that does not, and holds the clocks
+/// from one to the next against those worked out for an endless sequence of the same frame.
+void check_sequences(csgsim::pixel_planes::ScanOutPort port, std::uint32_t pixels) {
+  csgsim::machines::Machine figures = csgsim::test::machine_of({16, 4, 32}, 1);
+  auto& own = csgsim::machines::own<csgsim::pixel_planes::Figures>(figures);
+  own.scan_out_port = port;
+  own.scan_out_pixels = pixels;
+  figures.link = {.width = 32, .word_clocks = 1, .fifo_depth = 4, .latency = 2};
+  PixelPlanes machine("machine", figures);
+  for (const std::size_t count : {1U, 40U}) {
+    std::vector<Instruction> instructions(count, {.opcode = Opcode::enable_all});
+    instructions.push_back(
+        {.opcode = Opcode::load_linear, .fields = {Field{3, 7}}, .linear = {.a = 1, .b = 16, .width = 8}});
+    Program program = program_of({segment_of(instructions, 16, 4)});
+    program.facts.fields = {{"colour", {3, 7}, csgsim::isa::FieldRole::colour}};
+    RunListener nobody;
+    const auto alone = machine.run(program, nobody);
+    const std::vector<Program> programs(4, program);
+    const std::vector<RunListener*> listeners(4, &nobody);
+    const auto reports = machine.run_sequence(programs, listeners);
+    const auto worked_out = csgsim::machines::time_frame(program, figures);
+    REQUIRE(reports.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      CAPTURE(i);
+      CHECK(reports[i].clocks == worked_out.clocks);
+      CHECK(reports[i].picture == alone.picture);
+      // The first frame finds nothing on the screen that its scan-out has to wait for.
+      if (i > 0) CHECK(reports[i].interval_clocks == worked_out.interval_clocks);
+    }
+    CHECK(alone.picture[17] == 17);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("an instruction is carried out latency clocks after its last step's own, and the next follows at once") {
   PixelPlanes machine("machine", machine_8x8());
-  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all},
-                                                 constant({0, 4}, 5),
-                                                 {.opcode = Opcode::enable_invert},
-                                                 {.opcode = Opcode::edge_negative, .linear = {.c = -1, .width = 9}}})};
+  const Program program =
+      program_of({segment_of({{.opcode = Opcode::enable_all},
+                              constant({0, 4}, 5),
+                              {.opcode = Opcode::enable_invert},
+                              {.opcode = Opcode::edge_negative, .linear = {.c = -1, .width = 9}}})});
   Stopwatch watch(machine);
   const auto report = machine.run(program, watch);
   CHECK(watch.clocks == std::vector<std::uint64_t>{1, 4, 1, 9});
-  CHECK(watch.edges == std::vector<double>{latency_8x8 + 1, latency_8x8 + 5, latency_8x8 + 6, latency_8x8 + 15});
+  CHECK(watch.edges == std::vector<double>{lead + latency_8x8 + 1, lead + latency_8x8 + 5, lead + latency_8x8 + 6,
+                                           lead + latency_8x8 + 15});
   CHECK(watch.enabled == std::vector<std::uint64_t>{0, 64, 64, 0});
-  CHECK(report.clocks == 15 + latency_8x8);
+  CHECK(report.clocks == lead + 15 + latency_8x8);
   CHECK(report.latency_clocks == latency_8x8);
   CHECK(watch.edges_since_start() == static_cast<double>(report.clocks));
 }
 
 TEST_CASE("a question takes its own clock and the latency, and the controller goes on when the answer has come") {
   PixelPlanes machine("machine", machine_8x8());
-  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all},
-                                                 {.opcode = Opcode::global_or},
-                                                 {.opcode = Opcode::enable_invert},
-                                                 {.opcode = Opcode::global_or},
-                                                 {.opcode = Opcode::global_or}})};
+  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
+                                                  {.opcode = Opcode::global_or},
+                                                  {.opcode = Opcode::enable_invert},
+                                                  {.opcode = Opcode::global_or},
+                                                  {.opcode = Opcode::global_or}})});
   Stopwatch watch(machine);
   const auto report = machine.run(program, watch);
   constexpr std::uint64_t question = 1 + latency_8x8;
   CHECK(report.answers == std::vector<bool>{true, false, false});
   CHECK(watch.clocks == std::vector<std::uint64_t>{1, question, 1, question, question});
-  CHECK(watch.edges == std::vector<double>{7, 8, 15, 16, 23});
-  CHECK(report.clocks == 2 + 3 * question + latency_8x8);
+  CHECK(watch.edges == std::vector<double>{lead + 7, lead + 8, lead + 15, lead + 16, lead + 23});
+  CHECK(report.clocks == lead + 2 + 3 * question + latency_8x8);
 }
 
-TEST_CASE("skipped instructions take no clock, however many there are") {
+TEST_CASE("a jump takes the clocks of the link, however many instructions it skips") {
   PixelPlanes machine("machine", machine_8x8());
   constexpr std::uint64_t question = 1 + latency_8x8;
   for (const std::uint64_t count : {1U, 2U, 14U, 15U, 16U, 17U, 33U, 1000U}) {
@@ -116,24 +176,26 @@ TEST_CASE("skipped instructions take no clock, however many there are") {
     instructions.insert(instructions.end(), count, {.opcode = Opcode::enable_all});
     instructions.push_back({.opcode = Opcode::global_or});
     instructions.push_back({.opcode = Opcode::enable_all});
-    const std::vector<Segment> program{segment_of(instructions)};
+    const Program program = program_of({segment_of(instructions)});
     Stopwatch watch(machine);
     const auto report = machine.run(program, watch);
     CHECK(watch.clocks == std::vector<std::uint64_t>{1, 1, question, question, 1});
-    CHECK(watch.edges == std::vector<double>{7, 8, 9, 16, 23});
+    CHECK(watch.edges == std::vector<double>{lead + 7, lead + 8, lead + 9, lead + jump + 16, lead + jump + 23});
     CHECK(report.answers == std::vector<bool>{false});
     CHECK(report.skipped == count);
-    CHECK(report.clocks == 3 + 2 * question + latency_8x8);
+    CHECK(report.clocks == lead + jump + 3 + 2 * question + latency_8x8);
   }
 }
 
 TEST_CASE("where a pixel is enabled nothing is skipped, and the host has no answer") {
   PixelPlanes machine("machine", machine_8x8());
-  const std::vector<Segment> program{segment_of(
-      {{.opcode = Opcode::enable_all}, skip(2), {.opcode = Opcode::enable_invert}, {.opcode = Opcode::enable_invert}})};
+  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
+                                                  skip(2),
+                                                  {.opcode = Opcode::enable_invert},
+                                                  {.opcode = Opcode::enable_invert}})});
   Stopwatch watch(machine);
   const auto report = machine.run(program, watch);
-  CHECK(watch.edges == std::vector<double>{7, 8, 15, 16});
+  CHECK(watch.edges == std::vector<double>{lead + 7, lead + 8, lead + 15, lead + 16});
   CHECK(watch.enabled == std::vector<std::uint64_t>{0, 64, 64, 0});
   CHECK(report.answers.empty());
   CHECK(report.skipped == 0);
@@ -141,17 +203,19 @@ TEST_CASE("where a pixel is enabled nothing is skipped, and the host has no answ
 
 TEST_CASE("a skip to the end of its segment ends the segment, and at the end of the program the program") {
   struct Segments final : RunListener {
-    void after_instruction(const Retired& retired) override { seen.push_back({retired.segment, retired.index}); }
-    void after_segment(std::uint32_t segment) override { ends.push_back(segment); }
+    void after_instruction(const Retired& retired, const PixelView& /*pixels*/) override {
+      seen.push_back({retired.segment, retired.index});
+    }
+    void after_segment(std::uint32_t segment, const PixelView& /*pixels*/) override { ends.push_back(segment); }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;
     std::vector<std::uint32_t> ends;
   };
   PixelPlanes machine("machine", machine_8x8());
   const Instruction all{.opcode = Opcode::enable_all};
-  const std::vector<Segment> program{
-      segment_of({skip(2), all, all}), segment_of({}), segment_of({all, skip(1), {.opcode = Opcode::global_or}}, 3, 5),
-      segment_of({skip(1), all}), segment_of({skip(20), all, all, all, all, all, all, all, all, all, all,
-                                              all,      all, all, all, all, all, all, all, all, all})};
+  const Program program = program_of(
+      {segment_of({skip(2), all, all}), segment_of({}), segment_of({all, skip(1), {.opcode = Opcode::global_or}}, 3, 5),
+       segment_of({skip(1), all}), segment_of({skip(20), all, all, all, all, all, all, all, all, all, all,
+                                               all,      all, all, all, all, all, all, all, all, all})});
   constexpr std::uint64_t question = 1 + latency_8x8;
   for (int run = 0; run < 2; ++run) {
     Segments listener;
@@ -161,55 +225,58 @@ TEST_CASE("a skip to the end of its segment ends the segment, and at the end of 
     CHECK(listener.ends == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
     CHECK(report.answers == std::vector<bool>{true});
     CHECK(report.skipped == 2 + 1 + 20);
-    CHECK(report.clocks == 1 + 5 * question + latency_8x8);
+    constexpr std::uint64_t clears = 4;  // besides the first
+    CHECK(report.clocks == lead + clears + 1 + 5 * question + 3 * jump + latency_8x8);
   }
 }
 
-TEST_CASE("without tree levels a skip is over in one clock too") {
+TEST_CASE("without tree levels an answer is there in one clock") {
   PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
   const Instruction all{.opcode = Opcode::enable_all};
   const Instruction invert{.opcode = Opcode::enable_invert};
-  const std::vector<Segment> program{
-      segment_of({skip(1), all, skip(1), all, all, skip(1), invert, invert, skip(2), all, all}, 1, 1)};
+  const Program program =
+      program_of({segment_of({skip(1), all, skip(1), all, all, skip(1), invert, invert, skip(2), all, all}, 1, 1)});
   Stopwatch watch(machine);
   const auto report = machine.run(program, watch);
   CHECK(watch.enabled == std::vector<std::uint64_t>{0, 0, 0, 1, 1, 0, 1, 1, 1});
-  CHECK(watch.edges == std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  constexpr unsigned after = lead + 2 * jump;
+  CHECK(watch.edges == std::vector<double>{lead + 1, lead + jump + 2, after + 3, after + 4, after + 5, after + 6,
+                                           after + 7, after + 8, after + 9});
   CHECK(report.skipped == 2);
-  CHECK(report.clocks == 9);
+  CHECK(report.clocks == after + 9);
 }
 
 TEST_CASE("without tree levels a step is carried out at the end of its own clock") {
   PixelPlanes machine("machine", csgsim::test::machine_of({1, 1, 8}, 1));
-  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all},
-                                                 {.opcode = Opcode::global_or},
-                                                 {.opcode = Opcode::global_or},
-                                                 {.opcode = Opcode::edge_negative, .linear = {.c = 3, .width = 3}},
-                                                 {.opcode = Opcode::global_or}},
-                                                1, 1)};
+  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all},
+                                                  {.opcode = Opcode::global_or},
+                                                  {.opcode = Opcode::global_or},
+                                                  {.opcode = Opcode::edge_negative, .linear = {.c = 3, .width = 3}},
+                                                  {.opcode = Opcode::global_or}},
+                                                 1, 1)});
   Stopwatch watch(machine);
   const auto report = machine.run(program, watch);
   CHECK(report.answers == std::vector<bool>{true, true, false});
-  CHECK(watch.edges == std::vector<double>{1, 2, 3, 6, 7});
-  CHECK(report.clocks == 7);
+  CHECK(watch.edges == std::vector<double>{lead + 1, lead + 2, lead + 3, lead + 6, lead + 7});
+  CHECK(report.clocks == lead + 7);
 }
 
-TEST_CASE("a program without instructions costs the latency, with every segment told") {
+TEST_CASE("a program without instructions costs a clear a segment and the latency, with every segment told") {
   struct Segments final : RunListener {
-    void after_segment(std::uint32_t segment) override { seen.push_back(segment); }
+    void after_segment(std::uint32_t segment, const PixelView& /*pixels*/) override { seen.push_back(segment); }
     std::vector<std::uint32_t> seen;
   } listener;
   PixelPlanes machine("machine", machine_8x8());
-  const std::vector<Segment> program{segment_of({}), segment_of({}), segment_of({})};
-  CHECK(machine.run(program, listener).clocks == latency_8x8);
+  const Program program = program_of({segment_of({}), segment_of({}), segment_of({})});
+  CHECK(machine.run(program, listener).clocks == lead + 2 + latency_8x8);
   CHECK(listener.seen == std::vector<std::uint32_t>{0, 1, 2});
-  CHECK(machine.run(program, listener).clocks == latency_8x8);
+  CHECK(machine.run(program, listener).clocks == lead + 2 + latency_8x8);
 }
 
 TEST_CASE("scan-out shows each pixel's colour and overlaps latching a row with shifting out the one before") {
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
-  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})};
+  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})});
   machine.run(program, nobody);
   std::vector<std::uint32_t> expected(64);
   for (std::uint32_t i = 0; i < 64; ++i) expected[i] = i;
@@ -221,12 +288,20 @@ TEST_CASE("scan-out shows each pixel's colour and overlaps latching a row with s
   CHECK(wide.clocks == 20 * 8 + 8);
 }
 
+TEST_CASE("frames of a sequence follow each other at the pace worked out, at a port of the scan-out's own") {
+  check_sequences(csgsim::pixel_planes::ScanOutPort::own, 1);
+}
+
+TEST_CASE("frames of a sequence follow each other at the pace worked out, at a shared port") {
+  check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2);
+}
+
 TEST_CASE("programs follow one another on cleared pixels") {
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
-  const std::vector<Segment> first{segment_of({{.opcode = Opcode::enable_all}, constant({0, 8}, 0xff)})};
-  const std::vector<Segment> second{segment_of({{.opcode = Opcode::global_or}})};
-  CHECK(machine.run(first, nobody).clocks == 9 + latency_8x8);
+  const Program first = program_of({segment_of({{.opcode = Opcode::enable_all}, constant({0, 8}, 0xff)})});
+  const Program second = program_of({segment_of({{.opcode = Opcode::global_or}})});
+  CHECK(machine.run(first, nobody).clocks == lead + 9 + latency_8x8);
   CHECK(machine.scan_out({0, 8}).colours == std::vector<std::uint32_t>(64, 0xff));
   CHECK(machine.run(second, nobody).answers == std::vector<bool>{false});
   CHECK(machine.scan_out({0, 8}).colours == std::vector<std::uint32_t>(64, 0));
@@ -234,14 +309,14 @@ TEST_CASE("programs follow one another on cleared pixels") {
 
 TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {
   struct Thrower final : RunListener {
-    void after_instruction(const Retired&) override { throw std::runtime_error("enough"); }
+    void after_instruction(const Retired&, const PixelView&) override { throw std::runtime_error("enough"); }
   } thrower;
   PixelPlanes machine("machine", machine_8x8());
-  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all}, {.opcode = Opcode::global_or}})};
+  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, {.opcode = Opcode::global_or}})});
   CHECK_THROWS_WITH_AS(machine.run(program, thrower), "enough", std::runtime_error);
   Stopwatch watch(machine);
   CHECK(machine.run(program, watch).answers == std::vector<bool>{true});
-  CHECK(watch.edges == std::vector<double>{latency_8x8 + 1, latency_8x8 + 2});
+  CHECK(watch.edges == std::vector<double>{lead + latency_8x8 + 1, lead + latency_8x8 + 2});
 }
 
 TEST_CASE("a SystemC warning is an exception") {
@@ -261,11 +336,12 @@ TEST_CASE("the engine scans out the colour field after the program") {
   program.shape = shape_8x8;
   program.segments = {segment_of({{.opcode = Opcode::enable_all}})};
   const auto engine = csgsim::sim::make_cycle_engine(machine_8x8());
-  CHECK(engine->run(program, {}).scan_out_clocks == 0);
-  program.fields = {{"colour", {8, 24}, csgsim::isa::FieldRole::colour}};
+  CHECK(engine->run(program, {}).shown_clocks == lead + 1 + latency_8x8);
+  program.facts.fields = {{"colour", {8, 24}, csgsim::isa::FieldRole::colour}};
   const auto result = engine->run(program, {});
-  CHECK(result.scan_out_clocks == 24 * 8 + 8);
-  CHECK(result.clocks == 1 + latency_8x8);
+  CHECK(result.shown_clocks == result.clocks + 24 * 8 + 8);
+  CHECK(result.interval_clocks == 24 * 8 + 1 + result.clocks);  // the next frame takes longer than a row is shown
+  CHECK(result.clocks == lead + 1 + latency_8x8);
 }
 
 TEST_CASE("a window of a run is recorded as VCD, and what lies outside it is not") {
@@ -273,8 +349,8 @@ TEST_CASE("a window of a run is recorded as VCD, and what lies outside it is not
   std::filesystem::remove(file);
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
-  const std::vector<Segment> program{
-      segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6}), {.opcode = Opcode::enable_invert}})};
+  const Program program = program_of(
+      {segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6}), {.opcode = Opcode::enable_invert}})});
   machine.record({.file = file, .begin = 5, .end = 12, .probes = {{3, 2}, {7, 7}}, .fields = {{"the z", {3, 6}, {}}}});
   CHECK(machine.run(program, nobody).recorded);
   const std::string text = contents(file);
@@ -296,36 +372,37 @@ TEST_CASE("a window of a run is recorded as VCD, and what lies outside it is not
   CHECK(contents(file) == text);
 }
 
-TEST_CASE("after a skip the wave shows the next instruction in the very clock in which the answer has come") {
+TEST_CASE("after a jump the wave shows the next instruction when the host has gone on") {
   const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_skip.vcd";
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
   const Instruction all{.opcode = Opcode::enable_all};
-  const std::vector<Segment> program{segment_of({skip(2), all, all, {.opcode = Opcode::enable_invert}, all})};
-  machine.record({.file = file, .begin = 4, .end = 11, .probes = {}, .fields = {}});
+  const Program program = program_of({segment_of({skip(2), all, all, {.opcode = Opcode::enable_invert}, all})});
+  machine.record({.file = file, .begin = 4, .end = 20, .probes = {}, .fields = {}});
   CHECK(machine.run(program, nobody).recorded);
   const std::string text = contents(file);
   const auto between = [&](const char* from, const char* to) {
     const std::size_t begin = text.find(from);
     return text.substr(begin, text.find(to) - begin);
   };
-  // controller.instruction: the question until clock 6, then the fourth and the fifth instruction.
-  CHECK(between("\n#600000\n", "\n#800000\n").find("\nb11 ") == std::string::npos);
-  CHECK(between("\n#800000\n", "\n#900000\n").find("\nb11 ") != std::string::npos);
-  CHECK(between("\n#900000\n", "\n#1000000\n").find("\nb100 ") != std::string::npos);
+  // controller.instruction: the question from clock 5 on, its answer at clock 12, the fourth and the fifth instruction
+  // at clocks 16 and 17, which begin a period later.
+  CHECK(between("\n#600000\n", "\n#1700000\n").find("\nb11 ") == std::string::npos);
+  CHECK(between("\n#1700000\n", "\n#1800000\n").find("\nb11 ") != std::string::npos);
+  CHECK(between("\n#1800000\n", "\n#1900000\n").find("\nb100 ") != std::string::npos);
 }
 
 TEST_CASE("a window beyond the program's end is closed with the program, and probes outside the array are refused") {
   const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_end.vcd";
   PixelPlanes machine("machine", machine_8x8());
   Stopwatch watch(machine);
-  const std::vector<Segment> program{segment_of({{.opcode = Opcode::enable_all}, constant({0, 4}, 5)})};
+  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, constant({0, 4}, 5)})});
   machine.record({.file = file, .begin = 0, .end = 1000, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
   CHECK(machine.run(program, watch).recorded);
   CHECK(contents(file).find("b101 ") != std::string::npos);
   CHECK_THROWS_AS(machine.record({.file = file, .begin = 0, .end = 1, .probes = {{8, 0}}, .fields = {}}),
                   std::invalid_argument);
-  machine.record({.file = file, .begin = 2, .end = 4, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
+  machine.record({.file = file, .begin = 5, .end = 7, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
   CHECK(machine.run(program, watch).recorded);
   CHECK(contents(file).find("opcode_text") != std::string::npos);
 }

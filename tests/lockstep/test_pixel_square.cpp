@@ -7,7 +7,11 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
+#include "hw/pixel_planes/kind.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/kind.h"
 #include "sim/cycle/record.h"
 #include "sim/engine/engine.h"
 
@@ -16,7 +20,6 @@ namespace {
 using namespace csgsim;
 using isa::Instruction;
 using isa::Opcode;
-using machines::SquareAccount;
 
 constexpr isa::Field counter{0, 8};
 constexpr isa::Instruction enable_all{.opcode = Opcode::enable_all};
@@ -27,23 +30,23 @@ Instruction constant(std::uint64_t value) {
 
 /// Four squares of 4x4, two renderers.
 machines::Machine machine_8x8() {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_square::kind);
   machine.name = "squares";
-  machine.kind = machines::Kind::pixel_square;
   machine.array = {4, 4, 16};
   machine.picture = {8, 8};
   machine.clock_hz = 10'000'000;
-  machine.pixel_square = {.renderers = 2, .buffers = 2, .fifo_depth = 64, .port_bits = 8};
+  machine.link = {.width = 32, .word_clocks = 3, .fifo_depth = 64, .latency = 0};
+  machine.own = pixel_square::Figures{.renderers = 2, .buffers = 2, .port_bits = 8, .port_fifo_depth = 64};
   return machine;
 }
 
-/// The first square counts to 40; the second and the last count to 2; nothing touches the third. The last is tested for
-/// so long that the second is finished by then.
+/// The first square counts to 40; the second and the last count to 2; nothing touches the third. The link is so
+/// slow that the second is finished when the last is sent, long before the first.
 isa::Program slow_square_first() {
   isa::Program program;
   program.shape = {8, 8, 16};
-  program.fields.push_back({"colour", counter, isa::FieldRole::colour});
-  program.compile.background = 7;
+  program.facts.fields.push_back({"colour", counter, isa::FieldRole::colour});
+  program.background = 7;
   for (const isa::Region& region : machines::regions(machine_8x8()))
     program.segments.push_back({.region = region, .instructions = {}});
   const auto count_to = [&](std::size_t segment, std::uint64_t last) {
@@ -54,7 +57,6 @@ isa::Program slow_square_first() {
   count_to(0, 40);
   count_to(1, 2);
   count_to(3, 2);
-  program.segments[3].halfspaces = 100;
   return program;
 }
 
@@ -118,7 +120,8 @@ TEST_CASE("an observer sees squares in the order of the Program, though the othe
     CHECK(watch.ends == std::vector<std::uint32_t>{0, 1, 2, 3});
     CHECK(watch.last_values == std::vector<std::uint32_t>{40, 2, 0, 2});
     if (reads) CHECK(watch.values == values);
-    CHECK(std::get<SquareAccount>(result.account).renderer_squares == std::vector<std::uint64_t>{1, 2});
+    CHECK(result.account.count("squares of renderer 0") == 1);
+    CHECK(result.account.count("squares of renderer 1") == 2);
   }
 }
 
@@ -174,11 +177,9 @@ TEST_CASE("one process clocks one machine, of one kind") {
   const auto first = sim::make_cycle_engine(machine_8x8());
   CHECK_NOTHROW(sim::make_cycle_engine(machine_8x8()));
   machines::Machine other = machine_8x8();
-  other.pixel_square.fifo_depth = 5;
+  other.link.fifo_depth = 5;
   CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
-  other = machine_8x8();
-  other.kind = machines::Kind::frame_buffer;
-  CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
+  CHECK_THROWS_AS(sim::make_cycle_engine(machines::blank(pixel_planes::kind)), std::logic_error);
 }
 
 TEST_CASE("waves of a machine that draws squares are refused") {

@@ -8,7 +8,12 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
+#include "hw/pixel_planes/kind.h"
+#include "hw/scan_line/account.h"
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/kind.h"
 #include "hw/scan_line/scan_line_array.h"
 #include "sim/cycle/record.h"
 #include "sim/engine/engine.h"
@@ -23,22 +28,25 @@ using isa::Opcode;
 constexpr Field colour{0, 8};
 
 machines::Machine machine_of(std::uint32_t cells, machines::Size picture, std::uint32_t chains = 1) {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(scan_line::kind);
   machine.name = "test";
-  machine.kind = machines::Kind::scan_line;
   machine.array = {cells, 1, 64};
   machine.picture = picture;
   machine.clock_hz = 1'000'000;
-  machine.scan_line = {.words = 2, .word_bits = 32, .chains = chains, .packet_interval = 1, .refresh_hz = 50};
+  machine.own = scan_line::Figures{.words = 2, .word_bits = 32, .chains = chains, .refresh_hz = 50};
   return machine;
 }
+
+/// Clocks before the frame's first instruction enters: the host hands the line over, the link takes it, the line's
+/// beginning crosses the link and is taken, and the instruction comes behind it.
+constexpr std::uint64_t first_entry = 5;
 
 /// Each line with these instructions.
 isa::Program program_of(const machines::Machine& machine, const std::vector<Instruction>& instructions) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 64};
-  program.fields = {{"colour", colour, isa::FieldRole::colour}};
-  program.compile.background = 77;
+  program.facts.fields = {{"colour", colour, isa::FieldRole::colour}};
+  program.background = 77;
   for (const isa::Region& region : machines::regions(machine)) {
     program.segments.push_back({.region = region, .instructions = instructions});
   }
@@ -53,30 +61,44 @@ std::vector<Instruction> ramp() {
 
 }  // namespace
 
-TEST_CASE("a frame of one line takes the entry of its packets and mark, the way through the cells, and the way back") {
+TEST_CASE(
+    "a frame of one line takes the link, the entry of its packets and mark, and the way through the cells and back") {
   const machines::Machine machine = machine_of(6, {4, 1});
   const sim::RunResult result = sim::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
-  CHECK(result.clocks == 2 + 1 + 4 + 4);
+  CHECK(result.clocks == first_entry + 2 + 1 + 4 + 4);
   CHECK(result.latency_clocks == 0);
   CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10});
-  const machines::LineAccount expected{.lines = 1,
-                                       .packets = 2,
-                                       .most_packets = 2,
-                                       .line_budget = 20'000,
-                                       .late_lines = 0,
-                                       .entry_clocks = 3,
-                                       .refresh_clocks = 0,
-                                       .fill_clocks = 4,
-                                       .drain_clocks = 8,
-                                       .busy_cells = 8};
-  CHECK(std::get<machines::LineAccount>(result.account) == expected);
+  using enum scan_line::LineActivity;
+  scan_line::LineAccount expected{.lines = 1,
+                                  .packets = 2,
+                                  .most_packets = 2,
+                                  .line_budget = 20'000,
+                                  .late_lines = 0,
+                                  .link_words = 4,
+                                  .entry_clocks = 3,
+                                  .refresh_clocks = 0,
+                                  .fill_clocks = first_entry + 4,
+                                  .drain_clocks = 8,
+                                  .busy_cells = 8};
+  expected.host.add(starting, 1);
+  expected.host.add(done, 15);
+  expected.link.add(waiting_for_host, 1);
+  expected.link.add(sending, 4);
+  expected.link.add(done, 11);
+  expected.entry.add(waiting_for_link, 5);
+  expected.entry.add(entering, 3);
+  expected.entry.add(done, 8);
+  expected.refresh.add(waiting_for_line, 12);
+  expected.refresh.add(showing, 4);
+  CHECK(result.account == scan_line::account(expected, machine, result.clocks));
 }
 
 TEST_CASE("lines with few packets follow one another as the refresh path takes them") {
   const machines::Machine machine = machine_of(16, {16, 3});
   const sim::RunResult result = sim::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
-  CHECK(result.clocks == 3 + 16 + 16 + 2 * 16);
-  CHECK(std::get<machines::LineAccount>(result.account).refresh_clocks == 2 * (16 - 3));
+  CHECK(result.clocks == first_entry + 3 + 16 + 16 + 2 * 16);
+  // A line is its beginning, two packets and the mark.
+  CHECK(result.account.count("refresh_clocks") == 2 * (16 - 4));
 }
 
 TEST_CASE("a line without instructions shows the background and takes its mark and the refresh path") {
@@ -85,7 +107,7 @@ TEST_CASE("a line without instructions shows the background and takes its mark a
   program.segments[1].instructions.clear();
   const sim::RunResult result = sim::make_cycle_engine(machine)->run(program, {});
   CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 77, 77, 77, 77, 1, 4, 7, 10});
-  CHECK(result.clocks == 3 + 4 + 4 + 2 * 4);
+  CHECK(result.clocks == first_entry + 3 + 4 + 4 + 2 * 4);
 }
 
 TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {
@@ -121,7 +143,7 @@ TEST_CASE("a question to the host, other segments than the lines and too much me
     CHECK_THROWS_WITH_AS(engine->run(program_of(machine, {{.opcode = Opcode::global_or}}), {}),
                          "segment 0, instruction 0: global_or needs a global OR, which the machine test does not have; "
                          "compile the model "
-                         "for this machine, or take one of kind frame-buffer whose global_or.present is 1",
+                         "for this machine, or take one whose global_or.present is 1",
                          InputError);
     isa::Program whole = program_of(machine, {});
     whole.segments = {{.region = {0, 0, 4, 2}, .instructions = {}}};
@@ -138,8 +160,7 @@ TEST_CASE("a SystemC machine of another kind in one process is refused") {
   const auto first = sim::make_cycle_engine(machine_of(4, {4, 2}));
   CHECK_NOTHROW(sim::make_cycle_engine(machine_of(4, {3, 9})));
   CHECK_THROWS_AS(sim::make_cycle_engine(machine_of(4, {4, 2}, 2)), std::logic_error);
-  machines::Machine other = machine_of(4, {4, 2});
-  other.kind = machines::Kind::frame_buffer;
+  const machines::Machine other = machines::blank(pixel_planes::kind);
   CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
 }
 

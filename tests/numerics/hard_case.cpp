@@ -10,6 +10,9 @@
 #include <utility>
 
 #include "host/read/read.h"
+#include "hw/pixel_planes/kind.h"
+#include "sim/accuracy/errors.h"
+#include "sim/accuracy/explain.h"
 #include "sim/engine/engine.h"
 #include "tests/numerics/solids.h"
 
@@ -25,7 +28,7 @@ constexpr std::uint32_t small_height = 20;
 
 /// SystemC elaborates once a process: one machine for all Programs.
 machines::Machine small_machine() {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.name = "small";
   machine.array = {small_width, small_height, 512};
   machine.clock_hz = 10'000'000;
@@ -99,7 +102,7 @@ Verdict& Verdict::operator+=(const Verdict& other) {
 
 accuracy::Truth truth_of(const Compiled& compiled) {
   return accuracy::exact_truth(compiled.tree, compiled.scene, compiled.view.camera, compiled.program.shape.width,
-                               compiled.program.shape.height, compiled.program.depth_scale);
+                               compiled.program.shape.height, compiled.program.facts.depth_scale);
 }
 
 sim::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how) {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "host/view/projection.h"
-#include "sim/accuracy/errors.h"
+#include "sim/accuracy/truth.h"
+#include "sim/observe/frame.h"
 #include "tests/support/drawing.h"
 
 namespace csgsim::testing {

@@ -39,7 +39,7 @@ void check_models(const view::Camera& camera, std::uint64_t first_seed,
     const testing::Compiled compiled = testing::compile_text(model, how);
     CAPTURE(seed);
     CHECK(wrong_pixels(compiled) == 0);
-    covered += compiled.program.compile.rendered;
+    covered += compiled.program.facts.compile.rendered;
   }
   CHECK(covered > 50);
 }

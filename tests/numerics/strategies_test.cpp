@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/pixel_square/kind.h"
+#include "hw/scan_line/kind.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
@@ -42,14 +44,19 @@ std::vector<emit::Options> all_options() {
       all.back().pruning.early_out = false;
     }
   }
-  for (bool csg::Pruning::*const switched :
-       {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation, &csg::Pruning::halfspaces,
-        &csg::Pruning::hidden, &csg::Pruning::sets, &csg::Pruning::early_out}) {
+  for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
+                                             &csg::Pruning::halfspaces, &csg::Pruning::hidden, &csg::Pruning::sets,
+                                             &csg::Pruning::early_out, &csg::Pruning::near, &csg::Pruning::pairs}) {
     all.push_back(with_strategy(Strategy::stack));
     all.back().pruning.*switched = false;
     all.push_back(with_strategy(Strategy::stack));
     all.back().pruning = csg::Pruning::none();
     all.back().pruning.*switched = true;
+  }
+  for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
+    all.push_back(with_strategy(Strategy::stack));
+    all.back().colouring = colouring;
+    all.back().pruning = csg::Pruning::divider();
   }
   return all;
 }
@@ -66,9 +73,9 @@ testing::Setup setup(const view::Camera& camera, std::uint32_t width, std::uint3
 /// The same picture in parts: lines, and squares that fit it or do not.
 std::vector<testing::Setup> in_parts(testing::Setup how) {
   std::vector<testing::Setup> all;
-  how.kind = machines::Kind::scan_line;
+  how.kind = &scan_line::kind;
   all.push_back(how);
-  how.kind = machines::Kind::pixel_square;
+  how.kind = &pixel_square::kind;
   for (const machines::Size& square : {machines::Size{8, 8}, machines::Size{16, 16}, machines::Size{7, 3}}) {
     how.square = square;
     how.options = with_strategy(emit::Strategy::stack);
@@ -159,7 +166,7 @@ TEST_CASE("every strategy, colouring, pruning and division draws the same pictur
         CHECK(frame.colour == expected.colour);
       }
       for (const testing::Setup& parts : in_parts(how)) {
-        CAPTURE(machines::name_of(parts.kind));
+        CAPTURE(parts.kind->name);
         CAPTURE(parts.square.width);
         const sim::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), parts).program);
         CHECK(frame.depth == expected.depth);

@@ -4,13 +4,14 @@
 #include "host/facet/scene.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
+#include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 
 int main() {
   using namespace csgsim;
-  machines::Machine machine = machines::load("pixel-planes-4");
+  machines::Machine machine = kinds::load("pixel-planes-4");
   machine.array = {32, 32, 72};
   const model::Tree tree = read::read_csg_text("cube(size = 2, center = true);", "cube");
   const facet::Scene scene = facet::make_scene(tree);

@@ -4,14 +4,20 @@
 #include <stdexcept>
 
 #include "host/read/read.h"
+#include "hw/kinds/load.h"
+#include "hw/pixel_planes/figures.h"
+#include "hw/pixel_planes/kind.h"
+#include "hw/pixel_square/kind.h"
+#include "hw/scan_line/kind.h"
 #include "sim/engine/engine.h"
 
 namespace csgsim::testing {
 
 machines::Machine machine_of(const isa::ArrayShape& array) {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.array = array;
   machine.clock_hz = 10'000'000;
+  machines::own<pixel_planes::Figures>(machine).or_fan_in = 64;  // as pixel-planes-4: what is asked depends on it
   return machine;
 }
 
@@ -21,14 +27,25 @@ Compiled compile_tree(model::Tree tree, const Setup& setup) {
   facet::Scene scene = facet::make_scene(tree);
   view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
   machines::Machine machine = machine_of({setup.sampling.width, setup.sampling.height, setup.memory_bits});
-  machine.kind = setup.kind;
+  if (setup.kind != machine.kind) {
+    const machines::Machine whole = machine;
+    machine = machines::blank(*setup.kind);
+    machine.array = whole.array;
+    machine.clock_hz = whole.clock_hz;
+  }
   machine.picture = {setup.sampling.width, setup.sampling.height};
-  if (setup.kind == machines::Kind::scan_line) machine.array.height = 1;
-  if (setup.kind == machines::Kind::pixel_square) {
+  if (setup.kind == &scan_line::kind) machine.array.height = 1;
+  if (setup.kind == &pixel_square::kind) {
     machine.array.width = setup.square.width;
     machine.array.height = setup.square.height;
   }
-  machine.has_global_or = setup.has_global_or;
+  if (setup.kind == &pixel_planes::kind) {
+    machines::own<pixel_planes::Figures>(machine).has_global_or = setup.has_global_or;
+  }
+  if (!setup.machine.empty()) {
+    machine = kinds::load(setup.machine);
+    machines::set_picture_size(machine, {setup.sampling.width, setup.sampling.height});
+  }
   isa::Program program = emit::compile(tree, scene, view, machine, setup.options);
   isa::validate(program);
   return {std::move(tree), std::move(scene), std::move(view), std::move(program)};

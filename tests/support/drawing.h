@@ -10,6 +10,7 @@
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "hw/pixel_planes/kind.h"
 #include "sim/observe/frame.h"
 
 namespace csgsim::testing {
@@ -31,9 +32,10 @@ struct Setup {
   std::uint32_t memory_bits = 72;
   emit::Options options{};
   /// What the machine works on at a time: the whole picture, a line, or a square of that many pixels.
-  machines::Kind kind = machines::Kind::frame_buffer;
+  const machines::Kind* kind = &pixel_planes::kind;
   machines::Size square{};
   bool has_global_or = true;
+  std::string machine{};  ///< one that comes with csgsim, by name, instead of all that
 };
 
 Compiled compile_text(const std::string& csg, const Setup& setup);

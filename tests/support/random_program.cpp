@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/text.h"
 #include "hw/machines/regions.h"
@@ -54,7 +55,7 @@ unsigned fields_of(const OpcodeInfo& row) {
 
 /// Can the opcode's fields be placed in that memory?
 bool fits(const OpcodeInfo& row, std::uint32_t memory_bits) {
-  const FieldWidths widths = isa::field_widths(row.opcode);
+  const FieldWidths widths = row.widths;
   return widths == FieldWidths::one || widths == FieldWidths::elementwise || fields_of(row) <= memory_bits;
 }
 
@@ -66,7 +67,7 @@ void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
   const OpcodeInfo& row = info(instruction.opcode);
   const unsigned count = fields_of(row);
   if (count == 0) return;
-  const FieldWidths widths = isa::field_widths(row.opcode);
+  const FieldWidths widths = row.widths;
   const bool coincide = widths == FieldWidths::elementwise;
   const unsigned places = coincide ? pick(1U, std::min(count, memory_bits)) : count;
   const unsigned widest = widths == FieldWidths::one ? 1 : std::min(isa::max_field_width, memory_bits / places);
@@ -195,7 +196,7 @@ std::vector<Instruction> revived(const std::vector<Instruction>& instructions) {
 void fit_skips(std::vector<Instruction>& instructions) {
   for (std::size_t i = 0; i < instructions.size(); ++i) {
     Instruction& instruction = instructions[i];
-    if (!isa::has_operand(info(instruction.opcode), OperandKind::count)) continue;
+    if (!isa::has_operand(operands_of(instruction.opcode), OperandKind::count)) continue;
     const std::size_t following = instructions.size() - 1 - i;
     if (following == 0) instruction = {Opcode::global_or, {}, {}, 0, instruction.origin};
     instruction.constant = std::min<std::uint64_t>(instruction.constant, following);
@@ -217,8 +218,8 @@ isa::Segment pick_segment(const isa::Region& region, std::uint32_t memory_bits, 
                           std::uint32_t primitives) {
   isa::Segment segment;
   segment.region = region;
-  segment.primitives = pick(0U, primitives);
-  segment.halfspaces = segment.primitives * 6;
+  segment.facts.primitives = pick(0U, primitives);
+  segment.facts.halfspaces = segment.facts.primitives * 6;
   segment.instructions = pick_instructions(region, memory_bits, max_instructions, primitives);
   return segment;
 }
@@ -234,15 +235,15 @@ double pick_positive() {
 }
 
 void pick_facts(isa::Program& program) {
-  program.depth_scale.perspective = pick(0, 1) == 1;
-  program.depth_scale.near = pick_positive();
-  program.depth_scale.far = program.depth_scale.near + pick_positive() + program.depth_scale.near;
-  program.model = {pick_name(), pick<std::uint64_t>(0, ~0ULL >> 1U), 2, 3, 4, 5};
-  program.compile.strategy = pick_name();
-  program.compile.z_bits = pick(0U, 32U);
-  program.compile.edge_on_fraction = 1 / pick_positive();
-  program.compile.depth_tests = pick<std::uint64_t>(0, 1ULL << 40U);
-  while (pick(0, 1) == 1) program.compile.effects.push_back(pick_name());
+  program.facts.depth_scale.perspective = pick(0, 1) == 1;
+  program.facts.depth_scale.near = pick_positive();
+  program.facts.depth_scale.far = program.facts.depth_scale.near + pick_positive() + program.facts.depth_scale.near;
+  program.facts.model = {pick_name(), pick<std::uint64_t>(0, ~0ULL >> 1U), 2, 3, 4, 5};
+  program.facts.compile.strategy = pick_name();
+  program.facts.compile.z_bits = pick(0U, 32U);
+  program.facts.compile.edge_on_fraction = 1 / pick_positive();
+  program.facts.compile.depth_tests = pick<std::uint64_t>(0, 1ULL << 40U);
+  while (pick(0, 1) == 1) program.facts.compile.effects.push_back(pick_name());
 }
 
 /// Each name is unique, as it begins with its number.
@@ -255,10 +256,10 @@ void pick_names(isa::Program& program) {
     std::string name(pick(0U, 1U), 'x');
     name += std::to_string(i);
     if (pick(0, 1) == 1) name += pick_name();
-    program.fields.push_back({name, {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)}, role});
+    program.facts.fields.push_back({name, {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)}, role});
   }
   const unsigned primitives = pick(0U, 4U);
-  for (unsigned i = 0; i < primitives; ++i) program.primitives.push_back(pick_name());
+  for (unsigned i = 0; i < primitives; ++i) program.facts.primitives.push_back(pick_name());
 }
 
 }  // namespace
@@ -271,12 +272,27 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
     instruction.origin = pick_origin(primitives);
     pick_fields(instruction, memory_bits);
     const OpcodeInfo& row = info(instruction.opcode);
-    if (isa::has_operand(row, OperandKind::linear)) pick_linear(instruction, region);
-    if (isa::has_operand(row, OperandKind::constant)) instruction.constant = pick_constant(instruction.fields[0].width);
-    if (isa::has_operand(row, OperandKind::count)) instruction.constant = pick_near({1, 2, 3}, 1, most_skipped);
+    if (isa::has_operand(row.operands, OperandKind::linear)) pick_linear(instruction, region);
+    if (isa::has_operand(row.operands, OperandKind::constant))
+      instruction.constant = pick_constant(instruction.fields[0].width);
+    if (isa::has_operand(row.operands, OperandKind::count))
+      instruction.constant = pick_near({1, 2, 3}, 1, most_skipped);
     return instruction;
   });
 }
+
+namespace {
+
+/// Any bytes in place of a display model, and what its division takes; often neither.
+void pick_division(isa::Program& program) {
+  program.display_model.resize(pick(0U, 1U) * pick(0U, 120U));
+  for (std::uint8_t& byte : program.display_model) byte = static_cast<std::uint8_t>(pick(0U, 255U));
+  if (program.display_model.empty()) return;
+  for (isa::Segment& segment : program.segments)
+    segment.facts.division = {pick(0U, 9U), pick(0U, 99U), pick(0U, 9U), pick(0U, 9U), pick(0U, 9U), pick(0U, 9U)};
+}
+
+}  // namespace
 
 rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions) {
   return rc::gen::exec([=] {
@@ -285,10 +301,11 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
     pick_facts(program);
     pick_names(program);
     const int segments = pick(1, 3);
-    const auto primitives = static_cast<std::uint32_t>(program.primitives.size());
+    const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
     for (int i = 0; i < segments; ++i) {
       program.segments.push_back(pick_segment(pick_region(shape), shape.memory_bits, max_instructions, primitives));
     }
+    pick_division(program);
     return program;
   });
 }
@@ -299,10 +316,11 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
     program.shape = {machine.picture.width, machine.picture.height, machine.array.memory_bits};
     pick_facts(program);
     pick_names(program);
-    program.model.primitives = pick(0U, 4U);
-    program.model.halfspaces = pick(0U, 30U);
-    program.compile.background = pick(0U, (1U << isa::most_colour_bits) - 1);
-    const auto primitives = static_cast<std::uint32_t>(program.primitives.size());
+    program.facts.model.primitives = pick(0U, 4U);
+    program.facts.model.halfspaces = pick(0U, 30U);
+    const unsigned colour_bits = isa::field_of(program, isa::FieldRole::colour).width;
+    program.background = pick(0U, (1U << std::min(colour_bits, isa::most_colour_bits)) - 1);
+    const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
     const unsigned without = std::min(pick(0U, 12U), 10U);  // of ten segments
     for (const isa::Region& region : machines::regions(machine)) {
       program.segments.push_back(pick_segment(region, program.shape.memory_bits, max_instructions, primitives));

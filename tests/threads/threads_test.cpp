@@ -14,6 +14,7 @@
 #include "host/read/read.h"
 #include "hw/base/output_file.h"
 #include "hw/base/pipe_into.h"
+#include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "sim/study/sweep_run.h"
 #include "tests/support/drawing.h"
@@ -57,7 +58,7 @@ std::vector<study::SweepJob> jobs() {
       study::SweepPoint point;
       point.strategy = emit::name_of(strategy);
       point.z_bits = z_bits;
-      study::SweepJob job{std::move(point), subject, camera, {}, machines::load("pixel-planes-4"), {}, {}};
+      study::SweepJob job{std::move(point), subject, camera, {}, kinds::load("pixel-planes-4"), {}, {}};
       job.machine.array = {40, 33, 128};
       job.sampling.width = 40;
       job.sampling.height = 33;

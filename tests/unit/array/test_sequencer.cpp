@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "hw/array/sequencer.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
+#include "hw/pixel_planes/kind.h"
 #include "tests/support/random_program.h"
 
 namespace {
@@ -18,7 +20,7 @@ using csgsim::array::Sequencer;
 namespace isa = csgsim::isa;
 
 csgsim::machines::Machine machine_with(std::uint32_t reads, std::uint32_t alu_bits) {
-  csgsim::machines::Machine machine;
+  csgsim::machines::Machine machine = csgsim::machines::blank(csgsim::pixel_planes::kind);
   machine.array = {1, 1, 64};  // no latency: a question is one clock, as is its step
   machine.memory_reads = reads;
   machine.alu_bits = alu_bits;
@@ -99,9 +101,9 @@ TEST_CASE("every opcode with fields of every width takes the clocks of the table
             instruction.fields[i] = {static_cast<std::uint16_t>(i * isa::max_field_width), width};
           }
         }
-        const bool single = isa::field_widths(row.opcode) == isa::FieldWidths::one;
+        const bool single = row.widths == isa::FieldWidths::one;
         if (single && width > 1) continue;
-        if (isa::has_operand(row, isa::OperandKind::linear)) {
+        if (isa::has_operand(row.operands, isa::OperandKind::linear)) {
           instruction.linear = {1, 1, 1, static_cast<std::uint16_t>(width + 3), 2};
         }
         Sequencer sequencer(reads, alu_bits);

@@ -4,6 +4,8 @@
 
 #include "hw/base/error.h"
 #include "hw/machines/clocks.h"
+#include "hw/pixel_planes/kind.h"
+#include "hw/scan_line/kind.h"
 #include "tests/support/drawing.h"
 
 using namespace csgsim;
@@ -30,15 +32,17 @@ std::string at(double x, double y, double z, const std::string& solid) {
 std::string dimpled(int count) {
   std::string text = "difference(){cube(size=[60,60,10],center=true);";
   for (int i = 0; i < count; ++i) {
-    const double x = 7 * (i % 8) - 25;
-    const double y = 7 * (i / 8) - 25;
+    const int column = i % 8;
+    const int row = i / 8;
+    const double x = 7 * column - 25;
+    const double y = 7 * row - 25;
     text += "intersection(){" + at(x, y, 5, "sphere($fn=8,r=3);") + at(x, y, 5, "cube(size=4,center=true);") + "}";
   }
   return text + "}";
 }
 
 std::uint64_t clocks_of(const isa::Program& program) {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.array = program.shape;
   std::uint64_t clocks = 0;
   for (const isa::Instruction& instruction : program.segments.at(0).instructions) {
@@ -59,8 +63,8 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring, and says w
     testing::Setup how = setup(emit::Strategy::automatic);
     how.options.colouring = emit::Colouring::automatic;
     const isa::Program best = testing::compile_file(testing::model_path(name), how).program;
-    CHECK(best.compile.strategy != "auto");
-    CHECK(best.compile.colouring != "auto");
+    CHECK(best.facts.compile.strategy != "auto");
+    CHECK(best.facts.compile.colouring != "auto");
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
       for (const emit::Strategy strategy :
            {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits, emit::Strategy::parallel}) {
@@ -84,10 +88,10 @@ TEST_CASE("auto goes by the clocks that it is told") {
     return emit::compile(model.tree, model.scene, model.view, machine, how.options, count);
   };
   const auto prefer = [](const std::string& strategy) {
-    return [=](const isa::Program& program) { return program.compile.strategy == strategy ? 1ULL : 2ULL; };
+    return [=](const isa::Program& program) { return program.facts.compile.strategy == strategy ? 1ULL : 2ULL; };
   };
-  CHECK(compile_by(prefer("list")).compile.strategy == "list");
-  CHECK(compile_by(prefer("stack")).compile.strategy == "stack");
+  CHECK(compile_by(prefer("list")).facts.compile.strategy == "list");
+  CHECK(compile_by(prefer("stack")).facts.compile.strategy == "stack");
   CHECK(compile_by({}) == model.program);
 }
 
@@ -95,24 +99,24 @@ TEST_CASE("auto takes what fits where the fastest does not") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   how.memory_bits = 72;
-  CHECK(compiled(dimpled(3), how).compile.colouring == "rebroadcast");
+  CHECK(compiled(dimpled(3), how).facts.compile.colouring == "rebroadcast");
   how.memory_bits = 120;
-  CHECK(compiled(dimpled(3), how).compile.colouring == "field");
+  CHECK(compiled(dimpled(3), how).facts.compile.colouring == "field");
   how.memory_bits = 64;
   CHECK_THROWS_AS(compiled(dimpled(3), how), InputError);
 }
 
 TEST_CASE("fifty subtracted intersections compile with every strategy that multiplies nothing out") {
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::automatic}) {
-    CHECK(compiled(dimpled(50), setup(strategy)).compile.rendered > 50);
+    CHECK(compiled(dimpled(50), setup(strategy)).facts.compile.rendered > 50);
   }
-  CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).compile.rendered > 50);
+  CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).facts.compile.rendered > 50);
 }
 
 TEST_CASE("products past the limit are refused, with the primitive's place and what to do instead") {
   std::vector<testing::Setup> setups{setup(emit::Strategy::products)};
   for (const unsigned bits : {3U, 4U}) {
-    CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, bits)).compile.rendered > 50);
+    CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, bits)).facts.compile.rendered > 50);
     setups.push_back(setup(emit::Strategy::bits, bits));
     setups.back().options.pruning.sets = false;
   }
@@ -134,12 +138,12 @@ TEST_CASE("surfaces of which each is one product are not counted as products, ho
   std::string text = "intersection(){cube(size=900,center=true);union(){";
   for (int i = 0; i < 80; ++i) text += at(4 * i - 160, 0, 0, "cube(size=[1,1,500],center=true);");
   testing::Setup how = setup(emit::Strategy::stack);
-  how.kind = machines::Kind::scan_line;
+  how.kind = &scan_line::kind;
   how.camera = {{0, -1000, 0}, {0, 0, 0}, view::Projection::orthographic};
   how.sampling.width = 512;
   how.sampling.height = 512;
   for (const unsigned bits : {3U, 4U}) {
-    CHECK(compiled(text + "}}", how).compile.rendered > emit::most_products);
+    CHECK(compiled(text + "}}", how).facts.compile.rendered > emit::most_products);
     how.options.strategy = emit::Strategy::bits;
     how.options.stack_bits = bits;
   }
@@ -151,11 +155,11 @@ TEST_CASE("more bits never mean more scan-conversions, and enough of them one a 
       CAPTURE(one.name);
       testing::Setup how = setup(emit::Strategy::stack);
       how.camera = one.camera;
-      const isa::CompileFacts once = testing::compile_file(testing::model_path(one.name), how).program.compile;
+      const isa::CompileFacts once = testing::compile_file(testing::model_path(one.name), how).program.facts.compile;
       isa::CompileFacts before;
       for (unsigned bits = 3; bits <= once.tree_depth + 3; ++bits) {
         how.options = setup(emit::Strategy::bits, bits).options;
-        const isa::CompileFacts facts = testing::compile_file(testing::model_path(one.name), how).program.compile;
+        const isa::CompileFacts facts = testing::compile_file(testing::model_path(one.name), how).program.facts.compile;
         if (bits > 3) {
           CHECK(facts.rendered <= before.rendered);
           CHECK(facts.classified <= before.classified);

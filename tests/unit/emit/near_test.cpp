@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "host/emit/near_cap.h"
+#include "hw/isa/opcodes.h"
+#include "hw/pixel_planes/kind.h"
 #include "tests/support/drawing.h"
 
 using namespace csgsim;
@@ -24,9 +26,9 @@ testing::Setup along_y(double eye, view::Projection projection) {
 
 /// Constants that are written to a field, for a purpose.
 std::vector<std::uint64_t> constants_to(const isa::Program& program, const std::string& field, isa::Purpose purpose) {
-  const auto named = std::find_if(program.fields.begin(), program.fields.end(),
+  const auto named = std::find_if(program.facts.fields.begin(), program.facts.fields.end(),
                                   [&](const isa::NamedField& one) { return one.name == field; });
-  REQUIRE(named != program.fields.end());
+  REQUIRE(named != program.facts.fields.end());
   std::vector<std::uint64_t> constants;
   for (const isa::Instruction& one : program.segments.at(0).instructions) {
     if (one.opcode == isa::Opcode::set_constant && one.fields[0] == named->field && one.origin.purpose == purpose)
@@ -59,7 +61,7 @@ TEST_CASE("fronts that are all at depth 0 at some pixel may reach the near plane
   const emit::SegmentPlan segment;
   const emit::Layout layout;
   const emit::Options options;
-  const machines::Machine machine;
+  const machines::Machine machine = machines::blank(pixel_planes::kind);
   CHECK(rc::check([&] {
     view::View view = any.view;
     const view::PixelRect pixels{0, 0, 63, 47};

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "host/csg/products.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
+#include "hw/pixel_planes/kind.h"
 #include "sim/reference/reference_array.h"
 #include "tests/unit/csg/list_trees.h"
 
@@ -78,7 +80,7 @@ Assignments some_assignments(std::size_t leaves, std::size_t count) {
 }
 
 std::uint64_t clocks_of(const csg::BitString& string, unsigned written_for, unsigned alu_bits) {
-  machines::Machine machine;
+  machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.alu_bits = alu_bits;
   std::uint64_t clocks = 0;
   for (const isa::Instruction& instruction : levels_of(string, 1, written_for).instructions) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "hw/isa/bytes.h"
+#include "hw/isa/opcodes.h"
 #include "tests/support/random_program.h"
 #include "tests/unit/isa/sample.h"
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 
 namespace csgsim::test {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
 
 namespace csgsim::sim {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::test {
@@ -13,14 +14,15 @@ inline isa::Program sample_program() {
   using isa::Purpose;
   isa::Program program;
   program.shape = {8, 4, 40};
-  program.fields = {{"Z1", {0, 8}, isa::FieldRole::candidate_depth},
-                    {"in", {16, 1}, isa::FieldRole::stack},
-                    {"two words", {8, 8}, isa::FieldRole::depth}};
-  program.primitives = {"cube \"a\"", "ball\n"};
-  program.depth_scale = {true, 0.1, 1e300};
-  program.model = {"dir/model.csg", 2, 1, 0, 0, 12};
-  program.compile = {"auto", "field", 0x00a0b0, 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
-  isa::Segment segment{{1, 0, 7, 4}, {}, 2, 12, 1, 9, 4};
+  program.background = 0x00a0b0;
+  program.facts.fields = {{"Z1", {0, 8}, isa::FieldRole::candidate_depth},
+                          {"in", {16, 1}, isa::FieldRole::stack},
+                          {"two words", {8, 8}, isa::FieldRole::depth}};
+  program.facts.primitives = {"cube \"a\"", "ball\n"};
+  program.facts.depth_scale = {true, 0.1, 1e300};
+  program.facts.model = {"dir/model.csg", 2, 1, 0, 0, 12};
+  program.facts.compile = {"auto", "field", 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
+  isa::Segment segment{{1, 0, 7, 4}, {}, {2, 12, 1, 9, 4}};
   const auto add = [&](const isa::Instruction& instruction) { segment.instructions.push_back(instruction); };
   add({Opcode::enable_all, {}, {}, 0, {}});
   add({Opcode::set_constant, {{{8, 8}}}, {}, 255, {}});
@@ -32,7 +34,7 @@ inline isa::Program sample_program() {
   add({Opcode::copy, {{{8, 8}, {0, 8}}}, {}, 0, {Purpose::merge, 1, isa::no_node}});
   add({Opcode::skip_if_none, {}, {}, 1, {Purpose::merge, 1, isa::no_node}});
   add({Opcode::global_or, {}, {}, 0, {Purpose::merge, 1, isa::no_node}});
-  program.segments = {segment, {{0, 3, 1, 1}, {}, 0, 0, 0, 0, 0}};
+  program.segments = {segment, {{0, 3, 1, 1}, {}}};
   return program;
 }
 

@@ -3,17 +3,41 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 
 namespace csgsim::isa {
 namespace {
 
-TEST_CASE("the row of an opcode stands at its number") {
-  for (std::size_t i = 0; i < opcode_table.size(); ++i) {
-    CHECK(static_cast<std::size_t>(opcode_table[i].opcode) == i);
-    CHECK(info(opcode_table[i].opcode).name == opcode_table[i].name);
+TEST_CASE("an opcode's row is found by its number, wherever it stands") {
+  for (const OpcodeInfo& row : opcode_table) {
+    CAPTURE(row.name);
+    CHECK(&info(row.opcode) == &row);
+    CHECK(in_table(row.opcode));
+    CHECK(name_of(row.opcode) == row.name);
+    CHECK(operands_of(row.opcode) == row.operands);
   }
+}
+
+TEST_CASE("numbers without a row are not in the table") {
+  std::size_t numbers = 0;
+  for (unsigned number = 0; number < 256; ++number)
+    if (in_table(static_cast<Opcode>(number))) ++numbers;
+  CHECK(numbers == opcode_table.size());
+  CHECK_FALSE(in_table(static_cast<Opcode>(31)));
+}
+
+TEST_CASE("the numbers of instructions stay what files and links have carried") {
+  const std::vector<std::string_view> names{
+      "enable_all",   "enable_invert",     "enable_load",   "enable_and", "enable_and_not", "enable_or",   "enable_xor",
+      "enable_store", "edge_not_negative", "edge_negative", "linear_ge",  "linear_gt",      "linear_le",   "linear_lt",
+      "linear_eq",    "load_linear",       "keep_max",      "keep_min",   "set_constant",   "copy",        "field_lt",
+      "field_le",     "field_eq",          "bit_and",       "bit_or",     "bit_xor",        "bit_and_not", "bit_not",
+      "global_or",    "xor_constant",      "skip_if_none"};
+  for (std::size_t number = 0; number < names.size(); ++number)
+    CHECK(name_of(static_cast<Opcode>(number)) == names[number]);
 }
 
 TEST_CASE("no two opcodes share a name") {
@@ -30,8 +54,8 @@ TEST_CASE("operands come without gaps, and a field that F or a constant meets co
     CAPTURE(row.name);
     const auto none = std::find(row.operands.begin(), row.operands.end(), OperandKind::none);
     CHECK(std::all_of(none, row.operands.end(), [](OperandKind kind) { return kind == OperandKind::none; }));
-    if (has_operand(row, OperandKind::constant)) CHECK(row.operands[0] == OperandKind::target);
-    if (has_operand(row, OperandKind::linear))
+    if (has_operand(row.operands, OperandKind::constant)) CHECK(row.operands[0] == OperandKind::target);
+    if (has_operand(row.operands, OperandKind::linear))
       CHECK((row.operands[0] == OperandKind::linear || row.operands[1] == OperandKind::linear));
   }
 }
@@ -48,19 +72,18 @@ TEST_CASE("clock classes agree with the operands") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const bool streams = row.clock_class == ClockClass::linear_once || row.clock_class == ClockClass::linear_twice;
-    CHECK(streams == has_operand(row, OperandKind::linear));
+    CHECK(streams == has_operand(row.operands, OperandKind::linear));
     const bool a_bit_a_clock = row.clock_class == ClockClass::field || row.clock_class == ClockClass::two_fields;
     if (a_bit_a_clock) CHECK(is_field(row.operands[0]));
-    if (row.clock_class == ClockClass::one && is_field(row.operands[0]))
-      CHECK(field_widths(row.opcode) == FieldWidths::one);
+    if (row.clock_class == ClockClass::one && is_field(row.operands[0])) CHECK(row.widths == FieldWidths::one);
   }
 }
 
 TEST_CASE("enable instructions on fields, and they alone, work on single bits, bit instructions bit by bit") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
-    CHECK(row.name.starts_with("enable_") == (field_widths(row.opcode) == FieldWidths::one));
-    CHECK(row.name.starts_with("bit_") == (field_widths(row.opcode) == FieldWidths::elementwise));
+    CHECK(row.name.starts_with("enable_") == (row.widths == FieldWidths::one));
+    CHECK(row.name.starts_with("bit_") == (row.widths == FieldWidths::elementwise));
   }
 }
 

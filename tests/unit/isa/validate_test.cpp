@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "tests/unit/isa/sample.h"
 
 namespace csgsim::isa {
@@ -126,12 +127,14 @@ TEST_CASE("a skip leaves out one instruction at least, and none beyond its segme
   const auto skip = [](std::uint64_t count) { return Instruction{Opcode::skip_if_none, {}, {}, count, {}}; };
   CHECK(refusal_of(skip(1)).empty());
   CHECK(refusal_of(skip(0)) == "skip_if_none 0 skips nothing; skip an instruction at least, or leave it out");
+  CHECK(refusal_of(skip(0xffffffffU)).empty());
+  CHECK(contains(refusal_of(skip(0x100000000U)), "can skip 4294967295 instructions at most"));
   Program program = sample_program();
   std::vector<Instruction>& instructions = program.segments[0].instructions;
   const std::size_t last = instructions.size() - 1;
   instructions[0] = skip(last);
   CHECK(refusal_of(program).empty());
-  for (const std::uint64_t count : {last + 1, std::numeric_limits<std::uint64_t>::max()}) {
+  for (const std::uint64_t count : {last + 1, std::size_t{0xffffffffU}}) {
     instructions[0] = skip(count);
     CHECK(refusal_of(program).starts_with("segment 0, instruction 0: skip_if_none " + std::to_string(count) +
                                           " leaves the segment, which has " + std::to_string(last) + " more"));
@@ -204,16 +207,16 @@ TEST_CASE("regions are not empty and lie inside the picture") {
 
 TEST_CASE("named fields lie inside the memory and have names of their own") {
   Program program = sample_program();
-  program.fields[0].field = {33, 8};
+  program.facts.fields[0].field = {33, 8};
   CHECK(refusal_of(program).starts_with("field 'Z1': "));
   program = sample_program();
-  program.fields[1].name = "Z1";
+  program.facts.fields[1].name = "Z1";
   CHECK(contains(refusal_of(program), "named twice"));
   program = sample_program();
-  program.fields[1].name.clear();
+  program.facts.fields[1].name.clear();
   CHECK(contains(refusal_of(program), "empty name"));
   program = sample_program();
-  program.fields[1].role = static_cast<FieldRole>(200);
+  program.facts.fields[1].role = static_cast<FieldRole>(200);
   CHECK(contains(refusal_of(program), "role 200"));
 }
 
@@ -227,11 +230,11 @@ TEST_CASE("depth runs between finite distances, in perspective before the eye") 
                                  {true, 0, 1},
                                  {true, -1, 1}}) {
     Program program = sample_program();
-    program.depth_scale = scale;
+    program.facts.depth_scale = scale;
     CHECK_FALSE(refusal_of(program).empty());
   }
   Program program = sample_program();
-  program.depth_scale = {false, -1, 0};
+  program.facts.depth_scale = {false, -1, 0};
   CHECK(refusal_of(program).empty());
 }
 

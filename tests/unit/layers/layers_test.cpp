@@ -42,8 +42,14 @@ TEST_CASE("the array in plain C++ and the instruction set know nothing of System
   CHECK(strangers("hw/machines", {"hw/base/", "hw/isa/", "hw/machines/"}) == std::vector<std::string>{});
 }
 
-TEST_CASE("host includes nothing of hw but the base, the instruction set and the machine descriptions") {
-  CHECK(strangers("host", {"host/", "hw/base/", "hw/isa/", "hw/machines/"}) == std::vector<std::string>{});
+TEST_CASE("the divider in plain C++ knows the base and the instruction set alone") {
+  CHECK(strangers("hw/division", {"hw/division/", "hw/base/", "hw/isa/"}) == std::vector<std::string>{});
+}
+
+TEST_CASE("host includes nothing of hw but the base, the instruction set, the machine descriptions and what it sends") {
+  CHECK(strangers("host", {"host/", "hw/base/", "hw/isa/", "hw/machines/", "hw/division/display_model.h",
+                           "hw/division/encoding.h", "hw/division/bit_stream.h", "hw/division/counts.h"}) ==
+        std::vector<std::string>{});
 }
 
 TEST_CASE("the engines share no code: each includes only itself, the engine interface and hw") {
@@ -52,4 +58,91 @@ TEST_CASE("the engines share no code: each includes only itself, the engine inte
   CHECK(strangers("sim/functional", {"sim/functional/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/"}) ==
         std::vector<std::string>{});
   CHECK(strangers("sim/cycle", {"sim/cycle/", "sim/engine/", "hw/"}) == std::vector<std::string>{});
+}
+
+namespace {
+
+/// A file of a kind's room that may name a Program, with the reason.
+struct Exception {
+  std::string file;
+  std::string reason;
+};
+
+/// What is known of a kind without building a machine: no module.
+bool is_description(const fs::path& file) {
+  static const std::vector<std::string> stems{"kind", "timing", "account", "figures", "regions", "make"};
+  const std::string stem = file.stem().string();
+  return std::any_of(stems.begin(), stems.end(), [&](const std::string& one) { return stem.starts_with(one); });
+}
+
+/// Modules that name a Program, its segments or a host's instructions: `room/file`.
+std::vector<std::string> readers_of_programs(const std::vector<std::string>& rooms) {
+  static const std::regex of_a_program(
+      R"(isa::Program\b|isa::Segment\b|\bsegments\b|\.facts\b|span<const isa::Instruction>)");
+  std::vector<std::string> found;
+  for (const std::string& room : rooms) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(CSGSIM_SOURCE_DIR) / "hw" / room)) {
+      const fs::path& path = entry.path();
+      if ((path.extension() != ".h" && path.extension() != ".cpp") || is_description(path)) continue;
+      std::ifstream file(path);
+      for (std::string line; std::getline(file, line);) {
+        line = line.substr(0, line.find("//"));
+        if (std::regex_search(line, of_a_program)) {
+          found.push_back(room + "/" + path.filename().string());
+          break;
+        }
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("no module reads a Program: each acts on what came in through its ports") {
+  const std::vector<Exception> exceptions{
+      {"link/frame_words.cpp", "encodes a Program into the words of the host's memory"},
+      {"link/frame_words.h", "as above"},
+      {"multi_processor/clocks.cpp", "clocks of a list that a node holds, or has yet to hold"},
+      {"multi_processor/clocks.h", "as above"},
+      {"multi_processor/display_processor.cpp", "numbers of the model's primitives and half-spaces, which it divides"},
+      {"multi_processor/display_processor.h", "as above"},
+      {"multi_processor/division.cpp", "division.result is ideal: what dividing finds has been compiled by the host"},
+      {"multi_processor/division.h", "as above"},
+      {"multi_processor/list_renderer.cpp", "the list that a node holds, as it came over the bus"},
+      {"multi_processor/list_renderer.h", "as above"},
+      {"multi_processor/multi_processor.cpp", "hands the Program to what stands for the host"},
+      {"multi_processor/multi_processor.h", "as above"},
+      {"multi_processor/node.cpp", "a list that it has found, on its way to the bus"},
+      {"multi_processor/node.h", "as above"},
+      {"pixel_planes/completion.cpp", "an observer: numbers of segments and instructions, for who watches"},
+      {"pixel_planes/completion.h", "as above"},
+      {"pixel_planes/pixel_planes.cpp", "hands the Program to the host's end of the link"},
+      {"pixel_planes/pixel_planes.h", "as above"},
+      {"pixel_planes/wave.cpp", "an observer: names of instructions and fields, for waves"},
+      {"pixel_planes/wave.h", "as above"},
+      {"pixel_square/commands.cpp", "encodes a square's instructions, of the host or as the divider has made them"},
+      {"pixel_square/commands.h", "as above"},
+      {"pixel_square/division_check.cpp",
+       "checks the Program before a run: its segments are what its model divides into"},
+      {"pixel_square/division_check.h", "as above"},
+      {"pixel_square/host_sender.cpp", "divider.kind host: the host sends squares from its own memory"},
+      {"pixel_square/host_sender.h", "as above"},
+      {"pixel_square/pixel_square.cpp", "hands the Program to what stands for the host"},
+      {"pixel_square/pixel_square.h", "as above"},
+      {"pixel_square/square_names.h", "an observer: which segment of the Program a square is"},
+      {"scan_line/active_list.cpp", "the host's own memory: which primitives are on which lines"},
+      {"scan_line/active_list.h", "as above"},
+      {"scan_line/chain_link.cpp", "the host's end of a chain's link: the host's own memory"},
+      {"scan_line/frame.h", "what the host's memory holds of a frame"},
+      {"scan_line/line_host.cpp", "the host, whose own memory the lines are in"},
+      {"scan_line/scan_line_array.cpp", "hands the Program to the host"},
+      {"scan_line/scan_line_array.h", "as above"},
+  };
+  std::vector<std::string> allowed;
+  for (const Exception& one : exceptions) allowed.push_back(one.file);
+  std::sort(allowed.begin(), allowed.end());
+  CHECK(readers_of_programs({"array", "link", "multi_processor", "pixel_planes", "pixel_square", "scan_line"}) ==
+        allowed);
 }

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "hw/isa/opcodes.h"
+#include "hw/pixel_planes/kind.h"
+
 using namespace csgsim;
 using isa::Field;
 using isa::Instruction;
@@ -10,7 +13,7 @@ using isa::Opcode;
 namespace {
 
 machines::Machine machine(std::uint32_t memory_reads) {
-  machines::Machine result;
+  machines::Machine result = machines::blank(pixel_planes::kind);
   result.array = {512, 512, 72};
   result.memory_reads = memory_reads;
   return result;
@@ -122,7 +125,8 @@ TEST_CASE("the clocks of a Program are those of a run that skips nothing") {
   program.shape = {512, 512, 72};
   const Instruction all{Opcode::enable_all, {}, {}, 0, {}};
   const Instruction skip{Opcode::skip_if_none, {}, {}, 1, {}};
-  program.segments = {{{0, 0, 512, 512}, {skip, all, all}, 0, 0}, {{0, 0, 8, 8}, {all}, 0, 0}};
+  program.segments = {{{0, 0, 512, 512}, {skip, all, all}}, {{0, 0, 8, 8}, {all}}};
   CHECK(machines::clocks(program.segments[0].instructions, machine(1)) == 19 + 2);
-  CHECK(machines::clocks(program, machine(1)) == 19 + 2 + 1 + 18);
+  // The first word takes four clocks from the request to the first clear; a segment is cleared in one.
+  CHECK(machines::clocks(program, machine(1)) == 4 + 1 + 19 + 2 + 1 + 1 + 18);
 }

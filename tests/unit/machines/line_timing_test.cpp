@@ -1,84 +1,141 @@
 #include <doctest/doctest.h>
 
-#include <variant>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
-#include "hw/machines/timing.h"
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/kind.h"
+#include "hw/scan_line/timing.h"
 
 using namespace csgsim;
 using isa::Field;
 using isa::Instruction;
 using isa::Opcode;
-using machines::LineAccount;
+using scan_line::LineAccount;
 
 namespace {
 
-machines::Machine machine_of(machines::Size picture, std::uint32_t chains, std::uint32_t interval) {
-  machines::Machine machine;
+/// Clocks before the frame's first instruction enters: the host hands the line over, the link takes it, the line's
+/// beginning crosses the link and is taken, and the instruction comes behind it.
+constexpr std::uint64_t first_entry = 5;
+
+machines::Machine machine_of(machines::Size picture, std::uint32_t chains, std::uint32_t ports = 0) {
+  machines::Machine machine = machines::blank(scan_line::kind);
   machine.name = "test";
-  machine.kind = machines::Kind::scan_line;
   machine.array = {picture.width, 1, 64};
   machine.picture = picture;
   machine.clock_hz = 1000;
-  machine.scan_line = {.words = 2, .word_bits = 32, .chains = chains, .packet_interval = interval, .refresh_hz = 20};
+  machine.own = scan_line::Figures{.words = 2, .word_bits = 32, .ports = ports, .chains = chains, .refresh_hz = 20};
   return machine;
 }
 
-/// As many packets of one word on each line as the numbers say.
-machines::FrameTiming time(const machines::Machine& machine, const std::vector<std::size_t>& packets) {
+/// As many of the instruction on each line as the numbers say.
+scan_line::LineTiming time(const machines::Machine& machine, const std::vector<std::size_t>& packets,
+                           const Instruction& instruction = {.opcode = Opcode::enable_all}) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 64};
   for (const isa::Region& region : machines::regions(machine)) {
-    const std::vector<Instruction> instructions(packets[program.segments.size()], {.opcode = Opcode::enable_all});
+    const std::vector<Instruction> instructions(packets[program.segments.size()], instruction);
     program.segments.push_back({.region = region, .instructions = instructions});
   }
-  return machines::time_lines(program, machine);
+  return scan_line::time_lines(program, machine);
 }
 
-LineAccount account_of(const machines::FrameTiming& timing) { return std::get<LineAccount>(timing.account); }
+LineAccount account_of(const scan_line::LineTiming& timing) { return timing.account; }
+
+const Instruction copy{.opcode = Opcode::copy, .fields = {Field{0, 8}, Field{8, 8}}};
 
 }  // namespace
 
-TEST_CASE("lines of many packets follow back to back, and the last has its way through the cells and back") {
-  const machines::FrameTiming timing = time(machine_of({4, 3}, 1, 1), {10, 20, 30});
-  CHECK(timing.clocks == 11 + 21 + 31 + 2 * 4);
+TEST_CASE("lines of many packets follow as their words come, and the last has its way through the cells and back") {
+  const scan_line::LineTiming timing = time(machine_of({4, 3}, 1), {10, 20, 30});
+  CHECK(timing.clocks == first_entry + 11 + 22 + 32 + 2 * 4);
   CHECK(account_of(timing).refresh_clocks == 0);
   CHECK(account_of(timing).busy_cells == 60 * 4);
+  CHECK(account_of(timing).link_words == 60 + 3 * 2);
 }
 
 TEST_CASE("lines of few packets wait for the refresh path") {
-  const machines::FrameTiming timing = time(machine_of({8, 3}, 1, 1), {2, 1, 0});
-  CHECK(timing.clocks == 3 + 8 + 8 + 2 * 8);
-  CHECK(account_of(timing).refresh_clocks == (8 - 2) + (8 - 1));
+  const scan_line::LineTiming timing = time(machine_of({8, 3}, 1), {2, 1, 0});
+  CHECK(timing.clocks == first_entry + 3 + 8 + 8 + 2 * 8);
+  CHECK(account_of(timing).refresh_clocks == (8 - 3) + (8 - 2));
 }
 
-TEST_CASE("chains take lines in turn, and the frame ends with the chain that ends last") {
-  const machines::FrameTiming timing = time(machine_of({4, 5}, 2, 1), {10, 1, 10, 30, 10});
-  CHECK(timing.clocks == 3 * 11 + 2 * 4);
-  CHECK(account_of(timing).entry_clocks == 33 + 2 + 31);
-  CHECK(account_of(timing).fill_clocks == 1 + 3);
+TEST_CASE("chains take lines in turn, each over its own link, and the frame ends with the chain that ends last") {
+  const scan_line::LineTiming timing = time(machine_of({4, 5}, 2), {10, 1, 10, 40, 10});
+  const std::uint64_t handed_over = 1;  // that much later than the first line
+  CHECK(timing.clocks == handed_over + first_entry + 2 + 42 + 2 * 4);
+  CHECK(account_of(timing).entry_clocks == 33 + 2 + 41);
+  CHECK(account_of(timing).fill_clocks == first_entry + 1 + 3);
 }
 
-TEST_CASE("each word takes the packet interval to enter") {
-  const machines::FrameTiming timing = time(machine_of({4, 2}, 1, 3), {5, 6});
-  CHECK(timing.clocks == 3 * (6 + 7) + 2 * 4);
-  CHECK(account_of(timing).fill_clocks == 3 + 3);
+TEST_CASE("a packet enters as long as the ports of the cells' memory need for it") {
+  const scan_line::LineTiming timing = time(machine_of({4, 2}, 1, 1), {5, 6}, copy);
+  CHECK(timing.clocks == first_entry + 2 * 5 + 1 + 1 + 2 * 6 + 1 + 2 * 4);
+  CHECK(account_of(timing).fill_clocks == first_entry + 2 + 3);
+  CHECK(account_of(timing).busy_cells == 2 * 11 * 4);
+}
+
+TEST_CASE("clearing is a packet at the beginning of a line") {
+  machines::Machine machine = machine_of({4, 2}, 1, 1);
+  machine.clear_clocks = 3;
+  CHECK(time(machine, {5, 6}, copy).clocks == first_entry - 1 + 3 + 2 * 5 + 1 + 3 + 2 * 6 + 1 + 2 * 4);
+}
+
+TEST_CASE("the host sorts, brings its list up to date, and prepares what it hands over, beside the link") {
+  machines::Machine machine = machine_of({2, 3}, 1);
+  machine.own = scan_line::Figures{.words = 2,
+                                   .word_bits = 32,
+                                   .chains = 1,
+                                   .bucket_clocks = 7,
+                                   .active_clocks = 5,
+                                   .instruction_clocks = 3,
+                                   .refresh_hz = 20};
+  const scan_line::LineTiming timing =
+      time(machine, {2, 2, 0}, {.opcode = Opcode::enable_all, .origin = {.primitive = 0}});
+  const std::uint64_t second_handed_over = 7 + 2 * (5 + 2 * 3 + 1);
+  const std::uint64_t third_handed_over = second_handed_over + 5 + 1;  // the primitive leaves the list
+  CHECK(timing.clocks == third_handed_over - 1 + first_entry + 1 + 2 * 2);
+  CHECK(account_of(timing).host.of(scan_line::LineActivity::sorting) == 7);
+  CHECK(account_of(timing).host.of(scan_line::LineActivity::updating) == 3 * 5);
+  CHECK(account_of(timing).host.of(scan_line::LineActivity::preparing) == 4 * 3);
+  CHECK(account_of(timing).host.of(scan_line::LineActivity::waiting_for_link) == 0);
+}
+
+TEST_CASE("a narrow link brings a command in many words") {
+  machines::Machine machine = machine_of({4, 1}, 1);
+  machine.link = {.width = 8, .word_clocks = 3, .fifo_depth = 16, .latency = 10};
+  const std::uint64_t words = 9 + 3 + 1;  // the line's beginning has 70 bits
+  CHECK(time(machine, {3}).clocks == 2 + 10 + 3 * words + 2 + 2 * 4);
+}
+
+TEST_CASE("a FIFO of one word lets a word pass every other clock") {
+  machines::Machine machine = machine_of({4, 1}, 1);
+  machine.link.fifo_depth = 1;
+  CHECK(time(machine, {3}).clocks == first_entry + 4 + 4 + 2 * 4);
 }
 
 TEST_CASE("the refresh gives each line of a field an equal share of its time, times the chains") {
-  machines::Machine machine = machine_of({4, 7}, 1, 1);
-  CHECK(machines::line_budget(machine, 7) == 7);  // 1000 / (20 * 7)
-  machine.scan_line.chains = 3;
-  CHECK(machines::line_budget(machine, 7) == 21);
-  machine.scan_line.interlaced = true;
-  CHECK(machines::line_budget(machine, 7) == 3 * 12);  // 1000 / (20 * 4)
+  machines::Machine machine = machine_of({4, 7}, 1);
+  CHECK(scan_line::line_budget(machine, 7) == 7);  // 1000 / (20 * 7)
+  machines::own<scan_line::Figures>(machine).chains = 3;
+  CHECK(scan_line::line_budget(machine, 7) == 21);
+  machines::own<scan_line::Figures>(machine).interlaced = true;
+  CHECK(scan_line::line_budget(machine, 7) == 3 * 12);  // 1000 / (20 * 4)
 }
 
-TEST_CASE("a line is late from the first packet on that its budget does not hold") {
-  const LineAccount account = account_of(time(machine_of({4, 5}, 1, 1), {9, 10, 0, 11, 8}));
+TEST_CASE("a line is late from the first clock on that its budget does not hold") {
+  // The first has the way of the link before it; of the others the beginning and the mark are two clocks.
+  const LineAccount account = account_of(time(machine_of({4, 5}, 1), {9, 9, 0, 11, 8}));
   CHECK(account.line_budget == 10);
-  CHECK(account.late_lines == 2);
-  CHECK(account.packets == 38);
+  CHECK(account.late_lines == 3);
+  CHECK(account.packets == 37);
   CHECK(account.most_packets == 11);
+}
+
+TEST_CASE("the next frame begins when the last mark has entered, unless its first mark would have to wait then") {
+  CHECK(time(machine_of({4, 3}, 1), {10, 20, 30}).interval_clocks == first_entry + 11 + 22 + 32);
+  const std::uint64_t first_mark = first_entry + 3;
+  CHECK(time(machine_of({20, 2}, 1), {2, 2}).interval_clocks == first_mark + 20 + (20 - first_mark));
 }

@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "hw/base/error.h"
-#include "hw/machines/built_in.h"
+#include "hw/kinds/load.h"
+#include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
 #include "hw/machines/schema.h"
+#include "hw/pixel_planes/figures.h"
 
 using namespace csgsim;
 using machines::Figure;
@@ -22,7 +24,7 @@ namespace {
 
 /// The built-in description with one piece of its text replaced.
 std::string changed(std::string_view from, std::string_view to) {
-  std::string text(machines::built_in()[0].text);
+  std::string text(kinds::built_in()[0].text);
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
   text.replace(at, from.size(), to);
@@ -32,7 +34,7 @@ std::string changed(std::string_view from, std::string_view to) {
 /// The message that reading the text ends with.
 std::string message(std::string_view text) {
   try {
-    read_description(text, "my.toml");
+    read_description(text, "my.toml", kinds::all());
   } catch (const InputError& error) {
     return error.what();
   }
@@ -54,38 +56,38 @@ std::string message_of_change(std::string_view from, std::string_view to) { retu
 }  // namespace
 
 TEST_CASE("pixel-planes-4 is built in, with the published figures") {
-  const Machine machine = machines::load("pixel-planes-4");
+  const Machine machine = kinds::load("pixel-planes-4");
   CHECK(machine.name == "pixel-planes-4");
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
   CHECK(machine.clock_hz == 10'000'000);
   CHECK(machine.memory_reads == 1);
   CHECK(machine.alu_bits == 1);
-  CHECK(machine.has_global_or);
+  CHECK(machines::own<pixel_planes::Figures>(machine).has_global_or);
 }
 
 TEST_CASE("every built-in machine reads and bears its own name") {
-  for (const std::string_view name : machines::built_in_names()) {
+  for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
-    const Machine machine = machines::load(std::string(name));
+    const Machine machine = kinds::load(std::string(name));
     CHECK(machine.name == name);
-    const auto its_kind = [&](const machines::FigureSchema& figure) { return figure.kinds.has(machine.kind); };
-    CHECK(std::cmp_equal(machine.figures.size(),
-                         std::count_if(machines::schema().begin(), machines::schema().end(), its_kind)));
+    CHECK(machine.figures.size() == machine.kind->schema.size());
   }
 }
 
 TEST_CASE("figures come in the order of the file, each with unit, provenance and source") {
-  const Machine machine = machines::load("pixel-planes-4");
+  const Machine machine = kinds::load("pixel-planes-4");
   std::string keys;
   for (const Figure& figure : machine.figures) {
     keys += figure.key + ' ';
     CHECK((figure.provenance == "published" || figure.provenance == "assumed"));
-    CHECK_FALSE(figure.unit.empty());
+    CHECK(figure.unit.empty() == (figure.key == "scan_out.port"));
     CHECK_FALSE(figure.source.empty());
   }
   CHECK(keys ==
         "array.width array.height array.memory_bits clock.frequency alu.bits memory.reads memory.writes "
-        "global_or.present evaluator.level_latency ");
+        "global_or.present global_or.fan_in scan_out.pixels scan_out.port evaluator.level_latency memory.clear_clocks "
+        "link.width link.word_clocks "
+        "link.fifo_depth link.latency ");
   CHECK(machine.figures[3].value == "10000000");
   CHECK(machine.figures[3].unit == "Hz");
 }
@@ -93,26 +95,29 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
 TEST_CASE("a machine file is read by its path, whatever its name") {
   const std::string path = std::string(CSGSIM_BINARY_DIR) + "/machine_test_two_reads.toml";
   std::ofstream(path) << changed("[memory.reads]\nvalue = 1", "[memory.reads]\nvalue = 2");
-  CHECK(machines::load(path).memory_reads == 2);
+  CHECK(kinds::load(path).memory_reads == 2);
 }
 
 TEST_CASE("a machine file says how wide the ALU is") {
-  CHECK(read_description(changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 16"), "my.toml").alu_bits == 16);
+  CHECK(
+      read_description(changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 16"), "my.toml", kinds::all()).alu_bits ==
+      16);
 }
 
 TEST_CASE("a machine has a global OR or has none") {
-  CHECK_FALSE(read_description(changed("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 0"), "my.toml")
-                  .has_global_or);
+  const Machine without = read_description(changed("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 0"),
+                                           "my.toml", kinds::all());
+  CHECK_FALSE(machines::own<pixel_planes::Figures>(without).has_global_or);
   CHECK(message_of_change("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 2")
             .ends_with("global_or.present is 2; it takes 0 to 1 lines"));
 }
 
 TEST_CASE("an unknown machine names the nearest known") {
-  CHECK_THROWS_WITH_AS(machines::load("pixel-plane-4"),
+  CHECK_THROWS_WITH_AS(kinds::load("pixel-plane-4"),
                        "unknown machine 'pixel-plane-4'; the nearest known is 'pixel-planes-4', and a file's name ends "
                        "in .toml",
                        InputError);
-  CHECK_THROWS_WITH_AS(machines::load("none/such.toml"),
+  CHECK_THROWS_WITH_AS(kinds::load("none/such.toml"),
                        "none/such.toml: cannot be read: No such file or directory; check the path and its permissions",
                        InputError);
 }
@@ -168,17 +173,19 @@ TEST_CASE("a figure that machines of another kind have is unknown") {
 }
 
 TEST_CASE("an unknown kind and an unknown order name those there are") {
+  std::string names;
+  for (const machines::Kind* const one : kinds::all()) names += (names.empty() ? "" : ", ") + std::string(one->name);
+  CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
   const std::string kind = changed("\"frame-buffer\"", "\"frame\"");
-  CHECK(message(kind) ==
-        place_of(kind, "\"frame\"") + ": unknown kind 'frame'; there are frame-buffer, scan-line, pixel-square");
-  std::string order(machines::built_in()[2].text);
+  CHECK(message(kind) == place_of(kind, "\"frame\"") + ": unknown kind 'frame'; there are " + names);
+  std::string order(kinds::built_in()[2].text);
   order.replace(order.find("value = \"rows\""), 14, "value = \"columns\"");
   CHECK(message(order) ==
         place_of(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
 }
 
 TEST_CASE("a scan-line machine whose picture is wider than its chain is refused") {
-  std::string text(machines::built_in()[1].text);
+  std::string text(kinds::built_in()[1].text);
   text.replace(text.find("value = 512"), 11, "value = 511");
   CHECK(message(text).find("a line of 512 pixels is longer than the 511 cells of scan-line") != std::string::npos);
 }

@@ -6,32 +6,65 @@
 #include <cstdlib>
 #include <vector>
 
+#include "hw/pixel_planes/kind.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/kind.h"
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/kind.h"
+
 using namespace csgsim;
-using machines::Kind;
-using machines::SquareOrder;
+using pixel_square::SquareOrder;
 
 namespace {
 
 machines::Machine squares_of(std::uint32_t width, std::uint32_t height, machines::Size picture, SquareOrder order) {
-  machines::Machine machine;
-  machine.kind = Kind::pixel_square;
+  machines::Machine machine = machines::blank(pixel_square::kind);
   machine.array = {width, height, 8};
   machine.picture = picture;
-  machine.pixel_square.order = order;
+  machines::own<pixel_square::Figures>(machine).order = order;
+  return machine;
+}
+
+machines::Machine lines_of(machines::Size picture, bool interlaced) {
+  machines::Machine machine = machines::blank(scan_line::kind);
+  machine.array = {picture.width, 1, 8};
+  machine.picture = picture;
+  machines::own<scan_line::Figures>(machine).interlaced = interlaced;
+  return machine;
+}
+
+machines::Machine whole_of(machines::Size picture) {
+  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machine.array = {picture.width, picture.height, 8};
+  machine.picture = picture;
   return machine;
 }
 
 }  // namespace
+
+TEST_CASE("a divider of two levels has its squares group after group") {
+  machines::Machine machine = squares_of(10, 10, {30, 25}, SquareOrder::serpentine);
+  auto& figures = machines::own<pixel_square::Figures>(machine);
+  figures.divider = pixel_square::DividerKind::corners;
+  figures.group_side = 2;
+  const std::vector<isa::Region> rows = {{0, 0, 10, 10},   {10, 0, 10, 10},  {20, 0, 10, 10},
+                                         {20, 10, 10, 10}, {10, 10, 10, 10}, {0, 10, 10, 10},
+                                         {0, 20, 10, 5},   {10, 20, 10, 5},  {20, 20, 10, 5}};
+  CHECK(machines::regions(machine) == rows);
+  figures.levels = 2;
+  const std::vector<isa::Region> groups = {{0, 0, 10, 10},  {10, 0, 10, 10}, {10, 10, 10, 10},
+                                           {0, 10, 10, 10}, {20, 0, 10, 10}, {20, 10, 10, 10},
+                                           {20, 20, 10, 5}, {0, 20, 10, 5},  {10, 20, 10, 5}};
+  CHECK(machines::regions(machine) == groups);
+}
 
 TEST_CASE("the regions of any machine cover every pixel of its picture once") {
   CHECK(rc::check([] {
     const auto side = [] { return *rc::gen::inRange<std::uint32_t>(1, 40); };
     const machines::Size picture{side(), side()};
     const auto order = static_cast<SquareOrder>(*rc::gen::inRange(0, 3));
-    machines::Machine machine = squares_of(side(), side(), picture, order);
-    machine.kind = static_cast<Kind>(*rc::gen::inRange(0, 3));
-    machine.scan_line.interlaced = *rc::gen::arbitrary<bool>();
-    if (machine.kind == Kind::frame_buffer) machine.array = {picture.width, picture.height, 8};
+    const machines::Machine machine = *rc::gen::element(
+        squares_of(side(), side(), picture, order), lines_of(picture, *rc::gen::arbitrary<bool>()), whole_of(picture));
     std::vector<int> covered(std::size_t{picture.width} * picture.height);
     for (const isa::Region& region : machines::regions(machine)) {
       RC_ASSERT(region.width > 0U && region.height > 0U);
@@ -47,11 +80,8 @@ TEST_CASE("the regions of any machine cover every pixel of its picture once") {
 }
 
 TEST_CASE("interlaced lines come even ones first") {
-  machines::Machine machine = squares_of(8, 1, {8, 5}, SquareOrder::rows);
-  machine.kind = Kind::scan_line;
-  machine.scan_line.interlaced = true;
   std::vector<std::uint32_t> rows;
-  for (const isa::Region& region : machines::regions(machine)) rows.push_back(region.y);
+  for (const isa::Region& region : machines::regions(lines_of({8, 5}, true))) rows.push_back(region.y);
   CHECK(rows == std::vector<std::uint32_t>{0, 2, 4, 1, 3});
 }
 

@@ -4,11 +4,16 @@
 #include <rapidcheck.h>
 
 #include <array>
+#include <stdexcept>
 #include <vector>
+
+#include "hw/isa/opcodes.h"
 
 using namespace csgsim;
 using scan_line::Cells;
-using scan_line::packet_word;
+using scan_line::CellShape;
+using scan_line::instruction_packet;
+using scan_line::next_beat;
 using scan_line::PacketWord;
 
 namespace {
@@ -23,17 +28,16 @@ std::uint64_t low_bits(const isa::Linear& linear, std::uint32_t x) {
   return static_cast<std::uint64_t>(sum) & ((std::uint64_t{1} << linear.width) - 1);
 }
 
-std::uint16_t words_of(const isa::Linear& linear, std::uint32_t word_bits) {
-  return static_cast<std::uint16_t>((linear.width + word_bits - 1) / word_bits);
-}
-
 /// The running sum of every cell, when all words of the packet have been there.
 std::vector<std::uint64_t> running_sums(const isa::Linear& linear, std::uint32_t word_bits) {
-  Cells chain(cells, 8, word_bits);
-  const isa::Instruction instruction{.opcode = isa::Opcode::edge_negative, .linear = linear};
-  for (std::uint16_t number = 0; number < words_of(linear, word_bits); ++number) {
-    PacketWord word = packet_word(instruction, number, word_bits);
+  const CellShape shape{.word_bits = word_bits};
+  Cells chain(cells, 8, shape);
+  PacketWord beat = instruction_packet({.opcode = isa::Opcode::edge_negative, .linear = linear}, shape);
+  for (bool more = true; more;) {
+    PacketWord word = beat;
     for (std::uint32_t cell = 0; cell < cells; ++cell) chain.add(cell, word);
+    more = !beat.last();
+    if (more) beat = next_beat(beat, shape);
   }
   std::vector<std::uint64_t> sums;
   for (std::uint32_t cell = 0; cell < cells; ++cell) {
@@ -61,12 +65,100 @@ TEST_CASE("the running sum in every cell is C + A*x, wrapped, for every width of
 }
 
 TEST_CASE("the carry of one packet does not reach the next") {
-  Cells chain(1, 8, 4);
+  constexpr CellShape shape{.word_bits = 4};
+  Cells chain(1, 8, shape);
   const isa::Instruction full{.opcode = isa::Opcode::edge_negative, .linear = {.a = 15, .c = 15, .width = 8}};
-  PacketWord word = packet_word(full, 0, 4);
+  PacketWord word = instruction_packet(full, shape);
   chain.add(0, word);
   CHECK(word.f == 14);
-  PacketWord next = packet_word({.opcode = isa::Opcode::edge_negative, .linear = {.a = 1, .c = 1, .width = 4}}, 0, 4);
+  PacketWord next =
+      instruction_packet({.opcode = isa::Opcode::edge_negative, .linear = {.a = 1, .c = 1, .width = 4}}, shape);
   chain.add(0, next);
   CHECK(next.f == 2);
+}
+
+namespace {
+
+using isa::Field;
+using isa::Instruction;
+using isa::Opcode;
+
+/// Carries the packet out in cell 0, at each beat what the ports can do.
+void carry_out(Cells& cell, const Instruction& instruction, const CellShape& shape, std::uint32_t beats) {
+  PacketWord beat = instruction_packet(instruction, shape);
+  for (std::uint32_t i = 0; i < beats; ++i) {
+    cell.fetch(0, beat);
+    if (beat.number == beat.accesses.result) cell.act(0, beat);
+    if (beat.number >= beat.accesses.result) cell.store(0, beat);
+    beat = next_beat(beat, shape);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a cell reads and writes a word of its memory at each port in a clock, and no more") {
+  constexpr CellShape shape{.word_bits = 8, .ports = 1};
+  constexpr Field across{4, 16};   // words 0, 1 and 2
+  constexpr Field within{24, 16};  // words 3 and 4
+  const Instruction copy{.opcode = Opcode::copy, .fields = {within, across}};
+  Cells cell(1, 40, shape);
+  carry_out(cell, {.opcode = Opcode::enable_all}, shape, 1);
+  carry_out(cell, {.opcode = Opcode::set_constant, .fields = {across}, .constant = 0xabcd}, shape, 3);
+  CHECK(cell.read(0, {4, 4}) == 0xd);
+  CHECK(cell.read(0, {8, 8}) == 0xbc);
+  CHECK(cell.read(0, {16, 4}) == 0);  // the first write was in the clock of the second word, the third is to come
+  carry_out(cell, {.opcode = Opcode::set_constant, .fields = {across}, .constant = 0xabcd}, shape, 4);
+  CHECK(cell.read(0, across) == 0xabcd);
+  carry_out(cell, copy, shape, 4);
+  CHECK(cell.read(0, within) == 0xcd);  // three clocks of reading, one of writing
+  carry_out(cell, copy, shape, 5);
+  CHECK(cell.read(0, within) == 0xabcd);
+}
+
+TEST_CASE("a cell that would act before its fields have been read is an error") {
+  constexpr CellShape shape{.word_bits = 8, .ports = 1};
+  Cells cell(1, 40, shape);
+  PacketWord beat = instruction_packet({.opcode = Opcode::field_lt, .fields = {Field{0, 8}, Field{8, 8}}}, shape);
+  CHECK(beat.beats == 2);
+  cell.fetch(0, beat);
+  CHECK_THROWS_AS(cell.act(0, beat), std::logic_error);
+}
+
+TEST_CASE("a packet occupies a cell for its words, or for the reads and then the writes of its memory") {
+  struct Row {
+    Instruction instruction;
+    CellShape shape;
+    std::uint32_t beats;
+  };
+  const Field low{0, 8};
+  const Field high{8, 8};
+  const Field across{28, 8};
+  const Field wide{20, 32};
+  const std::vector<Row> rows{
+      {{.opcode = Opcode::enable_all}, {32, 1}, 1},
+      {{.opcode = Opcode::enable_load, .fields = {Field{3, 1}}}, {32, 1}, 1},
+      {{.opcode = Opcode::edge_negative, .linear = {.width = 40}}, {32, 1}, 2},
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = {.width = 30}}, {32, 1}, 1},
+      {{.opcode = Opcode::linear_ge, .fields = {across}, .linear = {.width = 30}}, {32, 1}, 2},
+      {{.opcode = Opcode::linear_ge, .fields = {across}, .linear = {.width = 40}}, {32, 1}, 2},
+      {{.opcode = Opcode::load_linear, .fields = {low}, .linear = {.width = 30}}, {32, 1}, 1},
+      {{.opcode = Opcode::load_linear, .fields = {across}, .linear = {.width = 40}}, {32, 1}, 3},
+      {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30}}, {32, 1}, 2},
+      {{.opcode = Opcode::keep_max, .fields = {across}, .linear = {.width = 30}}, {32, 1}, 4},
+      {{.opcode = Opcode::keep_max, .fields = {across}, .linear = {.width = 30}}, {32, 2}, 2},
+      {{.opcode = Opcode::copy, .fields = {low, high}}, {32, 1}, 2},
+      {{.opcode = Opcode::copy, .fields = {low, high}}, {32, 8}, 2},
+      {{.opcode = Opcode::copy, .fields = {low, high}}, {32, 0}, 1},
+      {{.opcode = Opcode::field_lt, .fields = {low, high}}, {32, 1}, 2},
+      {{.opcode = Opcode::field_lt, .fields = {low, high}}, {32, 2}, 1},
+      {{.opcode = Opcode::bit_and, .fields = {low, high, across}}, {32, 1}, 4},
+      {{.opcode = Opcode::xor_constant, .fields = {low}, .constant = 1}, {32, 1}, 2},
+      {{.opcode = Opcode::set_constant, .fields = {wide}, .constant = 1}, {16, 1}, 4},
+      {{.opcode = Opcode::set_constant, .fields = {wide}, .constant = 1}, {16, 3}, 2},
+  };
+  for (const Row& row : rows) {
+    CAPTURE(isa::name_of(row.instruction.opcode));
+    CAPTURE(row.shape.ports);
+    CHECK(instruction_packet(row.instruction, row.shape).beats == row.beats);
+  }
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/random_program.h"
 
@@ -14,10 +15,10 @@ using namespace csgsim;
 using isa::Field;
 using isa::Instruction;
 using isa::Opcode;
+using kernel::Keep;
+using scan_line::CellShape;
 using scan_line::Chain;
 using scan_line::Departure;
-using scan_line::Keep;
-using scan_line::packet_word;
 using scan_line::PacketWord;
 using scan_line::RefreshPixel;
 using scan_line::WordKind;
@@ -27,29 +28,20 @@ namespace {
 constexpr PacketWord nothing{};
 constexpr Field colour{0, 8};
 
-/// The packet's words, in order.
-std::vector<PacketWord> packet(const Instruction& instruction, std::uint16_t words, std::uint32_t word_bits,
-                               bool begins_line = false) {
-  std::vector<PacketWord> all;
-  for (std::uint16_t number = 0; number < words; ++number) {
-    all.push_back(packet_word(instruction, number, word_bits));
-    all.back().begins_line = begins_line;
-    all.back().last = number + 1 == words;
-    all.back().keep = Keep::all;
-  }
+/// The packet's beats, in order.
+std::vector<PacketWord> packet(const Instruction& instruction, const CellShape& shape, bool begins_line = false) {
+  PacketWord first = scan_line::instruction_packet(instruction, shape);
+  first.begins_line = begins_line;
+  first.keep = Keep::all;
+  std::vector<PacketWord> all{first};
+  while (!all.back().last()) all.push_back(scan_line::next_beat(all.back(), shape));
   return all;
 }
 
 PacketWord mark() {
-  PacketWord word{.kind = WordKind::mark, .last = true, .keep = Keep::all};
-  word.instruction.fields[0] = colour;
+  PacketWord word = scan_line::mark_packet(colour, {.word_bits = 8, .ports = 1});
+  word.keep = Keep::all;
   return word;
-}
-
-std::uint16_t words_for(const Instruction& instruction, std::uint32_t word_bits) {
-  std::uint32_t bits = std::max<std::uint32_t>(instruction.linear.width, 1);
-  for (const Field& field : instruction.fields) bits = std::max<std::uint32_t>(bits, field.width);
-  return static_cast<std::uint16_t>((bits + word_bits - 1) / word_bits);
 }
 
 void require_same(const scan_line::Snapshot& actual, const sim::ReferenceArray& expected, isa::ArrayShape shape) {
@@ -65,10 +57,11 @@ void require_same(const scan_line::Snapshot& actual, const sim::ReferenceArray& 
 }  // namespace
 
 TEST_CASE("a packet of two words acts in cell x one clock after cell x - 1, and leaves the line after the last") {
-  Chain chain(9, 8, 4);
+  constexpr CellShape shape{.word_bits = 4, .ports = 1};
+  Chain chain(9, 8, shape);
   chain.begin(5);
   const Instruction instruction{.opcode = Opcode::edge_negative, .linear = {.a = 1, .c = 3, .width = 8}};
-  const std::vector<PacketWord> words = packet(instruction, 2, 4);
+  const std::vector<PacketWord> words = packet(instruction, shape);
   std::vector<WordKind> left;
   for (std::size_t clock = 0; clock < 8; ++clock) {
     chain.step(clock < words.size() ? words[clock] : nothing);
@@ -83,10 +76,10 @@ TEST_CASE("a packet of two words acts in cell x one clock after cell x - 1, and 
 TEST_CASE("after random packets, some many words long, every cell holds what the reference holds") {
   CHECK(rc::check([] {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 70U), 1, *rc::gen::inRange(1U, 100U)};
-    const std::uint32_t word_bits = *rc::gen::inRange(1U, 65U);
+    const CellShape cell{.word_bits = *rc::gen::inRange(1U, 65U), .ports = *rc::gen::inRange(0U, 6U)};
     const auto instructions = *rc::gen::resize(
         20, rc::gen::container<std::vector<Instruction>>(test::arbitrary_instruction(shape, shape.memory_bits, 0)));
-    Chain chain(shape.width + 3, shape.memory_bits, word_bits);
+    Chain chain(shape.width + 3, shape.memory_bits, cell);
     chain.begin(shape.width);
     sim::ReferenceArray judge(shape);
     std::size_t left = 0;
@@ -98,7 +91,7 @@ TEST_CASE("after random packets, some many words long, every cell holds what the
       require_same(*departure.snapshot, judge, shape);
     };
     for (const Instruction& instruction : instructions) {
-      for (const PacketWord& word : packet(instruction, words_for(instruction, word_bits), word_bits)) {
+      for (const PacketWord& word : packet(instruction, cell)) {
         chain.step(word);
         look();
       }
@@ -112,24 +105,26 @@ TEST_CASE("after random packets, some many words long, every cell holds what the
 }
 
 TEST_CASE("the first packet of a line finds memory and enable clear") {
-  Chain chain(2, 8, 8);
+  constexpr CellShape shape{.word_bits = 8, .ports = 1};
+  Chain chain(2, 8, shape);
   chain.begin(2);
   const Instruction set{.opcode = Opcode::set_constant, .fields = {colour}, .constant = 200};
-  for (const Instruction& one : {Instruction{.opcode = Opcode::enable_all}, set}) chain.step(packet(one, 1, 8)[0]);
-  chain.step(packet({.opcode = Opcode::enable_invert}, 1, 8)[0]);
+  for (const Instruction& one : {Instruction{.opcode = Opcode::enable_all}, set}) chain.step(packet(one, shape).at(0));
+  chain.step(packet({.opcode = Opcode::enable_invert}, shape).at(0));
   CHECK(chain.cells().read(0, colour) == 200);
-  chain.step(packet(set, 1, 8, true)[0]);
+  chain.step(packet(set, shape, true).at(0));
   CHECK(chain.cells().read(0, colour) == 0);
   CHECK_FALSE(chain.cells().enabled(0));
 }
 
 TEST_CASE("pixel x is at the refresh port in the x-th clock after that in which the shift chain took the line") {
   constexpr std::uint32_t pixels = 3;
-  Chain chain(5, 8, 8);
+  constexpr CellShape shape{.word_bits = 8, .ports = 1};
+  Chain chain(5, 8, shape);
   chain.begin(pixels);
   const Instruction ramp{.opcode = Opcode::load_linear, .fields = {colour}, .linear = {.a = 5, .c = 7, .width = 10}};
-  chain.step(packet({.opcode = Opcode::enable_all}, 1, 8)[0]);
-  for (const PacketWord& word : packet(ramp, 2, 8)) chain.step(word);
+  chain.step(packet({.opcode = Opcode::enable_all}, shape).at(0));
+  for (const PacketWord& word : packet(ramp, shape)) chain.step(word);
   chain.step(mark());
   std::vector<RefreshPixel> seen;  // from the clock after the mark's entry on
   for (std::uint32_t i = 0; i < 8; ++i) {
@@ -144,7 +139,7 @@ TEST_CASE("a mark may follow another as many clocks later as a line has pixels, 
   constexpr std::uint32_t pixels = 4;
   for (std::uint32_t apart = 1; apart <= pixels + 1; ++apart) {
     CAPTURE(apart);
-    Chain chain(6, 8, 8);
+    Chain chain(6, 8, {.word_bits = 8, .ports = 1});
     chain.begin(pixels);
     std::uint32_t shown = 0;
     const auto step = [&](const PacketWord& word) {
@@ -161,4 +156,29 @@ TEST_CASE("a mark may follow another as many clocks later as a line has pixels, 
     for (std::uint32_t i = 0; i < 4 * pixels; ++i) step(nothing);
     CHECK(shown == 2 * pixels);
   }
+}
+
+TEST_CASE("a clear packet clears a cell with its last beat") {
+  constexpr CellShape shape{.word_bits = 8, .ports = 1};
+  Chain chain(1, 8, shape);
+  chain.begin(1);
+  chain.step(packet({.opcode = Opcode::enable_all}, shape).at(0));
+  chain.step(packet({.opcode = Opcode::set_constant, .fields = {colour}, .constant = 9}, shape).at(0));
+  PacketWord clear = scan_line::clear_packet(2);
+  chain.step(clear);
+  CHECK(chain.cells().read(0, colour) == 9);
+  chain.step(scan_line::next_beat(clear, shape));
+  CHECK(chain.cells().read(0, colour) == 0);
+  CHECK_FALSE(chain.cells().enabled(0));
+}
+
+TEST_CASE("a packet that is not followed by its own next beat is an error") {
+  constexpr CellShape shape{.word_bits = 4, .ports = 1};
+  const std::vector<PacketWord> beats =
+      packet({.opcode = Opcode::edge_negative, .linear = {.a = 1, .c = 3, .width = 8}}, shape);
+  Chain chain(2, 8, shape);
+  chain.begin(2);
+  CHECK_THROWS_AS(chain.step(beats.at(1)), std::logic_error);
+  chain.step(beats.at(0));
+  CHECK_THROWS_AS(chain.step(nothing), std::logic_error);
 }

@@ -7,6 +7,7 @@
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
+#include "hw/kinds/load.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
 #include "sim/study/table.h"
@@ -27,7 +28,7 @@ study::Measurement point(const std::string& value, std::uint64_t clocks, std::ui
 }
 
 std::filesystem::path fresh(const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / name;
+  std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / name;
   std::filesystem::remove(path);
   return path;
 }
@@ -38,7 +39,7 @@ std::string content(const std::filesystem::path& path) {
 }
 
 machines::Machine small_machine() {
-  machines::Machine machine = machines::load("pixel-planes-4");
+  machines::Machine machine = kinds::load("pixel-planes-4");
   machine.array = {96, 96, study::ample_memory_bits};
   return machine;
 }

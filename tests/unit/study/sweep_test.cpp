@@ -10,6 +10,7 @@
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
+#include "hw/kinds/load.h"
 #include "sim/study/hash.h"
 #include "sim/study/ranges.h"
 #include "sim/study/sweep_run.h"
@@ -52,7 +53,7 @@ std::vector<study::SweepJob> jobs() {
   model::Tree tree = read::read_csg_text(bitten_cube, "test");
   facet::Scene scene = facet::make_scene(tree);
   const auto subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
-  machines::Machine machine = machines::load("pixel-planes-4");
+  machines::Machine machine = kinds::load("pixel-planes-4");
   machine.array.width = machine.array.height = 40;
   view::Sampling sampling;
   sampling.width = sampling.height = 40;
@@ -67,7 +68,7 @@ std::vector<study::SweepJob> jobs() {
 }
 
 std::filesystem::path fresh(const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / name;
+  std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / name;
   std::filesystem::remove(path);
   return path;
 }

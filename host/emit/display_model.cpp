@@ -1,0 +1,167 @@
+#include "host/emit/display_model.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "host/csg/convex_sets.h"
+#include "host/csg/locate.h"
+#include "host/effects/flat_shading.h"
+#include "host/emit/context.h"
+#include "host/emit/facet_colour.h"
+#include "host/emit/near_cap.h"
+#include "hw/base/error.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+[[noreturn]] void refuse_face(const model::Tree& tree, std::uint32_t primitive) {
+  const model::Location& location = tree.primitives[primitive].location;
+  throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
+                   ": a face of this primitive is too large for the divider: its coefficients do not fit " +
+                   std::to_string(isa::max_linear_width) +
+                   " bits; move the camera back or the picture's centre onto it, give up --z-bits or "
+                   "--fraction-bits, or split the primitive");
+}
+
+/// The planes that are sent, each once, in the order in which they are first needed.
+class SentPlanes {
+ public:
+  explicit SentPlanes(const view::View& view) : view_(view) {}
+
+  std::uint32_t index_of(std::uint32_t canonical) {
+    const auto [found, is_new] = index_.emplace(canonical, static_cast<std::uint32_t>(planes_.size()));
+    if (is_new) {
+      const view::ScreenPlane& plane = view_.planes[canonical];
+      planes_.push_back({plane.kind == view::PlaneKind::edge, plane.linear.a, plane.linear.b, plane.linear.c});
+    }
+    return found->second;
+  }
+
+  std::vector<division::Plane> take() { return std::move(planes_); }
+
+ private:
+  const view::View& view_;
+  std::map<std::uint32_t, std::uint32_t> index_;
+  std::vector<division::Plane> planes_;
+};
+
+division::Box box_of(const view::Extent& extent, std::int64_t farthest) {
+  const view::PixelRect& pixels = extent.pixels;
+  division::Box box;
+  if (!pixels.empty()) box.pixels = {pixels.x0, pixels.y0, pixels.x1, pixels.y1};
+  box.z_low = std::clamp<std::int64_t>(extent.z_low, 0, farthest + 1);
+  box.z_high = std::clamp<std::int64_t>(extent.z_high, -1, farthest);
+  return box;
+}
+
+std::vector<division::Halfspace> halfspaces_of(const Context& context, std::uint32_t primitive, SentPlanes& planes) {
+  std::vector<division::Halfspace> sent;
+  const view::Extent& extent = context.view.extents[primitive];
+  if (extent.empty()) return sent;
+  for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+    const view::ScreenPlane& plane = context.view.planes[halfspace.plane];
+    if (!plane.representable) {
+      const csg::Block anywhere{extent.pixels, 0, context.farthest()};
+      if (csg::locate(context.view, halfspace, anywhere) != csg::Known::in) refuse_face(context.tree, primitive);
+      continue;
+    }
+    const view::Side side = view::side_of(plane, halfspace);
+    const bool is_seen = side == (context.complemented(primitive) ? view::Side::back : view::Side::front);
+    const std::uint32_t colour = is_seen ? facet_colour(context, {primitive, halfspace, At::plane}) : 0;
+    sent.push_back(
+        {planes.index_of(halfspace.plane), side == view::Side::front || side == view::Side::edge_positive, colour});
+  }
+  return sent;
+}
+
+std::vector<division::Primitive> primitives_of(const Context& context, SentPlanes& planes) {
+  std::vector<division::Primitive> sent(context.tree.primitives.size());
+  for (const csg::ConvexSet& set : csg::convex_sets(context.positive, true)) {
+    for (const std::uint32_t primitive : set) {
+      division::Primitive& one = sent[primitive];
+      one.box = box_of(context.view.extents[primitive], context.farthest());
+      one.complemented = context.complemented(primitive);
+      one.joined = primitive != set.front();
+      if (!one.complemented) one.near_colour = facet_colour(context, at_near(context, primitive));
+      one.halfspaces = halfspaces_of(context, primitive, planes);
+    }
+  }
+  return sent;
+}
+
+/// The tree in postorder, found without recursion, so that no tree is too deep.
+std::vector<division::Node> nodes_of(const csg::PositiveTree& tree) {
+  struct Open {
+    std::uint32_t node;
+    std::size_t next = 0;
+  };
+  std::vector<division::Node> nodes;
+  std::vector<Open> path;
+  if (tree.root != model::no_index) path.push_back({tree.root});
+  std::uint32_t leaves = 0;
+  while (!path.empty()) {
+    const csg::PositiveNode& node = tree.nodes[path.back().node];
+    if (path.back().next < node.children.size()) {
+      const std::uint32_t child = node.children[path.back().next++];
+      path.push_back({child});
+      continue;
+    }
+    if (node.is_leaf && node.primitive != leaves++) throw std::logic_error("primitives are not in tree order");
+    nodes.push_back({static_cast<std::uint32_t>(node.children.size()), node.op == csg::PositiveOperator::intersect
+                                                                           ? division::Operator::intersect
+                                                                           : division::Operator::unite});
+    path.pop_back();
+  }
+  return nodes;
+}
+
+division::Fields fields_of(const Layout& layout, std::uint32_t memory_bits) {
+  return {layout.depth,
+          layout.candidate,
+          layout.colour,
+          layout.candidate_colour,
+          layout.mask,
+          layout.mask.end(),
+          memory_bits - layout.mask.end()};
+}
+
+}  // namespace
+
+Options divider_options(Options options) {
+  options.strategy = Strategy::stack;
+  options.pruning = csg::Pruning::divider();
+  return options;
+}
+
+division::DisplayModel make_display_model(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                                          const Options& options, std::uint32_t memory_bits) {
+  if (options.colouring == Colouring::automatic)
+    throw InputError("the divider has to be told how colours are found; take --colouring rebroadcast or field");
+  const view::Sampling& sampling = view.sampling;
+  const Layout layout =
+      plan_layout({sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, {}}, memory_bits);
+  const csg::PositiveTree positive = csg::make_positive(tree);
+  const SegmentPlan segment;
+  const machines::Machine machine;
+  const Context context{tree, scene, view, positive, segment, layout, options, machine};
+  const glm::dvec3& background = effects::background_colour;
+  SentPlanes planes(view);
+  division::DisplayModel made{sampling.width,
+                              sampling.height,
+                              sampling.z_bits,
+                              sampling.fraction_bits,
+                              options.colour_bits,
+                              isa::pack_colour({background.r, background.g, background.b}, options.colour_bits),
+                              fields_of(layout, memory_bits),
+                              {},
+                              primitives_of(context, planes),
+                              nodes_of(positive)};
+  made.planes = planes.take();
+  return made;
+}
+
+}  // namespace csgsim::emit

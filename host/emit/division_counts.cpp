@@ -1,0 +1,247 @@
+#include "host/emit/division_counts.h"
+
+#include <algorithm>
+
+#include "host/csg/locate.h"
+#include "host/emit/context.h"
+#include "host/emit/display_model.h"
+#include "host/emit/halfspaces.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+/// The half-spaces that the divider looks at; none of a primitive that is out of its list.
+struct Listed {
+  std::vector<bool> primitives;
+  std::vector<std::vector<facet::Halfspace>> halfspaces;
+
+  [[nodiscard]] bool has(const Facet& facet) const {
+    const std::vector<facet::Halfspace>& own = halfspaces[facet.primitive];
+    return std::find(own.begin(), own.end(), facet.halfspace) != own.end();
+  }
+};
+
+class Counter {
+ public:
+  Counter(const model::Tree& tree, const facet::Scene& scene, const view::View& view, const Options& options)
+      : tree_(tree),
+        scene_(scene),
+        view_(view),
+        options_(divider_options(options)),
+        positive_(csg::make_positive(tree)) {
+    // Pairs are what leaders leave; the counts are made from these.
+    options_.pruning.pairs = false;
+    boxes_.resize(positive_.nodes.size());
+    for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i] = box_of(positive_.nodes[i]);
+  }
+
+  [[nodiscard]] Listed everything() const {
+    Listed listed;
+    listed.primitives.assign(scene_.solids.size(), true);
+    for (std::uint32_t i = 0; i < scene_.solids.size(); ++i) listed.halfspaces.push_back(sent(i));
+    return listed;
+  }
+
+  /// What a group of squares leaves.
+  Listed left_by(const isa::Region& group, division::Counts& counts) const {
+    Listed listed;
+    listed.primitives.assign(scene_.solids.size(), false);
+    listed.halfspaces.resize(scene_.solids.size());
+    counts.boxes += scene_.solids.size();
+    SegmentPlan segment;
+    segment.region = group;
+    const Context context = context_of(segment);
+    for (std::uint32_t i = 0; i < scene_.solids.size(); ++i) {
+      const view::PixelRect pixels = common(view_.extents[i].pixels, segment.pixels());
+      if (view_.extents[i].empty() || pixels.empty()) continue;
+      counts.halfspaces += sent(i).size();
+      const csg::Block column{pixels, 0, context.farthest()};
+      bool nothing = false;
+      for (const facet::Halfspace& halfspace : sent(i)) {
+        const csg::Known known = csg::locate(view_, halfspace, column);
+        nothing = nothing || known == csg::Known::out;
+        if (view_.planes[halfspace.plane].kind == view::PlaneKind::edge && known != csg::Known::in)
+          listed.halfspaces[i].push_back(halfspace);
+      }
+      for (const view::Side side : {view::Side::front, view::Side::back}) {
+        for (const Facet& facet : deciding(context, {&i, 1}, side, column).facets)
+          listed.halfspaces[i].push_back(facet.halfspace);
+      }
+      listed.primitives[i] = !nothing;
+      if (nothing) listed.halfspaces[i].clear();
+    }
+    return listed;
+  }
+
+  std::vector<division::Counts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
+    const Plan plan = make_plan(tree_, scene_, view_, {squares.begin(), squares.end()}, options_.pruning);
+    std::vector<division::Counts> counts;
+    for (const SegmentPlan& segment : plan.segments) counts.push_back(square(segment, listed));
+    return counts;
+  }
+
+ private:
+  using Box = csg::Block;
+
+  [[nodiscard]] Box box_of(const csg::PositiveNode& node) const {
+    if (node.is_leaf) {
+      const view::Extent& extent = view_.extents[node.primitive];
+      return {extent.pixels, extent.z_low, extent.z_high};
+    }
+    Box box{{}, 0, -1};
+    for (const std::uint32_t child : node.children) {
+      const Box& below = boxes_[child];
+      if (below.pixels.empty()) continue;
+      const bool first = box.pixels.empty();
+      box = {hull(box.pixels, below.pixels), first ? below.z_low : std::min(box.z_low, below.z_low),
+             first ? below.z_high : std::max(box.z_high, below.z_high)};
+    }
+    return box;
+  }
+
+  [[nodiscard]] static bool meet(const Box& a, const Box& b) {
+    return !common(a.pixels, b.pixels).empty() && a.z_low <= b.z_high && b.z_low <= a.z_high;
+  }
+
+  [[nodiscard]] std::vector<facet::Halfspace> sent(std::uint32_t primitive) const {
+    std::vector<facet::Halfspace> halfspaces;
+    if (view_.extents[primitive].empty()) return halfspaces;
+    for (const facet::Halfspace& halfspace : scene_.solids[primitive].halfspaces) {
+      if (view_.planes[halfspace.plane].representable) halfspaces.push_back(halfspace);
+    }
+    return halfspaces;
+  }
+
+  [[nodiscard]] Context context_of(const SegmentPlan& segment) const {
+    return {tree_, scene_, view_, positive_, segment, layout_, options_, machine_};
+  }
+
+  /// Whether the boxes of a set's primitives, and the square, have pixels and depths in common.
+  [[nodiscard]] bool has_box(const csg::ConvexSet& set, const SegmentPlan& segment) const {
+    Box box{segment.pixels(), 0, (std::int64_t{1} << view_.sampling.z_bits) - 1};
+    for (const std::uint32_t primitive : set) {
+      const view::Extent& extent = view_.extents[primitive];
+      if (extent.empty()) return false;
+      box = {common(box.pixels, extent.pixels), std::max(box.z_low, extent.z_low), std::min(box.z_high, extent.z_high)};
+    }
+    return !box.pixels.empty() && box.z_low <= box.z_high;
+  }
+
+  [[nodiscard]] static std::uint64_t halfspaces_of(std::span<const std::uint32_t> set, const Listed& listed) {
+    std::uint64_t count = 0;
+    for (const std::uint32_t primitive : set) count += listed.halfspaces[primitive].size();
+    return count;
+  }
+
+  [[nodiscard]] division::Counts square(const SegmentPlan& segment, const Listed& listed) const {
+    division::Counts counts;
+    counts.boxes = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
+    const csg::Pruner pruner(scene_, view_, positive_, options_.pruning);
+    for (const csg::ConvexSet& set : csg::convex_sets(positive_, true)) {
+      const bool is_listed = std::all_of(set.begin(), set.end(), [&](auto one) { return listed.primitives[one]; });
+      if (!is_listed || !has_box(set, segment)) continue;
+      counts.halfspaces += halfspaces_of(set, listed);
+      const csg::Block block = pruner.block_of(set, segment.pixels());
+      if (!block.pixels.empty()) look_at_tree(set, block, listed, counts);
+    }
+    const Context context = context_of(segment);
+    for (const Planned& planned : segment.surfaces) {
+      const bool is_listed =
+          std::all_of(planned.set.begin(), planned.set.end(), [&](auto one) { return listed.primitives[one]; });
+      if (is_listed) hold_pairs(context, planned, listed, counts);
+    }
+    return counts;
+  }
+
+  /// The nodes above the set's first leaf, the other operands of the intersections among them, and whatever is below
+  /// one whose box meets the block.
+  void look_at_tree(const csg::ConvexSet& set, const csg::Block& block, const Listed& listed,
+                    division::Counts& counts) const {
+    std::vector<std::uint32_t> open;
+    std::uint32_t below = positive_.leaf_of[set.front()];
+    for (std::uint32_t at = positive_.nodes[below].parent; at != model::no_index;
+         below = at, at = positive_.nodes[at].parent) {
+      ++counts.nodes;
+      if (positive_.nodes[at].op != csg::PositiveOperator::intersect) continue;
+      for (const std::uint32_t child : positive_.nodes[at].children) {
+        if (child != below) open.push_back(child);
+      }
+    }
+    while (!open.empty()) {
+      const std::uint32_t at = open.back();
+      open.pop_back();
+      ++counts.nodes;
+      if (!meet(boxes_[at], block)) continue;
+      const csg::PositiveNode& node = positive_.nodes[at];
+      open.insert(open.end(), node.children.begin(), node.children.end());
+      if (node.is_leaf && std::find(set.begin(), set.end(), node.primitive) == set.end())
+        counts.halfspaces += listed.halfspaces[node.primitive].size();
+    }
+  }
+
+  /// Pairs of a side's half-spaces that the leaders leave.
+  [[nodiscard]] std::uint64_t pairs(const Context& context, std::span<const std::uint32_t> set, view::Side side,
+                                    const csg::Block& block, const Listed& listed) const {
+    const Deciding left = deciding(context, set, side, block);
+    if (left.nothing) return 0;
+    const auto count = static_cast<std::uint64_t>(
+        std::count_if(left.facets.begin(), left.facets.end(), [&](const Facet& facet) { return listed.has(facet); }));
+    return count == 0 ? 0 : count * (count - 1) / 2;
+  }
+
+  void hold_pairs(const Context& context, const Planned& planned, const Listed& listed,
+                  division::Counts& counts) const {
+    const csg::Block column{planned.block.pixels, 0, context.farthest()};
+    counts.pairs += pairs(context, planned.set, view::Side::front, column, listed) +
+                    pairs(context, planned.set, view::Side::back, column, listed);
+    const Sides sides = deciding_sides(context, planned);
+    const bool no_surface = context.complemented(planned.primitive()) && sides.backs.facets.empty();
+    if (sides.fronts.nothing || sides.backs.nothing || no_surface) return;
+    std::vector<std::uint32_t> open = planned.active.operands;
+    while (!open.empty()) {
+      const csg::ActiveNode& node = planned.active.nodes[open.back()];
+      open.pop_back();
+      open.insert(open.end(), node.children.begin(), node.children.end());
+      if (!node.is_leaf) continue;
+      std::vector<std::uint32_t> primitives = node.others;
+      primitives.push_back(node.primitive);
+      for (const std::uint32_t primitive : primitives) {
+        const csg::Block part{common(planned.block.pixels, view_.extents[primitive].pixels), planned.block.z_low,
+                              planned.block.z_high};
+        for (const view::Side side : {view::Side::front, view::Side::back})
+          counts.pairs += pairs(context, {&primitive, 1}, side, part, listed);
+      }
+    }
+  }
+
+  const model::Tree& tree_;
+  const facet::Scene& scene_;
+  const view::View& view_;
+  Options options_;
+  csg::PositiveTree positive_;
+  Layout layout_;
+  machines::Machine machine_;
+  std::vector<Box> boxes_;  ///< of each node: holds those of its primitives that have pixels
+};
+
+}  // namespace
+
+std::vector<division::Counts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                                             const Options& options, std::span<const isa::Region> squares) {
+  const Counter counter(tree, scene, view, options);
+  return counter.squares(squares, counter.everything());
+}
+
+GroupCounts count_group(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                        const Options& options, const isa::Region& group, std::span<const isa::Region> squares) {
+  const Counter counter(tree, scene, view, options);
+  GroupCounts counts;
+  const Listed listed = counter.left_by(group, counts.group);
+  counts.entries = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
+  for (const auto& halfspaces : listed.halfspaces) counts.entries += halfspaces.size();
+  counts.squares = counter.squares(squares, listed);
+  return counts;
+}
+
+}  // namespace csgsim::emit

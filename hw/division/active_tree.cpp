@@ -1,0 +1,173 @@
+#include "hw/division/active_tree.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace csgsim::division {
+
+namespace {
+
+/// What became of a node: known, or a term.
+struct Outcome {
+  Known known = Known::depends;
+  std::uint32_t term = 0;  ///< if it depends
+};
+
+class Pruner {
+ public:
+  Pruner(const DisplayModel& model, const Tree& tree, const Candidates& candidates, const Surface& surface,
+         Counts& counts)
+      : model_(model), tree_(tree), candidates_(candidates), surface_(surface), counts_(counts) {}
+
+  ActiveTree run() {
+    bool nothing = false;
+    std::uint32_t below = tree_.leaf_of[surface_.first];
+    for (std::uint32_t at = tree_.nodes[below].parent; at != no_node; below = at, at = tree_.nodes[at].parent) {
+      ++counts_.nodes;
+      const TreeNode& node = tree_.nodes[at];
+      if (node.op != Operator::intersect) continue;
+      for (const std::uint32_t sibling : node.operands) {
+        if (sibling == below) continue;
+        const Outcome outcome = prune(sibling);
+        nothing = nothing || outcome.known == Known::out;
+        if (outcome.known == Known::depends) add_operand(active_.operands, outcome.term, Operator::intersect);
+      }
+    }
+    if (nothing) return {true, {}, {}};
+    join(active_.operands, Operator::intersect);
+    return std::move(active_);
+  }
+
+ private:
+  /// Looks at the node, at the operands of each whose box meets the surface's, and so on; then works them out upwards.
+  Outcome prune(std::uint32_t root) {
+    looked_at_.clear();
+    for (std::uint32_t at = root + 1; at > tree_.nodes[root].first;) {
+      --at;
+      ++counts_.nodes;
+      looked_at_.push_back(at);
+      // The subtree ends before its first node.
+      if (apart(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
+    }
+    outcomes_.resize(tree_.nodes.size());
+    std::reverse(looked_at_.begin(), looked_at_.end());
+    for (const std::uint32_t at : looked_at_) outcomes_[at] = outcome_of(at);
+    return outcomes_[root];
+  }
+
+  Outcome outcome_of(std::uint32_t index) {
+    const TreeNode& node = tree_.nodes[index];
+    if (apart(node.box, surface_.box)) return {node.in_elsewhere ? Known::in : Known::out, 0};
+    if (node.is_leaf) return leaf(node);
+    const Known dominant = node.op == Operator::intersect ? Known::out : Known::in;
+    std::vector<std::uint32_t> operands;
+    for (const std::uint32_t operand : node.operands) {
+      const Outcome& below = outcomes_[operand];
+      if (below.known == dominant) return {dominant, 0};
+      if (below.known == Known::depends) add_operand(operands, below.term, node.op);
+    }
+    join(operands, node.op);
+    if (operands.empty()) return {inverted(dominant), 0};
+    if (operands.size() == 1) return {Known::depends, operands.front()};
+    return combine(std::move(operands), node.op);
+  }
+
+  Outcome leaf(const TreeNode& node) {
+    if (surface_.holds(node.primitive)) return {Known::in, 0};
+    Comparison comparison{node.primitive, {}, {}};
+    const Known known = compare(comparison);
+    const bool complemented = model_.primitives[node.primitive].complemented;
+    if (known != Known::depends) return {complemented ? inverted(known) : known, 0};
+    Term term;
+    term.is_leaf = true;
+    term.complemented = complemented;
+    term.comparisons.push_back(std::move(comparison));
+    return {Known::depends, add(std::move(term))};
+  }
+
+  Known compare(Comparison& comparison) {
+    const Primitive& primitive = model_.primitives[comparison.primitive];
+    if (!candidates_.listed[comparison.primitive] || primitive.box.empty()) return Known::out;
+    comparison.pixels = overlap(primitive.box.pixels, surface_.box.pixels);
+    bool inside = comparison.pixels == surface_.box.pixels;
+    bool outside = false;
+    for (const Halfspace& halfspace : candidates_.halfspaces[comparison.primitive]) {
+      const Tested tested = test_corners(model_, comparison.primitive, halfspace, comparison.pixels);
+      const Known known = known_between(tested, surface_.box.z_low, surface_.box.z_high);
+      inside = inside && known == Known::in;
+      outside = outside || known == Known::out;
+      comparison.tested.push_back(tested);
+    }
+    counts_.halfspaces += comparison.tested.size();
+    if (outside) return Known::out;
+    return inside ? Known::in : Known::depends;
+  }
+
+  /// An operator's operand; if that is the same operator, its operands instead, after those there are, or before them
+  /// if they are more.
+  void add_operand(std::vector<std::uint32_t>& operands, std::uint32_t index, Operator op) {
+    Term& term = active_.terms[index];
+    if (term.is_leaf || term.op != op) {
+      operands.push_back(index);
+      return;
+    }
+    if (term.operands.size() > operands.size()) std::swap(term.operands, operands);
+    operands.insert(operands.end(), term.operands.begin(), term.operands.end());
+    term.operands.clear();
+  }
+
+  /// Complemented leaves of a union become one, and so do the others of an intersection (thesis 7.3.2).
+  void join(std::vector<std::uint32_t>& operands, Operator op) {
+    std::optional<std::uint32_t> first;
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t operand : operands) {
+      Term& term = active_.terms[operand];
+      const bool joins = term.is_leaf && term.complemented == (op == Operator::unite);
+      if (joins && first) {
+        std::vector<Comparison>& into = active_.terms[*first].comparisons;
+        std::move(term.comparisons.begin(), term.comparisons.end(), std::back_inserter(into));
+        continue;
+      }
+      if (joins) first = operand;
+      left.push_back(operand);
+    }
+    operands = std::move(left);
+  }
+
+  /// The neediest operand first, so that the fewest results are pending at a time (Ershov, Sethi and Ullman).
+  Outcome combine(std::vector<std::uint32_t> operands, Operator op) {
+    const auto bits = [&](std::uint32_t index) { return active_.terms[index].bits; };
+    std::stable_sort(operands.begin(), operands.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return bits(a) > bits(b); });
+    Term term;
+    term.op = op;
+    term.bits = std::max<std::uint32_t>(1, bits(operands[0]));
+    if (bits(operands[1]) > 0) term.bits = std::max(term.bits, bits(operands[1]) + 1);
+    term.operands = std::move(operands);
+    return {Known::depends, add(std::move(term))};
+  }
+
+  std::uint32_t add(Term term) {
+    active_.terms.push_back(std::move(term));
+    return static_cast<std::uint32_t>(active_.terms.size() - 1);
+  }
+
+  const DisplayModel& model_;
+  const Tree& tree_;
+  const Candidates& candidates_;
+  const Surface& surface_;
+  Counts& counts_;
+  ActiveTree active_;
+  std::vector<std::uint32_t> looked_at_;
+  std::vector<Outcome> outcomes_;
+};
+
+}  // namespace
+
+ActiveTree active_tree_of(const DisplayModel& model, const Tree& tree, const Candidates& candidates,
+                          const Surface& surface, Counts& counts) {
+  return Pruner(model, tree, candidates, surface, counts).run();
+}
+
+}  // namespace csgsim::division

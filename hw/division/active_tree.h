@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/division/candidates.h"
+#include "hw/division/corners.h"
+#include "hw/division/counts.h"
+#include "hw/division/surfaces.h"
+#include "hw/division/tree.h"
+
+namespace csgsim::division {
+
+/// A primitive that a surface has to be compared with, and its half-spaces at the corners of the pixels both can be in.
+struct Comparison {
+  std::uint32_t primitive = 0;
+  Rectangle pixels;
+  std::vector<Tested> tested;
+};
+
+/// A node of an active tree: an operator over at least two others, or the intersection of some primitives.
+struct Term {
+  bool is_leaf = false;
+  bool complemented = false;  ///< of a leaf: the space outside the intersection
+  Operator op = Operator::unite;
+  std::uint32_t bits = 0;  ///< results to hold while it is worked out into one of them; 0 for a leaf
+  std::vector<Comparison> comparisons;
+  std::vector<std::uint32_t> operands;  ///< indices of terms
+};
+
+/// What a surface has to be inside of to be seen: all the operands of the intersections between it and the root that
+/// are not known at the corners (thesis 6.2).
+struct ActiveTree {
+  bool nothing = false;  ///< the surface is out everywhere
+  std::vector<Term> terms;
+  std::vector<std::uint32_t> operands;
+};
+
+ActiveTree active_tree_of(const DisplayModel& model, const Tree& tree, const Candidates& candidates,
+                          const Surface& surface, Counts& counts);
+
+}  // namespace csgsim::division

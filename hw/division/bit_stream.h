@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hw/base/error.h"
+
+namespace csgsim::division {
+
+/// Bits in the order in which they travel: bit i is bit i mod 64 of words[i / 64]. Bits after the last are 0.
+struct Bits {
+  std::vector<std::uint64_t> words;
+  std::uint64_t count = 0;
+
+  bool operator==(const Bits&) const = default;
+};
+
+/// Words of so many bits that the stream takes on a link; the last is filled up.
+constexpr std::uint64_t link_words(std::uint64_t bits, std::uint32_t word_bits) {
+  return bits / word_bits + (bits % word_bits == 0 ? 0 : 1);
+}
+
+class BitWriter {
+ public:
+  /// The low `width` bits of the value, the least significant first; at most 64. Higher bits have to be 0.
+  void put(std::uint64_t value, unsigned width) {
+    if (width == 0) return;
+    const auto at = static_cast<unsigned>(bits_.count % 64);
+    if (at == 0) bits_.words.push_back(0);
+    bits_.words.back() |= value << at;
+    if (at + width > 64) bits_.words.push_back(value >> (64 - at));
+    bits_.count += width;
+  }
+
+  /// The same in two's complement.
+  void put_signed(std::int64_t value, unsigned width) {
+    put(static_cast<std::uint64_t>(value) & (~std::uint64_t{0} >> (64 - width)), width);
+  }
+
+  [[nodiscard]] Bits take() { return std::move(bits_); }
+
+ private:
+  Bits bits_;
+};
+
+/// Reads what a BitWriter wrote. Throws InputError where the stream ends too soon.
+class BitReader {
+ public:
+  explicit BitReader(const Bits& bits) : bits_(bits) {
+    if (bits.words.size() != link_words(bits.count, 64))
+      throw InputError("the display model: its bits and words do not agree");
+  }
+
+  [[nodiscard]] std::uint64_t left() const { return bits_.count - next_; }
+
+  std::uint64_t take(unsigned width) {
+    if (width == 0) return 0;
+    if (width > left()) throw InputError("the display model: the stream ends too soon");
+    const auto word = static_cast<std::size_t>(next_ / 64);
+    const auto at = static_cast<unsigned>(next_ % 64);
+    std::uint64_t value = bits_.words[word] >> at;
+    if (at + width > 64) value |= bits_.words[word + 1] << (64 - at);
+    next_ += width;
+    return value & (~std::uint64_t{0} >> (64 - width));
+  }
+
+  std::int64_t take_signed(unsigned width) {
+    if (width == 0) return 0;
+    const std::uint64_t value = take(width);
+    return static_cast<std::int64_t>(value << (64 - width)) >> (64 - width);
+  }
+
+ private:
+  const Bits& bits_;
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace csgsim::division

@@ -1,0 +1,145 @@
+#include "hw/division/classification.h"
+
+#include <fmt/format.h>
+
+#include "hw/base/error.h"
+
+namespace csgsim::division {
+
+namespace {
+
+using isa::Opcode;
+using isa::Purpose;
+
+/// A result is 0 outside the mask: it is first stored from E at every pixel, and set to 1 later where E is 1 only.
+class Classifier {
+ public:
+  Classifier(Writer& out, const DisplayModel& model, const ActiveTree& active, const Surface& surface, Counts& counts)
+      : out_(out), model_(model), active_(active), surface_(surface), counts_(counts) {}
+
+  void run() {
+    const isa::Field mask = model_.fields.mask;
+    for (const std::uint32_t operand : active_.operands) {
+      if (active_.terms[operand].is_leaf) {
+        intersect(active_.terms[operand], mask);
+        continue;
+      }
+      evaluate(operand);
+      step(Opcode::enable_load, result(0));
+      step(Opcode::enable_store, mask);
+    }
+  }
+
+ private:
+  /// An operator that is being worked out into a result.
+  struct Open {
+    std::uint32_t term;
+    std::uint32_t bit;
+    std::size_t next = 0;
+  };
+
+  [[nodiscard]] isa::Field result(std::uint32_t bit) const {
+    if (bit >= model_.fields.stack_bits) {
+      throw InputError(fmt::format("a square's tree has {} pending results and pixel memory has {} bits for them",
+                                   bit + 1, model_.fields.stack_bits));
+    }
+    return {static_cast<std::uint16_t>(model_.fields.stack_base + bit), 1};
+  }
+
+  void step(Opcode opcode, isa::Field field, std::uint64_t constant = 0) {
+    out_.origin = {Purpose::stack, surface_.first, isa::no_node};
+    out_.plain(opcode, field, {}, constant);
+  }
+
+  /// E := E and "Z1 is in the primitive".
+  void compare(const Comparison& with) {
+    const Box& box = surface_.box;
+    out_.origin = {Purpose::classify, surface_.first, with.primitive};
+    out_.clip(with.pixels, box.pixels);
+    out_.edges(with.tested, with.pixels);
+    for (const Side side : {Side::front, Side::back}) {
+      const Opcode opcode = side == Side::front ? Opcode::linear_le : Opcode::linear_gt;
+      for (const Tested& one : extremes_of(model_, with.tested, side, box.z_low, box.z_high, counts_).facets) {
+        out_.depth(opcode, model_.fields.candidate, out_.plane_of(one), with.pixels);
+      }
+    }
+  }
+
+  void compare(const Term& leaf) {
+    for (const Comparison& with : leaf.comparisons) compare(with);
+  }
+
+  /// E := the leaf, inside the mask.
+  void load(const Term& leaf) {
+    step(Opcode::enable_load, model_.fields.mask);
+    compare(leaf);
+    if (leaf.complemented) step(Opcode::enable_xor, model_.fields.mask);
+  }
+
+  /// bit := bit and the leaf.
+  void intersect(const Term& leaf, isa::Field bit) {
+    step(Opcode::enable_load, bit);
+    compare(leaf);
+    leaf.complemented ? step(Opcode::set_constant, bit, 0) : step(Opcode::enable_store, bit);
+  }
+
+  void take_leaf(const Term& leaf, Operator op, isa::Field bit, bool is_first) {
+    if (is_first) {
+      load(leaf);
+      step(Opcode::enable_store, bit);
+    } else if (op == Operator::intersect) {
+      intersect(leaf, bit);
+    } else {
+      load(leaf);
+      step(Opcode::set_constant, bit, 1);
+    }
+  }
+
+  /// bit := bit op the result above it.
+  void take_result(Operator op, isa::Field bit, isa::Field above) {
+    step(Opcode::enable_load, above);
+    if (op == Operator::unite) {
+      step(Opcode::set_constant, bit, 1);
+    } else {
+      step(Opcode::enable_and, bit);
+      step(Opcode::enable_store, bit);
+    }
+  }
+
+  /// result(0) := the operator. Operands after the first that are operators are worked out one bit up.
+  void evaluate(std::uint32_t root) {
+    std::vector<Open> open{{root, 0}};
+    while (!open.empty()) {
+      Open& top = open.back();
+      const Term& term = active_.terms[top.term];
+      const isa::Field bit = result(top.bit);
+      if (top.next > 1 && !active_.terms[term.operands[top.next - 1]].is_leaf)
+        take_result(term.op, bit, result(top.bit + 1));
+      while (top.next < term.operands.size() && active_.terms[term.operands[top.next]].is_leaf) {
+        take_leaf(active_.terms[term.operands[top.next]], term.op, bit, top.next == 0);
+        ++top.next;
+      }
+      if (top.next == term.operands.size()) {
+        open.pop_back();
+      } else {
+        const std::uint32_t below = top.next == 0 ? top.bit : top.bit + 1;
+        open.push_back({term.operands[top.next++], below});
+      }
+    }
+  }
+
+  Writer& out_;
+  const DisplayModel& model_;
+  const ActiveTree& active_;
+  const Surface& surface_;
+  Counts& counts_;
+};
+
+}  // namespace
+
+void write_classification(Writer& out, const DisplayModel& model, const ActiveTree& active, const Surface& surface,
+                          Counts& counts) {
+  Classifier(out, model, active, surface, counts).run();
+}
+
+}  // namespace csgsim::division

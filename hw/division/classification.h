@@ -1,0 +1,13 @@
+#pragma once
+
+#include "hw/division/active_tree.h"
+#include "hw/division/writer.h"
+
+namespace csgsim::division {
+
+/// Clears the mask where Z1 is out of the active tree, with pending results on the stack. E is left as it is.
+/// Throws InputError if the tree has more pending results than there are bits.
+void write_classification(Writer& out, const DisplayModel& model, const ActiveTree& active, const Surface& surface,
+                          Counts& counts);
+
+}  // namespace csgsim::division

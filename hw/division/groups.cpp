@@ -1,0 +1,26 @@
+#include "hw/division/groups.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace csgsim::division {
+
+std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture,
+                             const isa::ArrayShape& square, std::uint32_t columns, std::uint32_t rows) {
+  const std::uint32_t width = columns * square.width;
+  const std::uint32_t height = rows * square.height;
+  std::vector<Group> groups;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> index;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const std::uint32_t x = squares[i].x / width * width;
+    const std::uint32_t y = squares[i].y / height * height;
+    const auto [found, is_new] = index.emplace(std::pair(x, y), groups.size());
+    if (is_new)
+      groups.push_back({{x, y, std::min(width, picture.width - x), std::min(height, picture.height - y)}, {}});
+    groups[found->second].squares.push_back(i);
+  }
+  return groups;
+}
+
+}  // namespace csgsim::division

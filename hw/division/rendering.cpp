@@ -1,0 +1,151 @@
+#include "hw/division/rendering.h"
+
+#include <algorithm>
+
+namespace csgsim::division {
+
+namespace {
+
+using isa::Opcode;
+using isa::Purpose;
+
+}  // namespace
+
+Rendering::Rendering(const DisplayModel& model, const Surface& surface, Counts& counts)
+    : model_(model), surface_(surface), complemented_(model.primitives[surface.first].complemented) {
+  Extremes fronts = extremes_of(model, surface.tested, Side::front, 0, model.farthest(), counts);
+  Extremes backs = extremes_of(model, surface.tested, Side::back, 0, model.farthest(), counts);
+  const Extremes& own = complemented_ ? backs : fronts;
+  nothing_ = fronts.nothing || backs.nothing || (complemented_ && own.facets.empty());
+  // One front that is behind depth 0 at all corners keeps the surface from it: then the box begins behind it.
+  const bool reaches_zero = fronts.facets.empty() || surface.box.z_low == 0;
+  if (!complemented_ && reaches_zero) {
+    facets_.push_back({true, surface.first, model.primitives[surface.first].near_colour, {}, 0, 0});
+  }
+  for (const Tested& one : own.facets) facets_.push_back(facet_of(one));
+  others_ = std::move(complemented_ ? fronts.facets : backs.facets);
+  const auto start =
+      std::find_if(facets_.begin(), facets_.end(), [&](const Facet& facet) { return facet.at_zero || fits(facet); });
+  start_ = static_cast<std::size_t>(start - facets_.begin());
+}
+
+Rendering::Facet Rendering::facet_of(const Tested& tested) const {
+  return {false,      tested.primitive, tested.halfspace.colour, model_.planes[tested.halfspace.plane],
+          tested.low, tested.high};
+}
+
+/// Whether Z1 can hold the facet wherever the surface's pixels are, but for what is beyond the range's other end.
+bool Rendering::fits(const Facet& facet) const {
+  return complemented_ ? facet.high <= model_.farthest() : facet.low >= 0;
+}
+
+isa::Origin Rendering::shading(const Facet& facet) const {
+  return {Purpose::shade, facet.primitive, surface_.count > 1 ? surface_.first : isa::no_node};
+}
+
+void Rendering::write_surface(Writer& out, const Rectangle& square) const {
+  const Rectangle& pixels = surface_.box.pixels;
+  const isa::Field z1 = model_.fields.candidate;
+  out.origin = {Purpose::render, surface_.first, isa::no_node};
+  out.plain(Opcode::enable_all);
+  out.clip(pixels, square);
+  out.edges(surface_.tested, pixels);
+  model_.fields.candidate_colour.width > 0 ? write_extreme_with_colours(out) : write_extreme(out);
+  for (const Tested& other : others_) {
+    out.depth(complemented_ ? Opcode::linear_lt : Opcode::linear_gt, z1, out.plane_of(other), pixels);
+  }
+  if (complemented_) write_near_test(out);
+}
+
+void Rendering::write_start(Writer& out) const {
+  const isa::Field z1 = model_.fields.candidate;
+  if (start_ < facets_.size() && !facets_[start_].at_zero) {
+    out.depth(Opcode::load_linear, z1, facets_[start_].plane, surface_.box.pixels);
+  } else {
+    out.set(z1, complemented_ ? static_cast<std::uint64_t>(model_.farthest()) : 0);
+  }
+}
+
+void Rendering::write_extreme(Writer& out) const {
+  write_start(out);
+  for (std::size_t i = 0; i < facets_.size(); ++i) {
+    if (i == start_) continue;
+    out.depth(complemented_ ? Opcode::keep_min : Opcode::keep_max, model_.fields.candidate, facets_[i].plane,
+              surface_.box.pixels);
+  }
+}
+
+/// Each facet replaces what it is more extreme than, with the mask as E. Where several are equal the first counts:
+/// after the start a facet replaces only less, in order; before it, equals too, backwards.
+void Rendering::write_extreme_with_colours(Writer& out) const {
+  write_start(out);
+  out.plain(Opcode::enable_store, model_.fields.mask);
+  write_candidate_colour(out, start_ < facets_.size() ? facets_[start_] : facets_.back());
+  for (std::size_t i = start_ + 1; i < facets_.size(); ++i) write_replacement(out, facets_[i], false);
+  for (std::size_t i = start_; i-- > 0;) write_replacement(out, facets_[i], true);
+  out.plain(Opcode::enable_load, model_.fields.mask);
+}
+
+void Rendering::write_replacement(Writer& out, const Facet& facet, bool equals_too) const {
+  const Rectangle& pixels = surface_.box.pixels;
+  const isa::Field z1 = model_.fields.candidate;
+  out.plain(Opcode::enable_load, model_.fields.mask);
+  // Beyond the end of the depth range there is no surface.
+  if (!complemented_ && facet.high > model_.farthest()) {
+    const std::int64_t end = (model_.farthest() + 1) << model_.fraction_bits;
+    out.line(Opcode::edge_negative, {true, facet.plane.a, facet.plane.b, facet.plane.c - end}, pixels);
+    out.plain(Opcode::enable_store, model_.fields.mask);
+  } else if (complemented_ && facet.low < 0) {
+    out.line(Opcode::edge_not_negative, facet.plane, pixels);
+    out.plain(Opcode::enable_store, model_.fields.mask);
+  }
+  const Opcode more = complemented_ ? Opcode::linear_lt : Opcode::linear_gt;
+  const Opcode more_or_equal = complemented_ ? Opcode::linear_le : Opcode::linear_ge;
+  out.depth(equals_too ? more_or_equal : more, z1, facet.plane, pixels);
+  out.depth(Opcode::load_linear, z1, facet.plane, pixels);
+  write_candidate_colour(out, facet);
+}
+
+void Rendering::write_candidate_colour(Writer& out, const Facet& facet) const {
+  const isa::Origin rendering = out.origin;
+  out.origin = shading(facet);
+  out.set(model_.fields.candidate_colour, facet.colour);
+  out.origin = rendering;
+}
+
+/// What is subtracted has no back where that is before the near plane.
+void Rendering::write_near_test(Writer& out) const {
+  if (std::any_of(facets_.begin(), facets_.end(), [](const Facet& back) { return back.low <= 0; }))
+    out.depth(Opcode::linear_lt, model_.fields.candidate, {}, surface_.box.pixels);
+}
+
+void Rendering::write_depth_test(Writer& out) const {
+  out.origin = {Purpose::merge, surface_.first, isa::no_node};
+  out.plain(Opcode::field_lt, model_.fields.candidate, model_.fields.depth);
+  out.plain(Opcode::enable_store, model_.fields.mask);
+}
+
+void Rendering::write_merge(Writer& out) const {
+  out.origin = {Purpose::merge, surface_.first, surface_.count > 1 ? surface_.first : isa::no_node};
+  out.plain(Opcode::copy, model_.fields.depth, model_.fields.candidate);
+  if (model_.fields.candidate_colour.width > 0) {
+    out.plain(Opcode::copy, model_.fields.colour, model_.fields.candidate_colour);
+  } else {
+    write_colours(out);
+  }
+}
+
+/// Each facet but the last is broadcast again, and takes its pixels out of the mask.
+void Rendering::write_colours(Writer& out) const {
+  for (std::size_t i = 0; i < facets_.size(); ++i) {
+    const Facet& facet = facets_[i];
+    const bool is_last = i + 1 == facets_.size();
+    out.origin = shading(facet);
+    if (i > 0) out.plain(Opcode::enable_load, model_.fields.mask);
+    if (!is_last) out.depth(Opcode::linear_eq, model_.fields.candidate, facet.plane, surface_.box.pixels);
+    out.set(model_.fields.colour, facet.colour);
+    if (!is_last) out.set(model_.fields.mask, 0);
+  }
+}
+
+}  // namespace csgsim::division

@@ -1,0 +1,76 @@
+#include "hw/division/surfaces.h"
+
+#include <algorithm>
+
+namespace csgsim::division {
+
+namespace {
+
+/// The part of the square that all the primitives' boxes have in common.
+Box common_box(const DisplayModel& model, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
+               const Rectangle& square) {
+  Box box{square, 0, model.farthest()};
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    if (!candidates.listed[i]) return {};
+    const Box& own = model.primitives[i].box;
+    if (own.empty()) return {};
+    box.pixels = overlap(box.pixels, own.pixels);
+    box.z_low = std::max(box.z_low, own.z_low);
+    box.z_high = std::min(box.z_high, own.z_high);
+  }
+  return box.empty() ? Box{} : box;
+}
+
+/// Narrows the depths to those between the fronts and backs at the corners; none, if an edge holds nothing.
+void narrow(Box& box, const std::vector<Tested>& tested) {
+  bool nothing = false;
+  for (const Tested& one : tested) {
+    switch (one.side) {
+      case Side::front: box.z_low = std::max(box.z_low, one.low); break;
+      case Side::back: box.z_high = std::min(box.z_high, one.high); break;
+      case Side::not_negative:
+      case Side::negative: nothing = nothing || known_between(one, box.z_low, box.z_high) == Known::out; break;
+    }
+  }
+  if (nothing) box.z_high = box.z_low - 1;
+}
+
+}  // namespace
+
+std::vector<Surface> surfaces_in(const DisplayModel& model, const Candidates& candidates, const Rectangle& square,
+                                 Counts& counts) {
+  counts.boxes += candidates.primitives.size();
+  std::vector<Surface> surfaces;
+  const auto primitives = static_cast<std::uint32_t>(model.primitives.size());
+  for (std::uint32_t first = 0, next = 0; first < primitives; first = next) {
+    next = first + 1;
+    while (next < primitives && model.primitives[next].joined) ++next;
+    Surface surface{first, next - first, common_box(model, candidates, first, next - first, square), {}};
+    if (surface.box.empty()) continue;
+    for (std::uint32_t i = first; i < next; ++i) {
+      for (const Halfspace& halfspace : candidates.halfspaces[i]) {
+        surface.tested.push_back(test_corners(model, i, halfspace, surface.box.pixels));
+      }
+    }
+    counts.halfspaces += surface.tested.size();
+    narrow(surface.box, surface.tested);
+    if (!surface.box.empty()) surfaces.push_back(std::move(surface));
+  }
+  return surfaces;
+}
+
+Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, std::int64_t z_low,
+                     std::int64_t z_high, Counts& counts) {
+  Extremes result;
+  for (const Tested& one : tested) {
+    if (one.side != side) continue;
+    const Known known = known_between(one, z_low, z_high);
+    if (known == Known::in) continue;
+    result.nothing = result.nothing || known == Known::out;
+    result.facets.push_back(one);
+  }
+  if (!result.nothing) counts.pairs += keep_extremes(result.facets, std::int64_t{1} << model.fraction_bits);
+  return result;
+}
+
+}  // namespace csgsim::division

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/division/candidates.h"
+#include "hw/division/corners.h"
+#include "hw/division/counts.h"
+#include "hw/division/display_model.h"
+
+namespace csgsim::division {
+
+/// What may be drawn in a square as one convex solid: a primitive, or several that are joined.
+struct Surface {
+  std::uint32_t first = 0;  ///< the first primitive
+  std::uint32_t count = 1;
+  Box box;                     ///< the pixels and depths of the square that the surface can be in
+  std::vector<Tested> tested;  ///< the half-spaces of all of them, at the corners of the box's pixels
+
+  [[nodiscard]] bool holds(std::uint32_t primitive) const { return primitive >= first && primitive - first < count; }
+};
+
+/// The surfaces that can be in the square, in order: the boxes of the primitives have something in common with it and
+/// each other, and their half-spaces leave some depth at the corners (fronts the least, backs the greatest).
+std::vector<Surface> surfaces_in(const DisplayModel& model, const Candidates& candidates, const Rectangle& square,
+                                 Counts& counts);
+
+/// Those of one side that make the surface over all depths.
+struct Extremes {
+  std::vector<Tested> facets;
+  bool nothing = false;  ///< one of them holds nothing
+};
+
+/// Of a surface over all depths, or of a primitive between those of a surface that it is compared with.
+Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, std::int64_t z_low,
+                     std::int64_t z_high, Counts& counts);
+
+}  // namespace csgsim::division

@@ -1,0 +1,105 @@
+#include "hw/division/writer.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "hw/base/error.h"
+
+namespace csgsim::division {
+
+namespace {
+
+using isa::Opcode;
+
+/// Bits of the shortest two's complement number that holds the value.
+unsigned signed_width(std::int64_t value) {
+  return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value))) + 1;
+}
+
+/// Low zero bits that A and B share. Without them, and as many of C, rounded down, no floor and no sign of the sum
+/// changes.
+unsigned shared_zeros(const Plane& plane) {
+  return static_cast<unsigned>(
+      std::countr_zero(static_cast<std::uint64_t>(plane.a) | static_cast<std::uint64_t>(plane.b)));
+}
+
+/// Bits that the plane's values over the pixels take; the extremes are at corners.
+unsigned width_over(const Plane& plane, const Rectangle& pixels) {
+  unsigned width = 1;
+  for (const std::int32_t x : {pixels.x0, pixels.x1}) {
+    for (const std::int32_t y : {pixels.y0, pixels.y1}) {
+      width = std::max(width, signed_width(plane.a * x + plane.b * y + plane.c));
+    }
+  }
+  return width;
+}
+
+}  // namespace
+
+void Writer::plain(Opcode opcode, isa::Field field, isa::Field second, std::uint64_t constant) {
+  write({opcode, {field, second, {}}, {}, constant, origin});
+}
+
+void Writer::write(const isa::Instruction& instruction) {
+  const isa::Field field = instruction.fields[0];
+  const bool moves_enable = instruction.opcode == Opcode::enable_load || instruction.opcode == Opcode::enable_store;
+  if (moves_enable && field == equal_) return;
+  written_.push_back(instruction);
+  const bool leaves_enable = instruction.opcode == Opcode::set_constant || instruction.opcode == Opcode::copy;
+  if (moves_enable) {
+    equal_ = field;
+  } else if (!leaves_enable || field.overlaps(equal_)) {
+    equal_ = {};
+  }
+}
+
+void Writer::linear(Opcode opcode, isa::Field field, Plane plane, unsigned dropped, unsigned shift,
+                    const Rectangle& pixels) {
+  plane = {plane.is_edge, plane.a >> dropped, plane.b >> dropped, plane.c >> dropped};
+  unsigned width = width_over(plane, pixels);
+  // F has a bit more than the field that it meets, for its sign.
+  if (field.width > 0) width = std::max(width, shift + field.width + 1U);
+  if (width > isa::max_linear_width)
+    throw InputError("the display model: a plane takes more bits than a linear expression has");
+  const std::int64_t corner = plane.c + plane.a * square_.x + plane.b * square_.y;
+  const isa::Linear expression{plane.a, plane.b, corner, static_cast<std::uint16_t>(width),
+                               static_cast<std::uint16_t>(shift)};
+  write({opcode, {field, {}, {}}, expression, 0, origin});
+}
+
+void Writer::depth(Opcode opcode, isa::Field field, const Plane& plane, const Rectangle& pixels) {
+  const unsigned dropped = std::min(shared_zeros(plane), model_.fraction_bits);
+  linear(opcode, field, plane, dropped, model_.fraction_bits - dropped, pixels);
+}
+
+void Writer::line(Opcode opcode, const Plane& line, const Rectangle& pixels) {
+  linear(opcode, {}, line, std::min(shared_zeros(line), isa::max_linear_width), 0, pixels);
+}
+
+void Writer::clip(const Rectangle& inner, const Rectangle& outer) {
+  Rectangle left = outer;
+  if (inner.x0 > outer.x0) {
+    line(Opcode::edge_not_negative, {true, 1, 0, -inner.x0}, left);
+    left.x0 = inner.x0;
+  }
+  if (inner.x1 < outer.x1) {
+    line(Opcode::edge_not_negative, {true, -1, 0, inner.x1}, left);
+    left.x1 = inner.x1;
+  }
+  if (inner.y0 > outer.y0) {
+    line(Opcode::edge_not_negative, {true, 0, 1, -inner.y0}, left);
+    left.y0 = inner.y0;
+  }
+  if (inner.y1 < outer.y1) line(Opcode::edge_not_negative, {true, 0, -1, inner.y1}, left);
+}
+
+void Writer::edges(const std::vector<Tested>& tested, const Rectangle& pixels) {
+  for (const Tested& one : tested) {
+    const bool not_negative = one.side == Side::not_negative;
+    if (!not_negative && one.side != Side::negative) continue;
+    if (known_between(one, 0, 0) == Known::in) continue;
+    line(not_negative ? Opcode::edge_not_negative : Opcode::edge_negative, plane_of(one), pixels);
+  }
+}
+
+}  // namespace csgsim::division

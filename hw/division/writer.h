@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/division/corners.h"
+#include "hw/division/display_model.h"
+#include "hw/isa/instruction.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::division {
+
+/// Writes the instructions of one square, but for those that change nothing: to load the bit that E is known to be
+/// equal to, or to store E there. Refers to the model.
+class Writer {
+ public:
+  Writer(const DisplayModel& model, const isa::Region& square) : model_(model), square_(square) {}
+
+  isa::Origin origin;  ///< of every instruction written
+
+  void plain(isa::Opcode opcode, isa::Field field = {}, isa::Field second = {}, std::uint64_t constant = 0);
+  void set(isa::Field field, std::uint64_t constant) { plain(isa::Opcode::set_constant, field, {}, constant); }
+
+  /// A depth plane that meets a field, as wide as its values over the pixels ask; E has to be 0 outside them.
+  void depth(isa::Opcode opcode, isa::Field field, const Plane& plane, const Rectangle& pixels);
+
+  /// A line whose sign counts; E has to be 0 outside the pixels.
+  void line(isa::Opcode opcode, const Plane& line, const Rectangle& pixels);
+
+  /// E stays 1 inside `inner` only; E has to be 0 outside `outer`.
+  void clip(const Rectangle& inner, const Rectangle& outer);
+
+  /// The edge tests that cut the depths [z_low, z_high] of the pixels: of those tested there, those that do not hold
+  /// all.
+  void edges(const std::vector<Tested>& tested, const Rectangle& pixels);
+
+  [[nodiscard]] const Plane& plane_of(const Tested& tested) const { return model_.planes[tested.halfspace.plane]; }
+  [[nodiscard]] const std::vector<isa::Instruction>& written() const { return written_; }
+  [[nodiscard]] std::vector<isa::Instruction> take() { return std::move(written_); }
+
+ private:
+  void linear(isa::Opcode opcode, isa::Field field, Plane plane, unsigned dropped, unsigned shift,
+              const Rectangle& pixels);
+
+  void write(const isa::Instruction& instruction);
+
+  const DisplayModel& model_;
+  isa::Region square_;
+  isa::Field equal_;  ///< a bit that E is equal to at every pixel; of width 0 if none is known
+  std::vector<isa::Instruction> written_;
+};
+
+}  // namespace csgsim::division

@@ -1,0 +1,16 @@
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::isa {
+
+bool in_table(Opcode opcode) {
+  const auto number = static_cast<std::size_t>(opcode);
+  return number < opcode_numbers && opcode_rows[number] < opcode_table.size();
+}
+
+std::string_view name_of(Opcode opcode) { return info(opcode).name; }
+
+const Operands& operands_of(Opcode opcode) { return info(opcode).operands; }
+
+bool asks(Opcode opcode) { return info(opcode).clock_class == ClockClass::answer; }
+
+}  // namespace csgsim::isa

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+#include "hw/isa/link_word.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::isa {
+
+/// For the FIFOs of links.
+std::ostream& operator<<(std::ostream& stream, const LinkWord& word);
+
+}  // namespace csgsim::isa
+
+namespace csgsim::link {
+
+/// A frame as it lies in the host's memory: for each segment its SegmentStart and its instructions, then FrameEnd.
+struct FrameWords {
+  std::vector<isa::LinkWord> words;
+  /// For each instruction of the frame, and one more, the word at which the host goes on when all before it are over:
+  /// its own first word, or that of the SegmentStart or FrameEnd that comes before it.
+  std::vector<std::size_t> begins;
+};
+
+/// The Program, which has to be valid, in words of that many bits.
+FrameWords frame_words(const isa::Program& program, unsigned link_width);
+
+}  // namespace csgsim::link

@@ -1,0 +1,79 @@
+#include "hw/link/link_source.h"
+
+#include <utility>
+
+namespace csgsim::link {
+
+LinkSource::LinkSource(sc_core::sc_module_name name, const machines::Link& link)
+    : sc_core::sc_module(name), link_(link) {
+  SC_HAS_PROCESS(LinkSource);
+  SC_METHOD(on_clock);
+  dont_initialize();
+  sensitive << clock.pos();
+}
+
+void LinkSource::load(FrameWords frame) {
+  frame_ = std::move(frame);
+  state_ = State::waiting;
+  counting_ = false;
+  account_ = {};
+}
+
+void LinkSource::on_clock() {
+  if (counting_) count();
+  counting_ = true;
+  if (std::uint64_t instruction = 0; requests.nb_read(instruction)) return go_on_from(instruction);
+  go_on();
+}
+
+/// The clock that ends.
+void LinkSource::count() {
+  switch (state_) {
+    case State::waiting:
+    case State::latent: ++account_.waiting; break;
+    case State::sending: ++account_.sending; break;
+    case State::blocked: ++account_.blocked; break;
+    case State::done: ++account_.done; break;
+  }
+}
+
+void LinkSource::go_on_from(std::uint64_t instruction) {
+  next_ = frame_.begins.at(instruction);
+  state_ = State::latent;
+  left_ = link_.latency;
+  if (left_ == 0) begin_word();
+}
+
+void LinkSource::go_on() {
+  switch (state_) {
+    case State::waiting:
+    case State::done: break;
+    case State::latent:
+      if (--left_ == 0) begin_word();
+      break;
+    case State::sending:
+      if (--left_ == 0) store_word();
+      break;
+    case State::blocked: store_word(); break;
+  }
+}
+
+void LinkSource::begin_word() {
+  state_ = State::sending;
+  left_ = link_.word_clocks;
+}
+
+void LinkSource::store_word() {
+  if (!words.nb_write(frame_.words[next_])) {
+    state_ = State::blocked;
+    return;
+  }
+  ++account_.words;
+  if (++next_ == frame_.words.size()) {
+    state_ = State::done;
+  } else {
+    begin_word();
+  }
+}
+
+}  // namespace csgsim::link

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <systemc>
+
+#include "hw/isa/link_word.h"
+#include "hw/link/frame_words.h"
+#include "hw/machines/link_timing.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::link {
+
+/// The host's end of a link. Its memory, which is the host's own, holds the frame's words and where each instruction
+/// begins. A request names the instruction to go on from; the first word is on the link Link::latency clocks after the
+/// edge at which the request has come. A word is on the link for Link::word_clocks clocks and goes into the FIFO at the
+/// end of the last, or at the first edge after that which finds room; then the next word follows. A request that comes
+/// while words are sent ends that: the word on the link is lost.
+class LinkSource final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_fifo_in<std::uint64_t> requests{"requests"};  ///< a place for one
+  sc_core::sc_fifo_out<isa::LinkWord> words{"words"};       ///< Link::fifo_depth places
+
+  LinkSource(sc_core::sc_module_name name, const machines::Link& link);
+
+  /// Puts a frame into the host's memory. Nothing of it is sent before a request. The account begins at the next edge.
+  void load(FrameWords frame);
+
+  /// Of the clocks since load that are over.
+  [[nodiscard]] const machines::LinkAccount& account() const { return account_; }
+
+ private:
+  enum class State : std::uint8_t { waiting, latent, sending, blocked, done };
+
+  void on_clock();
+  void count();
+  void go_on_from(std::uint64_t instruction);
+  void go_on();
+  void begin_word();
+  void store_word();
+
+  const machines::Link link_;
+  FrameWords frame_;
+  State state_ = State::waiting;
+  bool counting_ = false;   ///< there has been an edge since load
+  std::size_t next_ = 0;    ///< the word on the link, or that will be
+  std::uint32_t left_ = 0;  ///< clocks of the latency, or of the word on the link
+  machines::LinkAccount account_;
+};
+
+}  // namespace csgsim::link

@@ -1,0 +1,93 @@
+#include "hw/machines/kind.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "hw/machines/clocks.h"
+#include "hw/machines/regions.h"
+#include "hw/machines/runs_on.h"
+
+namespace csgsim::machines {
+
+Machine blank(const Kind& kind) {
+  Machine machine;
+  machine.kind = &kind;
+  machine.own = kind.own();
+  return machine;
+}
+
+void set_picture_size(Machine& machine, Size size) {
+  machine.kind->set_picture(machine, size);
+  machine.picture = size;
+}
+
+void adopt(Machine& machine, const isa::Program& program) {
+  set_picture_size(machine, {program.shape.width, program.shape.height});
+  machine.array.memory_bits = program.shape.memory_bits;
+}
+
+std::vector<std::string> idealisable(const Machine& machine) {
+  std::vector<std::string> keys;
+  for (const FigureSchema& figure : machine.kind->schema) {
+    if (figure.ideal && figure.load(machine) != *figure.ideal) keys.emplace_back(figure.key);
+  }
+  return keys;
+}
+
+void idealise(Machine& machine, std::string_view key) {
+  const auto row = std::find_if(machine.kind->schema.begin(), machine.kind->schema.end(),
+                                [&](const FigureSchema& figure) { return figure.key == key && figure.ideal; });
+  if (row == machine.kind->schema.end()) throw std::out_of_range(std::string(key) + " is never ideal");
+  row->store(machine, *row->ideal);
+  for (Figure& figure : machine.figures) {
+    if (figure.key == key) figure.value = ideal_value;
+  }
+  machine.kind->complete(machine);
+}
+
+std::vector<std::string> idealisations(const Machine& machine) {
+  std::vector<std::string> keys;
+  for (const Figure& figure : machine.figures) {
+    if (figure.value == ideal_value) keys.push_back(figure.key);
+  }
+  return keys;
+}
+
+bool same_hardware(const Machine& one, const Machine& other) {
+  const auto same = [&](const FigureSchema& figure) {
+    return figure.key.starts_with("picture.") || figure.load(one) == figure.load(other);
+  };
+  return one.kind == other.kind && one.array == other.array &&
+         std::all_of(one.kind->schema.begin(), one.kind->schema.end(), same);
+}
+
+bool answers(const Machine& machine) { return machine.kind->answers(machine); }
+
+std::optional<Division> division(const Machine& machine) {
+  return machine.kind->division == nullptr ? std::nullopt : machine.kind->division(machine);
+}
+
+std::vector<isa::Region> regions(const Machine& machine) { return machine.kind->regions(machine); }
+
+std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) {
+  return machine.kind->clocks(instruction, machine);
+}
+
+std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine) {
+  std::uint64_t total = 0;
+  for (const isa::Instruction& instruction : instructions) total += clocks(instruction, machine);
+  return total;
+}
+
+std::uint64_t clocks(const isa::Program& program, const Machine& machine) {
+  return time_frame(program, machine).clocks;
+}
+
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) {
+  FrameTiming timing = machine.kind->time(program, machine, skips);
+  timing.shown_clocks = std::max(timing.shown_clocks, timing.clocks);
+  if (timing.interval_clocks == 0) timing.interval_clocks = timing.shown_clocks;
+  return timing;
+}
+
+}  // namespace csgsim::machines

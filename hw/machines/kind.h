@@ -1,0 +1,56 @@
+#pragma once
+
+#include <any>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "hw/machines/regions.h"
+#include "hw/machines/schema.h"
+#include "hw/machines/timing.h"
+
+namespace csgsim::machines {
+
+/// What a machine is built of.
+struct Resources {
+  std::uint64_t processors = 0;
+  std::uint64_t memory_bits = 0;  ///< of the processors, and of a frame buffer beside them
+};
+
+/// A kind of machine: all that is known of its machines without building them. Each has a room, hw/KIND, and a row in
+/// hw/kinds.
+struct Kind {
+  std::string_view name;  ///< as descriptions give it
+  std::string_view over;  ///< what its processors are spread over at a time
+
+  /// Every figure that a description has to give, besides its `name`, `description` and `kind`.
+  std::span<const FigureSchema> schema;
+  /// Its own figures before a description is read.
+  std::any (*own)();
+  /// Works out what follows from the figures. Throws InputError where they do not fit each other.
+  void (*complete)(Machine& machine);
+  /// Throws InputError where the machine cannot draw such a picture.
+  void (*set_picture)(Machine& machine, Size size);
+
+  /// Whether the controller learns if any pixel is enabled.
+  bool (*answers)(const Machine& machine);
+  /// Of the picture, in the order in which the machine draws them.
+  std::vector<isa::Region> (*regions)(const Machine& machine);
+  /// Whether and how it divides the model itself; null for a kind that never does.
+  std::optional<Division> (*division)(const Machine& machine) = nullptr;
+  /// Throws InputError, which says what to do, where the machine cannot run the Program; what holds of all kinds has
+  /// been checked.
+  void (*check)(const isa::Program& program, const Machine& machine);
+
+  /// Clocks that a pixel's processor, or a chain's entry, spends on an instruction.
+  std::uint64_t (*clocks)(const isa::Instruction& instruction, const Machine& machine);
+  /// Worked out from these, without stepping.
+  FrameTiming (*time)(const isa::Program& program, const Machine& machine, std::span<const Skip> skips);
+  Resources (*resources)(const Machine& machine, const isa::FrameHeader& header);
+};
+
+}  // namespace csgsim::machines

@@ -1,0 +1,66 @@
+#include "hw/machines/link_timing.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace csgsim::machines {
+
+PartAccount part_of(const LinkAccount& account, std::string name) {
+  return {std::move(name),
+          {{"sending", account.sending},
+           {"blocked", account.blocked},
+           {"waiting", account.waiting},
+           {"done", account.done}}};
+}
+
+LinkTiming::LinkTiming(const Link& link) : link_(link), read_edges_(link.fifo_depth) {}
+
+void LinkTiming::request(std::uint64_t edge) {
+  account_.waiting += edge + link_.latency - since_;
+  since_ = edge + link_.latency;
+  sent_ = 0;
+  read_ = 0;
+}
+
+/// From that edge on there is room for the next word.
+std::uint64_t LinkTiming::room_edge() const {
+  return sent_ < link_.fifo_depth ? 0 : read_edges_[sent_ % link_.fifo_depth] + 1;
+}
+
+void LinkTiming::store(std::uint64_t edge) {
+  account_.sending += link_.word_clocks;
+  account_.blocked += edge - since_ - link_.word_clocks;
+  ++account_.words;
+  ++sent_;
+  since_ = edge;
+}
+
+std::uint64_t LinkTiming::send() {
+  const std::uint64_t edge = std::max(since_ + link_.word_clocks, room_edge());
+  store(edge);
+  return edge;
+}
+
+bool LinkTiming::send_before(std::uint64_t edge, std::uint64_t& stored) {
+  if (sent_ >= read_ + link_.fifo_depth) return false;
+  stored = std::max(since_ + link_.word_clocks, room_edge());
+  if (stored >= edge) return false;
+  store(stored);
+  return true;
+}
+
+void LinkTiming::read(std::uint64_t edge) { read_edges_[read_++ % link_.fifo_depth] = edge; }
+
+void LinkTiming::stop(std::uint64_t edge, bool words_left) {
+  const std::uint64_t clocks = edge - since_;
+  since_ = edge;
+  if (!words_left) {
+    account_.done += clocks;
+    return;
+  }
+  const std::uint64_t sending = std::min<std::uint64_t>(clocks, link_.word_clocks);
+  account_.sending += sending;
+  account_.blocked += clocks - sending;
+}
+
+}  // namespace csgsim::machines

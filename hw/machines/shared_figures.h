@@ -1,0 +1,49 @@
+#pragma once
+
+#include "hw/isa/instruction.h"
+#include "hw/isa/link_word.h"
+#include "hw/machines/schema.h"
+
+/// Rows of the schema that several kinds of machine have.
+namespace csgsim::machines::shared {
+
+inline constexpr FigureSchema array_width = figure<&Machine::array, &isa::ArrayShape::width>(
+    "array.width", "pixels", 1, isa::max_array_side, "pixel processors in a row");
+inline constexpr FigureSchema array_height = figure<&Machine::array, &isa::ArrayShape::height>(
+    "array.height", "pixels", 1, isa::max_array_side, "rows of pixel processors");
+inline constexpr FigureSchema memory_bits = figure<&Machine::array, &isa::ArrayShape::memory_bits>(
+    "array.memory_bits", "bits", 1, isa::max_memory_bits, "memory of a pixel processor");
+inline constexpr FigureSchema picture_width =
+    figure<&Machine::picture, &Size::width>("picture.width", "pixels", 1, isa::max_array_side, "width of the picture");
+inline constexpr FigureSchema picture_height = figure<&Machine::picture, &Size::height>(
+    "picture.height", "pixels", 1, isa::max_array_side, "height of the picture");
+inline constexpr FigureSchema clock_frequency =
+    figure<&Machine::clock_hz>("clock.frequency", "Hz", 1, 1'000'000'000, "steps a second");
+inline constexpr FigureSchema memory_reads =
+    figure<&Machine::memory_reads>("memory.reads", "a clock", 1, 2, "reads of a pixel's memory");
+inline constexpr FigureSchema memory_writes =
+    built_in_figure("memory.writes", "a clock", 1, "writes of a pixel's memory");
+inline constexpr FigureSchema alu_bits = figure<&Machine::alu_bits>("alu.bits", "bits", 1, isa::max_field_width,
+                                                                    "bits of a field that the ALU works on in a clock");
+inline constexpr FigureSchema level_latency =
+    built_in_figure("evaluator.level_latency", "clocks", 1, "from one level of a multiplier tree to the next");
+
+inline constexpr FigureSchema clear_clocks = or_ideal(
+    figure<&Machine::clear_clocks>("memory.clear_clocks", "clocks", 0, most_clocks,
+                                   "in which all memory of the pixel processors becomes 0, where a segment begins"),
+    0);
+inline constexpr FigureSchema link_width = or_ideal(
+    figure<&Machine::link, &Link::width>("link.width", "bits", 1, isa::LinkWord::most_bits, "a word of the link"),
+    isa::LinkWord::most_bits);
+inline constexpr FigureSchema link_word_clocks = figure<&Machine::link, &Link::word_clocks>(
+    "link.word_clocks", "clocks", 1, most_clocks, "from one word of the link to the next");
+inline constexpr FigureSchema link_fifo_depth =
+    or_ideal(figure<&Machine::link, &Link::fifo_depth>("link.fifo_depth", "words", 1, 65536,
+                                                       "of the link, that wait at the machine's end"),
+             65536);
+inline constexpr FigureSchema link_latency = or_ideal(
+    figure<&Machine::link, &Link::latency>("link.latency", "clocks", 0, most_clocks,
+                                           "from a request, of the frame's beginning or of a jump, to the first word"),
+    0);
+
+}  // namespace csgsim::machines::shared

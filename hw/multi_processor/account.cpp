@@ -1,0 +1,72 @@
+#include "hw/multi_processor/account.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <string>
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+machines::PartAccount part(std::string name, std::span<const std::uint64_t> clocks,
+                           std::span<const std::string_view> names) {
+  machines::PartAccount told{std::move(name), {}};
+  for (std::size_t i = 0; i < clocks.size(); ++i) told.clocks.push_back({names[i], clocks[i]});
+  return told;
+}
+
+std::uint64_t whole(const NodeClocks& node) { return std::accumulate(node.begin(), node.end(), std::uint64_t{0}); }
+std::uint64_t working(const NodeClocks& node) { return whole(node) - node.at(std::size_t(NodeActivity::waiting)); }
+
+machines::Share mean_share(const FrameAccount& counted) {
+  machines::Share share{.name = "nodes_working"};
+  for (const NodeClocks& node : counted.nodes) {
+    share.part += working(node);
+    share.whole += whole(node);
+  }
+  return share;
+}
+
+/// Of the node that waits least.
+machines::Share busiest_share(const FrameAccount& counted) {
+  machines::Share share{.name = "busiest_node_working"};
+  for (const NodeClocks& node : counted.nodes) {
+    share.part = std::max(share.part, working(node));
+    share.whole = whole(node);
+  }
+  return share;
+}
+
+}  // namespace
+
+machines::Account account(const FrameAccount& counted, const isa::ArrayShape& nodes) {
+  const StageClocks& stages = counted.stages;
+  machines::Account told{.counts = {{"segments", counted.segments},
+                                    {"active_segments", counted.active_segments},
+                                    {"first_box_tests", counted.first_box_tests},
+                                    {"first_halfspace_tests", counted.first_halfspace_tests},
+                                    {"second_box_tests", counted.second_box_tests},
+                                    {"second_halfspace_tests", counted.second_halfspace_tests},
+                                    {"broadcast_primitives", counted.broadcast_primitives},
+                                    {"broadcast_halfspaces", counted.broadcast_halfspaces},
+                                    {"broadcast_words", counted.broadcast_words},
+                                    {"shared_words", counted.shared_words},
+                                    {"transformation_clocks", stages.transformation},
+                                    {"first_pruning_clocks", stages.first_pruning},
+                                    {"broadcasting_clocks", stages.broadcasting},
+                                    {"second_pruning_clocks", stages.second_pruning},
+                                    {"sharing_clocks", stages.sharing},
+                                    {"rendering_clocks", stages.rendering},
+                                    {"barrier_clocks", stages.barriers}},
+                         .shares = {mean_share(counted), busiest_share(counted)},
+                         .parts = {part("display processor", counted.display, display_activity_names),
+                                   part("control bus", counted.bus, bus_activity_names)}};
+  for (std::size_t i = 0; i < counted.nodes.size(); ++i) {
+    const std::string name = "node " + std::to_string(i / nodes.width) + "," + std::to_string(i % nodes.width);
+    told.parts.push_back(part(name, counted.nodes[i], node_activity_names));
+  }
+  return told;
+}
+
+}  // namespace csgsim::multi_processor

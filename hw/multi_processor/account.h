@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "hw/machines/accounts.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::multi_processor {
+
+/// Where a part of the machine spends its clocks. Every clock of the frame is in one activity of each part.
+enum class DisplayActivity : std::uint8_t { transforming, dividing, broadcasting, waiting_for_nodes };
+enum class BusActivity : std::uint8_t { busy, granting, idle };
+enum class NodeActivity : std::uint8_t { receiving, pruning, sharing, rendering, waiting };
+
+inline constexpr auto display_activity_names =
+    std::to_array<std::string_view>({"transforming", "dividing", "broadcasting", "waiting_for_nodes"});
+inline constexpr auto bus_activity_names = std::to_array<std::string_view>({"busy", "granting", "idle"});
+inline constexpr auto node_activity_names =
+    std::to_array<std::string_view>({"receiving", "pruning", "sharing", "rendering", "waiting"});
+
+/// Clocks by activity.
+template <std::size_t activities>
+using Clocks = std::array<std::uint64_t, activities>;
+
+using DisplayClocks = Clocks<display_activity_names.size()>;
+using BusClocks = Clocks<bus_activity_names.size()>;
+using NodeClocks = Clocks<node_activity_names.size()>;
+
+/// Clocks of the frame by its stages, which come one after the other unless the display processor divides ahead.
+struct StageClocks {
+  std::uint64_t transformation = 0;
+  std::uint64_t first_pruning = 0;
+  std::uint64_t broadcasting = 0;    ///< of half-spaces
+  std::uint64_t second_pruning = 0;  ///< by the slowest node of each segment
+  std::uint64_t sharing = 0;         ///< of lists
+  std::uint64_t rendering = 0;       ///< by the slowest node of each subsegment
+  std::uint64_t barriers = 0;
+
+  bool operator==(const StageClocks&) const = default;
+};
+
+/// How the frame went by.
+struct FrameAccount {
+  std::uint64_t segments = 0;
+  std::uint64_t active_segments = 0;  ///< with a list that is not empty
+  std::uint64_t first_box_tests = 0;  ///< by the display processor
+  std::uint64_t first_halfspace_tests = 0;
+  std::uint64_t second_box_tests = 0;  ///< by the nodes
+  std::uint64_t second_halfspace_tests = 0;
+  std::uint64_t broadcast_primitives = 0;  ///< by the display processor
+  std::uint64_t broadcast_halfspaces = 0;
+  std::uint64_t broadcast_words = 0;
+  std::uint64_t shared_words = 0;  ///< by the nodes
+  StageClocks stages;
+  DisplayClocks display{};
+  BusClocks bus{};
+  std::vector<NodeClocks> nodes;  ///< row by row
+
+  bool operator==(const FrameAccount&) const = default;
+};
+
+/// As it is told.
+machines::Account account(const FrameAccount& counted, const isa::ArrayShape& nodes);
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,156 @@
+#include "hw/multi_processor/clocks.h"
+
+#include <algorithm>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/wire.h"
+#include "hw/multi_processor/figures.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+using isa::Opcode;
+using machines::Machine;
+
+/// What an instruction does at a pixel besides looking at E and adding to F, in words.
+struct Work {
+  std::uint64_t reads = 0;
+  std::uint64_t writes = 0;
+  std::uint64_t compares = 0;
+  std::uint64_t combines = 0;
+};
+
+std::uint64_t words_of(std::uint64_t bits, const Figures& figures) {
+  return (bits + figures.word_bits - 1) / figures.word_bits;
+}
+
+Work work_of(const isa::Instruction& instruction, const Figures& figures) {
+  const std::uint64_t field = words_of(instruction.fields[0].width, figures);
+  const std::uint64_t sum = words_of(instruction.linear.width, figures);
+  const std::uint64_t wider = std::max(field, sum);
+  switch (instruction.opcode) {
+    case Opcode::enable_all:
+    case Opcode::enable_invert: return {.writes = 1};
+    case Opcode::enable_load:
+    case Opcode::enable_and:
+    case Opcode::enable_and_not:
+    case Opcode::enable_or:
+    case Opcode::enable_xor: return {.reads = field, .writes = 1};
+    case Opcode::enable_store: return {.writes = field};
+    case Opcode::edge_not_negative:
+    case Opcode::edge_negative: return {.writes = 1, .compares = 1};
+    case Opcode::linear_ge:
+    case Opcode::linear_gt:
+    case Opcode::linear_le:
+    case Opcode::linear_lt:
+    case Opcode::linear_eq: return {.reads = field, .writes = 1, .compares = wider};
+    case Opcode::load_linear: return {.writes = field + 1, .compares = sum};
+    case Opcode::keep_max:
+    case Opcode::keep_min: return {.reads = field, .writes = field + 1, .compares = wider + sum};
+    case Opcode::set_constant: return {.writes = field};
+    case Opcode::copy: return {.reads = field, .writes = field};
+    case Opcode::field_lt:
+    case Opcode::field_le:
+    case Opcode::field_eq: return {.reads = 2 * field, .writes = 1, .compares = field};
+    case Opcode::bit_and:
+    case Opcode::bit_or:
+    case Opcode::bit_xor:
+    case Opcode::bit_and_not: return {.reads = 2 * field, .writes = field, .combines = field};
+    case Opcode::bit_not:
+    case Opcode::xor_constant: return {.reads = field, .writes = field, .combines = field};
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return {};
+  }
+  return {};
+}
+
+/// A*x + B*y + C with so many products more beside it.
+std::uint64_t sum_clocks(const isa::Instruction& instruction, std::uint64_t products, const Figures& figures) {
+  const std::uint64_t words = words_of(instruction.linear.width, figures);
+  return words * ((2 + products) * figures.operations.multiply + 2 * figures.operations.add);
+}
+
+std::uint64_t add_clocks(const isa::Instruction& instruction, const Figures& figures) {
+  return words_of(instruction.linear.width, figures) * figures.operations.add;
+}
+
+std::uint64_t fetch_clocks(const isa::Instruction& instruction, const Figures& figures) {
+  return figures.loop.instruction + words_of(isa::wire_bits(instruction), figures) * figures.operations.read;
+}
+
+/// Loops over the pixels around something that is done at each.
+std::uint64_t pass_clocks(const NodePixels& own, std::uint64_t at_each, const Figures& figures) {
+  return own.count() * (at_each + figures.loop.pixel) + own.rows * std::uint64_t{figures.loop.row};
+}
+
+std::uint64_t instruction_clocks(const isa::Instruction& instruction, const NodePixels& own, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t fetch = fetch_clocks(instruction, figures);
+  const std::uint64_t at_each = own.count() * pixel_clocks(instruction, machine);
+  const std::uint64_t pixel_loop = own.count() * figures.loop.pixel;
+  const std::uint64_t row_loop = own.rows * std::uint64_t{figures.loop.row};
+  switch (figures.order) {
+    case RenderingOrder::segment:
+      return fetch + sum_clocks(instruction, 2, figures) + own.rows * add_clocks(instruction, figures) + at_each +
+             pixel_loop + row_loop;
+    case RenderingOrder::scan_line:
+      return own.rows * (fetch + sum_clocks(instruction, 1, figures)) + at_each + pixel_loop;
+    case RenderingOrder::pixel: return own.count() * fetch + at_each;
+  }
+  return 0;
+}
+
+/// What goes round all instructions.
+std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
+  switch (figures.order) {
+    case RenderingOrder::segment: return 0;
+    case RenderingOrder::scan_line: return own.rows * std::uint64_t{figures.loop.row};
+    case RenderingOrder::pixel: return pass_clocks(own, 0, figures);
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const OperationClocks& operations = figures.operations;
+  const Work work = work_of(instruction, figures);
+  const std::uint64_t shifts = instruction.linear.shift > 0 ? words_of(instruction.linear.width, figures) : 0;
+  const std::uint64_t sum =
+      figures.order == RenderingOrder::pixel ? sum_clocks(instruction, 0, figures) : add_clocks(instruction, figures);
+  return (1 + work.reads) * operations.read + work.writes * operations.write + work.compares * operations.compare +
+         (1 + work.combines + shifts) * operations.logic + sum;
+}
+
+std::uint64_t rendering_clocks(std::span<const isa::Instruction> list, const NodePixels& own, isa::Field colour,
+                               const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (own.count() == 0) return 0;
+  const std::uint64_t colour_words = words_of(colour.width, figures);
+  const std::uint64_t stored =
+      colour.width == 0 ? 0 : pass_clocks(own, colour_words * figures.operations.write, figures);
+  if (list.empty()) return stored;
+  const std::uint64_t memory_words = words_of(machine.array.memory_bits, figures) + 1;
+  std::uint64_t clocks = pass_clocks(own, memory_words * figures.operations.write, figures) + stored +
+                         own.count() * colour_words * figures.operations.read + outer_clocks(own, figures);
+  for (const isa::Instruction& instruction : list) clocks += instruction_clocks(instruction, own, machine);
+  return clocks;
+}
+
+double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region,
+                             const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  double clocks = 0;
+  for (const isa::Instruction& instruction : list) {
+    clocks += static_cast<double>(pixel_clocks(instruction, machine) + fetch_clocks(instruction, figures) +
+                                  sum_clocks(instruction, 2, figures) + figures.loop.pixel + figures.loop.row);
+  }
+  const std::uint64_t words = words_of(machine.array.memory_bits + 2ULL * isa::max_field_width, figures) + 4;
+  clocks += static_cast<double>(words * (std::uint64_t{figures.operations.read} + figures.operations.write) +
+                                3 * (std::uint64_t{figures.loop.pixel} + figures.loop.row));
+  return 2 * clocks * region.width * region.height;
+}
+
+}  // namespace csgsim::multi_processor

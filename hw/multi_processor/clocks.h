@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hw/machines/machine.h"
+#include "hw/multi_processor/regions.h"
+
+/// Clocks of a node, worked out from the figures.
+namespace csgsim::multi_processor {
+
+/// Of an instruction at one pixel, without the loops around it and what begins a row.
+std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
+
+/// Of a subsegment's list at so many of the node's pixels: memory is cleared, the list carried out, the colours stored.
+/// Without a list they are set to the background. `colour`: of pixel memory; of width 0 where there is none.
+std::uint64_t rendering_clocks(std::span<const isa::Instruction> list, const NodePixels& own, isa::Field colour,
+                               const machines::Machine& machine);
+
+/// No node takes more for a list at all pixels of a region; may be rounded.
+double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region,
+                             const machines::Machine& machine);
+
+}  // namespace csgsim::multi_processor

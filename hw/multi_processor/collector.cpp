@@ -1,0 +1,159 @@
+#include "hw/multi_processor/collector.h"
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "hw/multi_processor/regions.h"
+#include "hw/systemc/clear_view.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+/// A subsegment put together of what the nodes hold.
+class MergedView final : public kernel::PixelView {
+ public:
+  MergedView(const isa::Region& region, const isa::ArrayShape& nodes, std::vector<const PixelMemory*> memories)
+      : region_(region), nodes_(nodes), memories_(std::move(memories)) {}
+
+  void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
+                  std::span<std::uint32_t> values) const override {
+    for (std::uint32_t y = 0; y < height; ++y) {
+      for (std::uint32_t x = 0; x < width; ++x) {
+        const Place place = place_of(x, y);
+        values[std::size_t{y} * width + x] = static_cast<std::uint32_t>(place.memory->read(place.pixel, field));
+      }
+    }
+  }
+
+  void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override {
+    constexpr std::uint32_t word_bits = 64;
+    const std::size_t row_words = (width + word_bits - 1) / word_bits;
+    std::fill(words.begin(), words.end(), 0U);
+    for (std::uint32_t y = 0; y < height; ++y) {
+      for (std::uint32_t x = 0; x < width; ++x) {
+        const Place place = place_of(x, y);
+        const std::uint64_t bit = place.memory->enabled(place.pixel) ? 1 : 0;
+        words[y * row_words + x / word_bits] |= bit << x % word_bits;
+      }
+    }
+  }
+
+  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override;
+
+ private:
+  struct Place {
+    const PixelMemory* memory = nullptr;
+    std::size_t pixel = 0;
+  };
+
+  [[nodiscard]] Place place_of(std::uint32_t x, std::uint32_t y) const {
+    const std::uint32_t row = (region_.y + y) % nodes_.height;
+    const std::uint32_t column = (region_.x + x) % nodes_.width;
+    const PixelMemory* const memory = memories_[std::size_t{row} * nodes_.width + column];
+    const NodePixels pixels = pixels_of(region_, nodes_, row, column);
+    if (memory->pixels() < pixels.count()) throw std::logic_error("pixels are looked at that were not to be kept");
+    return {memory, std::size_t{y / nodes_.height} * pixels.columns + x / nodes_.width};
+  }
+
+  isa::Region region_;
+  isa::ArrayShape nodes_;
+  std::vector<const PixelMemory*> memories_;
+};
+
+/// One that has the pixels to itself.
+class OwnedView final : public kernel::PixelView {
+ public:
+  OwnedView(const isa::Region& region, const isa::ArrayShape& nodes, std::vector<PixelMemory> memories)
+      : region_(region), nodes_(nodes), memories_(std::move(memories)) {}
+
+  void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
+                  std::span<std::uint32_t> values) const override {
+    view().read_field(field, width, height, values);
+  }
+  void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override {
+    view().read_enable(width, height, words);
+  }
+  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override { return std::make_unique<OwnedView>(*this); }
+
+ private:
+  [[nodiscard]] MergedView view() const {
+    std::vector<const PixelMemory*> memories;
+    memories.reserve(memories_.size());
+    for (const PixelMemory& memory : memories_) memories.push_back(&memory);
+    return {region_, nodes_, std::move(memories)};
+  }
+
+  isa::Region region_;
+  isa::ArrayShape nodes_;
+  std::vector<PixelMemory> memories_;
+};
+
+std::unique_ptr<const kernel::PixelView> MergedView::copy() const {
+  std::vector<PixelMemory> memories;
+  memories.reserve(memories_.size());
+  for (const PixelMemory* const memory : memories_) memories.push_back(*memory);
+  return std::make_unique<OwnedView>(region_, nodes_, std::move(memories));
+}
+
+MergedView view_of(const isa::Region& region, const isa::ArrayShape& nodes, std::span<const NodeState> states) {
+  std::vector<const PixelMemory*> memories;
+  memories.reserve(states.size());
+  for (const NodeState& state : states) memories.push_back(&state.pixels);
+  return {region, nodes, std::move(memories)};
+}
+
+}  // namespace
+
+Collector::Collector(sc_core::sc_module_name name, const machines::Machine& machine, const Division& division)
+    : sc_core::sc_module(name),
+      nodes_(machine.array),
+      division_(division),
+      told_(std::size_t{nodes_.width} * nodes_.height),
+      ends_(told_.size()) {}
+
+kernel::Keep Collector::keeps_after(const isa::Region& region, std::uint32_t index) {
+  return retirement->keeps_after(division_.number_of(region), index);
+}
+
+void Collector::after_instruction(std::uint32_t node, NodeState state) {
+  const std::uint32_t index = told_[node]++;
+  if (index == steps_.size()) steps_.emplace_back(told_.size());
+  steps_[index][node] = std::move(state);
+}
+
+void Collector::after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) {
+  ends_[node] = std::move(end);
+  if (++ended_ < told_.size()) return;
+  tell(region);
+  steps_.clear();
+  std::fill(told_.begin(), told_.end(), 0U);
+  ended_ = 0;
+}
+
+void Collector::tell(const isa::Region& region) {
+  const std::uint32_t segment = division_.number_of(region);
+  for (std::uint32_t index = 0; index < steps_.size(); ++index) {
+    kernel::Retired retired{.segment = segment, .index = index};
+    for (const NodeState& state : steps_[index]) {
+      retired.clocks = std::max(retired.clocks, state.clocks);
+      retired.enabled_pixels += state.enabled_pixels;
+    }
+    retirement->after_instruction(retired, view_of(region, nodes_, steps_[index]));
+  }
+  if (steps_.empty()) return retirement->after_segment(segment, kernel::ClearView());
+  retirement->after_segment(segment, view_of(region, nodes_, ends_));
+}
+
+void Collector::after_clear(const isa::Region& segment) {
+  if (++ended_ < told_.size()) return;
+  ended_ = 0;
+  for (const isa::Region& part : parts_of(segment, nodes_.width, nodes_.height)) {
+    retirement->after_segment(division_.number_of(part), kernel::ClearView());
+  }
+}
+
+}  // namespace csgsim::multi_processor

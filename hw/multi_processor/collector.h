@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <systemc>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "hw/multi_processor/division.h"
+#include "hw/multi_processor/node_state.h"
+#include "hw/systemc/retirement.h"
+
+namespace csgsim::multi_processor {
+
+/// Where nodes tell what they have carried out.
+class CollectorPort : virtual public sc_core::sc_interface {
+ public:
+  [[nodiscard]] virtual kernel::Keep keeps_after(const isa::Region& region, std::uint32_t index) = 0;
+  /// Of each instruction of the subsegment in order.
+  virtual void after_instruction(std::uint32_t node, NodeState state) = 0;
+  virtual void after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) = 0;
+  /// A segment whose subsegments have no instructions.
+  virtual void after_clear(const isa::Region& segment) = 0;
+};
+
+/// Gathers what the nodes tell of a subsegment, each at its own clock, and tells of it instruction by instruction when
+/// all have come to its end. No part of the hardware: it takes no clock.
+class Collector final : public sc_core::sc_module, public CollectorPort {
+ public:
+  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+
+  Collector(sc_core::sc_module_name name, const machines::Machine& machine, const Division& division);
+
+  [[nodiscard]] kernel::Keep keeps_after(const isa::Region& region, std::uint32_t index) override;
+  void after_instruction(std::uint32_t node, NodeState state) override;
+  void after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) override;
+  void after_clear(const isa::Region& segment) override;
+
+ private:
+  void tell(const isa::Region& region);
+
+  const isa::ArrayShape nodes_;
+  const Division& division_;
+  std::vector<std::vector<NodeState>> steps_;  ///< by instruction, by node
+  std::vector<std::uint32_t> told_;            ///< instructions, by node
+  std::vector<NodeState> ends_;                ///< by node
+  std::uint32_t ended_ = 0;                    ///< nodes
+};
+
+}  // namespace csgsim::multi_processor

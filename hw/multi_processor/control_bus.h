@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <systemc>
+#include <vector>
+
+#include "hw/machines/machine.h"
+#include "hw/multi_processor/account.h"
+#include "hw/multi_processor/time_base.h"
+#include "hw/multi_processor/words.h"
+
+namespace csgsim::multi_processor {
+
+/// Carries a word at a time to all parts. Who asks while nobody has the bus gets it after `link.latency` clocks, of
+/// several the one with the lowest number, and has it until its last word. A word takes `link.word_clocks` clocks, and
+/// is on the lines at the end of them.
+class ControlBus final : public sc_core::sc_module {
+ public:
+  sc_core::sc_vector<sc_core::sc_in<BusRequest>> requests;  ///< one a master
+  sc_core::sc_out<BusLines> lines{"lines"};
+
+  ControlBus(sc_core::sc_module_name name, const machines::Machine& machine, std::size_t masters);
+
+  void begin();
+
+  [[nodiscard]] BusClocks account() const { return stays_.clocks(time_.now()); }
+
+ private:
+  void on_request();
+  void on_word();
+  void on_grant();
+  void start(std::uint32_t master);
+  void transfer();
+  [[nodiscard]] bool asks(std::uint32_t master) const { return requests[master].read().number > served_[master]; }
+
+  TimeBase time_;
+  const machines::Link link_;
+  std::vector<std::uint64_t> served_;    ///< words of each master
+  std::optional<std::uint32_t> master_;  ///< who has the bus
+  bool moving_ = false;                  ///< a word, or the grant is on its way
+  std::uint64_t words_ = 0;
+  sc_core::sc_event granted_{"granted"};
+  sc_core::sc_event arrived_{"word_arrived"};
+  Stays<BusActivity, bus_activity_names.size()> stays_;
+};
+
+}  // namespace csgsim::multi_processor

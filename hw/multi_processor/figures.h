@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace csgsim::multi_processor {
+
+/// How a node goes over its pixels of a subsegment and over the instructions of its list.
+enum class RenderingOrder : std::uint8_t {
+  segment,    ///< each instruction at all pixels
+  scan_line,  ///< each row of pixels: each instruction at all pixels of the row
+  pixel,      ///< each pixel: all instructions
+};
+
+inline constexpr auto rendering_order_names = std::to_array<std::string_view>({"segment", "scan-line", "pixel"});
+
+/// Clocks that a node takes for an operation on one of its words.
+struct OperationClocks {
+  std::uint32_t read = 1;
+  std::uint32_t write = 1;
+  std::uint32_t add = 1;
+  std::uint32_t compare = 1;
+  std::uint32_t logic = 1;     ///< also a shift by whatever number of bits
+  std::uint32_t multiply = 1;  ///< with one word
+
+  constexpr bool operator==(const OperationClocks&) const = default;
+};
+
+/// Clocks of the loops around them.
+struct LoopClocks {
+  std::uint32_t pixel = 0;        ///< a pass of the loop over the pixels of a row
+  std::uint32_t row = 0;          ///< a pass of the loop over rows
+  std::uint32_t instruction = 0;  ///< a pass of the loop over instructions, to decode one; its words are read besides
+
+  constexpr bool operator==(const LoopClocks&) const = default;
+};
+
+/// Clocks of a processor that divides.
+struct TestClocks {
+  std::uint32_t primitive = 0;  ///< to hold the bounds of a primitive against a part of the picture
+  std::uint32_t halfspace = 0;  ///< to hold a half-space against the corners of one
+
+  constexpr bool operator==(const TestClocks&) const = default;
+};
+
+/// What only this kind of machine has. The nodes are machine.array: `width` columns, `height` rows.
+struct Figures {
+  std::uint32_t levels = 0;  ///< of binary subdivision of the picture, into segments
+  RenderingOrder order = RenderingOrder::segment;
+  std::uint32_t word_bits = 16;    ///< of a node
+  std::uint32_t memory_words = 0;  ///< of a node, for a segment's half-spaces and lists
+  OperationClocks operations;
+  LoopClocks loop;
+  TestClocks node_tests;
+  TestClocks display_tests;
+  std::uint32_t transform_clocks = 0;  ///< of the display processor, a half-space of the model
+  bool divides_ahead = false;          ///< the display processor divides the next segment while the nodes work
+  std::uint32_t primitive_bits = 1;    ///< of an active primitive's data on the bus
+  std::uint32_t halfspace_bits = 1;    ///< of a half-space's
+  std::uint32_t barrier_clocks = 0;    ///< from the last node's arrival until all go on
+
+  constexpr bool operator==(const Figures&) const = default;
+};
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,147 @@
+#include "hw/multi_processor/kind.h"
+
+#include <algorithm>
+#include <array>
+
+#include "hw/machines/runs_on.h"
+#include "hw/machines/shared_figures.h"
+#include "hw/multi_processor/clocks.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/regions.h"
+#include "hw/multi_processor/timing.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+using machines::FigureSchema;
+using machines::Machine;
+using machines::most_clocks;
+using machines::own_figure;
+namespace shared = machines::shared;
+
+constexpr std::int64_t most_nodes_a_side = 16;
+constexpr std::int64_t most_levels = 20;
+constexpr std::int64_t most_data_bits = 65536;
+
+/// A figure in a member of a part of the kind's own figures.
+template <auto part, auto member>
+constexpr FigureSchema part_figure(std::string_view key, std::string_view meaning) {
+  return {key,
+          "clocks",
+          0,
+          most_clocks,
+          meaning,
+          [](Machine& machine, std::int64_t value) {
+            machines::own<Figures>(machine).*part.*member = static_cast<std::uint32_t>(value);
+          },
+          [](const Machine& machine) { return std::int64_t{machines::own<Figures>(machine).*part.*member}; }};
+}
+
+constexpr auto ideal_only = std::to_array<std::string_view>({machines::ideal_value});
+
+constexpr FigureSchema division_result() {
+  FigureSchema figure = machines::built_in_figure("division.result", "", 0, "what the processors that divide find");
+  figure.names = ideal_only;
+  return figure;
+}
+
+constexpr auto schema = std::to_array<FigureSchema>({
+    machines::figure<&Machine::array, &isa::ArrayShape::width>("nodes.columns", "nodes", 1, most_nodes_a_side,
+                                                               "nodes in a row of the array"),
+    machines::figure<&Machine::array, &isa::ArrayShape::height>("nodes.rows", "nodes", 1, most_nodes_a_side,
+                                                                "rows of nodes"),
+    machines::figure<&Machine::array, &isa::ArrayShape::memory_bits>(
+        "pixel.memory_bits", "bits", 1, isa::max_memory_bits, "that a node keeps for a pixel"),
+    shared::picture_width,
+    shared::picture_height,
+    shared::clock_frequency,
+    own_figure<Figures, &Figures::levels>("subdivision.levels", "halvings", 0, most_levels,
+                                          "of the picture, into segments"),
+    own_figure<Figures, &Figures::order>("rendering.order", "", 0, 2,
+                                         "in which a node goes over pixels and instructions", rendering_order_names),
+    division_result(),
+    own_figure<Figures, &Figures::transform_clocks>("display.transform_clocks", "clocks", 0, most_clocks,
+                                                    "to transform a half-space of the model"),
+    part_figure<&Figures::display_tests, &TestClocks::primitive>("display.primitive_clocks",
+                                                                 "to hold the bounds of a primitive against a segment"),
+    part_figure<&Figures::display_tests, &TestClocks::halfspace>(
+        "display.halfspace_clocks", "to hold a half-space against the corners of a segment"),
+    own_figure<Figures, &Figures::divides_ahead>("display.divides_ahead", "segments", 0, 1,
+                                                 "that are divided while the nodes work on the one before"),
+    shared::link_width,
+    shared::link_word_clocks,
+    shared::link_latency,
+    own_figure<Figures, &Figures::primitive_bits>("bus.primitive_bits", "bits", 1, most_data_bits,
+                                                  "of an active primitive's data"),
+    own_figure<Figures, &Figures::halfspace_bits>("bus.halfspace_bits", "bits", 1, most_data_bits,
+                                                  "of a half-space's data"),
+    own_figure<Figures, &Figures::barrier_clocks>("barrier.clocks", "clocks", 0, most_clocks,
+                                                  "from the last node's arrival until all go on"),
+    own_figure<Figures, &Figures::word_bits>("node.word_bits", "bits", 1, 64, "of a word"),
+    own_figure<Figures, &Figures::memory_words>("node.memory_words", "words", 1, std::int64_t{1} << 31U,
+                                                "for a segment's half-spaces and lists"),
+    part_figure<&Figures::operations, &OperationClocks::read>("node.read_clocks", "to read a word of memory"),
+    part_figure<&Figures::operations, &OperationClocks::write>("node.write_clocks", "to write a word of memory"),
+    part_figure<&Figures::operations, &OperationClocks::add>("node.add_clocks", "to add a word"),
+    part_figure<&Figures::operations, &OperationClocks::compare>("node.compare_clocks", "to compare a word"),
+    part_figure<&Figures::operations, &OperationClocks::logic>("node.logic_clocks", "to combine or shift a word"),
+    part_figure<&Figures::operations, &OperationClocks::multiply>("node.multiply_clocks", "to multiply two words"),
+    part_figure<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks", "of the loop over the pixels of a row"),
+    part_figure<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "of the loop over rows"),
+    part_figure<&Figures::loop, &LoopClocks::instruction>("node.instruction_loop_clocks",
+                                                          "of the loop over instructions, besides reading one"),
+    part_figure<&Figures::node_tests, &TestClocks::primitive>("node.primitive_clocks",
+                                                              "to hold the bounds of a primitive against a subsegment"),
+    part_figure<&Figures::node_tests, &TestClocks::halfspace>(
+        "node.halfspace_clocks", "to hold a half-space against the corners of a subsegment"),
+});
+
+std::any own() { return Figures{}; }
+
+void complete(Machine& /*machine*/) {}
+
+void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
+
+bool answers(const Machine& /*machine*/) { return false; }
+
+void check(const isa::Program& program, const Machine& machine) {
+  machines::check_parts(program, machine);
+  check_fits(program, machine);
+}
+
+machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t nodes = std::uint64_t{machine.array.width} * machine.array.height;
+  std::uint64_t working_pixels = 0;  // the most that a node has of a subsegment
+  Machine drawing = machine;
+  drawing.picture = {header.shape.width, header.shape.height};
+  for (const isa::Region& part : multi_processor::regions(drawing)) {
+    const std::uint64_t columns = (part.width + machine.array.width - 1) / machine.array.width;
+    const std::uint64_t rows = (part.height + machine.array.height - 1) / machine.array.height;
+    working_pixels = std::max(working_pixels, columns * rows);
+  }
+  const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
+  const std::uint64_t node_bits =
+      std::uint64_t{figures.memory_words} * figures.word_bits + working_pixels * (machine.array.memory_bits + 1);
+  return {nodes, nodes * node_bits + pixels * header.colour.width};
+}
+
+}  // namespace
+
+const machines::Kind kind{
+    .name = "multi-processor",
+    .over = "a subsegment of the picture",
+    .schema = schema,
+    .own = own,
+    .complete = complete,
+    .set_picture = set_picture,
+    .answers = answers,
+    .regions = regions,
+    .check = check,
+    .clocks = pixel_clocks,
+    .time = time_frame,
+    .resources = resources,
+};
+
+}  // namespace csgsim::multi_processor

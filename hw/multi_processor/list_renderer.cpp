@@ -1,0 +1,143 @@
+#include "hw/multi_processor/list_renderer.h"
+
+#include "hw/isa/wire.h"
+
+namespace csgsim::multi_processor {
+
+ListRenderer::ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
+                           std::span<const kernel::Keep> keeps, const NodePixels& own)
+    : order_(figures.order),
+      nodes_(nodes),
+      list_(list),
+      keeps_(keeps),
+      own_(own),
+      processor_(figures),
+      memory_(own.count(), nodes.memory_bits),
+      steps_(list.size()) {
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    if (keeps_[i] != kernel::Keep::nothing) steps_[i].pixels = memory_;
+  }
+}
+
+template <class Visit>
+void ListRenderer::for_each_in_row(std::uint32_t row, const Visit& visit) {
+  for (std::uint32_t column = 0; column < own_.columns; ++column) {
+    visit(std::size_t{row} * own_.columns + column, column);
+    processor_.count_pixel();
+  }
+}
+
+template <class Visit>
+void ListRenderer::for_each_pixel(const Visit& visit) {
+  for (std::uint32_t row = 0; row < own_.rows; ++row) {
+    for_each_in_row(row, [&](std::size_t pixel, std::uint32_t /*column*/) { visit(pixel); });
+    processor_.count_row();
+  }
+}
+
+void ListRenderer::render() {
+  if (own_.count() == 0) return;  // nor is the list looked at
+  for_each_pixel([&](std::size_t /*pixel*/) { processor_.clear(nodes_.memory_bits); });
+  switch (order_) {
+    case RenderingOrder::segment: return by_segment();
+    case RenderingOrder::scan_line: return by_scan_line();
+    case RenderingOrder::pixel: return by_pixel();
+  }
+}
+
+void ListRenderer::by_segment() {
+  for (std::size_t index = 0; index < list_.size(); ++index) {
+    const isa::Linear& linear = list_[index].linear;
+    fetch(list_[index]);
+    std::uint64_t sum = 0;
+    std::uint64_t across = 0;
+    std::uint64_t down = 0;
+    if (linear.width > 0) {
+      sum = processor_.start(linear, x_of(0), y_of(0));
+      across = processor_.step(linear, linear.a, nodes_.width);
+      down = processor_.step(linear, linear.b, nodes_.height);
+    }
+    for (std::uint32_t row = 0; row < own_.rows; ++row) {
+      along_row(index, row, sum, across);
+      if (linear.width > 0) processor_.add(linear, sum, down);
+      processor_.count_row();
+    }
+  }
+}
+
+void ListRenderer::by_scan_line() {
+  for (std::uint32_t row = 0; row < own_.rows; ++row) {
+    for (std::size_t index = 0; index < list_.size(); ++index) {
+      const isa::Linear& linear = list_[index].linear;
+      fetch(list_[index]);
+      std::uint64_t sum = 0;
+      std::uint64_t across = 0;
+      if (linear.width > 0) {
+        sum = processor_.start(linear, x_of(0), y_of(row));
+        across = processor_.step(linear, linear.a, nodes_.width);
+      }
+      along_row(index, row, sum, across);
+    }
+    processor_.count_row();
+  }
+}
+
+void ListRenderer::by_pixel() {
+  for (std::uint32_t row = 0; row < own_.rows; ++row) {
+    for_each_in_row(row, [&](std::size_t pixel, std::uint32_t column) {
+      for (std::size_t index = 0; index < list_.size(); ++index) {
+        const isa::Linear& linear = list_[index].linear;
+        fetch(list_[index]);
+        const std::uint64_t before = processor_.clocks();
+        const std::uint64_t sum = linear.width > 0 ? processor_.start(linear, x_of(column), y_of(row)) : 0;
+        act(index, pixel, sum);
+        steps_[index].clocks = processor_.clocks() - before;
+      }
+    });
+    processor_.count_row();
+  }
+}
+
+void ListRenderer::along_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step) {
+  const isa::Linear& linear = list_[index].linear;
+  for_each_in_row(row, [&](std::size_t pixel, std::uint32_t /*column*/) {
+    const std::uint64_t before = processor_.clocks();
+    act(index, pixel, sum);
+    if (linear.width > 0) processor_.add(linear, sum, step);
+    steps_[index].clocks = processor_.clocks() - before;
+  });
+}
+
+void ListRenderer::fetch(const isa::Instruction& instruction) { processor_.fetch(isa::wire_bits(instruction)); }
+
+void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) {
+  NodeState& step = steps_[index];
+  step.enabled_pixels += memory_.enabled(pixel) ? 1U : 0U;
+  processor_.act(list_[index], memory_, pixel, sum);
+  if (keeps_[index] != kernel::Keep::nothing) step.pixels.copy(pixel, memory_);
+}
+
+std::vector<std::uint32_t> ListRenderer::store_colours(isa::Field colour) {
+  std::vector<std::uint32_t> colours;
+  if (colour.width == 0) return colours;
+  for_each_pixel([&](std::size_t pixel) {
+    colours.push_back(processor_.load_colour(memory_, pixel, colour));
+    processor_.store_colour(colour);
+  });
+  return colours;
+}
+
+std::uint64_t background_clocks(const Figures& figures, const NodePixels& own, isa::Field colour) {
+  WordProcessor processor(figures);
+  if (colour.width == 0) return 0;
+  for (std::uint32_t row = 0; row < own.rows; ++row) {
+    for (std::uint32_t column = 0; column < own.columns; ++column) {
+      processor.store_colour(colour);
+      processor.count_pixel();
+    }
+    processor.count_row();
+  }
+  return processor.clocks();
+}
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/node_state.h"
+#include "hw/multi_processor/regions.h"
+#include "hw/multi_processor/word_processor.h"
+#include "hw/systemc/run_listener.h"
+
+namespace csgsim::multi_processor {
+
+/// Carries out a subsegment's list on a node's pixels of it, in the loops of the order, and clocks are counted as it
+/// does so.
+class ListRenderer {
+ public:
+  /// `keeps`: what is to be kept after each instruction. All has to live as long as the renderer.
+  ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
+               std::span<const kernel::Keep> keeps, const NodePixels& own);
+
+  /// Clears memory, and then carries out the list.
+  void render();
+
+  /// Copies the colours of the pixels, in row order, into the image memory.
+  std::vector<std::uint32_t> store_colours(isa::Field colour);
+
+  [[nodiscard]] std::uint64_t clocks() const { return processor_.clocks(); }
+
+  /// One an instruction.
+  [[nodiscard]] std::vector<NodeState>& steps() { return steps_; }
+  [[nodiscard]] PixelMemory& memory() { return memory_; }
+
+ private:
+  template <class Visit>
+  void for_each_pixel(const Visit& visit);
+  template <class Visit>
+  void for_each_in_row(std::uint32_t row, const Visit& visit);
+
+  void by_segment();
+  void by_scan_line();
+  void by_pixel();
+  void fetch(const isa::Instruction& instruction);
+  void act(std::size_t index, std::size_t pixel, std::uint64_t sum);
+  void along_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
+
+  [[nodiscard]] std::uint32_t x_of(std::uint32_t column) const { return own_.first_x + column * nodes_.width; }
+  [[nodiscard]] std::uint32_t y_of(std::uint32_t row) const { return own_.first_y + row * nodes_.height; }
+
+  const RenderingOrder order_;
+  const isa::ArrayShape nodes_;
+  std::span<const isa::Instruction> list_;
+  std::span<const kernel::Keep> keeps_;
+  const NodePixels own_;
+  WordProcessor processor_;
+  PixelMemory memory_;
+  std::vector<NodeState> steps_;
+};
+
+/// Clocks in which a node makes so many of its pixels show a colour that is at hand.
+std::uint64_t background_clocks(const Figures& figures, const NodePixels& own, isa::Field colour);
+
+}  // namespace csgsim::multi_processor

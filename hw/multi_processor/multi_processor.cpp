@@ -1,0 +1,124 @@
+#include "hw/multi_processor/multi_processor.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "hw/multi_processor/make.h"
+#include "hw/multi_processor/regions.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+std::uint32_t nodes_of(const machines::Machine& machine) { return machine.array.width * machine.array.height; }
+
+}  // namespace
+
+MultiProcessor::MultiProcessor(sc_core::sc_module_name name, const machines::Machine& machine)
+    : sc_core::sc_module(name),
+      machine_(machine),
+      time_(machine),
+      requests_("requests", nodes_of(machine) + 1),
+      arrivals_("arrivals", nodes_of(machine)),
+      display_("display_processor", machine),
+      bus_("control_bus", machine, nodes_of(machine) + 1),
+      barrier_("barrier", machine),
+      nodes_("nodes", nodes_of(machine),
+             [&](const char* node, std::size_t number) {
+               return new Node(node, machine, static_cast<std::uint32_t>(number));
+             }),
+      watch_("stage_watch", machine),
+      collector_("collector", machine, division_) {
+  SC_HAS_PROCESS(MultiProcessor);
+  sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
+
+  bind_masters();
+  bus_.requests(requests_);
+  bus_.lines(lines_);
+
+  barrier_.arrivals(arrivals_);
+  barrier_.gathered(gathered_);
+  barrier_.released(released_);
+
+  watch_.bus(lines_);
+  watch_.gathered(gathered_);
+  watch_.released(released_);
+  collector_.retirement(retirement_);
+
+  SC_METHOD(on_done);
+  dont_initialize();
+  sensitive << frames_;
+}
+
+void MultiProcessor::bind_masters() {
+  display_.bus(lines_);
+  display_.request(requests_[display_master]);
+  display_.released(released_);
+  display_.division(division_);
+  display_.frames(frames_);
+
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    nodes_[i].bus(lines_);
+    nodes_[i].request(requests_[master_of(i)]);
+    nodes_[i].arrival(arrivals_[i]);
+    nodes_[i].released(released_);
+    nodes_[i].division(division_);
+    nodes_[i].collector(collector_);
+  }
+}
+
+/// Gives control back to who started the simulation, when all that belongs to this clock has happened.
+void MultiProcessor::on_done() { sc_core::sc_pause(); }
+
+kernel::RunReport MultiProcessor::run(const isa::Program& program, kernel::RunListener& listener) {
+  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  const std::uint64_t begun = time_.now();
+  const std::uint64_t before = frames_.read();
+  begin(program, listener);
+  sc_core::sc_start();
+  retirement_.rethrow();
+  if (frames_.read() == before) throw std::logic_error("the multi-processor stands still in the middle of a frame");
+  return {.clocks = time_.now() - begun,
+          .answers = {},
+          .account = account(counted(), machine_.array),
+          .picture = picture_of(program)};
+}
+
+void MultiProcessor::begin(const isa::Program& program, kernel::RunListener& listener) {
+  machines::Machine drawing = machine_;
+  drawing.picture = {program.shape.width, program.shape.height};
+  retirement_.begin(listener);
+  division_.begin(program);
+  bus_.begin();
+  watch_.begin();
+  std::for_each(nodes_.begin(), nodes_.end(), [&](Node& node) { node.begin(isa::frame_header(program)); });
+  display_.begin(segments(drawing), program.facts.model);
+}
+
+FrameAccount MultiProcessor::counted() const {
+  FrameAccount counted;
+  counted.stages = watch_.stages();
+  display_.tell(counted);
+  counted.bus = bus_.account();
+  std::for_each(nodes_.begin(), nodes_.end(), [&](const Node& node) { node.tell(counted); });
+  return counted;
+}
+
+std::vector<std::uint32_t> MultiProcessor::picture_of(const isa::Program& program) const {
+  if (isa::field_of(program, isa::FieldRole::colour).width == 0) return {};
+  std::vector<std::uint32_t> picture;
+  for (std::uint32_t y = 0; y < program.shape.height; ++y) {
+    for (std::uint32_t x = 0; x < program.shape.width; ++x) {
+      const std::size_t row = y % machine_.array.height;
+      picture.push_back(nodes_[row * machine_.array.width + x % machine_.array.width].colour(x, y));
+    }
+  }
+  return picture;
+}
+
+std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+  return std::make_unique<MultiProcessor>("multi_processor", machine);
+}
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hw/isa/instruction.h"
+
+namespace csgsim::multi_processor {
+
+/// Memory and enable bit of some pixels.
+class PixelMemory {
+ public:
+  PixelMemory() = default;
+  /// All 0.
+  PixelMemory(std::uint64_t pixels, std::uint32_t memory_bits)
+      : pixel_words_((memory_bits + word_bits - 1) / word_bits), memory_(pixels * pixel_words_), enable_(pixels) {}
+
+  [[nodiscard]] std::size_t pixels() const { return enable_.size(); }
+
+  [[nodiscard]] bool enabled(std::size_t pixel) const { return enable_[pixel] != 0; }
+  void enable(std::size_t pixel, bool value) { enable_[pixel] = value ? 1 : 0; }
+
+  /// 0 for a field without bits.
+  [[nodiscard]] std::uint64_t read(std::size_t pixel, isa::Field field) const {
+    if (field.width == 0) return 0;
+    const std::size_t word = pixel * pixel_words_ + field.base / word_bits;
+    const unsigned shift = field.base % word_bits;
+    std::uint64_t value = memory_[word] >> shift;
+    if (shift + field.width > word_bits) value |= memory_[word + 1] << (word_bits - shift);
+    return value & mask(field);
+  }
+
+  /// Takes over a pixel of an equal memory.
+  void copy(std::size_t pixel, const PixelMemory& from) {
+    for (std::size_t i = 0; i < pixel_words_; ++i) {
+      memory_[pixel * pixel_words_ + i] = from.memory_[pixel * pixel_words_ + i];
+    }
+    enable_[pixel] = from.enable_[pixel];
+  }
+
+  /// The low bits of the value.
+  void write(std::size_t pixel, isa::Field field, std::uint64_t value) {
+    const std::size_t word = pixel * pixel_words_ + field.base / word_bits;
+    const unsigned shift = field.base % word_bits;
+    const std::uint64_t bits = value & mask(field);
+    memory_[word] = (memory_[word] & ~(mask(field) << shift)) | bits << shift;
+    if (shift + field.width <= word_bits) return;
+    const unsigned below = word_bits - shift;
+    memory_[word + 1] = (memory_[word + 1] & ~(mask(field) >> below)) | bits >> below;
+  }
+
+ private:
+  static constexpr unsigned word_bits = 64;  ///< of the simulation
+
+  static std::uint64_t mask(isa::Field field) { return (std::uint64_t{1} << field.width) - 1; }
+
+  std::size_t pixel_words_ = 0;
+  std::vector<std::uint64_t> memory_;
+  std::vector<std::uint8_t> enable_;
+};
+
+}  // namespace csgsim::multi_processor

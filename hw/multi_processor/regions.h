@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/machines/machine.h"
+
+namespace csgsim::multi_processor {
+
+/// The region cut into at most so many columns and rows of equal parts, those at the right and bottom edges cut off
+/// there, row by row. There are fewer parts where the region has too few pixels.
+std::vector<isa::Region> parts_of(const isa::Region& region, std::uint32_t columns, std::uint32_t rows);
+
+/// The segments of the machine's picture, row by row: `levels` halvings, the first across its columns, then in turn.
+std::vector<isa::Region> segments(const machines::Machine& machine);
+
+/// Subsegments, segment by segment: as many of each as there are nodes.
+std::vector<isa::Region> regions(const machines::Machine& machine);
+
+/// The pixels of a region that one node holds, counted from the region's top left; all 0 if it holds none.
+struct NodePixels {
+  std::uint32_t first_x = 0;
+  std::uint32_t first_y = 0;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+
+  [[nodiscard]] std::uint64_t count() const { return std::uint64_t{columns} * rows; }
+};
+
+/// Node (row, column) of the array holds the pixels of the picture with y mod height = row and x mod width = column.
+NodePixels pixels_of(const isa::Region& region, const isa::ArrayShape& array, std::uint32_t row, std::uint32_t column);
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <systemc>
+
+#include "hw/machines/machine.h"
+#include "hw/multi_processor/account.h"
+#include "hw/multi_processor/time_base.h"
+#include "hw/multi_processor/words.h"
+
+namespace csgsim::multi_processor {
+
+/// Counts the clocks of the stages that all nodes are in together. No part of the hardware.
+class StageWatch final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<BusLines> bus{"bus"};
+  sc_core::sc_in<std::uint64_t> gathered{"gathered"};
+  sc_core::sc_in<std::uint64_t> released{"released"};
+
+  StageWatch(sc_core::sc_module_name name, const machines::Machine& machine);
+
+  void begin() { stages_ = {}; }
+
+  /// Of the second pruning, sharing, rendering and barriers; the others are the display processor's.
+  [[nodiscard]] const StageClocks& stages() const { return stages_; }
+
+ private:
+  void on_word();
+  void on_gathered();
+  void on_released();
+  std::uint64_t passed();
+
+  TimeBase time_;
+  std::uint64_t since_ = 0;
+  bool prunes_ = false;  ///< the nodes do so next: a segment's data has come
+  StageClocks stages_;
+};
+
+}  // namespace csgsim::multi_processor

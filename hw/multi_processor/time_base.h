@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <systemc>
+
+#include "hw/machines/machine.h"
+#include "hw/systemc/kernel.h"
+
+namespace csgsim::multi_processor {
+
+/// The clock that all parts have in common. Its edges are not simulated: a part that nothing can disturb sleeps for a
+/// whole number of clocks.
+class TimeBase {
+ public:
+  explicit TimeBase(const machines::Machine& machine) : period_(kernel::period_of(machine)) {}
+
+  /// Clocks since the simulation began.
+  [[nodiscard]] std::uint64_t now() const { return sc_core::sc_time_stamp().value() / period_.value(); }
+
+  [[nodiscard]] sc_core::sc_time of(std::uint64_t clocks) const {
+    return sc_core::sc_time::from_value(clocks * period_.value());
+  }
+
+ private:
+  sc_core::sc_time period_;
+};
+
+/// Counts a part's clocks by what it is doing.
+template <class Activity, std::size_t activities>
+class Stays {
+ public:
+  void begin(Activity first, std::uint64_t now) {
+    clocks_ = {};
+    activity_ = first;
+    since_ = now;
+  }
+
+  /// Does something else from the clock `now` on, which is not before the last change.
+  void change(Activity next, std::uint64_t now) {
+    clocks_.at(static_cast<std::size_t>(activity_)) += now - since_;
+    activity_ = next;
+    since_ = now;
+  }
+
+  /// Until `now`.
+  [[nodiscard]] std::array<std::uint64_t, activities> clocks(std::uint64_t now) const {
+    std::array<std::uint64_t, activities> all = clocks_;
+    all.at(static_cast<std::size_t>(activity_)) += now - since_;
+    return all;
+  }
+
+ private:
+  std::array<std::uint64_t, activities> clocks_{};
+  Activity activity_{};
+  std::uint64_t since_ = 0;
+};
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "hw/machines/timing.h"
+#include "hw/multi_processor/account.h"
+
+namespace csgsim::multi_processor {
+
+/// Throws InputError where a segment's half-spaces and lists do not fit the memory of a node, or a frame takes longer
+/// than is simulated.
+void check_fits(const isa::Program& program, const machines::Machine& machine);
+
+struct FrameClocks {
+  std::uint64_t clocks = 0;
+  FrameAccount account;
+};
+
+/// Worked out stage by stage (the modules count the same).
+FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine);
+
+machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
+                                 std::span<const machines::Skip> skips);
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,139 @@
+#include "hw/multi_processor/word_processor.h"
+
+#include <algorithm>
+#include <array>
+
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+constexpr unsigned sum_bits = 64;
+
+/// Does it combine E with a bit of memory, or load that?
+bool reads_first_bit(isa::Opcode opcode) {
+  constexpr auto all =
+      std::to_array<isa::Opcode>({isa::Opcode::enable_load, isa::Opcode::enable_and, isa::Opcode::enable_and_not,
+                                  isa::Opcode::enable_or, isa::Opcode::enable_xor});
+  return std::find(all.begin(), all.end(), opcode) != all.end();
+}
+
+}  // namespace
+
+std::uint64_t WordProcessor::multiply(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t factor) {
+  clocks_ += words(linear.width) * operations_.multiply;
+  return static_cast<std::uint64_t>(coefficient) * factor;
+}
+
+std::uint64_t WordProcessor::start(const isa::Linear& linear, std::uint32_t x, std::uint32_t y) {
+  auto sum = static_cast<std::uint64_t>(linear.c);
+  add(linear, sum, multiply(linear, linear.a, x));
+  add(linear, sum, multiply(linear, linear.b, y));
+  return sum;
+}
+
+std::uint64_t WordProcessor::step(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t distance) {
+  return multiply(linear, coefficient, distance);
+}
+
+void WordProcessor::add(const isa::Linear& linear, std::uint64_t& sum, std::uint64_t step) {
+  add_words(linear.width);
+  sum += step;
+}
+
+std::uint32_t WordProcessor::load_colour(const PixelMemory& memory, std::size_t pixel, isa::Field colour) {
+  return static_cast<std::uint32_t>(read(memory, pixel, colour));
+}
+
+std::uint64_t WordProcessor::read(const PixelMemory& memory, std::size_t pixel, isa::Field field) {
+  read_words(field.width);
+  return memory.read(pixel, field);
+}
+
+void WordProcessor::write_enable(PixelMemory& memory, std::size_t pixel, bool value) {
+  write_words(1);
+  memory.enable(pixel, value);
+}
+
+void WordProcessor::write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value, bool where) {
+  write_words(field.width);
+  if (where) memory.write(pixel, field, value);
+}
+
+/// The low `width` bits as a two's complement number, shifted right with floor.
+std::int64_t WordProcessor::value_of(std::uint64_t sum, const isa::Linear& linear) {
+  if (linear.shift > 0) combine_words(linear.width);
+  const unsigned unused = sum_bits - linear.width;
+  return static_cast<std::int64_t>(sum << unused) >> unused >> linear.shift;
+}
+
+void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
+                        std::uint64_t sum) {
+  using isa::Opcode;
+  const isa::Field first = instruction.fields[0];
+  const isa::Field second = instruction.fields[1];
+  const isa::Field third = instruction.fields[2];
+  const isa::Linear& linear = instruction.linear;
+  const std::int64_t f = linear.width > 0 ? value_of(sum, linear) : 0;
+  read_words(1);
+  combine_words(1);
+  const bool e = memory.enabled(pixel);
+  const auto enable = [&](bool value) { write_enable(memory, pixel, value); };
+  const auto take = [&](isa::Field field) { return read(memory, pixel, field); };
+  const auto put = [&](std::uint64_t value) { write(memory, pixel, first, value, e); };
+  const bool bit = reads_first_bit(instruction.opcode) && take(first) != 0;
+  const auto beside = [&] {
+    const auto number = static_cast<std::int64_t>(take(first));
+    compare_words(std::max<unsigned>(linear.width, first.width));
+    return number;
+  };
+  const auto number = [&](isa::Field field) { return static_cast<std::int64_t>(take(field)); };
+  const auto keep = [&](bool where) { write_linear(instruction, memory, pixel, f, where && e); };
+
+  switch (instruction.opcode) {
+    case Opcode::enable_all: return enable(true);
+    case Opcode::enable_invert: return enable(!e);
+    case Opcode::enable_load: return enable(bit);
+    case Opcode::enable_or: return enable(e || bit);
+    case Opcode::enable_xor: return enable(e != bit);
+    case Opcode::enable_and: return enable(e && bit);
+    case Opcode::enable_and_not: return enable(e && !bit);
+    case Opcode::enable_store: return write(memory, pixel, first, e ? 1 : 0, true);
+    case Opcode::edge_not_negative: compare_words(1); return enable(f >= 0 && e);
+    case Opcode::edge_negative: compare_words(1); return enable(f < 0 && e);
+    case Opcode::linear_ge: return enable(f >= beside() && e);
+    case Opcode::linear_gt: return enable(f > beside() && e);
+    case Opcode::linear_le: return enable(f <= beside() && e);
+    case Opcode::linear_lt: return enable(f < beside() && e);
+    case Opcode::linear_eq: return enable(f == beside() && e);
+    case Opcode::load_linear: return keep(true);
+    case Opcode::keep_max: return keep(f > beside());
+    case Opcode::keep_min: return keep(f < beside());
+    case Opcode::set_constant: return put(instruction.constant);
+    case Opcode::copy: return put(take(second));
+    case Opcode::field_lt: return enable(beside() < number(second) && e);
+    case Opcode::field_le: return enable(beside() <= number(second) && e);
+    case Opcode::field_eq: return enable(beside() == number(second) && e);
+    case Opcode::bit_and: combine_words(first.width); return put(take(second) & take(third));
+    case Opcode::bit_or: combine_words(first.width); return put(take(second) | take(third));
+    case Opcode::bit_xor: combine_words(first.width); return put(take(second) ^ take(third));
+    case Opcode::bit_and_not: combine_words(first.width); return put(take(second) & ~take(third));
+    case Opcode::bit_not: combine_words(first.width); return put(~take(second));
+    case Opcode::xor_constant: combine_words(first.width); return put(take(first) ^ instruction.constant);
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return;
+  }
+}
+
+/// Disables a pixel that is written where the number does not fit.
+void WordProcessor::write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
+                                 std::int64_t f, bool where) {
+  const isa::Field target = instruction.fields[0];
+  write(memory, pixel, target, static_cast<std::uint64_t>(f), where);
+  compare_words(instruction.linear.width);
+  const bool fits = f >= 0 && f >> target.width == 0;
+  write_enable(memory, pixel, memory.enabled(pixel) && (fits || !where));
+}
+
+}  // namespace csgsim::multi_processor

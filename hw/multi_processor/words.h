@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <systemc>
+
+#include "hw/isa/link_word.h"
+
+/// What is on the wires between the modules.
+namespace csgsim::multi_processor {
+
+/// What a word of the control bus is, which a wire beside it says.
+enum class WordKind : std::uint8_t {
+  command,    ///< part of a command of hw/isa/wire.h
+  primitive,  ///< part of an active primitive's data
+  halfspace,  ///< part of a half-space's data
+};
+
+/// A master's word for the bus.
+struct BusRequest {
+  std::uint64_t number = 0;  ///< of the master's words, from 1; 0 before the first
+  WordKind kind = WordKind::command;
+  bool last = false;  ///< of what the master has to say for now
+  isa::LinkWord word;
+
+  constexpr bool operator==(const BusRequest&) const = default;
+};
+
+/// The word that all have just got.
+struct BusLines {
+  std::uint64_t number = 0;  ///< of all words, from 1; 0 before the first
+  std::uint32_t master = 0;  ///< who sent it
+  BusRequest sent;
+
+  constexpr bool operator==(const BusLines&) const = default;
+};
+
+std::ostream& operator<<(std::ostream& stream, const BusRequest& request);
+std::ostream& operator<<(std::ostream& stream, const BusLines& lines);
+
+void sc_trace(sc_core::sc_trace_file* file, const BusRequest& request, const std::string& name);
+void sc_trace(sc_core::sc_trace_file* file, const BusLines& lines, const std::string& name);
+
+/// The display processor is master 0 of the bus, node n is master n + 1.
+inline constexpr std::uint32_t display_master = 0;
+
+constexpr std::uint32_t master_of(std::uint32_t node) { return node + 1; }
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,54 @@
+#include "hw/pixel_planes/completion.h"
+
+#include "hw/systemc/array_view.h"
+
+namespace csgsim::pixel_planes {
+
+Completion::Completion(sc_core::sc_module_name name) : sc_core::sc_module(name) {
+  SC_HAS_PROCESS(Completion);
+  SC_METHOD(complete);
+  dont_initialize();
+  sensitive << retired << accounts.data_written();
+}
+
+void Completion::begin(std::span<const isa::Segment> segments) {
+  segments_ = segments;
+  segments_begun_ = 0;
+  skipped_ = 0;
+  answers_.clear();
+}
+
+/// A question is accounted for later than its step reaches the pixels; any other command before its last word does.
+void Completion::complete() {
+  Account account;
+  if (told_ == retired.read() || !accounts.nb_read(account)) return;
+  ++told_;
+  if (account.cleared) {
+    ++segments_begun_;
+    index_ = 0;
+  } else {
+    tell(account);
+  }
+  enabled_ = enable->count_enabled();
+  finish_segment();
+}
+
+void Completion::tell(const Account& account) {
+  if (account.answered) answers_.push_back(account.answer);
+  retirement->after_instruction({.segment = segments_begun_ - 1,
+                                 .index = index_,
+                                 .clocks = account.clocks,
+                                 .enabled_pixels = enabled_,
+                                 .skipped = account.skipped},
+                                kernel::ArrayView(enable->pixels()));
+  skipped_ += account.skipped;
+  index_ += static_cast<std::uint32_t>(1 + account.skipped);
+}
+
+void Completion::finish_segment() {
+  const std::uint32_t segment = segments_begun_ - 1;
+  if (index_ != segments_[segment].instructions.size()) return;
+  retirement->after_segment(segment, kernel::ArrayView(enable->pixels()));
+}
+
+}  // namespace csgsim::pixel_planes

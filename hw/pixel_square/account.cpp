@@ -1,0 +1,43 @@
+#include "hw/pixel_square/account.h"
+
+#include <numeric>
+#include <string>
+
+namespace csgsim::pixel_square {
+
+namespace {
+
+machines::PartAccount part(std::string name, const SquareClocks& clocks) {
+  machines::PartAccount account{std::move(name), {}};
+  for (std::size_t i = 0; i < clocks.size(); ++i) account.clocks.push_back({square_activities[i].name, clocks[i]});
+  return account;
+}
+
+/// Of the renderers' clocks those in which they draw.
+machines::Share utilisation(const SquareAccount& counted) {
+  machines::Share share{.name = "renderer_utilisation"};
+  for (const SquareClocks& renderer : counted.renderers) {
+    share.part += renderer[static_cast<std::size_t>(SquareActivity::working)];
+    share.whole += std::accumulate(renderer.begin(), renderer.end(), std::uint64_t{0});
+  }
+  return share;
+}
+
+}  // namespace
+
+machines::Account account(const SquareAccount& counted) {
+  machines::Account account{
+      .counts = {{"squares_drawn", counted.squares_drawn}, {"squares_skipped", counted.squares_skipped}},
+      .shares = {utilisation(counted)},
+      .parts = {part("host", counted.host)}};
+  if (counted.divider) account.parts.push_back(part("divider", *counted.divider));
+  for (std::size_t i = 0; i < counted.renderers.size(); ++i) {
+    const std::string name = "renderer " + std::to_string(i);
+    account.counts.push_back({"squares of " + name, counted.renderer_squares[i]});
+    account.parts.push_back(part(name, counted.renderers[i]));
+  }
+  account.parts.push_back(part("frame buffer", counted.frame_buffer));
+  return account;
+}
+
+}  // namespace csgsim::pixel_square

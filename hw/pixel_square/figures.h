@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace csgsim::pixel_square {
+
+/// The order in which the squares of a picture are drawn.
+enum class SquareOrder : std::uint8_t {
+  rows,        ///< from left to right, row after row
+  serpentine,  ///< every other row from right to left
+  morton,      ///< along a Z-shaped curve, which keeps to a quarter of the picture before it goes on to the next
+};
+
+inline constexpr auto square_order_names = std::to_array<std::string_view>({"rows", "serpentine", "morton"});
+
+/// Who divides the model.
+enum class DividerKind : std::uint8_t {
+  host,     ///< at no cost: its link brings the commands of the squares
+  corners,  ///< a part of the machine, from a model that the link brings (hw/division)
+};
+
+inline constexpr auto divider_kind_names = std::to_array<std::string_view>({"host", "corners"});
+
+/// As Figures::move_bits: every bit plane at once, in the clock in which the square is drawn.
+inline constexpr std::uint32_t all_planes = 0;
+
+/// What only this kind of machine has.
+struct Figures {
+  std::uint32_t renderers = 1;
+  std::uint32_t buffers = 1;             ///< of a renderer: with 2, a finished square moves out while the next is drawn
+  std::uint32_t move_bits = all_planes;  ///< bit planes that move from the pixels to the second buffer in a clock
+  std::uint32_t port_bits = 1;           ///< that the frame buffer takes, or clears, in a clock
+  std::uint32_t port_fifo_depth = 1;     ///< words of each FIFO before the frame buffer
+  SquareOrder order = SquareOrder::rows;
+
+  DividerKind divider = DividerKind::host;
+  // Of a divider in the machine.
+  std::uint32_t levels = 1;            ///< with 2, a group of squares first
+  std::uint32_t group_side = 1;        ///< squares of a group, along a row and down
+  std::uint32_t list_entries = 1;      ///< of the list between the levels
+  std::uint32_t model_bits = 1;        ///< of the memory that holds the model
+  std::uint32_t box_clocks = 1;        ///< to hold a primitive's box against a square's
+  std::uint32_t halfspace_clocks = 1;  ///< to test a half-space at four corners
+  std::uint32_t pair_clocks = 1;       ///< to hold two half-spaces of a side against each other
+  std::uint32_t node_clocks = 1;       ///< to look at a node of the tree
+
+  constexpr bool operator==(const Figures&) const = default;
+};
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+#include "hw/isa/program.h"
+#include "hw/pixel_square/sender.h"
+
+namespace csgsim::pixel_square {
+
+/// A host that has divided the model, and sends what each square needs over its link.
+class HostSender final : public Sender {
+ public:
+  HostSender(sc_core::sc_module_name name, const machines::Machine& machine);
+
+  /// Starts at the next edge. The segments have to live until the frame is drawn.
+  void begin(std::span<const isa::Segment> segments);
+
+ private:
+  std::optional<SquareActivity> prepare(std::size_t square) override;
+  Square take(std::size_t square) override;
+
+  const std::uint32_t link_width_;
+  const std::uint32_t latency_;
+  std::span<const isa::Segment> segments_;
+  std::uint32_t latency_left_ = 0;
+};
+
+}  // namespace csgsim::pixel_square

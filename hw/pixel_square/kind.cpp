@@ -1,0 +1,133 @@
+#include "hw/pixel_square/kind.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "hw/base/error.h"
+#include "hw/machines/clocks.h"
+#include "hw/machines/runs_on.h"
+#include "hw/machines/shared_figures.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/regions.h"
+#include "hw/pixel_square/timing.h"
+
+namespace csgsim::pixel_square {
+
+namespace {
+
+using machines::Machine;
+using machines::most_clocks;
+using machines::own_figure;
+namespace shared = machines::shared;
+
+constexpr auto schema = std::to_array<machines::FigureSchema>({
+    shared::array_width,
+    shared::array_height,
+    shared::memory_bits,
+    shared::picture_width,
+    shared::picture_height,
+    shared::clock_frequency,
+    shared::memory_reads,
+    shared::memory_writes,
+    shared::alu_bits,
+    shared::level_latency,
+    shared::clear_clocks,
+    shared::link_width,
+    shared::link_word_clocks,
+    shared::link_fifo_depth,
+    shared::link_latency,
+    own_figure<Figures, &Figures::renderers>("renderers.count", "renderers", 1, 1024, "squares drawn in parallel"),
+    own_figure<Figures, &Figures::buffers>("renderers.buffers", "squares", 1, 2,
+                                           "finished or unfinished squares that a renderer holds"),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::move_bits>("renderers.move_bits", "bit planes", 1, isa::max_field_width,
+                                                 "of a finished square that move to the second buffer in a clock"),
+        all_planes),
+    own_figure<Figures, &Figures::port_bits>("port.width", "bits", 1, 65536,
+                                             "of a word of colours that the frame buffer takes, or clears, in a clock"),
+    own_figure<Figures, &Figures::port_fifo_depth>("port.fifo_depth", "words", 1, most_clocks,
+                                                   "of each FIFO before the frame buffer"),
+    own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "in which squares are drawn", square_order_names),
+    own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 1,
+                                           "host: it divides the model at no cost; corners: the machine does",
+                                           divider_kind_names),
+    own_figure<Figures, &Figures::levels>("divider.levels", "levels", 1, 2,
+                                          "of corners: 2, for groups of squares first"),
+    own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024, "of a group, along a row and down"),
+    own_figure<Figures, &Figures::list_entries>("divider.list", "entries", 0, 1'000'000'000,
+                                                "that what a group leaves has to fit"),
+    own_figure<Figures, &Figures::model_bits>("divider.memory", "bits", 1, 4'000'000'000, "for the model"),
+    own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
+                                              "to hold the box of a primitive against a square's"),
+    own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
+                                                    "to test a half-space at four corners"),
+    own_figure<Figures, &Figures::pair_clocks>("divider.pair_clocks", "clocks", 0, most_clocks,
+                                               "to hold two half-spaces of a side against each other"),
+    own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
+                                               "to look at a node of the tree"),
+});
+
+std::any own() { return Figures{}; }
+
+void complete(Machine& /*machine*/) {}
+
+void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
+
+bool answers(const Machine& /*machine*/) { return false; }
+
+std::optional<machines::Division> division(const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (figures.divider == DividerKind::host) return std::nullopt;
+  return machines::Division{figures.levels == 1 ? 0 : figures.group_side, figures.list_entries};
+}
+
+/// What a divider in the machine asks for.
+void check_display_model(const isa::Program& program, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (figures.divider == DividerKind::host) return;
+  if (program.display_model.empty()) {
+    throw InputError(fmt::format(
+        "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
+  }
+  const std::uint64_t bits = 8 * std::uint64_t{program.display_model.size()};
+  if (bits > figures.model_bits) {
+    throw InputError(
+        fmt::format("the display model has {} bits, and the divider's memory holds {}; give divider.memory "
+                    "more, or the model fewer faces",
+                    bits, figures.model_bits));
+  }
+  check_countable(program, machine);
+}
+
+void check(const isa::Program& program, const Machine& machine) {
+  machines::check_parts(program, machine);
+  check_display_model(program, machine);
+}
+
+machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) {
+  const std::uint64_t processors =
+      std::uint64_t{machine.array.width} * machine.array.height * machines::own<Figures>(machine).renderers;
+  const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
+  return {processors, processors * machine.array.memory_bits + pixels * header.colour.width};
+}
+
+}  // namespace
+
+const machines::Kind kind{
+    .name = "pixel-square",
+    .over = "a square of the picture",
+    .schema = schema,
+    .own = own,
+    .complete = complete,
+    .set_picture = set_picture,
+    .answers = answers,
+    .regions = regions,
+    .division = division,
+    .check = check,
+    .clocks = machines::bit_serial_clocks,
+    .time = time_frame,
+    .resources = resources,
+};
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <systemc>
+
+#include "hw/isa/link_word.h"
+#include "hw/link/frame_words.h"
+#include "hw/machines/machine.h"
+#include "hw/pixel_square/activity_counter.h"
+
+namespace csgsim::pixel_square {
+
+/// The host's end of the link to a divider: sends the model, a word every `link.word_clocks`, in the last of these or
+/// in the first clock after it in which there is room; the first after `link.latency` clocks.
+class ModelSource final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_fifo_out<isa::LinkWord> words{"words"};
+
+  ModelSource(sc_core::sc_module_name name, const machines::Link& link);
+
+  /// Starts at the next edge. The bytes have to live until the frame is drawn.
+  void begin(std::span<const std::uint8_t> model);
+
+  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+
+ private:
+  void on_clock();
+  SquareActivity act();
+  [[nodiscard]] isa::LinkWord next_word() const;
+
+  const machines::Link link_;
+  std::span<const std::uint8_t> model_;
+  std::uint64_t sent_ = 0;  ///< bits
+  std::uint32_t latency_left_ = 0;
+  std::uint32_t elapsed_ = 0;  ///< clocks spent on the word at hand
+  ActivityCounter counter_;
+};
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,86 @@
+#include "hw/pixel_square/sender.h"
+
+#include "hw/pixel_square/figures.h"
+#include "hw/systemc/clear_view.h"
+
+namespace csgsim::pixel_square {
+
+Sender::Sender(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t word_clocks)
+    : sc_core::sc_module(name),
+      links("links", machines::own<Figures>(machine).renderers),
+      finished("finished", machines::own<Figures>(machine).renderers),
+      word_clocks_(word_clocks),
+      port_bits_(machines::own<Figures>(machine).port_bits),
+      handed_(machines::own<Figures>(machine).renderers) {
+  SC_HAS_PROCESS(Sender);
+  SC_METHOD(on_clock);
+  dont_initialize();
+  sensitive << clock.pos();
+}
+
+void Sender::begin_frame(std::size_t squares) {
+  squares_ = squares;
+  index_ = 0;
+  square_.reset();
+  skipped_ = 0;
+  counter_.clear();
+}
+
+void Sender::on_clock() { counter_.count(act()); }
+
+SquareActivity Sender::act() {
+  if (index_ == squares_) return SquareActivity::done;
+  if (!square_) {
+    if (const std::optional<SquareActivity> activity = prepare(index_)) return *activity;
+    begin_square();
+  }
+  return send();
+}
+
+void Sender::begin_square() {
+  square_ = take(index_);
+  target_.reset();
+  sent_ = 0;
+  elapsed_ = 0;
+}
+
+/// The renderer is chosen when the first word is ready to leave.
+SquareActivity Sender::send() {
+  if (elapsed_ + 1 < word_clocks_) {
+    ++elapsed_;
+    return SquareActivity::working;
+  }
+  const bool is_clear = square_->words.empty();
+  if (!is_clear && !target_) {
+    target_ = least_busy();
+    ++handed_[*target_];
+  }
+  if (!send_word()) return is_clear ? SquareActivity::waiting_for_frame_buffer : SquareActivity::waiting_for_renderer;
+  elapsed_ = 0;
+  ++sent_;
+  if (sent_ < (is_clear ? words_for(header_bits, port_bits_) : square_->words.size())) return SquareActivity::working;
+  if (is_clear) {
+    retirement->after_segment(static_cast<std::uint32_t>(index_), kernel::ClearView());
+    ++skipped_;
+  }
+  square_.reset();
+  ++index_;
+  return SquareActivity::working;
+}
+
+bool Sender::send_word() {
+  if (target_) return links[*target_].nb_write(square_->words[sent_]);
+  if (clears.num_free() == 0) return false;
+  return clears.nb_write({slice_of({header_of(square_->region)}, sent_ * port_bits_, port_bits_)});
+}
+
+std::size_t Sender::least_busy() const {
+  std::size_t best = 0;
+  const auto unfinished = [&](std::size_t renderer) { return handed_[renderer] - finished[renderer].read(); };
+  for (std::size_t renderer = 1; renderer < handed_.size(); ++renderer) {
+    if (unfinished(renderer) < unfinished(best)) best = renderer;
+  }
+  return best;
+}
+
+}  // namespace csgsim::pixel_square

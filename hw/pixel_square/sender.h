@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <systemc>
+#include <vector>
+
+#include "hw/isa/link_word.h"
+#include "hw/link/frame_words.h"
+#include "hw/machines/machine.h"
+#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/words.h"
+#include "hw/systemc/retirement.h"
+
+namespace csgsim::pixel_square {
+
+/// A square as it leaves for the renderers.
+struct Square {
+  isa::Region region;
+  std::vector<isa::LinkWord> words;  ///< SegmentStart, its instructions, SegmentEnd; none if nothing is seen there
+};
+
+/// Hands out the squares, one after another, a word every `word_clocks` clocks, as long as there is room. A square goes
+/// to the renderer with the fewest squares that it has not finished (the first of those); the header of one where
+/// nothing is seen goes to the frame buffer. What squares consist of is for those that derive from it to say.
+class Sender : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< one a renderer
+  sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> finished;     ///< squares that each renderer has finished
+  sc_core::sc_fifo_out<PortWord> clears{"clears"};
+  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+
+  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+  [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
+
+ protected:
+  Sender(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t word_clocks);
+
+  /// A frame of so many squares begins.
+  void begin_frame(std::size_t squares);
+
+  /// What is to be done in a clock before the square at hand can be sent; none, if it can.
+  virtual std::optional<SquareActivity> prepare(std::size_t square) = 0;
+
+  /// That has been prepared.
+  [[nodiscard]] virtual Square take(std::size_t square) = 0;
+
+ private:
+  void on_clock();
+  SquareActivity act();
+  SquareActivity send();
+  void begin_square();
+  bool send_word();
+  [[nodiscard]] std::size_t least_busy() const;
+
+  const std::uint32_t word_clocks_;
+  const std::uint32_t port_bits_;
+  std::size_t squares_ = 0;
+  std::size_t index_ = 0;              ///< of the square at hand
+  std::optional<Square> square_;       ///< once it is prepared
+  std::optional<std::size_t> target_;  ///< the renderer that gets it; none, if it is cleared
+  std::size_t sent_ = 0;               ///< words of it
+  std::uint32_t elapsed_ = 0;          ///< clocks spent on the word at hand
+  std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
+  std::uint64_t skipped_ = 0;
+  ActivityCounter counter_;
+};
+
+}  // namespace csgsim::pixel_square

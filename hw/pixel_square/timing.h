@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "hw/machines/timing.h"
+#include "hw/pixel_square/account.h"
+
+namespace csgsim::pixel_square {
+
+/// Throws InputError where the divider's tests are too many for their clocks to be counted in 64 bits.
+void check_countable(const isa::Program& program, const machines::Machine& machine);
+
+struct SquareTiming {
+  std::uint64_t clocks = 0;
+  SquareAccount account;
+};
+
+/// Worked out from the clocks of each instruction (the modules count the same).
+SquareTiming time_squares(const isa::Program& program, const machines::Machine& machine);
+
+machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
+                                 std::span<const machines::Skip> skips);
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <systemc>
+#include <vector>
+
+#include "hw/isa/wire.h"
+#include "hw/link/frame_words.h"
+#include "hw/machines/machine.h"
+#include "hw/scan_line/activity.h"
+#include "hw/scan_line/frame.h"
+
+namespace csgsim::scan_line {
+
+/// The host's end of the link to a chain. Sends each line that is handed over: where it begins, its instructions, and
+/// its end. A word is on the link for Link::word_clocks clocks and goes into the FIFO at the end of the last, or at the
+/// first edge after that which finds room; then the next word follows, at once that of the next line if it is there.
+/// The frame's first word begins Link::latency clocks after its line was taken.
+class ChainLink final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_fifo_in<std::uint32_t> lines{"lines"};
+  sc_core::sc_fifo_out<isa::LinkWord> words{"words"};
+
+  ChainLink(sc_core::sc_module_name name, const machines::Link& link);
+
+  /// For that many lines of the frame. Starts with the next clock.
+  void begin(const Frame& frame, std::size_t lines);
+
+  [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words
+
+ private:
+  enum class State : std::uint8_t { waiting, latent, sending, blocked };
+
+  void on_clock();
+  void go_on();
+  void store_word();
+  void take_line();
+  void take_command();
+  [[nodiscard]] LineActivity activity() const;
+
+  const machines::Link link_;
+  Frame frame_;
+  std::size_t lines_left_ = 0;  ///< to be taken
+  State state_ = State::waiting;
+  std::uint32_t left_ = 0;     ///< clocks of the latency, or of the word on the link
+  std::uint32_t latency_ = 0;  ///< of the line that is taken next
+  std::uint32_t line_ = 0;
+  std::size_t command_ = 0;                ///< of the line: its beginning, its instructions, its end
+  std::vector<isa::LinkWord> of_command_;  ///< words
+  std::size_t word_ = 0;                   ///< of these, the one on the link
+  std::uint64_t sent_ = 0;
+  ActivityCounter counter_;
+};
+
+}  // namespace csgsim::scan_line

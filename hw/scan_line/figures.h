@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace csgsim::scan_line {
+
+/// What only this kind of machine has.
+struct Figures {
+  std::uint32_t words = 0;               ///< of a cell's memory
+  std::uint32_t word_bits = 0;           ///< of each of them, and of the cell's adder and ALU
+  std::uint32_t ports = 0;               ///< words of a cell's memory read or written in a clock; 0 for any number
+  std::uint32_t chains = 1;              ///< lines worked on in parallel, each by a chain of its own
+  std::uint32_t bucket_clocks = 0;       ///< of the host, to put a primitive into the bucket of its first line
+  std::uint32_t active_clocks = 0;       ///< of the host, to look at a primitive of the active list, once a line
+  std::uint32_t instruction_clocks = 0;  ///< of the host, to prepare an instruction of a line
+  std::uint32_t refresh_hz = 0;          ///< fields a second that the screen shows
+  bool interlaced = false;               ///< a field is every other line, even lines first
+
+  constexpr bool operator==(const Figures&) const = default;
+};
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,106 @@
+#include "hw/scan_line/kind.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "hw/base/error.h"
+#include "hw/machines/runs_on.h"
+#include "hw/machines/shared_figures.h"
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/timing.h"
+
+namespace csgsim::scan_line {
+
+namespace {
+
+using machines::Machine;
+using machines::own_figure;
+namespace shared = machines::shared;
+
+constexpr auto schema = std::to_array<machines::FigureSchema>({
+    machines::figure<&Machine::array, &isa::ArrayShape::width>("cells.count", "cells", 1, isa::max_array_side,
+                                                               "cells of a chain, one a pixel of a line"),
+    own_figure<Figures, &Figures::words>("cells.words", "words", 1, 64, "memory of a cell"),
+    own_figure<Figures, &Figures::word_bits>("cells.word_bits", "bits", 1, 64,
+                                             "width of the cells' words, adders and ALUs"),
+    machines::or_ideal(own_figure<Figures, &Figures::ports>("cells.ports", "words", 1, 64,
+                                                            "of a cell's memory, read or written in a clock"),
+                       0),
+    shared::clear_clocks,
+    shared::picture_width,
+    shared::picture_height,
+    shared::clock_frequency,
+    own_figure<Figures, &Figures::chains>("chains.count", "chains", 1, 1024, "lines worked on in parallel"),
+    shared::link_width,
+    shared::link_word_clocks,
+    shared::link_fifo_depth,
+    shared::link_latency,
+    machines::or_ideal(own_figure<Figures, &Figures::bucket_clocks>(
+                           "host.bucket_clocks", "clocks", 0, machines::most_clocks,
+                           "to put a primitive of the picture into the bucket of its first line"),
+                       0),
+    machines::or_ideal(own_figure<Figures, &Figures::active_clocks>(
+                           "host.active_clocks", "clocks", 0, machines::most_clocks,
+                           "to look at a primitive that enters, stays in or leaves the active list, once a line"),
+                       0),
+    machines::or_ideal(own_figure<Figures, &Figures::instruction_clocks>(
+                           "host.instruction_clocks", "clocks", 0, machines::most_clocks,
+                           "to prepare an instruction of a line: transformation, pruning, coefficients"),
+                       0),
+    own_figure<Figures, &Figures::refresh_hz>("refresh.rate", "Hz", 1, 1000, "fields shown a second"),
+    own_figure<Figures, &Figures::interlaced>("refresh.interlaced", "", 0, 1, "1: a field is every other line"),
+});
+
+std::any own() { return Figures{}; }
+
+void set_picture(Machine& machine, machines::Size size) {
+  if (size.width <= machine.array.width) return;
+  throw InputError(
+      fmt::format("a line of {} pixels is longer than the {} cells of {}; take a narrower picture, or a "
+                  "machine file with more cells.count",
+                  size.width, machine.array.width, machine.name));
+}
+
+void complete(Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  machine.array.height = 1;
+  machine.array.memory_bits = figures.words * figures.word_bits;
+}
+
+bool answers(const Machine& /*machine*/) { return false; }
+
+/// Each line; of an interlaced picture the even ones first.
+std::vector<isa::Region> regions(const Machine& machine) {
+  std::vector<isa::Region> all;
+  const std::uint32_t step = machines::own<Figures>(machine).interlaced ? 2 : 1;
+  for (std::uint32_t first = 0; first < step; ++first) {
+    for (std::uint32_t y = first; y < machine.picture.height; y += step)
+      all.push_back({0, y, machine.picture.width, 1});
+  }
+  return all;
+}
+
+machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) {
+  const std::uint64_t cells = std::uint64_t{machine.array.width} * machines::own<Figures>(machine).chains;
+  return {cells, cells * machine.array.memory_bits};
+}
+
+}  // namespace
+
+const machines::Kind kind{
+    .name = "scan-line",
+    .over = "a line of the picture",
+    .schema = schema,
+    .own = own,
+    .complete = complete,
+    .set_picture = set_picture,
+    .answers = answers,
+    .regions = regions,
+    .check = machines::check_parts,
+    .clocks = entry_clocks,
+    .time = time_frame,
+    .resources = resources,
+};
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <systemc>
+
+#include "hw/machines/machine.h"
+#include "hw/scan_line/active_list.h"
+#include "hw/scan_line/activity.h"
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/frame.h"
+
+namespace csgsim::scan_line {
+
+/// The host of a scan-line array. Sorts the picture's primitives into buckets, then goes from line to line: brings the
+/// active list up to date, prepares the line's instructions, and hands the line over to the link of its chain, as soon
+/// as that has begun with the line before. Handing over takes a clock. A line here is its number in the frame.
+class LineHost final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_vector<sc_core::sc_fifo_out<std::uint32_t>> lines;  ///< handed over, one a chain
+
+  LineHost(sc_core::sc_module_name name, const Figures& figures);
+
+  /// Starts with the next clock.
+  void begin(const Frame& frame);
+
+  [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
+
+ private:
+  void on_clock();
+  LineActivity act();
+  void begin_line();
+
+  const Figures figures_;
+  Frame frame_;
+  ActiveList active_;
+  std::uint32_t line_ = 0;
+  std::uint64_t sorting_ = 0;    ///< clocks left
+  std::uint64_t updating_ = 0;   ///< clocks left for the line
+  std::uint64_t preparing_ = 0;  ///< clocks left for the line
+  ActivityCounter counter_;
+};
+
+}  // namespace csgsim::scan_line

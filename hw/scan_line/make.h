@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "hw/machines/machine.h"
+#include "hw/systemc/clocked_machine.h"
+
+namespace csgsim::scan_line {
+
+/// For a description of this kind of machine.
+std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine);
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,297 @@
+#include "hw/scan_line/timing.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/wire.h"
+#include "hw/machines/clocks.h"
+#include "hw/scan_line/account.h"
+#include "hw/scan_line/figures.h"
+
+namespace csgsim::scan_line {
+
+namespace {
+
+using machines::FrameTiming;
+using machines::Machine;
+
+/// Number of a clock edge, from 1.
+using Edge = std::uint64_t;
+
+std::uint64_t quotient_up(std::uint64_t amount, std::uint64_t divisor) { return (amount + divisor - 1) / divisor; }
+
+/// Words of a cell's memory that hold a bit of the field.
+std::uint64_t memory_words(isa::Field field, const Figures& figures) {
+  if (field.width == 0) return 0;
+  const std::uint32_t word = std::max(figures.word_bits, 1U);
+  return quotient_up(field.end(), word) - field.base / word;
+}
+
+/// Clocks of a packet of so many words that reads and writes so many words of memory.
+std::uint64_t occupied(std::uint64_t words, std::uint64_t read, std::uint64_t written, const Figures& figures) {
+  if (figures.ports == 0) return words;
+  const std::uint64_t reads = quotient_up(read, figures.ports);
+  if (written == 0) return std::max(words, reads);
+  return std::max(words, reads + 1) + quotient_up(written, figures.ports) - 1;
+}
+
+/// How many primitives the host looks at for each line.
+std::vector<std::uint64_t> active_looks(const isa::Program& program, std::uint64_t& primitives) {
+  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> rows;  // first and last
+  const auto serve = [&](std::uint32_t primitive, std::uint32_t row) {
+    if (primitive == isa::no_primitive) return;
+    const auto [place, is_new] = rows.try_emplace(primitive, row, row);
+    auto& [first, last] = place->second;
+    first = std::min(first, row);
+    last = std::max(last, row);
+  };
+  for (const isa::Segment& line : program.segments) {
+    for (const isa::Instruction& instruction : line.instructions) {
+      serve(instruction.origin.primitive, line.region.y);
+      serve(instruction.origin.node, line.region.y);
+    }
+  }
+  primitives = rows.size();
+  // By row: primitives that begin at it or above, and that end above it.
+  std::vector<std::uint64_t> begun(program.shape.height + 1);
+  std::vector<std::uint64_t> ended(program.shape.height + 1);
+  for (const auto& [primitive, range] : rows) {
+    ++begun[range.first];
+    ++ended[range.second + 1];
+  }
+  for (std::size_t row = 1; row < begun.size(); ++row) {
+    begun[row] += begun[row - 1];
+    ended[row] += ended[row - 1];
+  }
+  std::vector<std::uint64_t> looks;
+  std::optional<std::uint32_t> before;
+  for (const isa::Segment& line : program.segments) {
+    const std::uint32_t row = line.region.y;
+    if (before && *before > row) before.reset();  // a field begins
+    looks.push_back(begun[row] - (before ? ended[*before] : 0));
+    before = row;
+  }
+  return looks;
+}
+
+/// A link and the entry of its chain, as the lines that they have been given leave them.
+class ChainTiming {
+ public:
+  ChainTiming(const Machine& machine, isa::ArrayShape picture, isa::Field colour)
+      : machine_(machine),
+        figures_(machines::own<Figures>(machine)),
+        pixels_(picture.width),
+        budget_(line_budget(machine, picture.height)),
+        colour_(colour) {}
+
+  /// The host can hand over the next line from that edge on.
+  [[nodiscard]] Edge free_from() const { return lines_ == 0 ? 1 : taken_ + 1; }
+
+  void draw(const isa::Segment& line, Edge handed_over) {
+    const Edge idle_from = lines_ == 0 ? 1 : sent_;
+    taken_ = std::max(handed_over + 1, idle_from);
+    link_.add(LineActivity::waiting_for_host, taken_ - idle_from);
+    const Edge latency = lines_ == 0 ? machine_.link.latency : 0;
+    link_.add(LineActivity::latency, latency);
+    sent_ = taken_ + latency;
+    send(isa::SegmentStart{line.region}, machine_.clear_clocks);
+    for (const isa::Instruction& instruction : line.instructions)
+      send(instruction, entry_clocks(instruction, machine_));
+    const bool empty = line.instructions.empty();
+    const std::uint64_t colour_words = std::max<std::uint64_t>(quotient_up(colour_.width, figures_.word_bits), 1);
+    const std::uint64_t mark = empty ? colour_words : occupied(1, memory_words(colour_, figures_), 0, figures_);
+    send(isa::SegmentEnd{}, mark, true);
+    ++lines_;
+  }
+
+  [[nodiscard]] std::uint64_t lines() const { return lines_; }
+  [[nodiscard]] std::uint64_t words() const { return words_; }
+  [[nodiscard]] std::uint64_t late_lines() const { return late_lines_; }
+  [[nodiscard]] Edge mark() const { return mark_; }  ///< its last beat is at the entry
+  /// From this frame to the next.
+  [[nodiscard]] std::uint64_t interval() const {
+    const std::uint64_t spacing = mark_spacing(pixels_);
+    return mark_ + (spacing > first_mark_ ? spacing - first_mark_ : 0);
+  }
+  [[nodiscard]] Edge first_packet() const { return first_packet_; }  ///< likewise
+  [[nodiscard]] const LineClocks& entry() const { return entry_; }
+
+  /// Of a frame of so many clocks, until now.
+  [[nodiscard]] LineClocks whole_link(std::uint64_t clocks) const {
+    LineClocks whole = link_;
+    whole.add(LineActivity::done, clocks + 1 - (lines_ == 0 ? 1 : sent_));
+    return whole;
+  }
+  [[nodiscard]] LineClocks whole_entry(std::uint64_t clocks) const {
+    LineClocks whole = entry_;
+    whole.add(LineActivity::done, clocks - mark_);
+    return whole;
+  }
+  [[nodiscard]] LineClocks whole_refresh(std::uint64_t clocks) const {
+    LineClocks whole;
+    const std::uint64_t shown = lines_ * pixels_;
+    const std::uint64_t end = lines_ == 0 ? 0 : mark_ + 2ULL * pixels_;
+    whole.add(LineActivity::showing, shown);
+    whole.add(LineActivity::waiting_for_line, end - shown);
+    whole.add(LineActivity::done, clocks - end);
+    return whole;
+  }
+
+ private:
+  /// The command, and its packet of so many beats; 0 if it is none.
+  void send(const isa::Command& command, std::uint64_t beats, bool is_mark = false) {
+    const unsigned words = isa::wire_words(command, machine_.link.width);
+    for (unsigned word = 0; word < words; ++word) {
+      const Edge stored = store();
+      read_ = std::max({stored + 1, read_ + 1, word == 0 ? taken_by_entry_ : 0});
+      if (reads_.size() == machine_.link.fifo_depth) reads_.pop_front();
+      reads_.push_back(read_);
+    }
+    taken_by_entry_ = std::max(read_, entered_) + 1;
+    if (beats == 0) return;
+    entry_.add(LineActivity::waiting_for_link, taken_by_entry_ - entered_ - 1);
+    entry_.add(LineActivity::entering, beats);
+    const Edge asked = taken_by_entry_ + beats - 1;
+    entered_ = is_mark && lines_ > 0 ? std::max(asked, mark_ + mark_spacing(pixels_)) : asked;
+    entry_.add(LineActivity::waiting_for_refresh, entered_ - asked);
+    if (first_packet_ == 0) first_packet_ = entered_;
+    if (is_mark) end_line();
+  }
+
+  /// The edge at which the next word goes into the FIFO.
+  Edge store() {
+    const Edge asked = sent_ + machine_.link.word_clocks;
+    const Edge room = reads_.size() < machine_.link.fifo_depth ? 0 : reads_.front() + 1;
+    sent_ = std::max(asked, room);
+    link_.add(LineActivity::sending, machine_.link.word_clocks);
+    link_.add(LineActivity::waiting_for_entry, sent_ - asked);
+    ++words_;
+    return sent_;
+  }
+
+  void end_line() {
+    if (entered_ - mark_ > budget_) ++late_lines_;
+    mark_ = entered_;
+    if (lines_ == 0) first_mark_ = mark_;
+  }
+
+  const Machine& machine_;
+  const Figures& figures_;
+  std::uint32_t pixels_;
+  std::uint64_t budget_;
+  isa::Field colour_;
+
+  Edge taken_ = 0;           ///< the link has taken the last line from the host
+  Edge sent_ = 0;            ///< the last word has gone into the FIFO
+  Edge read_ = 0;            ///< it has been read
+  std::deque<Edge> reads_;   ///< of the last words, as many as the FIFO is deep
+  Edge taken_by_entry_ = 0;  ///< the last command
+  Edge entered_ = 0;         ///< the last packet's last beat
+  Edge mark_ = 0;            ///< that of the last mark
+  Edge first_mark_ = 0;      ///< that of the first
+  Edge first_packet_ = 0;    ///< that of the frame's first
+  std::uint64_t lines_ = 0;
+  std::uint64_t words_ = 0;
+  std::uint64_t late_lines_ = 0;
+  LineClocks link_;
+  LineClocks entry_;
+};
+
+}  // namespace
+
+std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine) {
+  const std::uint64_t word = std::max(machines::own<Figures>(machine).word_bits, 1U);
+  const std::uint64_t bits = std::max<std::uint64_t>({instruction.linear.width, machines::field_width(instruction), 1});
+  return quotient_up(bits, word);
+}
+
+std::uint64_t entry_clocks(const isa::Instruction& instruction, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const isa::OpcodeInfo& row = isa::info(instruction.opcode);
+  const bool changes =
+      row.clock_class == isa::ClockClass::linear_twice || instruction.opcode == isa::Opcode::xor_constant;
+  std::uint64_t read = 0;
+  std::uint64_t written = 0;
+  for (std::size_t i = 0; i < isa::max_operands; ++i) {
+    const std::uint64_t words = memory_words(instruction.fields.at(i), figures);
+    if (row.operands.at(i) == isa::OperandKind::target) written += words;
+    if (row.operands.at(i) == isa::OperandKind::source || changes) read += words;
+  }
+  return occupied(packet_words(instruction, machine), read, written, figures);
+}
+
+std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t field_lines = figures.interlaced ? (picture_height + 1ULL) / 2 : picture_height;
+  return figures.chains * (machine.clock_hz / (figures.refresh_hz * field_lines));
+}
+
+LineTiming time_lines(const isa::Program& program, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t pixels = program.shape.width;
+  const isa::Field colour = isa::frame_header(program).colour;
+  LineAccount counted{.lines = program.segments.size(), .line_budget = line_budget(machine, program.shape.height)};
+  std::vector<ChainTiming> chains(figures.chains, ChainTiming(machine, program.shape, colour));
+
+  std::uint64_t primitives = 0;
+  const std::vector<std::uint64_t> looks = active_looks(program, primitives);
+  const std::uint64_t sorting = primitives * figures.bucket_clocks;
+  counted.host.add(LineActivity::sorting, sorting);
+  Edge host = sorting;  // the last edge at which it has worked
+  for (std::size_t line = 0; line < program.segments.size(); ++line) {
+    const isa::Segment& segment = program.segments[line];
+    ChainTiming& chain = chains[line % chains.size()];
+    const std::uint64_t updating = looks[line] * figures.active_clocks;
+    const std::uint64_t preparing = segment.instructions.size() * figures.instruction_clocks;
+    const Edge asked = host + updating + preparing + 1;
+    host = std::max(asked, chain.free_from());
+    counted.host.add(LineActivity::updating, updating);
+    counted.host.add(LineActivity::preparing, preparing);
+    counted.host.add(LineActivity::waiting_for_link, host - asked);
+    counted.host.add(LineActivity::starting, 1);
+    chain.draw(segment, host);
+
+    counted.packets += segment.instructions.size();
+    counted.most_packets = std::max<std::uint64_t>(counted.most_packets, segment.instructions.size());
+    for (const isa::Instruction& instruction : segment.instructions)
+      counted.busy_cells += entry_clocks(instruction, machine) * pixels;
+  }
+
+  const auto last = std::max_element(chains.begin(), chains.end(),
+                                     [](const auto& one, const auto& other) { return one.mark() < other.mark(); });
+  // Through the cells, and through the shift chain.
+  counted.drain_clocks = 2 * pixels;
+  const std::uint64_t clocks = last->mark() + counted.drain_clocks;
+  counted.host.add(LineActivity::done, clocks - host);
+  counted.link = last->whole_link(clocks);
+  counted.entry = last->whole_entry(clocks);
+  counted.refresh = last->whole_refresh(clocks);
+  std::uint64_t interval = 0;
+  for (const ChainTiming& chain : chains) {
+    if (chain.lines() > 0) interval = std::max(interval, chain.interval());
+    counted.link_words += chain.words();
+    counted.late_lines += chain.late_lines();
+    counted.entry_clocks += chain.entry().of(LineActivity::entering);
+    counted.refresh_clocks += chain.entry().of(LineActivity::waiting_for_refresh);
+    if (chain.lines() == 0) continue;
+    const std::uint64_t fill = chain.first_packet() + pixels - 1;
+    counted.fill_clocks = counted.fill_clocks == 0 ? fill : std::min(counted.fill_clocks, fill);
+  }
+  return {clocks, interval, counted};
+}
+
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {
+  const LineTiming timing = time_lines(program, machine);
+  return {.clocks = timing.clocks,
+          .shown_clocks = timing.clocks,
+          .interval_clocks = timing.interval_clocks,
+          .account = account(timing.account, machine, timing.clocks)};
+}
+
+}  // namespace csgsim::scan_line

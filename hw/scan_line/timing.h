@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hw/machines/timing.h"
+#include "hw/scan_line/account.h"
+
+namespace csgsim::scan_line {
+
+/// Words of an instruction's packet: as many as its widest operand has, one at least.
+std::uint64_t packet_words(const isa::Instruction& instruction, const machines::Machine& machine);
+
+/// Least clocks from the entry of a mark's last beat into a chain to that of the next mark's. A line's cells hold their
+/// colours from the clock in which that beat is in them until the refresh path takes the line, as many clocks after its
+/// entry as the line has pixels; and as many clocks later the path is free for the next line.
+constexpr std::uint64_t mark_spacing(std::uint32_t line_pixels) { return line_pixels; }
+
+/// Clocks that the refresh gives to each line of a picture so high, times the chains that share the lines.
+std::uint64_t line_budget(const machines::Machine& machine, std::uint32_t picture_height);
+
+/// Clocks that an instruction's packet occupies a cell, and so the entry: those in which its words come in, or in which
+/// the ports of the cell's memory read its fields and then, not before the last word is in, write the target.
+std::uint64_t entry_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
+
+struct LineTiming {
+  std::uint64_t clocks = 0;
+  /// From one frame to the next, where the same is drawn again and again: the host begins it when the last mark has
+  /// entered, and so much later that no mark waits for one of the frame before.
+  std::uint64_t interval_clocks = 0;
+  LineAccount account;
+};
+
+/// Worked out from the words and packets of each line (the modules count the same).
+LineTiming time_lines(const isa::Program& program, const machines::Machine& machine);
+
+machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
+                                 std::span<const machines::Skip> skips);
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,49 @@
+#include "hw/systemc/array_view.h"
+
+#include <algorithm>
+
+namespace csgsim::kernel {
+
+namespace {
+
+/// A view that has its pixels to itself.
+class OwnedArray final : public PixelView {
+ public:
+  explicit OwnedArray(const array::PixelArray& pixels) : pixels_(pixels) {}
+
+  void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
+                  std::span<std::uint32_t> values) const override {
+    ArrayView(pixels_).read_field(field, width, height, values);
+  }
+  void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override {
+    ArrayView(pixels_).read_enable(width, height, words);
+  }
+  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override { return ArrayView(pixels_).copy(); }
+
+ private:
+  array::PixelArray pixels_;
+};
+
+}  // namespace
+
+void ArrayView::read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
+                           std::span<std::uint32_t> values) const {
+  pixels_.read_field(field, width, height, values);
+}
+
+void ArrayView::read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const {
+  const std::size_t array_row = pixels_.shape().row_words();
+  const std::size_t region_row = array::PlaneShape{width, height}.row_words();
+  const std::span<const std::uint64_t> enable = pixels_.enable();
+  if (region_row == array_row) {
+    std::copy_n(enable.begin(), region_row * height, words.begin());
+    return;
+  }
+  for (std::size_t y = 0; y < height; ++y) {
+    std::copy_n(&enable[y * array_row], region_row, &words[y * region_row]);
+  }
+}
+
+std::unique_ptr<const PixelView> ArrayView::copy() const { return std::make_unique<OwnedArray>(pixels_); }
+
+}  // namespace csgsim::kernel

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "hw/array/pixel_array.h"
+#include "hw/systemc/run_listener.h"
+
+namespace csgsim::kernel {
+
+/// A corner of an array of pixel processors.
+class ArrayView final : public PixelView {
+ public:
+  /// The pixels have to live as long as the view.
+  explicit ArrayView(const array::PixelArray& pixels) : pixels_(pixels) {}
+
+  void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
+                  std::span<std::uint32_t> values) const override;
+  void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override;
+  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override;
+
+ private:
+  const array::PixelArray& pixels_;
+};
+
+}  // namespace csgsim::kernel

@@ -1,0 +1,26 @@
+#include "hw/systemc/retirement.h"
+
+namespace csgsim::kernel {
+
+Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {}
+
+void Retirement::begin(RunListener& listener) {
+  listener_ = &listener;
+  guard_.begin();
+}
+
+Keep Retirement::keeps_after(std::uint32_t segment, std::uint32_t index) {
+  Keep keep = Keep::nothing;
+  guard_.run([&] { keep = listener_->keeps_after(segment, index); });
+  return keep;
+}
+
+void Retirement::after_instruction(const Retired& retired, const PixelView& pixels) {
+  guard_.run([&] { listener_->after_instruction(retired, pixels); });
+}
+
+void Retirement::after_segment(std::uint32_t segment, const PixelView& pixels) {
+  guard_.run([&] { listener_->after_segment(segment, pixels); });
+}
+
+}  // namespace csgsim::kernel

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <systemc>
+
+#include "hw/systemc/listener_guard.h"
+#include "hw/systemc/run_listener.h"
+
+namespace csgsim::kernel {
+
+/// Where a machine's modules tell what their pixels have carried out.
+class RetirementPort : virtual public sc_core::sc_interface, public RunListener {};
+
+/// Passes that on to the listener of the run. Takes no clock.
+class Retirement final : public sc_core::sc_module, public RetirementPort {
+ public:
+  explicit Retirement(sc_core::sc_module_name name);
+
+  /// The listener has to live until the run is done.
+  void begin(RunListener& listener);
+
+  /// Throws what the listener threw, if it did: the machine ran to its end without it.
+  void rethrow() { guard_.rethrow(); }
+
+  [[nodiscard]] Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
+  void after_instruction(const Retired& retired, const PixelView& pixels) override;
+  void after_segment(std::uint32_t segment, const PixelView& pixels) override;
+
+ private:
+  RunListener* listener_ = nullptr;
+  ListenerGuard guard_;
+};
+
+}  // namespace csgsim::kernel

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+// The library that reads the command line takes seconds to compile; only command_line.cpp includes it.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace csgsim::app {
+
+/// What is wrong with an option's text, or nothing.
+using Check = std::function<std::string(const std::string&)>;
+
+/// An option that is being described: each call says one thing more.
+class Option {
+ public:
+  explicit Option(CLI::Option& option) : option_(&option) {}
+
+  Option& required();
+  Option& check(const Check& check);
+  Option& one_of(const std::vector<std::string>& names);
+
+  template <class Value>
+  Option& one_of(const std::map<std::string, Value>& named) {
+    std::vector<std::string> names;
+    names.reserve(named.size());
+    for (const auto& [name, value] : named) names.push_back(name);
+    return one_of(names);
+  }
+
+  /// Both limits included; help shows the type.
+  Option& between(int low, int high);
+  Option& between(unsigned low, unsigned high);
+
+  /// Several values may be one word, with commas.
+  Option& comma_list();
+
+  /// One may not be given with the other.
+  Option& excludes(const std::string& other);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// An option that was given.
+struct GivenOption {
+  std::string name;   ///< the long one, without dashes
+  std::string value;  ///< all values, with commas
+  bool is_default = false;
+};
+
+/// A command that is being described. Values are written when the command line is read, and have to live until then;
+/// what they hold before is the default, which help shows. A name without a dash is of an operand: `MODEL`.
+class Command {
+ public:
+  explicit Command(CLI::App& command) : command_(&command) {}
+
+  Option option(const std::string& names, std::string& value, const std::string& help);
+  Option option(const std::string& names, std::uint32_t& value, const std::string& help);
+  Option option(const std::string& names, double& value, const std::string& help);
+  Option option(const std::string& names, std::vector<std::string>& values, const std::string& help);
+  Option option(const std::string& names, std::optional<std::uint32_t>& value, const std::string& help);
+  Option option(const std::string& names, std::optional<std::uint64_t>& value, const std::string& help);
+  Option option(const std::string& names, std::optional<double>& value, const std::string& help);
+
+  /// An option whose text `take` reads; it may throw UsageError.
+  Option read_option(const std::string& names, const std::function<void(const std::string&)>& take,
+                     const std::string& help);
+  void flag(const std::string& names, bool& is_given, const std::string& help);
+
+  /// Takes back an option of a group that makes no sense for this command.
+  void remove(const std::string& option);
+
+  /// What the command does, when the command line has been read.
+  void runs(const std::function<void()>& action);
+
+  [[nodiscard]] const std::string& name() const;
+
+  /// Options, without operands, in the order of help.
+  [[nodiscard]] std::vector<GivenOption> given() const;
+
+ private:
+  CLI::App* command_;
+};
+
+/// A command line that asks for one of several commands.
+class CommandLine {
+ public:
+  CommandLine(const std::string& description, const std::string& program, const std::string& version);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  Command add(const std::string& name, const std::string& description, const std::string& footer);
+
+  /// Runs the command that the arguments (the first is the program's name) ask for, or prints the help they ask for.
+  /// Throws UsageError with one line for people, and what the command throws.
+  void run(std::span<char* const> arguments);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
+
+}  // namespace csgsim::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "hw/machines/machine.h"
+#include "hw/systemc/clocked_machine.h"
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+
+/// The cycle level of a machine whose hardware is at hand, which has to live as long as the engine. make_cycle_engine
+/// builds the hardware of the kinds that come with csgsim itself.
+std::unique_ptr<Engine> make_clocked_engine(const machines::Machine& machine, kernel::ClockedMachine& hardware);
+
+}  // namespace csgsim::sim

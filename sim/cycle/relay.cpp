@@ -1,0 +1,46 @@
+#include "sim/cycle/relay.h"
+
+#include "sim/cycle/overflow.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+bool next_can_overflow(const isa::Segment& segment, std::uint32_t index) {
+  return index + 1 < segment.instructions.size() &&
+         can_overflow(segment.instructions[index + 1].linear, segment.region);
+}
+
+}  // namespace
+
+kernel::Keep Relay::keeps_after(std::uint32_t segment, std::uint32_t index) {
+  const isa::Segment& drawn = program_.segments[segment];
+  if (in_order_.reads_after(drawn.instructions[index])) return kernel::Keep::all;
+  return next_can_overflow(drawn, index) ? kernel::Keep::enable : kernel::Keep::nothing;
+}
+
+void Relay::after_instruction(const kernel::Retired& retired, const kernel::PixelView& pixels) {
+  count_overflows_of_next(retired, pixels);
+  in_order_.after_instruction({.segment = retired.segment,
+                               .index = retired.index,
+                               .instruction = program_.segments[retired.segment].instructions[retired.index],
+                               .clocks = retired.clocks,
+                               .enabled_pixels = retired.enabled_pixels},
+                              pixels);
+}
+
+void Relay::after_segment(std::uint32_t segment, const kernel::PixelView& pixels) {
+  in_order_.after_segment(segment, pixels);
+}
+
+/// No pixel is enabled when a segment begins, nor where instructions are skipped.
+void Relay::count_overflows_of_next(const kernel::Retired& retired, const kernel::PixelView& pixels) {
+  const isa::Segment& segment = program_.segments[retired.segment];
+  if (retired.skipped > 0 || !next_can_overflow(segment, retired.index)) return;
+  const std::size_t row_words = (segment.region.width + 63U) / 64U;
+  enable_.resize(row_words * segment.region.height);
+  pixels.read_enable(segment.region.width, segment.region.height, enable_);
+  overflows_ += count_overflows(segment.instructions[retired.index + 1].linear, segment.region, enable_, row_words);
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/systemc/run_listener.h"
+#include "sim/cycle/in_order.h"
+
+namespace csgsim::sim {
+
+/// Passes what a machine tells on to the observers in program order, and counts the overflows, which the machine does
+/// not notice.
+class Relay final : public kernel::RunListener {
+ public:
+  /// Both have to live until the run is done.
+  Relay(const isa::Program& program, std::span<Observer* const> observers)
+      : program_(program), in_order_(program, observers) {}
+
+  [[nodiscard]] kernel::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
+  void after_instruction(const kernel::Retired& retired, const kernel::PixelView& pixels) override;
+  void after_segment(std::uint32_t segment, const kernel::PixelView& pixels) override;
+
+  [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
+
+ private:
+  void count_overflows_of_next(const kernel::Retired& retired, const kernel::PixelView& pixels);
+
+  const isa::Program& program_;
+  InOrder in_order_;
+  std::vector<std::uint64_t> enable_;
+  std::uint64_t overflows_ = 0;
+};
+
+}  // namespace csgsim::sim

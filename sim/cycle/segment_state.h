@@ -1,0 +1,26 @@
+#pragma once
+
+#include "hw/systemc/run_listener.h"
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+
+/// What observers see of a machine's pixels: those of a segment's region.
+class SegmentState final : public PixelState {
+ public:
+  SegmentState(const kernel::PixelView& pixels, isa::Region region) : pixels_(pixels), region_(region) {}
+
+  [[nodiscard]] isa::Region region() const override { return region_; }
+  void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
+    pixels_.read_field(field, region_.width, region_.height, values);
+  }
+  void read_enable(std::span<std::uint64_t> words) const override {
+    pixels_.read_enable(region_.width, region_.height, words);
+  }
+
+ private:
+  const kernel::PixelView& pixels_;
+  isa::Region region_;
+};
+
+}  // namespace csgsim::sim

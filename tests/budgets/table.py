@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""table.py CSGSIM: measures the Programs and models of docs/budgets.md and prints its table."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).parent
+LINEAR = ("edge_", "linear_", "load_linear", "keep_")
+CLOCKS_A_SECOND = 1e7
+SPHERE_CAMERA = ["--camera", "0,-1286.98,0,0,0,0"]
+
+
+def stats(csgsim, command, path, *options):
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "stats.json"
+        subprocess.run([csgsim, command, path, *options, "--stats", out], check=True, stdout=subprocess.DEVNULL)
+        return json.loads(out.read_text())
+
+
+def dearest_primitive(report):
+    return max(primitive["clocks"] for primitive in report["by_primitive"])
+
+
+def an_expression(report):
+    """Instruction clocks, without latency, over instructions with a linear expression."""
+    counts = report["instructions"]["by_name"]
+    return sum(row["clocks"] for row in counts.values()) / sum(
+        row["count"] for name, row in counts.items() if name.startswith(LINEAR)
+    )
+
+
+def row(name, published, ours, digits=0):
+    print(f"| {name} | {published:.{digits}f} | {ours:,.{digits}f} | {ours / published:.2f} |")
+
+
+def main():
+    csgsim = sys.argv[1]
+    models = HERE.parent / "models"
+    print("| | published | ours | ours / published |\n|---|--:|--:|--:|")
+    row("triangle", CLOCKS_A_SECOND / 30_000, dearest_primitive(stats(csgsim, "run", HERE / "triangle.csgt")))
+    row("triangle with shadow", CLOCKS_A_SECOND / 21_000, dearest_primitive(stats(csgsim, "run", HERE / "shadow.csgt")))
+    row("sphere", CLOCKS_A_SECOND / 25_000, dearest_primitive(stats(csgsim, "run", HERE / "sphere.csgt")))
+    other = stats(csgsim, "run", HERE / "sphere_radius.csgt")
+    row("sphere of another radius", CLOCKS_A_SECOND / 25_000, dearest_primitive(other))
+    for facets in (16, 32):
+        report = stats(csgsim, "render", HERE / f"sphere_{facets}.csg", *SPHERE_CAMERA)
+        row(f"sphere of {report['model']['halfspaces']} facets", CLOCKS_A_SECOND / 25_000, dearest_primitive(report))
+    for name, camera in (
+        ("carburettor", "220,-255,135,2,0,5"),
+        ("terrain_vehicle", "560,-590,420,-5,0,68"),
+        ("rietveld_house", "3430,-2900,1950,590,230,220"),
+    ):
+        report = stats(csgsim, "render", models / f"{name}.csg", "--camera", camera)
+        row(f"an expression of {name}", 7.5e-3 * CLOCKS_A_SECOND / 1_900, an_expression(report), 1)
+
+
+if __name__ == "__main__":
+    main()

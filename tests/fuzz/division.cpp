@@ -1,0 +1,51 @@
+// Display models as they travel. The first byte says how many bits of the last one are filled up.
+
+#include <algorithm>
+#include <vector>
+
+#include "hw/division/divide.h"
+#include "hw/division/encoding.h"
+#include "hw/isa/program.h"
+#include "tests/fuzz/property.h"
+
+namespace division = csgsim::division;
+namespace fuzz = csgsim::fuzz;
+namespace isa = csgsim::isa;
+
+namespace {
+
+division::Bits bits_of(const std::uint8_t* data, std::size_t size) {
+  division::BitWriter out;
+  if (size == 0) return out.take();
+  const unsigned filled = data[0] % 8U;
+  for (std::size_t i = 1; i < size; ++i) {
+    const unsigned width = i + 1 < size ? 8U : 8U - filled;
+    out.put(data[i] & (0xffU >> (8U - width)), width);
+  }
+  return out.take();
+}
+
+/// One level and two emit the same sound instructions for a square, whatever the model.
+void check_divided(const division::Divider& divider) {
+  const isa::Region square{0, 0, std::min(divider.model().width, 8U), std::min(divider.model().height, 8U)};
+  const isa::Region group{0, 0, std::min(divider.model().width, 32U), std::min(divider.model().height, 32U)};
+  const division::Divided one = divider.divide(square);
+  for (const isa::Instruction& instruction : one.instructions) isa::validate(instruction, isa::max_memory_bits);
+  const division::DividedGroup two = division::divide_group(divider, group, {square}, 1'000'000);
+  fuzz::require(two.squares[0].instructions == one.instructions, "two levels emit what one level does");
+}
+
+}  // namespace
+
+/// Any bits are either the one stream of a sound model or one line of error; what is divided from it is sound.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const division::Bits bits = bits_of(data, size);
+    const division::DisplayModel model = division::decode(bits);
+    fuzz::require(division::encode(model) == bits, "a model has one stream");
+    check_divided(division::Divider(model));
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error);
+  }
+  return 0;
+}

@@ -1,0 +1,74 @@
+#include <array>
+
+#include "hw/machines/shared_figures.h"
+#include "tests/kinds/figures.h"
+#include "tests/kinds/raster.h"
+
+namespace csgsim::raster {
+
+namespace {
+
+using machines::Machine;
+namespace shared = machines::shared;
+
+constexpr auto schema = std::to_array<machines::FigureSchema>({
+    shared::array_width,
+    shared::array_height,
+    shared::memory_bits,
+    shared::clock_frequency,
+    machines::or_ideal(machines::own_figure<Figures, &Figures::pixel_clocks>("processor.pixel_clocks", "clocks", 0, 100,
+                                                                             "of an instruction at a pixel"),
+                       0),
+});
+
+std::any own() { return Figures{}; }
+
+void complete(Machine& machine) { machine.picture = {machine.array.width, machine.array.height}; }
+
+void set_picture(Machine& machine, machines::Size size) {
+  machine.array.width = size.width;
+  machine.array.height = size.height;
+}
+
+bool answers(const Machine& /*machine*/) { return false; }
+
+std::vector<isa::Region> regions(const Machine& machine) { return {{0, 0, machine.array.width, machine.array.height}}; }
+
+void check(const isa::Program& /*program*/, const Machine& /*machine*/) {}
+
+std::uint64_t clocks(const isa::Instruction& /*instruction*/, const Machine& machine) {
+  return std::uint64_t{machine.array.width} * machine.array.height * machines::own<Figures>(machine).pixel_clocks;
+}
+
+machines::FrameTiming time(const isa::Program& program, const Machine& machine,
+                           std::span<const machines::Skip> /*skips*/) {
+  machines::FrameTiming timing;
+  for (const isa::Segment& segment : program.segments) {
+    for (const isa::Instruction& instruction : segment.instructions) timing.clocks += clocks(instruction, machine);
+  }
+  timing.account.parts = {{"processor", {{"working", timing.clocks}}}};
+  return timing;
+}
+
+machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) {
+  return {1, std::uint64_t{machine.array.width} * machine.array.height * machine.array.memory_bits};
+}
+
+}  // namespace
+
+const machines::Kind kind{
+    .name = "raster",
+    .over = "a pixel of the picture",
+    .schema = schema,
+    .own = own,
+    .complete = complete,
+    .set_picture = set_picture,
+    .answers = answers,
+    .regions = regions,
+    .check = check,
+    .clocks = clocks,
+    .time = time,
+    .resources = resources,
+};
+
+}  // namespace csgsim::raster

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+
+#include "hw/machines/kind.h"
+#include "hw/systemc/clocked_machine.h"
+
+/// A kind of machine that no other room knows: one processor, which carries out each instruction at one pixel after the
+/// other.
+namespace csgsim::raster {
+
+extern const machines::Kind kind;
+
+std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine);
+
+}  // namespace csgsim::raster

@@ -1,0 +1,83 @@
+// lockstep_multi_processor SEED PROGRAMS: draws random Programs on a clocked multi-processor whose figures the seed
+// makes up, and holds them against what is worked out. One machine a process, as SystemC elaborates once.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/kind.h"
+#include "tests/lockstep/parts.h"
+
+namespace csgsim::test {
+
+namespace {
+
+constexpr unsigned most_instructions = 12;  ///< of a subsegment
+
+/// Figures of small machines, some of them 0 and some beyond what they meet.
+class Choice {
+ public:
+  explicit Choice(std::uint32_t seed) : random_(seed) {}
+
+  std::uint32_t between(std::uint32_t least, std::uint32_t most) {
+    return least + static_cast<std::uint32_t>(random_() % (most - least + 1));
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+machines::Machine random_machine(std::uint32_t seed) {
+  Choice choice(seed);
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  machine.name = "random";
+  machine.array = {choice.between(1, 4), choice.between(1, 4), choice.between(8, 100)};
+  machine.picture = {choice.between(1, 40), choice.between(1, 40)};
+  machine.clock_hz = 8'000'000;
+  machine.link = {.width = choice.between(1, 80),
+                  .word_clocks = choice.between(1, 30),
+                  .fifo_depth = 1,
+                  .latency = choice.between(0, 3) * 11};
+  auto& figures = machines::own<multi_processor::Figures>(machine);
+  figures.levels = choice.between(0, 5);
+  figures.order = static_cast<multi_processor::RenderingOrder>(seed % 3);
+  figures.word_bits = choice.between(1, 64);
+  figures.memory_words = 1U << 31U;
+  figures.operations = {choice.between(0, 20), choice.between(0, 20), choice.between(0, 20),
+                        choice.between(0, 20), choice.between(0, 20), choice.between(0, 90)};
+  figures.loop = {choice.between(0, 20), choice.between(0, 40), choice.between(0, 60)};
+  figures.node_tests = {choice.between(0, 50), choice.between(0, 500)};
+  figures.display_tests = {choice.between(0, 50), choice.between(0, 500)};
+  figures.transform_clocks = choice.between(0, 5000);
+  figures.divides_ahead = seed % 2 == 1;
+  figures.primitive_bits = choice.between(1, 100);
+  figures.halfspace_bits = choice.between(1, 200);
+  figures.barrier_clocks = choice.between(0, 2) * 17;
+  return machine;
+}
+
+}  // namespace
+
+}  // namespace csgsim::test
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 3) throw std::invalid_argument("give a seed and a number of Programs");
+    const csgsim::machines::Machine machine =
+        csgsim::test::random_machine(static_cast<std::uint32_t>(std::stoul(argv[1])));
+    const auto programs = static_cast<unsigned>(std::stoul(argv[2]));
+    return csgsim::test::agree_in_parts(
+               "the clocked multi-processor leaves the bits, picture, clocks and account worked out", machine, programs,
+               csgsim::test::most_instructions)
+               ? 0
+               : 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
+  return 2;
+}

@@ -1,0 +1,92 @@
+#include "tests/lockstep/parts.h"
+
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "hw/isa/validate.h"
+#include "tests/lockstep/lockstep.h"
+#include "tests/support/random_program.h"
+
+namespace csgsim::test {
+
+namespace {
+
+/// The colours that the pixels hold at the end of each segment; the background where none worked.
+class Picture final : public sim::Observer {
+ public:
+  explicit Picture(const isa::Program& program)
+      : colours(std::size_t{program.shape.width} * program.shape.height),
+        program_(program),
+        colour_(isa::field_of(program, isa::FieldRole::colour)) {}
+
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
+
+  void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
+    const isa::Region region = state.region();
+    std::vector<std::uint32_t> values(std::size_t{region.width} * region.height, program_.background);
+    if (!program_.segments[segment].instructions.empty()) state.read_field(colour_, values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t y = region.y + i / region.width;
+      colours[y * program_.shape.width + region.x + i % region.width] = values[i];
+    }
+  }
+
+  std::vector<std::uint32_t> colours;
+
+ private:
+  const isa::Program& program_;
+  isa::Field colour_;
+};
+
+/// Every clock of the frame is accounted for, in every part.
+bool adds_up(const sim::RunResult& result) {
+  return std::all_of(result.account.parts.begin(), result.account.parts.end(), [&](const machines::PartAccount& part) {
+    std::uint64_t sum = 0;
+    for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
+    return sum == result.clocks;
+  });
+}
+
+std::string show(const sim::RunResult& result) {
+  std::string text = fmt::format("{} clocks", result.clocks);
+  for (const machines::Count& count : result.account.counts) text += fmt::format(", {} {}", count.value, count.name);
+  for (const machines::PartAccount& part : result.account.parts) {
+    text += fmt::format("\n  {}:", part.part);
+    for (const machines::ActivityClocks& one : part.clocks) text += fmt::format(" {} {}", one.activity, one.clocks);
+  }
+  return text;
+}
+
+}  // namespace
+
+bool agree_in_parts(const std::string& what, const machines::Machine& machine, unsigned programs,
+                    unsigned instructions) {
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", programs).c_str(), 0);
+  const auto reference = sim::make_reference_engine(machine);
+  const auto functional = sim::make_functional_engine(machine);
+  const auto cycle = sim::make_cycle_engine(machine);
+  return rc::check(what, [&] {
+    const isa::Program program = *arbitrary_program_in_parts(machine, instructions);
+    isa::validate(program);
+    const sim::RunResult counted = check_lockstep(*reference, *cycle, program, machine).engine;
+    Picture picture(program);
+    sim::Observer* const observers[] = {&picture};
+    const sim::RunResult expected = functional->run(program, observers);
+    if (counted.clocks != expected.clocks || counted.account != expected.account) {
+      RC_FAIL("counted " + show(counted) + "\nworked out " + show(expected));
+    }
+    RC_ASSERT(adds_up(counted));
+    RC_ASSERT(counted.overflows == expected.overflows);
+    if (isa::field_of(program, isa::FieldRole::colour).width == 0) {
+      RC_ASSERT(counted.scanned_out.empty());
+    } else {
+      RC_ASSERT(counted.scanned_out == picture.colours);
+    }
+  });
+}
+
+}  // namespace csgsim::test

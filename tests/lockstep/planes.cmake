@@ -1,0 +1,19 @@
+# The frame-buffer machine with its link. Each row are figures of one machine; those that it does not name are as in
+# planes.cpp.
+add_executable(lockstep_planes planes.cpp)
+target_link_libraries(lockstep_planes PRIVATE
+  csgsim_lockstep csgsim_random_program csgsim::reference csgsim::cycle fmt::fmt csgsim_flags)
+foreach(row IN ITEMS
+    "link=1 depth=1" "link=1 depth=300 latency=3" "link=2 depth=7 word=2" "link=7 depth=3 latency=1 word=3 clear=5"
+    "link=13 depth=2 latency=9 fan_in=2" "link=16 depth=1 latency=2 fan_in=64 clear=40"
+    "link=32 depth=16 latency=4 clear=72 fan_in=8" "link=32 depth=1 fan_in=3 clear=1" "link=32 depth=4 word=7 latency=1"
+    "link=33 depth=5 latency=30 clear=2 fan_in=5" "link=64 depth=2 latency=2 fan_in=65536 reads=2 alu=4"
+    "link=64 depth=1 word=50 latency=50" "link=128 depth=3 latency=100 clear=100" "link=255 depth=1 clear=13"
+    "link=256 depth=1 fan_in=2" "link=256 depth=2 latency=1 clear=3" "link=256 depth=65536 word=2 programs=40"
+    "link=256 width=1 height=1 bits=8 depth=1 fan_in=2" "link=4 width=1 height=1 bits=8 depth=2 latency=5"
+    "shared=1" "shared=1 pixels=3 width=21 height=3" "pixels=8 width=9 height=2" "shared=1 pixels=100 width=1 height=1"
+    "shared=1 pixels=2 width=130 height=4 bits=64 programs=40" "pixels=2 width=50 height=1" "link=32 width=70 height=5 bits=33 fan_in=7 clear=20 depth=16 latency=4"
+    "link=24 width=130 height=3 bits=64 fan_in=64 clear=9 depth=2 word=3 programs=40"
+    "link=32 width=64 height=64 bits=72 fan_in=64 clear=72 depth=16 latency=4 programs=25")
+  csgsim_lockstep_row(lockstep_planes "planes ${row}" "${row}")
+endforeach()

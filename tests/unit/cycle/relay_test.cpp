@@ -1,0 +1,61 @@
+#include "sim/cycle/relay.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "tests/unit/cycle/number_view.h"
+
+using namespace csgsim;
+using isa::Opcode;
+using kernel::Keep;
+
+namespace {
+
+constexpr isa::Instruction enable_all{.opcode = Opcode::enable_all};
+
+/// F = x, in two bits: -2 to 1 fit.
+constexpr isa::Instruction narrow{.opcode = Opcode::edge_negative, .linear = {.a = 1, .width = 2}};
+
+/// On a row of 8 pixels.
+isa::Program program_of(const std::vector<isa::Instruction>& instructions) {
+  isa::Program program;
+  program.segments = {{.region = {0, 0, 8, 1}, .instructions = instructions}};
+  return program;
+}
+
+class Reader final : public sim::Observer {};
+
+}  // namespace
+
+TEST_CASE("overflows are counted at the pixels that are enabled when the instruction begins") {
+  const isa::Program program = program_of({enable_all, narrow, narrow, enable_all});
+  sim::Relay relay(program, {});
+  relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));  // x from 2 to 7 do not fit
+  CHECK(relay.overflows() == 6);
+  relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // of these, 3 and 6
+  CHECK(relay.overflows() == 8);
+  relay.after_instruction({.index = 2}, test::NumberView(0b1111'1111));
+  relay.after_instruction({.index = 3}, test::NumberView(0b1111'1111));
+  CHECK(relay.overflows() == 8);
+}
+
+TEST_CASE("after a skip nothing is counted, whatever the pixels show: none is enabled") {
+  const isa::Program program =
+      program_of({{.opcode = Opcode::skip_if_none, .constant = 1}, narrow, narrow, enable_all});
+  sim::Relay relay(program, {});
+  relay.after_instruction({.index = 0, .skipped = 1}, test::NumberView(0b1111'1111));
+  CHECK(relay.overflows() == 0);
+}
+
+TEST_CASE("of the machine is asked what the observers read and what the count of overflows needs") {
+  const isa::Program program = program_of({enable_all, narrow, enable_all});
+  sim::Relay unobserved(program, {});
+  CHECK(unobserved.keeps_after(0, 0) == Keep::enable);
+  CHECK(unobserved.keeps_after(0, 1) == Keep::nothing);
+  CHECK(unobserved.keeps_after(0, 2) == Keep::nothing);
+  Reader reader;
+  sim::Observer* const observers[] = {&reader};
+  CHECK(sim::Relay(program, observers).keeps_after(0, 2) == Keep::all);
+}

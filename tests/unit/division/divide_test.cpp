@@ -1,0 +1,168 @@
+#include "hw/division/divide.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/division/groups.h"
+#include "hw/isa/opcodes.h"
+#include "tests/unit/division/hand_models.h"
+
+using namespace csgsim;
+using isa::Instruction;
+using isa::Opcode;
+using isa::Purpose;
+
+namespace {
+
+constexpr isa::Field z2{0, 4};
+constexpr isa::Field z1{4, 4};
+constexpr isa::Field colour{8, 3};
+constexpr isa::Field mask{11, 1};
+
+Instruction plain(Opcode opcode, isa::Field first, isa::Field second, std::uint64_t constant, isa::Origin origin) {
+  return {opcode, {first, second, {}}, {}, constant, origin};
+}
+
+Instruction linear(Opcode opcode, isa::Field field, isa::Linear expression, isa::Origin origin) {
+  return {opcode, {field, {}, {}}, expression, 0, origin};
+}
+
+constexpr isa::Origin setup{Purpose::setup, isa::no_primitive, isa::no_node};
+constexpr isa::Origin render{Purpose::render, 0, isa::no_node};
+constexpr isa::Origin merge{Purpose::merge, 0, isa::no_node};
+constexpr isa::Origin shade{Purpose::shade, 0, isa::no_node};
+
+constexpr isa::Region top_left{0, 0, 8, 8};
+
+}  // namespace
+
+TEST_CASE("a slab that fills a square is its front, its back, a depth test, a copy and a colour") {
+  const division::Divider divider(testing::one_slab());
+  const division::Divided divided = divider.divide(top_left);
+  const std::vector<Instruction> expected{
+      plain(Opcode::enable_all, {}, {}, 0, setup),
+      plain(Opcode::set_constant, z2, {}, 15, setup),
+      plain(Opcode::set_constant, colour, {}, 6, setup),
+      plain(Opcode::enable_all, {}, {}, 0, render),
+      linear(Opcode::load_linear, z1, {0, 0, 3, 5, 0}, render),
+      linear(Opcode::linear_gt, z1, {0, 0, 9, 5, 0}, render),
+      plain(Opcode::field_lt, z1, z2, 0, merge),
+      plain(Opcode::enable_store, mask, {}, 0, merge),
+      plain(Opcode::copy, z2, z1, 0, merge),
+      plain(Opcode::set_constant, colour, {}, 5, shade),
+  };
+  CHECK(divided.instructions == expected);
+  CHECK(divided.counts == division::Counts{1, 2, 0, 0, 10});
+}
+
+TEST_CASE("a square that nothing touches has no instructions, but a box test for each primitive") {
+  const division::Divided divided = division::Divider(testing::one_slab()).divide({8, 0, 8, 8});
+  CHECK(divided.instructions.empty());
+  CHECK(divided.counts == division::Counts{1, 0, 0, 0, 0});
+}
+
+TEST_CASE("a square that is the whole picture is set up even if nothing is in it") {
+  CHECK(division::Divider(testing::empty_model()).divide({0, 0, 16, 16}).instructions.size() == 3);
+}
+
+TEST_CASE("linear expressions count from the square's corner, and a rectangle narrower than it is clipped") {
+  division::DisplayModel model = testing::one_slab();
+  model.planes[0] = {false, 0, 0, 3};
+  model.primitives[0].box.pixels = {10, 0, 15, 15};
+  const division::Divided divided = division::Divider(model).divide({8, 8, 8, 8});
+  // x - 10 at columns 8 to 15 is -2 to 5: 4 bits.
+  CHECK(divided.instructions[4] == linear(Opcode::edge_not_negative, {}, {1, 0, -2, 4, 0}, render));
+}
+
+TEST_CASE("a surface that begins at depth 0, or has no front left, starts there, in the colour that it has there") {
+  division::DisplayModel model = testing::one_slab();
+  model.planes[0].c = 0;
+  for (const std::int64_t z_low : {0, 2}) {
+    model.primitives[0].box.z_low = z_low;
+    const std::vector<Instruction> made = division::Divider(model).divide(top_left).instructions;
+    CHECK(made.size() == 10);
+    CHECK(made.at(4) == plain(Opcode::set_constant, z1, {}, 0, render));
+    CHECK(made.back() == plain(Opcode::set_constant, colour, {}, 1, shade));
+  }
+}
+
+TEST_CASE("where a slab has a hole both are drawn and compared; where it has none the hole is not looked into") {
+  const division::Divider divider(testing::slab_with_hole());
+  const division::Divided holed = divider.divide(top_left);
+  // The slab and the hole, each with its own two half-spaces and the other's; each looks at the root and the other.
+  CHECK(holed.counts.boxes == 2);
+  CHECK(holed.counts.halfspaces == 8);
+  CHECK(holed.counts.nodes == 4);
+  // In columns 6 and 7 the hole has no pixels: the slab looks at the root and, in vain, at the hole.
+  const division::Divided whole = divider.divide({6, 0, 2, 8});
+  CHECK(whole.counts.boxes == 2);
+  CHECK(whole.counts.halfspaces == 2);
+  CHECK(whole.counts.nodes == 2);
+  CHECK(whole.instructions.size() == 10);
+}
+
+TEST_CASE("a tree with more pending results than there are bits for them is refused") {
+  division::DisplayModel model = testing::slab_with_hole();
+  // The slab without where two holes meet: a union of complements is one leaf, but not with a plain solid in it.
+  model.primitives.push_back(testing::slab(0, 3, 3, 5));
+  model.primitives[2].box.pixels = {3, 0, 6, 15};
+  model.nodes = {{}, {}, {}, {2, division::Operator::unite}, {2, division::Operator::intersect}};
+  CHECK_FALSE(division::Divider(model).divide(top_left).instructions.empty());
+  model.fields.stack_bits = 0;
+  CHECK_THROWS_WITH_AS(static_cast<void>(division::Divider(model).divide(top_left)),
+                       "a square's tree has 1 pending results and pixel memory has 0 bits for them", InputError);
+}
+
+TEST_CASE("a group leaves the primitives that touch it, without half-spaces that decide nothing in it") {
+  division::DisplayModel model = testing::slab_with_hole();
+  // Another front, always nearer than the slab's own; an edge that holds the left half.
+  model.planes.push_back({false, 0, 0, 1});
+  model.planes.push_back({true, -1, 0, 7});
+  model.primitives[0].halfspaces.push_back({4, true, 2});
+  model.primitives[0].halfspaces.push_back({5, true, 0});
+  division::validate(model);
+  const division::Divider divider(model);
+  division::Counts counts;
+  const division::Candidates left = divider.survivors({0, 0, 16, 8}, counts);
+  CHECK(counts == division::Counts{2, 6, 0, 0, 0});
+  CHECK(left.primitives == std::vector<std::uint32_t>{0, 1});
+  CHECK(left.halfspaces[0].size() == 2);
+  CHECK(left.entries() == 6);
+  const division::Divided from_group = divider.divide(top_left, left);
+  const division::Divided from_model = divider.divide(top_left);
+  CHECK(from_group.instructions == from_model.instructions);
+  CHECK(from_group.counts.halfspaces == 8);
+  CHECK(from_model.counts.halfspaces == 12);
+}
+
+TEST_CASE("squares in rows make groups that the picture's edges cut off, in the order of their first squares") {
+  // 5 x 3 squares of 8 x 8 in a picture of 37 x 24, in groups of 2 x 2.
+  std::vector<isa::Region> squares;
+  for (std::uint32_t y = 0; y < 24; y += 8) {
+    for (std::uint32_t x = 0; x < 37; x += 8) squares.push_back({x, y, std::min(8U, 37 - x), 8});
+  }
+  const std::vector<division::Group> groups = division::groups_of(squares, {37, 24, 0}, {8, 8, 0}, 2, 2);
+  REQUIRE(groups.size() == 6);
+  CHECK(groups[0].region == isa::Region{0, 0, 16, 16});
+  CHECK(groups[0].squares == std::vector<std::size_t>{0, 1, 5, 6});
+  CHECK(groups[2].region == isa::Region{32, 0, 5, 16});
+  CHECK(groups[2].squares == std::vector<std::size_t>{4, 9});
+  CHECK(groups[5].region == isa::Region{32, 16, 5, 8});
+  CHECK(groups[5].squares == std::vector<std::size_t>{14});
+}
+
+TEST_CASE("a group whose survivors do not fit the list has its squares divided from the whole model") {
+  const division::Divider divider(testing::slab_with_hole());
+  const division::DividedGroup fits = division::divide_group(divider, {0, 0, 16, 16}, {top_left}, 6);
+  CHECK(fits.fits);
+  const division::DividedGroup full = division::divide_group(divider, {8, 0, 8, 16}, {{8, 0, 8, 8}}, 5);
+  CHECK(full.fits);
+  CHECK(full.entries == 0);
+  CHECK(full.squares[0].counts.boxes == 0);
+  const division::DividedGroup spills = division::divide_group(divider, {0, 0, 16, 16}, {{8, 0, 8, 8}}, 5);
+  CHECK_FALSE(spills.fits);
+  CHECK(spills.squares[0].counts.boxes == 2);
+}

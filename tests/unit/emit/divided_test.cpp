@@ -1,0 +1,130 @@
+#include <doctest/doctest.h>
+
+#include <sstream>
+#include <string>
+
+#include "host/emit/compile.h"
+#include "host/emit/options.h"
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/projection.h"
+#include "hw/base/error.h"
+#include "hw/isa/binary.h"
+#include "hw/isa/text.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/runs_on.h"
+#include "hw/pixel_square/division_check.h"
+#include "hw/pixel_square/figures.h"
+
+using namespace csgsim;
+
+namespace {
+
+/// Two cubes in the middle of a picture of 3 x 2 groups of 2 x 2 squares; nothing in some of them.
+isa::Program divided(const machines::Machine& machine, const emit::Options& options = {}) {
+  const model::Tree tree = read::read_csg_text(
+      "difference() { cube(size = [4, 4, 4], center = false);"
+      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]]) {"
+      "cube(size = [4, 4, 4], center = false); } }",
+      "cubes");
+  const facet::Scene scene = facet::make_scene(tree);
+  view::Sampling sampling;
+  sampling.width = machine.picture.width;
+  sampling.height = machine.picture.height;
+  const view::View view =
+      view::make_view(scene, tree, {{20, -30, 25}, {0, 0, 0}, view::Projection::orthographic}, sampling);
+  return emit::compile(tree, scene, view, machine, options);
+}
+
+machines::Machine machine_with(std::uint32_t levels) {
+  machines::Machine machine = kinds::load("pixel-square");
+  machines::set_picture_size(machine, {96, 64});
+  auto& figures = machines::own<pixel_square::Figures>(machine);
+  figures.levels = levels;
+  figures.group_side = 2;
+  return machine;
+}
+
+template <class Run>
+std::string error_of(Run run) {
+  try {
+    run();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a Program for a machine that divides has the model that is divided into its segments") {
+  for (const std::uint32_t levels : {1U, 2U}) {
+    const machines::Machine machine = machine_with(levels);
+    const isa::Program program = divided(machine);
+    CHECK_NOTHROW(machines::check_runs_on(program, machine));
+    CHECK_NOTHROW(pixel_square::check_division(program, machine));
+    // Two primitives have two boxes, for each of 24 squares or 6 groups.
+    std::uint64_t boxes = 0;
+    std::uint64_t group_boxes = 0;
+    for (const isa::Segment& segment : program.segments) {
+      boxes += segment.facts.division.boxes;
+      group_boxes += segment.facts.division.group_boxes;
+    }
+    CHECK(group_boxes == (levels == 1 ? 0 : 2 * 6));
+    CHECK((levels == 1 ? boxes == 2 * 24 : boxes < 2 * 24));
+  }
+}
+
+TEST_CASE("the display model survives both forms of a Program") {
+  const isa::Program program = divided(machine_with(2));
+  CHECK(isa::decode(isa::encode(program), "binary") == program);
+  std::ostringstream text;
+  isa::print(text, program);
+  CHECK(isa::parse(text.str(), "text") == program);
+}
+
+TEST_CASE("a Program whose instructions are not those of its model is refused") {
+  const machines::Machine machine = machine_with(2);
+  isa::Program program = divided(machine);
+  for (isa::Segment& segment : program.segments) {
+    if (!segment.instructions.empty()) segment.instructions.pop_back();
+  }
+  CHECK(error_of([&] { pixel_square::check_division(program, machine); }).find("is not what its display model") !=
+        std::string::npos);
+}
+
+TEST_CASE("a machine that divides refuses a Program without a model, and a model that its memory does not hold") {
+  machines::Machine machine = machine_with(2);
+  isa::Program program = divided(machine);
+  machines::own<pixel_square::Figures>(machine).model_bits = 1000;
+  const std::string bits = std::to_string(8 * program.display_model.size());
+  CHECK(error_of([&] {
+          machines::check_runs_on(program, machine);
+        }).starts_with("the display model has " + bits + " bits, and the divider's memory holds 1000;"));
+  machine = machine_with(2);
+  program.display_model.clear();
+  CHECK(error_of([&] {
+          machines::check_runs_on(program, machine);
+        }).starts_with("the Program has no display model, which pixel-square divides;"));
+}
+
+TEST_CASE("a machine that divides has prunings of its own") {
+  emit::Options options;
+  options.pruning = csg::Pruning::divider();
+  CHECK_NOTHROW(divided(machine_with(1), options));
+  options.pruning.sets = false;
+  CHECK(error_of([&] {
+          divided(machine_with(1), options);
+        }).starts_with("the machine divides the model itself, with prunings of its own;"));
+}
+
+TEST_CASE("a machine that divides has one strategy") {
+  emit::Options options;
+  options.strategy = emit::Strategy::list;
+  CHECK(error_of([&] {
+          divided(machine_with(1), options);
+        }).starts_with("the machine divides the model itself, by the strategy stack alone, not list"));
+  options.strategy = emit::Strategy::automatic;
+  options.colouring = emit::Colouring::automatic;
+  CHECK(divided(machine_with(1), options).facts.compile.strategy == "stack");
+}

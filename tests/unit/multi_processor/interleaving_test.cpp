@@ -1,0 +1,79 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <set>
+#include <vector>
+
+#include "hw/machines/regions.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/kind.h"
+#include "hw/multi_processor/regions.h"
+
+using namespace csgsim;
+
+namespace {
+
+machines::Machine machine_of(isa::ArrayShape nodes, machines::Size picture, std::uint32_t levels) {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  machine.array = nodes;
+  machine.picture = picture;
+  machines::own<multi_processor::Figures>(machine).levels = levels;
+  return machine;
+}
+
+}  // namespace
+
+TEST_CASE("subsegments cover every pixel of the picture once, whatever the levels and the nodes") {
+  CHECK(rc::check([] {
+    const auto side = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(1, most); };
+    const machines::Size picture{side(50), side(50)};
+    const machines::Machine machine =
+        machine_of({side(6), side(6), 8}, picture, *rc::gen::inRange<std::uint32_t>(0, 13));
+    std::vector<int> covered(std::size_t{picture.width} * picture.height);
+    for (const isa::Region& region : machines::regions(machine)) {
+      RC_ASSERT(region.width > 0U && region.height > 0U);
+      for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
+        for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
+          RC_ASSERT(x < picture.width && y < picture.height);
+          ++covered[std::size_t{y} * picture.width + x];
+        }
+      }
+    }
+    RC_ASSERT(covered == std::vector<int>(covered.size(), 1));
+  }));
+}
+
+TEST_CASE("subsegments come segment by segment, as many as there are nodes") {
+  const machines::Machine machine = machine_of({4, 3, 8}, {256, 256}, 5);
+  const std::vector<isa::Region> all = machines::regions(machine);
+  REQUIRE(multi_processor::segments(machine).size() == 32);
+  REQUIRE(all.size() == 32 * 12);
+  CHECK(multi_processor::segments(machine)[1] == isa::Region{32, 0, 32, 64});
+  CHECK(all[0] == isa::Region{0, 0, 8, 22});
+  CHECK(all[11] == isa::Region{24, 44, 8, 20});
+  CHECK(all[12] == isa::Region{32, 0, 8, 22});
+}
+
+TEST_CASE("a node holds the pixels of its own remainder, and no other node has them") {
+  CHECK(rc::check([] {
+    const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
+    const isa::ArrayShape nodes{1 + below(5), 1 + below(5), 8};
+    const isa::Region region{below(20), below(20), 1 + below(12), 1 + below(12)};
+    std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+    for (std::uint32_t row = 0; row < nodes.height; ++row) {
+      for (std::uint32_t column = 0; column < nodes.width; ++column) {
+        const multi_processor::NodePixels own = multi_processor::pixels_of(region, nodes, row, column);
+        for (std::uint32_t i = 0; i < own.rows; ++i) {
+          for (std::uint32_t j = 0; j < own.columns; ++j) {
+            const std::uint32_t x = own.first_x + j * nodes.width;
+            const std::uint32_t y = own.first_y + i * nodes.height;
+            RC_ASSERT(x < region.width && y < region.height);
+            RC_ASSERT((region.x + x) % nodes.width == column && (region.y + y) % nodes.height == row);
+            RC_ASSERT(seen.insert({x, y}).second);
+          }
+        }
+      }
+    }
+    RC_ASSERT(seen.size() == std::size_t{region.width} * region.height);
+  }));
+}

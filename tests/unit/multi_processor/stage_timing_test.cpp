@@ -1,0 +1,233 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+#include "hw/machines/clocks.h"
+#include "hw/machines/regions.h"
+#include "hw/machines/runs_on.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/kind.h"
+#include "hw/multi_processor/timing.h"
+#include "tests/support/random_program.h"
+
+using namespace csgsim;
+using isa::Opcode;
+using machines::Machine;
+using multi_processor::Figures;
+using multi_processor::FrameAccount;
+using multi_processor::NodeActivity;
+using multi_processor::NodeClocks;
+using multi_processor::RenderingOrder;
+
+namespace {
+
+/// 2 x 2 nodes, a segment of 4 x 4 pixels, and clocks that are told from each other in a sum.
+Machine machine_4x4() {
+  Machine machine = machines::blank(multi_processor::kind);
+  machine.name = "four";
+  machine.array = {2, 2, 16};
+  machine.picture = {4, 4};
+  machine.clock_hz = 8'000'000;
+  machine.link = {.width = 32, .word_clocks = 10, .fifo_depth = 1, .latency = 4};
+  machine.own = Figures{.levels = 0,
+                        .order = RenderingOrder::segment,
+                        .word_bits = 16,
+                        .memory_words = 1000,
+                        .operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 13},
+                        .loop = {.pixel = 17, .row = 19, .instruction = 23},
+                        .node_tests = {.primitive = 29, .halfspace = 31},
+                        .display_tests = {.primitive = 37, .halfspace = 41},
+                        .transform_clocks = 43,
+                        .divides_ahead = false,
+                        .primitive_bits = 20,
+                        .halfspace_bits = 40,
+                        .barrier_clocks = 6};
+  return machine;
+}
+
+Figures& figures(Machine& machine) { return machines::own<Figures>(machine); }
+
+/// Two primitives of five half-spaces, of which one, of three, touches the first subsegment and leaves one there.
+isa::Program program_for(const Machine& machine) {
+  isa::Program program;
+  program.shape = {machine.picture.width, machine.picture.height, 16};
+  program.facts.fields.push_back({"colour", {0, 8}, isa::FieldRole::colour});
+  program.facts.model.primitives = 2;
+  program.facts.model.halfspaces = 5;
+  for (const isa::Region& region : machines::regions(machine)) program.segments.push_back({region, {}});
+  isa::Segment& first = program.segments.front();
+  first.instructions.push_back({.opcode = Opcode::enable_all});
+  first.instructions.push_back(
+      {.opcode = Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}});
+  first.facts.primitives = 1;
+  first.facts.halfspaces = 3;
+  return program;
+}
+
+FrameAccount account_of(const isa::Program& program, const Machine& machine) {
+  return multi_processor::time_stages(program, machine).account;
+}
+
+std::uint64_t clocks_of(const isa::Program& program, const Machine& machine) {
+  return multi_processor::time_stages(program, machine).clocks;
+}
+
+std::uint64_t spent(const FrameAccount& account, NodeActivity activity) {
+  return std::accumulate(account.nodes.begin(), account.nodes.end(), std::uint64_t{0},
+                         [activity](std::uint64_t sum, const NodeClocks& node) {
+                           return sum + node.at(static_cast<std::size_t>(activity));
+                         });
+}
+
+Machine random_machine() {
+  const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
+  Machine machine = machine_4x4();
+  machine.array = {1 + below(4), 1 + below(4), 40};
+  machine.picture = {1 + below(24), 1 + below(24)};
+  machine.link = {.width = 1 + below(70), .word_clocks = 1 + below(9), .fifo_depth = 1, .latency = below(20)};
+  figures(machine).memory_words = 1U << 30U;
+  figures(machine).levels = below(5);
+  figures(machine).order = static_cast<RenderingOrder>(below(3));
+  figures(machine).word_bits = 1 + below(64);
+  figures(machine).display_tests = {below(60), below(600)};
+  figures(machine).barrier_clocks = below(50);
+  return machine;
+}
+
+}  // namespace
+
+TEST_CASE("each stage of a frame takes what a hand calculation says") {
+  const Machine machine = machine_4x4();
+  const FrameAccount account = account_of(program_for(machine), machine);
+  CHECK(account.stages.transformation == 5 * 43);
+  CHECK(account.stages.first_pruning == 2 * 37 + 3 * 41);
+  // 70 bits begin the segment and 6 end it; a primitive of 20 bits and a half-space of 40: 3 + 1 + 1 + 2 words.
+  CHECK(account.broadcast_words == 7);
+  CHECK(account.stages.broadcasting == 4 + 7 * 10);
+  CHECK(account.stages.second_pruning == 29 + 31);
+  CHECK(spent(account, NodeActivity::pruning) == 29 + 31 + 3 * 29);
+  // An instruction of 6 bits and one of 6 + 18 + 12 + 60.
+  CHECK(account.shared_words == 4 * (3 + 1) + 1 + 3);
+  CHECK(account.stages.sharing == 4 * 4 + 20 * 10);
+  CHECK(account.stages.barriers == 5 * 6);
+  const std::uint64_t clear = 2 * 3 + 17 + 19;
+  const std::uint64_t enable = (23 + 2) + (2 + 11 + 3) + 17 + 19;
+  const std::uint64_t begin = 4 * 2 * 13 + 2 * 2 * 5;
+  const std::uint64_t at_pixel = 2 * 5 + 2 * 11 + 2 + 11 + 3 + 2 * 7 + 3;
+  const std::uint64_t load = (23 + 6 * 2) + begin + 2 * 5 + at_pixel + 17 + 19;
+  const std::uint64_t store = 2 + 3 + 17 + 19;
+  const std::uint64_t background = 3 + 17 + 19;
+  CHECK(account.stages.rendering == clear + enable + load + store + 3 * background);
+  CHECK(clocks_of(program_for(machine), machine) == 1339);
+}
+
+TEST_CASE("the order of rendering changes what goes round the pixels: hand calculations") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  figures(machine).order = RenderingOrder::scan_line;
+  CHECK(clocks_of(program, machine) == 1284);
+  figures(machine).order = RenderingOrder::pixel;
+  CHECK(clocks_of(program, machine) == 1231);
+}
+
+TEST_CASE("a half-space that several lists name is broadcast once, wherever they count their pixels from") {
+  const Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  isa::Instruction moved = program.segments[0].instructions[1];
+  moved.linear.c += moved.linear.a * 2 + moved.linear.b * 2;  // at 2,2 what it was at 0,0
+  program.segments[3].instructions = {moved};
+  CHECK(account_of(program, machine).broadcast_halfspaces == 1);
+  program.segments[3].instructions[0].linear.c += 1;
+  CHECK(account_of(program, machine).broadcast_halfspaces == 2);
+}
+
+TEST_CASE("a segment without lists is neither pruned by the nodes nor shared, only set to the background") {
+  const Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  program.segments[0].instructions.clear();
+  const FrameAccount account = account_of(program, machine);
+  CHECK(account.active_segments == 0);
+  CHECK(account.broadcast_words == 4);
+  CHECK(account.shared_words == 0);
+  CHECK(account.stages.rendering == 4 * (3 + 17) + 2 * 19);
+  CHECK(account.stages.barriers == 6);
+}
+
+TEST_CASE("all nodes wait for the one with the most pixels") {
+  Machine machine = machine_4x4();
+  machine.picture = {3, 1};
+  isa::Program program = program_for(machine);
+  const FrameAccount account = account_of(program, machine);
+  // Two subsegments, of two pixels and of one; nodes of the second row have none.
+  CHECK(account.nodes[2].at(static_cast<std::size_t>(NodeActivity::rendering)) == 0);
+  const NodeClocks& first = account.nodes[0];
+  const NodeClocks& second = account.nodes[1];
+  const auto rendering = static_cast<std::size_t>(NodeActivity::rendering);
+  CHECK(first.at(rendering) == second.at(rendering) + 3 + 17 + 19);
+  CHECK(account.stages.rendering == first.at(rendering));
+}
+
+TEST_CASE("no frame takes less than its shares of the work, nor more than all of it one after the other") {
+  CHECK(rc::check([] {
+    const Machine machine = random_machine();
+    const isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
+    const multi_processor::FrameClocks frame = multi_processor::time_stages(program, machine);
+    const FrameAccount& account = frame.account;
+    const multi_processor::StageClocks& stages = account.stages;
+    std::uint64_t at_pixels = 0;
+    for (const isa::Segment& segment : program.segments) {
+      at_pixels +=
+          std::uint64_t{segment.region.width} * segment.region.height * machines::clocks(segment.instructions, machine);
+    }
+    const std::uint64_t rendered = spent(account, NodeActivity::rendering);
+    const std::uint64_t bus = stages.broadcasting + stages.sharing;
+    RC_ASSERT(rendered >= at_pixels);
+    RC_ASSERT(frame.clocks >= stages.transformation + stages.first_pruning + bus + at_pixels / account.nodes.size());
+    RC_ASSERT(frame.clocks <= stages.transformation + stages.first_pruning + bus +
+                                  spent(account, NodeActivity::pruning) + rendered + stages.barriers);
+    RC_ASSERT(bus >= (account.broadcast_words + account.shared_words) * machine.link.word_clocks);
+  }));
+}
+
+TEST_CASE("dividing ahead saves no more than the first pruning of all segments but the first") {
+  CHECK(rc::check([] {
+    Machine machine = random_machine();
+    const isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
+    const std::uint64_t behind = clocks_of(program, machine);
+    figures(machine).divides_ahead = true;
+    const std::uint64_t ahead = clocks_of(program, machine);
+    RC_ASSERT(ahead <= behind);
+    RC_ASSERT(ahead + account_of(program, machine).stages.first_pruning >= behind);
+    if (account_of(program, machine).segments == 1) RC_ASSERT(ahead == behind);
+  }));
+}
+
+TEST_CASE("a segment that does not fit the memory of a node is refused, with what to do") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  // In words of 16 bits: 2 + 3 of data; four lists begin with 5 and end with 1; instructions of 1 and 6.
+  figures(machine).memory_words = 2 + 3 + 4 * 6 + 1 + 6;
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  --figures(machine).memory_words;
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the segment at 0,0 asks for 36 words of a node, and the nodes of four have 35; take a machine "
+                       "file with more node.memory_words or subdivision.levels",
+                       InputError);
+}
+
+TEST_CASE("a frame that is longer than SystemC's time is refused") {
+  Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  machine.clock_hz = 1;
+  figures(machine).transform_clocks = 1'000'000;
+  CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
+  program.facts.model.halfspaces = ~0ULL;
+  machine.clock_hz = 1'000'000'000;
+  CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
+}

@@ -1,0 +1,179 @@
+#include "sim/observe/frame.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "tests/unit/observe/fake_pixels.h"
+
+using namespace csgsim;
+using isa::Field;
+using isa::Instruction;
+using isa::Opcode;
+using testing::FakePixels;
+
+namespace {
+
+constexpr Field depth{0, 4};
+constexpr Field candidate{4, 4};
+constexpr Field colour{8, 3};
+constexpr Field candidate_colour{11, 3};
+constexpr std::uint32_t width = 70;
+constexpr std::uint32_t height = 3;
+constexpr std::uint32_t background = 5;
+
+const Instruction merge_of_2{Opcode::copy, {depth, candidate}, {}, 0, {isa::Purpose::merge, 2, isa::no_node}};
+
+Instruction colours(Field field, std::uint32_t primitive, std::uint32_t of_solid) {
+  return {Opcode::set_constant, {field}, {}, 1, {isa::Purpose::shade, primitive, of_solid}};
+}
+
+/// A picture in two parts, the first of which is more than a word wide.
+isa::Program program(bool second_colour = false) {
+  isa::Program program;
+  program.shape = {width, height, 14};
+  program.facts.fields = {{"Z2", depth, isa::FieldRole::depth},
+                          {"Z1", candidate, isa::FieldRole::candidate_depth},
+                          {"colour", colour, isa::FieldRole::colour}};
+  if (second_colour) program.facts.fields.push_back({"colour1", candidate_colour, isa::FieldRole::candidate_colour});
+  program.background = background;
+  program.facts.primitives = {"a", "b", "c"};
+  program.segments = {{{0, 0, 67, 3}, {merge_of_2}}, {{67, 1, 3, 2}, {merge_of_2}}};
+  return program;
+}
+
+void carry_out(sim::FrameObserver& observer, const Instruction& instruction, const FakePixels& pixels) {
+  observer.after_instruction({0, 0, instruction, 1, 1}, pixels);
+}
+
+std::uint32_t at(const std::vector<std::uint32_t>& picture, std::uint32_t x, std::uint32_t y) {
+  return picture[y * width + x];
+}
+
+/// Pixels of the picture that are not `nothing`.
+std::size_t others_than(const std::vector<std::uint32_t>& picture, std::uint32_t nothing) {
+  std::size_t count = 0;
+  for (const std::uint32_t value : picture) count += value == nothing ? 0 : 1;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a picture begins with the background, nothing seen, and no owners") {
+  const sim::FrameObserver observer(program());
+  const sim::Frame& frame = observer.frame();
+  CHECK(frame.width == width);
+  CHECK(frame.height == height);
+  CHECK(frame.colour == std::vector<std::uint32_t>(width * height, background));
+  CHECK(frame.depth == std::vector<std::uint32_t>(width * height, 15));
+  CHECK(frame.owner == std::vector<std::uint32_t>(width * height, sim::no_owner));
+}
+
+TEST_CASE("depth and colour of a segment's pixels come to the segment's place in the picture") {
+  sim::FrameObserver observer(program());
+  FakePixels pixels({67, 1, 3, 2});
+  for (std::uint32_t y = 0; y < 2; ++y) {
+    for (std::uint32_t x = 0; x < 3; ++x) {
+      pixels.write(depth, x, y, 3 * y + x);
+      pixels.write(colour, x, y, 7 - 3 * y - x);
+    }
+  }
+  observer.after_segment(1, pixels);
+  const sim::Frame& frame = observer.frame();
+  for (std::uint32_t y = 0; y < 2; ++y) {
+    for (std::uint32_t x = 0; x < 3; ++x) {
+      CHECK(at(frame.depth, 67 + x, 1 + y) == 3 * y + x);
+      CHECK(at(frame.colour, 67 + x, 1 + y) == 7 - 3 * y - x);
+    }
+  }
+  CHECK(others_than(frame.depth, 15) == 6);
+  CHECK(others_than(frame.colour, background) == 5);  // one of the six colours is the background's
+}
+
+TEST_CASE("a segment without instructions shows the background, whatever its pixels hold") {
+  isa::Program empty = program();
+  empty.segments[1].instructions.clear();
+  sim::FrameObserver observer(empty);
+  observer.after_segment(1, FakePixels({67, 1, 3, 2}));
+  CHECK(others_than(observer.frame().depth, 15) == 0);
+  CHECK(others_than(observer.frame().colour, background) == 0);
+}
+
+TEST_CASE("a pixel whose depth is merged is owned by the primitive whose depth it is") {
+  sim::FrameObserver observer(program());
+  FakePixels pixels({0, 0, 67, 3});
+  pixels.enable(0, 0);
+  pixels.enable(63, 1);
+  pixels.enable(64, 1);
+  pixels.enable(66, 2);
+  carry_out(observer, merge_of_2, pixels);
+  const std::vector<std::uint32_t>& owner = observer.frame().owner;
+  CHECK(at(owner, 0, 0) == 2);
+  CHECK(at(owner, 63, 1) == 2);
+  CHECK(at(owner, 64, 1) == 2);
+  CHECK(at(owner, 66, 2) == 2);
+  CHECK(others_than(owner, sim::no_owner) == 4);
+}
+
+TEST_CASE("owners come to the segment's place in the picture") {
+  sim::FrameObserver observer(program());
+  FakePixels pixels({67, 1, 3, 2});
+  pixels.enable(2, 1);
+  carry_out(observer, merge_of_2, pixels);
+  CHECK(at(observer.frame().owner, 69, 2) == 2);
+  CHECK(others_than(observer.frame().owner, sim::no_owner) == 1);
+}
+
+TEST_CASE("other copies, and colours of one primitive alone, change no owner and are not looked at") {
+  const sim::FrameObserver observer(program());
+  CHECK(observer.reads_after(merge_of_2));
+  CHECK(observer.reads_after(colours(colour, 1, 0)));
+  CHECK_FALSE(observer.reads_after({Opcode::copy, {candidate, depth}, {}, 0, {}}));
+  CHECK_FALSE(observer.reads_after(colours(colour, 1, isa::no_node)));
+  CHECK_FALSE(observer.reads_after(colours(candidate, 1, 0)));
+  CHECK_FALSE(observer.reads_after(colours(candidate_colour, 1, 0)));  // there is no such field
+  CHECK_FALSE(observer.reads_after({Opcode::field_lt, {depth, candidate}, {}, 0, {}}));
+  sim::FrameObserver other(program());
+  FakePixels pixels({0, 0, 67, 3});
+  pixels.enable(1, 1);
+  carry_out(other, colours(colour, 1, isa::no_node), pixels);
+  CHECK(others_than(other.frame().owner, sim::no_owner) == 0);
+}
+
+TEST_CASE("where several primitives are drawn as one solid, the one whose colour is written is the owner") {
+  sim::FrameObserver observer(program());
+  FakePixels pixels({0, 0, 67, 3});
+  pixels.enable(3, 0);
+  pixels.enable(4, 0);
+  Instruction merge = merge_of_2;
+  merge.origin = {isa::Purpose::merge, 0, 0};
+  carry_out(observer, merge, pixels);
+  pixels.enable_none();
+  pixels.enable(4, 0);
+  carry_out(observer, colours(colour, 1, 0), pixels);
+  CHECK(at(observer.frame().owner, 3, 0) == 0);
+  CHECK(at(observer.frame().owner, 4, 0) == 1);
+}
+
+TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the merge") {
+  sim::FrameObserver observer(program(true));
+  FakePixels pixels({0, 0, 67, 3});
+  pixels.enable(3, 0);
+  pixels.enable(4, 0);
+  carry_out(observer, colours(candidate_colour, 0, 0), pixels);
+  pixels.enable_none();
+  pixels.enable(4, 0);
+  pixels.enable(5, 0);
+  carry_out(observer, colours(candidate_colour, 1, 0), pixels);
+  CHECK(others_than(observer.frame().owner, sim::no_owner) == 0);
+  pixels.enable_none();
+  pixels.enable(3, 0);
+  pixels.enable(4, 0);
+  Instruction merge = merge_of_2;
+  merge.origin = {isa::Purpose::merge, 0, 0};
+  carry_out(observer, merge, pixels);
+  CHECK(at(observer.frame().owner, 3, 0) == 0);
+  CHECK(at(observer.frame().owner, 4, 0) == 1);
+  CHECK(others_than(observer.frame().owner, sim::no_owner) == 2);
+}

@@ -1,0 +1,121 @@
+#include "sim/observe/pictures.h"
+
+#include <OpenImageIO/imageio.h>
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+
+using namespace csgsim;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that is deleted in the end.
+class Scratch {
+ public:
+  explicit Scratch(const std::string& extension)
+      : path_(fs::path(CSGSIM_BINARY_DIR) / ("pictures_test_" + std::to_string(::getpid()) + extension)) {}
+  ~Scratch() { fs::remove(path_); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// A picture of 3 x 2 pixels, its depth between 10 and 62 in steps of 1, with 6 bits of depth and of colour.
+isa::Program program() {
+  isa::Program program;
+  program.shape = {3, 2, 12};
+  program.facts.fields = {{"Z2", {0, 6}, isa::FieldRole::depth}, {"colour", {6, 6}, isa::FieldRole::colour}};
+  program.facts.depth_scale = {false, 10, 70};
+  return program;
+}
+
+sim::Frame frame() {
+  return {3,
+          2,
+          {0b000000, 0b110000, 0b001100, 0b000011, 0b111111, 0b010101},
+          {0, 1, 2, 61, 62, 63},
+          {0, 1, 2, 70'000, sim::no_owner, 5}};
+}
+
+template <class Value>
+struct Picture {
+  std::vector<Value> values;
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;
+};
+
+template <class Value>
+Picture<Value> read(const fs::path& path, OIIO::TypeDesc type) {
+  const auto input = OIIO::ImageInput::open(path.native());
+  REQUIRE(input);
+  const OIIO::ImageSpec& spec = input->spec();
+  Picture<Value> picture{{}, spec.width, spec.height, spec.channelnames};
+  picture.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                        static_cast<std::size_t>(spec.nchannels));
+  REQUIRE(input->read_image(0, 0, 0, spec.nchannels, type, picture.values.data()));
+  return picture;
+}
+
+template <class Write>
+void write_to(const fs::path& path, const Write& write) {
+  OutputFile file(path);
+  write(file);
+  file.commit();
+}
+
+}  // namespace
+
+TEST_CASE("a picture has each pixel's colour at its place, in eight bits a channel") {
+  const Scratch scratch(".png");
+  write_to(scratch.path(), [](OutputFile& file) { sim::write_picture(file, frame(), program()); });
+  const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
+  CHECK(picture.width == 3);
+  CHECK(picture.height == 2);
+  CHECK(picture.values == std::vector<std::uint8_t>{0, 0, 0, 255, 0, 0, 0, 255, 0,  //
+                                                    0, 0, 255, 255, 255, 255, 85, 85, 85});
+}
+
+TEST_CASE("a depth picture has distances in model units, and infinity where nothing is seen") {
+  const Scratch scratch(".exr");
+  write_to(scratch.path(), [](OutputFile& file) { sim::write_depth(file, frame(), program()); });
+  const auto picture = read<float>(scratch.path(), OIIO::TypeDesc::FLOAT);
+  CHECK(picture.channels == std::vector<std::string>{"Z"});
+  REQUIRE(picture.values.size() == 6);
+  CHECK(picture.values[0] == 9.0F);   // the near cap, a step before the near plane
+  CHECK(picture.values[1] == 10.0F);  // the near plane
+  CHECK(picture.values[2] == 11.0F);
+  CHECK(picture.values[3] == 70.0F);  // the far plane
+  CHECK(std::isinf(picture.values[5]));
+}
+
+TEST_CASE("a picture of owners has the number of the primitive, and -1 where nothing is seen") {
+  const Scratch scratch(".exr");
+  write_to(scratch.path(), [](OutputFile& file) { sim::write_owner(file, frame()); });
+  const auto picture = read<float>(scratch.path(), OIIO::TypeDesc::FLOAT);
+  CHECK(picture.channels == std::vector<std::string>{"owner"});
+  CHECK(picture.values == std::vector<float>{0, 1, 2, 70'000, -1, 5});
+}
+
+TEST_CASE("a name that is of no picture format is refused, with what to take") {
+  CHECK_NOTHROW(sim::check_format("a.png"));
+  CHECK_NOTHROW(sim::check_format("a.exr"));
+  for (const char* const name : {"a.xyz", "a", "a.null", "a.term"}) {
+    CAPTURE(name);
+    CHECK_THROWS_WITH_AS(
+        sim::check_format(name),
+        (std::string(name) + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like").c_str(),
+        InputError);
+  }
+}

@@ -1,0 +1,123 @@
+#include "sim/observe/progress.h"
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "hw/isa/opcodes.h"
+#include "hw/pixel_planes/kind.h"
+#include "tests/unit/observe/fake_pixels.h"
+
+using namespace csgsim;
+using isa::Instruction;
+using isa::Opcode;
+
+namespace {
+
+/// What is written to standard error as long as it lives.
+class StandardError {
+ public:
+  StandardError() : kept_(::dup(STDERR_FILENO)) {
+    const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    REQUIRE(file >= 0);
+    ::dup2(file, STDERR_FILENO);
+    ::close(file);
+  }
+  ~StandardError() {
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
+    ::unlink(path_.c_str());
+  }
+  StandardError(const StandardError&) = delete;
+  StandardError& operator=(const StandardError&) = delete;
+
+  [[nodiscard]] std::string text() const {
+    std::ifstream file(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  std::string path_ = std::string(CSGSIM_BINARY_DIR) + "/progress_test_" + std::to_string(::getpid());
+  int kept_;
+};
+
+const Instruction plain{Opcode::enable_all, {}, {}, 0, {}};
+const Instruction skips_100{Opcode::skip_if_none, {}, {}, 100, {}};
+
+/// 356 instructions of one clock each, the first of them a skip over 100.
+isa::Program program() {
+  isa::Program program;
+  program.shape = {1, 1, 8};
+  program.segments = {{{0, 0, 1, 1}, std::vector<Instruction>(356, plain)}};
+  program.segments[0].instructions[0] = skips_100;
+  return program;
+}
+
+machines::Machine machine() {
+  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machine.array = {1, 1, 8};  // without a level in its trees, so that a question takes one clock
+  return machine;
+}
+
+using Clock = std::chrono::steady_clock;
+
+/// Carries out so many instructions, the first of which finds so many pixels enabled.
+void carry_out(sim::ProgressObserver& observer, std::uint32_t count, const Instruction& first, std::uint64_t enabled) {
+  const testing::FakePixels pixels({0, 0, 1, 1});
+  for (std::uint32_t i = 0; i < count; ++i)
+    observer.after_instruction({0, i, i == 0 ? first : plain, 1, enabled}, pixels);
+}
+
+}  // namespace
+
+TEST_CASE("a run of less than a second tells nothing") {
+  const StandardError standard_error;
+  const Clock::time_point begin = Clock::now();
+  {
+    const isa::Program all = program();
+    const machines::Machine on = machine();
+    sim::ProgressObserver observer(all, on);
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    carry_out(observer, 128, plain, 1);
+  }
+  // On a machine that is busy with other things it may have taken a second.
+  if (Clock::now() - begin < std::chrono::seconds(1)) CHECK(standard_error.text().empty());
+}
+
+TEST_CASE("a run of more than a second tells how far it is, once in a while, and takes that away at its end") {
+  const StandardError standard_error;
+  const isa::Program all = program();
+  const machines::Machine on = machine();
+  std::optional<sim::ProgressObserver> observer;
+  observer.emplace(all, on);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1050));
+  const Clock::time_point begin = Clock::now();
+  carry_out(*observer, 89, skips_100, 1);
+  std::string told = standard_error.text();
+  CHECK(told.starts_with("\r\x1b[K 18.0 %  64 of 356 clocks  "));
+  CHECK(told.find(" clocks/s  ") != std::string::npos);
+  CHECK(told.ends_with(" s left"));
+  carry_out(*observer, 64, plain, 1);
+  if (Clock::now() - begin < std::chrono::milliseconds(250)) CHECK(standard_error.text() == told);
+  told = standard_error.text();
+  observer.reset();
+  CHECK(standard_error.text() == told + "\r\x1b[K");
+}
+
+TEST_CASE("what turns out to be skipped is taken off the clocks that are left") {
+  const StandardError standard_error;
+  const isa::Program all = program();
+  const machines::Machine on = machine();
+  sim::ProgressObserver observer(all, on);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1050));
+  carry_out(observer, 64, skips_100, 0);
+  CHECK(standard_error.text().starts_with("\r\x1b[K 25.0 %  64 of 256 clocks  "));
+}

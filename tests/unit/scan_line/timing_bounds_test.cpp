@@ -1,0 +1,206 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/wire.h"
+#include "hw/scan_line/figures.h"
+#include "hw/scan_line/kind.h"
+#include "hw/scan_line/timing.h"
+#include "tests/support/random_program.h"
+
+using namespace csgsim;
+using isa::Instruction;
+using isa::Opcode;
+using scan_line::Figures;
+
+namespace {
+
+machines::Machine random_machine() {
+  const auto pick = [](std::uint32_t least, std::uint32_t most) { return *rc::gen::inRange(least, most + 1); };
+  machines::Machine machine = machines::blank(scan_line::kind);
+  machine.name = "test";
+  const std::uint32_t width = pick(1, 20);
+  const Figures figures{.words = pick(1, 64),
+                        .word_bits = pick(1, 62),
+                        .ports = pick(0, 4),
+                        .chains = pick(1, 4),
+                        .bucket_clocks = pick(0, 9),
+                        .active_clocks = pick(0, 9),
+                        .instruction_clocks = pick(0, 3),
+                        .refresh_hz = 60,
+                        .interlaced = pick(0, 1) == 1};
+  machine.own = figures;
+  machine.array = {width, 1, figures.words * figures.word_bits};
+  machine.picture = {width, pick(1, 9)};
+  machine.clock_hz = 20'000;
+  machine.clear_clocks = pick(0, 9);
+  machine.link = {.width = pick(1, 256), .word_clocks = pick(1, 4), .fifo_depth = pick(1, 20), .latency = pick(0, 20)};
+  return machine;
+}
+
+/// Accesses of a cell to the words of its memory, each word of each operand once.
+struct MemoryWords {
+  std::uint64_t read = 0;
+  std::uint64_t written = 0;
+};
+
+MemoryWords memory_words(const Instruction& instruction, std::uint32_t word_bits) {
+  MemoryWords words;
+  for (std::size_t i = 0; i < isa::max_operands; ++i) {
+    std::set<unsigned> touched;
+    const isa::Field field = instruction.fields.at(i);
+    for (unsigned bit = field.base; bit < field.end(); ++bit) touched.insert(bit / word_bits);
+    const bool target = isa::info(instruction.opcode).operands.at(i) == isa::OperandKind::target;
+    const bool is_read = !target || instruction.opcode == Opcode::keep_max || instruction.opcode == Opcode::keep_min ||
+                         instruction.opcode == Opcode::xor_constant;
+    if (is_read) words.read += touched.size();
+    if (target) words.written += touched.size();
+  }
+  return words;
+}
+
+/// Clocks that parts are busy, whatever waits for what.
+struct Busy {
+  std::uint64_t host = 0;
+  std::vector<std::uint64_t> links;
+  std::vector<std::uint64_t> entries;
+  std::vector<std::uint64_t> refreshes;
+  std::uint64_t commands = 0;
+  std::uint64_t words = 0;
+};
+
+/// Of an instruction in each cell, at least.
+std::uint64_t least_clocks(const Instruction& instruction, const Figures& figures) {
+  std::uint64_t bits = std::max<std::uint64_t>(instruction.linear.width, 1);
+  for (const isa::Field& field : instruction.fields) bits = std::max<std::uint64_t>(bits, field.width);
+  const std::uint64_t words = (bits + figures.word_bits - 1) / figures.word_bits;
+  if (figures.ports == 0) return words;
+  const MemoryWords memory = memory_words(instruction, figures.word_bits);
+  return std::max(words, (memory.read + memory.written + figures.ports - 1) / figures.ports);
+}
+
+Busy least(const isa::Program& program, const machines::Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  Busy busy;
+  busy.links.resize(figures.chains);
+  busy.entries.resize(figures.chains);
+  busy.refreshes.resize(figures.chains);
+  for (std::size_t line = 0; line < program.segments.size(); ++line) {
+    const isa::Segment& segment = program.segments[line];
+    const std::size_t chain = line % figures.chains;
+    const auto send = [&](const isa::Command& command) {
+      const std::uint64_t words = (isa::wire_bits(command) + machine.link.width - 1) / machine.link.width;
+      busy.links[chain] += words * machine.link.word_clocks;
+      busy.words += words;
+      ++busy.commands;
+    };
+    busy.host += 1 + segment.instructions.size() * figures.instruction_clocks;
+    send(isa::SegmentStart{segment.region});
+    busy.entries[chain] += machine.clear_clocks + 1;
+    for (const Instruction& instruction : segment.instructions) {
+      send(instruction);
+      busy.entries[chain] += least_clocks(instruction, figures);
+    }
+    send(isa::SegmentEnd{});
+    busy.refreshes[chain] += program.shape.width;
+  }
+  return busy;
+}
+
+std::uint64_t sum(const std::vector<std::uint64_t>& all) {
+  return std::accumulate(all.begin(), all.end(), std::uint64_t{0});
+}
+
+std::uint64_t clocks_on(const isa::Program& program, const machines::Machine& machine) {
+  return scan_line::time_lines(program, machine).clocks;
+}
+
+}  // namespace
+
+TEST_CASE("a frame takes no less than its busiest part, and no more than all of them one after the other") {
+  CHECK(rc::check([] {
+    const machines::Machine machine = random_machine();
+    const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
+    const Figures& figures = machines::own<Figures>(machine);
+    const std::uint64_t clocks = clocks_on(program, machine);
+    const Busy busy = least(program, machine);
+    const std::uint64_t width = program.shape.width;
+    RC_ASSERT(clocks >= busy.host + 2 * width);
+    for (std::size_t chain = 0; chain < figures.chains; ++chain) {
+      RC_ASSERT(clocks >= busy.links[chain] + (busy.links[chain] > 0 ? machine.link.latency + 2 * width : 0));
+      RC_ASSERT(clocks >= busy.entries[chain] + (busy.entries[chain] > 0 ? 2 * width : 0));
+      RC_ASSERT(clocks >= busy.refreshes[chain] + (busy.refreshes[chain] > 0 ? width : 0));
+    }
+    const std::uint64_t primitives = program.facts.primitives.size();
+    const std::uint64_t lines = program.segments.size();
+    const std::uint64_t host =
+        busy.host + primitives * figures.bucket_clocks + lines * primitives * figures.active_clocks;
+    // Reads and then writes, each in whole clocks, are a clock more than both together at most; a word is a clock in a
+    // FIFO of one place and one in the receiver; a command is taken in a clock of its own; a mark's colour is read.
+    const std::uint64_t handling = 3 * busy.commands + 2 * busy.words + 32 * lines + 10;
+    RC_ASSERT(clocks <= host + sum(busy.links) + machine.link.latency * figures.chains + sum(busy.entries) + handling +
+                            (lines + 2) * width);
+  }));
+}
+
+TEST_CASE("frames follow one another no later than the frame takes, and no sooner than its busiest part") {
+  CHECK(rc::check([] {
+    const machines::Machine machine = random_machine();
+    const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
+    const scan_line::LineTiming timing = scan_line::time_lines(program, machine);
+    const Busy busy = least(program, machine);
+    RC_ASSERT(timing.interval_clocks <= timing.clocks);
+    RC_ASSERT(timing.interval_clocks >= busy.host);
+    for (const auto* const parts : {&busy.links, &busy.entries, &busy.refreshes})
+      for (const std::uint64_t clocks : *parts) RC_ASSERT(timing.interval_clocks >= clocks);
+  }));
+}
+
+TEST_CASE("every part accounts for every clock of the frame") {
+  CHECK(rc::check([] {
+    const machines::Machine machine = random_machine();
+    const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
+    const machines::FrameTiming timing = scan_line::time_frame(program, machine, {});
+    RC_ASSERT(timing.account.parts.size() == 4U);
+    for (const machines::PartAccount& part : timing.account.parts) {
+      std::uint64_t clocks = 0;
+      for (const machines::ActivityClocks& activity : part.clocks) clocks += activity.clocks;
+      RC_ASSERT(clocks == timing.clocks);
+    }
+  }));
+}
+
+TEST_CASE("a better link, more ports and a faster host never cost clocks") {
+  CHECK(rc::check([] {
+    const machines::Machine machine = random_machine();
+    const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
+    const std::uint64_t clocks = clocks_on(program, machine);
+    const auto improve = [&](const auto& change) {
+      machines::Machine better = machine;
+      change(better, machines::own<Figures>(better));
+      RC_ASSERT(clocks_on(program, better) <= clocks);
+    };
+    const auto more = [](std::uint32_t least, std::uint32_t most) { return *rc::gen::inRange(least, most + 1); };
+    const auto fewer = [](std::uint32_t least, std::uint32_t now) { return *rc::gen::inRange(least, now + 1); };
+    improve([&](machines::Machine& better, Figures&) { better.link.width = more(better.link.width, 256); });
+    improve([&](machines::Machine& better, Figures&) { better.link.word_clocks = fewer(1, better.link.word_clocks); });
+    improve([&](machines::Machine& better, Figures&) { better.link.fifo_depth = more(better.link.fifo_depth, 40); });
+    improve([&](machines::Machine& better, Figures&) { better.link.latency = fewer(0, better.link.latency); });
+    improve([&](machines::Machine& better, Figures&) { better.clear_clocks = fewer(0, better.clear_clocks); });
+    improve([&](machines::Machine&, Figures& figures) {
+      figures.ports = figures.ports == 0 ? 0 : more(figures.ports, 70);
+    });
+    improve([&](machines::Machine&, Figures& figures) { figures.ports = 0; });
+    improve([&](machines::Machine&, Figures& figures) { figures.bucket_clocks = fewer(0, figures.bucket_clocks); });
+    improve([&](machines::Machine&, Figures& figures) { figures.active_clocks = fewer(0, figures.active_clocks); });
+    improve([&](machines::Machine&, Figures& figures) {
+      figures.instruction_clocks = fewer(0, figures.instruction_clocks);
+    });
+  }));
+}
