@@ -17,8 +17,8 @@ if(CSGSIM_SANITIZE)
   add_link_options(-fsanitize=${CSGSIM_SANITIZE})
 endif()
 
-# csgsim_room(NAME SOURCES... [LINK LIBS...]): a library of one folder, included from the top as "folder/file.h".
-function(csgsim_room name)
+# csgsim_library(NAME SOURCES... [LINK LIBS...]): a library of one folder, included from the top as "folder/file.h".
+function(csgsim_library name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(csgsim_${name} STATIC ${ROOM_SOURCES})
   add_library(csgsim::${name} ALIAS csgsim_${name})

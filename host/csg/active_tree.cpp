@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "host/csg/apart.h"
+#include "host/csg/disjoint.h"
 #include "host/csg/separation.h"
 
 namespace csgsim::csg {
@@ -116,13 +116,13 @@ Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect
   return block.z_low > block.z_high ? Block{} : block;
 }
 
-bool Pruner::apart(const Subtree& subtree, const Place& place) const {
+bool Pruner::disjoint(const Subtree& subtree, const Place& place) const {
   const Block& block = place.block;
   const bool picture =
       common(subtree.pixels, block.pixels).empty() || subtree.z_low > block.z_high || subtree.z_high < block.z_low;
   return (pruning_.picture && picture) ||
          (pruning_.space && std::any_of(place.set.begin(), place.set.end(), [&](std::uint32_t primitive) {
-            return csg::apart(subtree.box, view_.extents[primitive].box);
+            return csg::disjoint(subtree.box, view_.extents[primitive].box);
           }));
 }
 
@@ -140,27 +140,27 @@ Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
 }
 
 Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree& into) const {
-  // A frame a node on the way down; no tree is too deep for it.
-  struct Frame {
+  // One for each node on the way down; no tree is too deep for it.
+  struct Visit {
     std::uint32_t node;
     std::size_t next = 0;
     std::vector<std::uint32_t> kept{};
   };
-  std::vector<Frame> path{{root}};
+  std::vector<Visit> path{{root}};
   Pruned result;
   const auto decided = [&](std::uint32_t index) -> Known {
     const Subtree& subtree = subtrees_[index];
-    if (apart(subtree, place)) return subtree.in_elsewhere ? Known::in : Known::out;
+    if (disjoint(subtree, place)) return subtree.in_elsewhere ? Known::in : Known::out;
     const PositiveNode& node = tree_.nodes[index];
     if (!node.is_leaf) return Known::depends;
     const bool in_set = std::binary_search(place.set.begin(), place.set.end(), node.primitive);
     return in_set ? Known::in : leaf_known(node, place);
   };
   while (!path.empty()) {
-    Frame& frame = path.back();
-    const PositiveNode& node = tree_.nodes[frame.node];
-    if (frame.next == 0) {
-      result = {decided(frame.node), model::no_index};
+    Visit& visit = path.back();
+    const PositiveNode& node = tree_.nodes[visit.node];
+    if (visit.next == 0) {
+      result = {decided(visit.node), model::no_index};
       if (result.known != Known::depends || node.is_leaf) {
         if (result.known == Known::depends) {
           result.node = static_cast<std::uint32_t>(into.nodes.size());
@@ -176,24 +176,24 @@ Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree&
         path.pop_back();
         continue;
       }
-      if (result.known == Known::depends) keep(into, result.node, node.op, frame.kept);
+      if (result.known == Known::depends) keep(into, result.node, node.op, visit.kept);
     }
-    if (frame.next < node.children.size()) {
-      const std::uint32_t child = node.children[frame.next++];
+    if (visit.next < node.children.size()) {
+      const std::uint32_t child = node.children[visit.next++];
       path.push_back({child});
       continue;
     }
-    join_leaves(into, node.op, frame.kept);
-    if (frame.kept.empty()) {
+    join_leaves(into, node.op, visit.kept);
+    if (visit.kept.empty()) {
       result = {node.op == PositiveOperator::intersect ? Known::in : Known::out, model::no_index};
-    } else if (frame.kept.size() == 1) {
-      result = {Known::depends, frame.kept.front()};
+    } else if (visit.kept.size() == 1) {
+      result = {Known::depends, visit.kept.front()};
     } else {
-      std::stable_sort(frame.kept.begin(), frame.kept.end(),
+      std::stable_sort(visit.kept.begin(), visit.kept.end(),
                        [&](std::uint32_t a, std::uint32_t b) { return into.nodes[a].bits > into.nodes[b].bits; });
-      const std::uint32_t bits = bits_needed(into.nodes, frame.kept);
+      const std::uint32_t bits = bits_needed(into.nodes, visit.kept);
       result = {Known::depends, static_cast<std::uint32_t>(into.nodes.size())};
-      into.nodes.push_back({false, false, node.op, model::no_index, bits, std::move(frame.kept), {}});
+      into.nodes.push_back({false, false, node.op, model::no_index, bits, std::move(visit.kept), {}});
     }
     path.pop_back();
   }

@@ -68,7 +68,7 @@ class Pruner {
     Block block;
     std::span<const std::uint32_t> set;
   };
-  [[nodiscard]] bool apart(const Subtree& subtree, const Place& place) const;
+  [[nodiscard]] bool disjoint(const Subtree& subtree, const Place& place) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Pruned prune(std::uint32_t node, const Place& place, ActiveTree& into) const;
   void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;

@@ -4,8 +4,8 @@ namespace csgsim::csg {
 
 /// Which prunings are done. None of them changes the picture; each is worth what it saves.
 struct Pruning {
-  bool space = true;       ///< boxes in model space that are apart
-  bool picture = true;     ///< rectangles of pixels and ranges of depth that are apart
+  bool space = true;       ///< boxes in model space that are disjoint
+  bool picture = true;     ///< rectangles of pixels and ranges of depth that are disjoint
   bool separation = true;  ///< convex primitives that a plane separates
   bool halfspaces = true;  ///< half-spaces that hold all or nothing of the block, or never make the surface there
   bool hidden = true;      ///< primitives behind a finished nearer one

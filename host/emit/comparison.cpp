@@ -5,7 +5,7 @@
 
 namespace csgsim::emit {
 
-void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const Planned& of) {
+void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const PlannedSurface& of) {
   out.origin = {isa::Purpose::classify, of.primitive(), primitive};
   const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
   if (shared.empty()) {
@@ -23,14 +23,15 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
   }
 }
 
-std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of) {
+std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,
+                              const PlannedSurface& of) {
   emit_comparison(context, out, leaf.primitive, of);
   for (const std::uint32_t other : leaf.others) emit_comparison(context, out, other, of);
   return leaf.primitives();
 }
 
-std::uint32_t emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf, const Planned& of,
-                                isa::Field bit) {
+std::uint32_t emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,
+                                const PlannedSurface& of, isa::Field bit) {
   emit_stack(out, isa::Opcode::enable_load, bit);
   const std::uint32_t compared = emit_comparison(context, out, leaf, of);
   if (leaf.complemented) {

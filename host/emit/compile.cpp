@@ -78,7 +78,7 @@ isa::Segment compile_segment(const Context& context, ScanConversions& counts) {
   Broadcast out(segment, sampling);
   emit_setup(context, out);
   const std::size_t setup = segment.instructions.size();
-  for (const Planned& one : plan.surfaces) {
+  for (const PlannedSurface& one : plan.surfaces) {
     const Sides sides = deciding_sides(context, one);
     emit_primitive(context, out, one, sides, counts);
     segment.facts.kept_primitives += static_cast<std::uint32_t>(one.set.size());

@@ -146,7 +146,7 @@ class Counter {
       if (!block.pixels.empty()) look_at_tree(set, block, listed, counts);
     }
     const Context context = context_of(segment);
-    for (const Planned& planned : segment.surfaces) {
+    for (const PlannedSurface& planned : segment.surfaces) {
       const bool is_listed =
           std::all_of(planned.set.begin(), planned.set.end(), [&](auto one) { return listed.primitives[one]; });
       if (is_listed) hold_pairs(context, planned, listed, counts);
@@ -190,7 +190,7 @@ class Counter {
     return count == 0 ? 0 : count * (count - 1) / 2;
   }
 
-  void hold_pairs(const Context& context, const Planned& planned, const Listed& listed,
+  void hold_pairs(const Context& context, const PlannedSurface& planned, const Listed& listed,
                   division::Counts& counts) const {
     const csg::Block column{planned.block.pixels, 0, context.farthest()};
     counts.pairs += pairs(context, planned.set, view::Side::front, column, listed) +

@@ -14,7 +14,7 @@ constexpr std::uint64_t least_gain = 16;
 }  // namespace
 
 void emit_early_out(const Context& context, Broadcast& out, std::size_t begin, const isa::Origin& origin) {
-  if (!context.options.pruning.early_out || !machines::answers(context.machine)) return;
+  if (!context.options.pruning.early_out || !machines::has_global_or(context.machine)) return;
   const std::span<const isa::Instruction> guarded = out.from(begin);
   const isa::Instruction question{isa::Opcode::skip_if_none, {}, {}, guarded.size(), origin};
   if (machines::clocks(guarded, context.machine) >= least_gain * machines::clocks(question, context.machine))

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/csg/apart.h"
+#include "host/csg/disjoint.h"
 #include "host/csg/products.h"
 #include "host/emit/early_out.h"
 #include "host/emit/labels.h"
@@ -30,7 +30,7 @@ bool renders_each_product(const Options& options) {
 bool multiplies_out(Strategy strategy) { return strategy == Strategy::bits || strategy == Strategy::products; }
 
 /// Products that a strategy would go through for one primitive.
-std::uint64_t products_of(const Planned& planned, const Options& options) {
+std::uint64_t products_of(const PlannedSurface& planned, const Options& options) {
   if (planned.active.operands.empty() || !multiplies_out(options.strategy)) return 1;
   if (options.strategy == Strategy::bits && options.stack_bits > fewest_stack_bits) {
     return products_below_levels(planned.active, stack_levels(options));
@@ -42,7 +42,7 @@ std::uint64_t products_of(const Planned& planned, const Options& options) {
 void check_products(const model::Tree& tree, const Plan& plan, const Options& options) {
   for (const SegmentPlan& segment : plan.segments) {
     std::uint64_t total = 0;
-    for (const Planned& one : segment.surfaces) {
+    for (const PlannedSurface& one : segment.surfaces) {
       // A surface that is a single product multiplies nothing.
       const std::uint64_t products = products_of(one, options);
       if (products <= 1) continue;
@@ -59,7 +59,7 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
 /// Draws the surface in Z1 where it is nearer than Z2 and what is left of the mask by `classify`, which returns the
 /// number of primitives compared. The depth test comes first: where it leaves nothing, nothing has to be classified.
 template <class Classify>
-void emit_visible(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface,
+void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
                   ScanConversions& counts, const Classify& classify) {
   counts.rendered += planned.set.size();
   ++counts.depth_tests;
@@ -78,10 +78,10 @@ void emit_visible(const Context& context, Broadcast& out, const Planned& planned
 }
 
 /// Renders, classifies and merges one product.
-void emit_product(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+void emit_product(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                   const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves,
                   ScanConversions& counts) {
-  Planned product{planned.set, planned.block, {}};
+  PlannedSurface product{planned.set, planned.block, {}};
   product.active.nodes = nodes;
   product.active.operands = std::move(leaves);
   const Surface surface = emit_surface(context, out, planned, sides);
@@ -90,7 +90,7 @@ void emit_product(const Context& context, Broadcast& out, const Planned& planned
                [&] { return emit_by_levels(context, out, product, all_levels); });
 }
 
-/// A product is empty if two of its solids are apart (thesis 6.3.2).
+/// A product is empty if two of its solids are disjoint (thesis 6.3.2).
 bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
               const std::vector<std::uint32_t>& leaves) {
   for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -98,7 +98,7 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
       const csg::ActiveNode& a = nodes[leaves[i]];
       const csg::ActiveNode& b = nodes[leaves[j]];
       if (!a.complemented && !b.complemented &&
-          csg::apart(context.view, a.primitive, b.primitive, context.options.pruning)) {
+          csg::disjoint(context.view, a.primitive, b.primitive, context.options.pruning)) {
         return true;
       }
     }
@@ -107,7 +107,7 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
 }
 
 /// Thesis 6.3: the products of the restructured tree, one after another.
-void emit_products(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+void emit_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                    ScanConversions& counts) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
   const std::vector<std::uint64_t> products = csg::count_products(rooted.nodes);
@@ -120,7 +120,7 @@ void emit_products(const Context& context, Broadcast& out, const Planned& planne
 }
 
 /// Thesis 6.4 with three bits: the products of one traversal after another.
-void emit_traversals(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+void emit_traversals(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                      ScanConversions& counts) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
@@ -135,7 +135,7 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
   check_products(tree, plan, options);
   ClassificationBits most;
   for (const SegmentPlan& segment : plan.segments) {
-    for (const Planned& one : segment.surfaces) {
+    for (const PlannedSurface& one : segment.surfaces) {
       ClassificationBits bits;
       switch (options.strategy) {
         case Strategy::stack: bits = bits_for_levels(one.active, all_levels); break;
@@ -153,7 +153,7 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
   return most;
 }
 
-void emit_primitive(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                     ScanConversions& counts) {
   const Options& options = context.options;
   if (renders_each_product(options) && !planned.active.operands.empty()) {

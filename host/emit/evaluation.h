@@ -16,7 +16,7 @@ struct ScanConversions {
 ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan, const Options& options);
 
 /// Draws one primitive's visible surface where its active tree holds it. `options.strategy` must not be automatic.
-void emit_primitive(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides,
+void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                     ScanConversions& counts);
 
 }  // namespace csgsim::emit

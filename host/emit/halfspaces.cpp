@@ -45,7 +45,7 @@ Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels
 /// Drops half-spaces that never make the extreme of their side: at every corner another one is beyond them by a whole
 /// depth step at least, hence at every pixel between. Another one is an extreme at a corner, or any that is left by
 /// these.
-void drop_outdone(const Context& context, std::vector<Facet>& facets, Side side, const view::PixelRect& pixels) {
+void drop_dominated(const Context& context, std::vector<Facet>& facets, Side side, const view::PixelRect& pixels) {
   const std::int64_t sign = side == Side::front ? 1 : -1;
   const std::int64_t step = std::int64_t{1} << context.view.sampling.fraction_bits;
   std::vector<Corners> values;
@@ -60,22 +60,22 @@ void drop_outdone(const Context& context, std::vector<Facet>& facets, Side side,
     leaders[corner] = *std::max_element(values.begin(), values.end(),
                                         [&](const Corners& a, const Corners& b) { return a[corner] < b[corner]; });
   }
-  const auto erase_outdone_by = [&](const auto& others) {
-    std::vector<bool> outdone;
-    outdone.reserve(values.size());
+  const auto erase_dominated_by = [&](const auto& others) {
+    std::vector<bool> dominated;
+    dominated.reserve(values.size());
     for (const Corners& one : values) {
-      outdone.push_back(std::any_of(others.begin(), others.end(), [&](const Corners& other) {
+      dominated.push_back(std::any_of(others.begin(), others.end(), [&](const Corners& other) {
         return std::equal(one.begin(), one.end(), other.begin(),
                           [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
       }));
     }
     std::size_t facet = 0;
-    std::erase_if(facets, [&](const Facet&) { return outdone[facet++]; });
+    std::erase_if(facets, [&](const Facet&) { return dominated[facet++]; });
     std::size_t value = 0;
-    std::erase_if(values, [&](const Corners&) { return outdone[value++]; });
+    std::erase_if(values, [&](const Corners&) { return dominated[value++]; });
   };
-  erase_outdone_by(leaders);
-  if (context.options.pruning.pairs) erase_outdone_by(std::vector<Corners>(values));
+  erase_dominated_by(leaders);
+  if (context.options.pruning.pairs) erase_dominated_by(std::vector<Corners>(values));
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Si
     }
   }
   if (context.options.pruning.halfspaces && !result.nothing && result.facets.size() > 1) {
-    drop_outdone(context, result.facets, side, block.pixels);
+    drop_dominated(context, result.facets, side, block.pixels);
   }
   return result;
 }
@@ -102,7 +102,7 @@ std::uint32_t Sides::count() const {
   return static_cast<std::uint32_t>(fronts.facets.size() + backs.facets.size()) + edges;
 }
 
-Sides deciding_sides(const Context& context, const Planned& planned) {
+Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
   const csg::Block column{planned.block.pixels, 0, context.farthest()};
   Sides sides{column, deciding(context, planned.set, Side::front, column),
               deciding(context, planned.set, Side::back, column)};

@@ -44,7 +44,7 @@ struct Sides {
   [[nodiscard]] std::uint32_t count() const;
 };
 
-Sides deciding_sides(const Context& context, const Planned& planned);
+Sides deciding_sides(const Context& context, const PlannedSurface& planned);
 
 /// Edge tests of a primitive that cut the block: E stays 1 inside them.
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block);

@@ -15,7 +15,7 @@ using isa::Opcode;
 /// Emits one list. The label is no wider than this list needs.
 class ListEmitter {
  public:
-  ListEmitter(const Context& context, Broadcast& out, const Planned& planned, unsigned label_bits)
+  ListEmitter(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned label_bits)
       : context_(context),
         out_(out),
         planned_(planned),
@@ -78,7 +78,7 @@ class ListEmitter {
 
   const Context& context_;
   Broadcast& out_;
-  const Planned& planned_;
+  const PlannedSurface& planned_;
   isa::Field label_;
   std::uint64_t classified_ = 0;
 };
@@ -87,7 +87,7 @@ class ListEmitter {
 
 unsigned label_bits(const csg::ActiveTree& active) { return csg::make_ordered_list(active).label_bits; }
 
-std::uint64_t emit_list(const Context& context, Broadcast& out, const Planned& planned) {
+std::uint64_t emit_list(const Context& context, Broadcast& out, const PlannedSurface& planned) {
   const csg::OrderedList list = csg::make_ordered_list(planned.active);
   ListEmitter emitter(context, out, planned, list.label_bits);
   emitter.emit(list.leaves);

@@ -9,6 +9,6 @@ unsigned label_bits(const csg::ActiveTree& active);
 
 /// Clears the mask where Z1 is out of the active tree, leaf after leaf (csg::OrderedList). Returns how many primitives
 /// were compared with Z1.
-std::uint64_t emit_list(const Context& context, Broadcast& out, const Planned& planned);
+std::uint64_t emit_list(const Context& context, Broadcast& out, const PlannedSurface& planned);
 
 }  // namespace csgsim::emit

@@ -24,7 +24,7 @@ std::string parts(const Needs& needs) {
 }
 
 /// Options that would make it fit, the least painful first.
-std::string mends(const Needs& needs, std::uint32_t memory_bits) {
+std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
   std::string text;
   const unsigned missing = total_bits(needs) - memory_bits;
   if (needs.second_colour && needs.colour_bits >= missing) text += "take --colouring rebroadcast, or ";
@@ -48,7 +48,7 @@ Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
   if (total_bits(needs) > memory_bits) {
     throw InputError("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
                      parts(needs) + ") and the machine has " + std::to_string(memory_bits) + "; " +
-                     mends(needs, memory_bits));
+                     what_to_do(needs, memory_bits));
   }
   unsigned next = 0;
   const auto take = [&next](unsigned width) {

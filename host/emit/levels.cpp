@@ -18,7 +18,7 @@ using isa::Opcode;
 /// mask, and the mask and the result is the result.
 class Classifier {
  public:
-  Classifier(const Context& context, Broadcast& out, const Planned& planned, unsigned levels)
+  Classifier(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned levels)
       : context_(context), out_(out), planned_(planned), nodes_(planned.active.nodes), levels_(levels) {}
 
   std::uint64_t classified() const { return classified_; }
@@ -124,33 +124,33 @@ class Classifier {
 
   /// stack[0] := the operator node, worked out in postorder without recursion, so that no tree is too deep.
   void evaluate(std::uint32_t root, unsigned root_level) {
-    struct Frame {
+    struct Visit {
       std::uint32_t node;
       unsigned level;
       std::size_t bit;
       std::size_t next = 0;
     };
-    std::vector<Frame> path{{root, root_level, 0}};
+    std::vector<Visit> path{{root, root_level, 0}};
     while (!path.empty()) {
-      Frame& frame = path.back();
-      const csg::ActiveNode& node = nodes_[frame.node];
-      const isa::Field bit = context_.layout.stack[frame.bit];
-      if (frame.level > levels_) {
-        sum_products(nodes_, frame.node, bit);
+      Visit& visit = path.back();
+      const csg::ActiveNode& node = nodes_[visit.node];
+      const isa::Field bit = context_.layout.stack[visit.bit];
+      if (visit.level > levels_) {
+        sum_products(nodes_, visit.node, bit);
         path.pop_back();
         continue;
       }
       // Every operand after the first that is an operator was worked out one bit up.
-      if (frame.next > 1 && !nodes_[node.children[frame.next - 1]].is_leaf) {
-        combine_result(node.op, bit, context_.layout.stack[frame.bit + 1]);
+      if (visit.next > 1 && !nodes_[node.children[visit.next - 1]].is_leaf) {
+        combine_result(node.op, bit, context_.layout.stack[visit.bit + 1]);
       }
       bool descend = false;
-      while (!descend && frame.next < node.children.size()) {
-        const std::uint32_t child = node.children[frame.next++];
+      while (!descend && visit.next < node.children.size()) {
+        const std::uint32_t child = node.children[visit.next++];
         if (nodes_[child].is_leaf) {
-          frame.next == 1 ? start_leaf(child, bit) : combine_leaf(child, node.op, bit);
+          visit.next == 1 ? start_leaf(child, bit) : combine_leaf(child, node.op, bit);
         } else {
-          path.push_back({child, frame.level + 1, frame.next == 1 ? frame.bit : frame.bit + 1});
+          path.push_back({child, visit.level + 1, visit.next == 1 ? visit.bit : visit.bit + 1});
           descend = true;
         }
       }
@@ -160,7 +160,7 @@ class Classifier {
 
   const Context& context_;
   Broadcast& out_;
-  const Planned& planned_;
+  const PlannedSurface& planned_;
   const std::vector<csg::ActiveNode>& nodes_;
   unsigned levels_;
   std::uint64_t classified_ = 0;
@@ -218,7 +218,7 @@ ClassificationBits bits_for_levels(const csg::ActiveTree& active, unsigned level
   return bits;
 }
 
-std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const Planned& planned, unsigned levels) {
+std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned levels) {
   Classifier classifier(context, out, planned, levels);
   classifier.run();
   return classifier.classified();

@@ -15,6 +15,6 @@ std::uint64_t products_below_levels(const csg::ActiveTree& active, unsigned leve
 ClassificationBits bits_for_levels(const csg::ActiveTree& active, unsigned levels);
 
 /// Clears the mask where Z1 is out of the active tree. Returns how many primitives were compared with Z1.
-std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const Planned& planned, unsigned levels);
+std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned levels);
 
 }  // namespace csgsim::emit

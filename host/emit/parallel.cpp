@@ -45,7 +45,7 @@ std::vector<Piece> pieces_of(std::span<const std::uint32_t> positions, unsigned 
 /// Emits the evaluation of an active tree.
 class ParallelEmitter {
  public:
-  ParallelEmitter(const Context& context, Broadcast& out, const Planned& planned)
+  ParallelEmitter(const Context& context, Broadcast& out, const PlannedSurface& planned)
       : context_(context), out_(out), planned_(planned) {}
 
   [[nodiscard]] std::uint64_t classified() const { return classified_; }
@@ -78,7 +78,7 @@ class ParallelEmitter {
 
   const Context& context_;
   Broadcast& out_;
-  const Planned& planned_;
+  const PlannedSurface& planned_;
   std::uint64_t classified_ = 0;
 };
 
@@ -109,7 +109,7 @@ void emit_string_levels(Broadcast& out, const csg::BitString& string, unsigned b
   }
 }
 
-std::uint64_t emit_parallel(const Context& context, Broadcast& out, const Planned& planned) {
+std::uint64_t emit_parallel(const Context& context, Broadcast& out, const PlannedSurface& planned) {
   ParallelEmitter emitter(context, out, planned);
   for (const std::uint32_t operand : planned.active.operands) emitter.narrow_mask_by(operand);
   return emitter.classified();

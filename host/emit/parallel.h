@@ -15,6 +15,6 @@ void emit_string_levels(Broadcast& out, const csg::BitString& string, unsigned b
 
 /// Clears the mask where Z1 is out of the active tree, which is worked out bit-parallel (thesis 4.4.2). Returns how
 /// many primitives were compared with Z1.
-std::uint64_t emit_parallel(const Context& context, Broadcast& out, const Planned& planned);
+std::uint64_t emit_parallel(const Context& context, Broadcast& out, const PlannedSurface& planned);
 
 }  // namespace csgsim::emit

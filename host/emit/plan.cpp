@@ -8,7 +8,7 @@ namespace {
 
 /// Whether a solid that nothing is taken from fills the block's pixels one depth step before the block, so that no
 /// surface in it is seen.
-bool hides(const Planned& front, const csg::Block& block, const facet::Scene& scene, const view::View& view,
+bool hides(const PlannedSurface& front, const csg::Block& block, const facet::Scene& scene, const view::View& view,
            const csg::PositiveTree& positive) {
   if (!front.active.operands.empty() || positive.nodes[positive.leaf_of[front.primitive()]].complemented) return false;
   const std::int64_t before = block.z_low - 1;
@@ -20,21 +20,21 @@ bool hides(const Planned& front, const csg::Block& block, const facet::Scene& sc
 void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Scene& scene,
                  const view::View& view) {
   // A solid that hides another may be hidden itself: what hides it hides the other too.
-  std::vector<const Planned*> nearest_first;
-  for (const Planned& one : plan.surfaces) nearest_first.push_back(&one);
+  std::vector<const PlannedSurface*> nearest_first;
+  for (const PlannedSurface& one : plan.surfaces) nearest_first.push_back(&one);
   std::stable_sort(nearest_first.begin(), nearest_first.end(),
-                   [](const Planned* a, const Planned* b) { return a->block.z_low < b->block.z_low; });
-  const auto hidden = [&](const Planned& one) {
-    for (const Planned* front : nearest_first) {
+                   [](const PlannedSurface* a, const PlannedSurface* b) { return a->block.z_low < b->block.z_low; });
+  const auto hidden = [&](const PlannedSurface& one) {
+    for (const PlannedSurface* front : nearest_first) {
       if (front->block.z_low >= one.block.z_low) return false;
       if (hides(*front, one.block, scene, view, positive)) return true;
     }
     return false;
   };
   std::vector<bool> drop;
-  for (const Planned& one : plan.surfaces) drop.push_back(one.block.z_low > 0 && hidden(one));
+  for (const PlannedSurface& one : plan.surfaces) drop.push_back(one.block.z_low > 0 && hidden(one));
   std::size_t index = 0;
-  std::erase_if(plan.surfaces, [&](const Planned&) { return drop[index++]; });
+  std::erase_if(plan.surfaces, [&](const PlannedSurface&) { return drop[index++]; });
 }
 
 /// Counts the primitives that have pixels in the region, pruned or not.
@@ -58,7 +58,7 @@ view::PixelRect SegmentPlan::pixels() const {
 std::uint32_t Plan::depth() const {
   std::uint32_t deepest = 0;
   for (const SegmentPlan& segment : segments) {
-    for (const Planned& one : segment.surfaces) deepest = std::max(deepest, one.active.depth());
+    for (const PlannedSurface& one : segment.surfaces) deepest = std::max(deepest, one.active.depth());
   }
   return deepest;
 }

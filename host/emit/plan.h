@@ -12,7 +12,7 @@
 namespace csgsim::emit {
 
 /// What is drawn as one surface in a segment: a primitive, or several that make one convex solid.
-struct Planned {
+struct PlannedSurface {
   csg::ConvexSet set;
   csg::Block block;
   csg::ActiveTree active;
@@ -23,9 +23,9 @@ struct Planned {
 /// What a segment's instructions are made from, whatever the strategy.
 struct SegmentPlan {
   isa::Region region;
-  std::vector<Planned> surfaces;        ///< in tree order
-  std::uint32_t active_primitives = 0;  ///< with pixels in the region
-  std::uint32_t active_halfspaces = 0;  ///< of these
+  std::vector<PlannedSurface> surfaces;  ///< in tree order
+  std::uint32_t active_primitives = 0;   ///< with pixels in the region
+  std::uint32_t active_halfspaces = 0;   ///< of these
 
   [[nodiscard]] view::PixelRect pixels() const;
 };

@@ -14,7 +14,7 @@ namespace {
 using isa::Opcode;
 
 /// The origin of what belongs to a facet.
-isa::Origin origin_of(isa::Purpose purpose, const Planned& planned, const Facet& facet) {
+isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet) {
   return {purpose, facet.primitive, planned.set.size() > 1 ? planned.primitive() : isa::no_node};
 }
 
@@ -34,7 +34,7 @@ bool fits(const Context& context, const Facet& facet, const csg::Block& block, b
 /// range.
 class Extreme {
  public:
-  Extreme(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface)
+  Extreme(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface)
       : context_(context),
         out_(out),
         planned_(planned),
@@ -112,7 +112,7 @@ class Extreme {
 
   const Context& context_;
   Broadcast& out_;
-  const Planned& planned_;
+  const PlannedSurface& planned_;
   const Surface& surface_;
   bool farthest_front_;
   std::vector<Facet>::const_iterator first_;
@@ -127,7 +127,7 @@ void emit_near_test(const Context& context, Broadcast& out, const Surface& surfa
 }
 
 /// Finds where each facet is seen by broadcasting it again, the mask holding what is left.
-void emit_colours(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface) {
+void emit_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
   const Layout& layout = context.layout;
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     const Facet& facet = surface.facets[i];
@@ -142,7 +142,7 @@ void emit_colours(const Context& context, Broadcast& out, const Planned& planned
 
 }  // namespace
 
-Surface emit_surface(const Context& context, Broadcast& out, const Planned& planned, const Sides& sides) {
+Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::Block& block = planned.block;
   const bool complemented = context.complemented(planned.primitive());
   const Deciding& fronts = sides.fronts;
@@ -174,7 +174,7 @@ void emit_depth_test(const Context& context, Broadcast& out, std::uint32_t primi
   out.plain(Opcode::enable_store, context.layout.mask);
 }
 
-void emit_merge(const Context& context, Broadcast& out, const Planned& planned, const Surface& surface) {
+void emit_merge(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
   const Layout& layout = context.layout;
   out.origin = {isa::Purpose::merge, planned.primitive(), planned.set.size() > 1 ? planned.primitive() : isa::no_node};
   out.plain(Opcode::copy, layout.depth, layout.candidate);

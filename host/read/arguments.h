@@ -52,7 +52,7 @@ class Arguments {
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
   [[nodiscard]] std::optional<bool> boolean(std::string_view name) const;
 
-  /// The vector of that name; absence is an error, which `form` mends (`size = [x, y, z]`).
+  /// The vector of that name; absence is an error, which shows `form` (`size = [x, y, z]`).
   [[nodiscard]] ValueView required(std::string_view name, std::string_view form) const;
 
   /// Up to N numbers from a vector of at least `least`; the others keep what `into` has.

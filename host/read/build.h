@@ -28,7 +28,7 @@ class TreeBuilder : public StatementVisitor {
 
  private:
   /// A statement that has not ended; the first one stands for the file. A solid is a union of itself.
-  struct Frame {
+  struct OpenNode {
     model::Operator op = model::Operator::unite;
     bool is_solid = false;
     bool is_empty = false;      ///< whatever other operands it has
@@ -41,13 +41,13 @@ class TreeBuilder : public StatementVisitor {
     std::size_t first_primitive = 0;  ///< in tree_.primitives
   };
 
-  [[nodiscard]] Frame make_frame(std::string_view name) const;
+  [[nodiscard]] OpenNode make_open(std::string_view name) const;
   void add_solid(const NodeType& node, const Statement& statement, const Arguments& arguments);
-  void close_frame();
+  void close_innermost();
 
   Source& source_;
   model::Tree tree_;
-  std::vector<Frame> frames_;
+  std::vector<OpenNode> open_;
   std::vector<std::uint32_t> children_;  ///< finished operands of the open frames
   std::size_t left_out_ = 0;             ///< open statements from a `%` or `*` on
   bool has_statements_ = false;

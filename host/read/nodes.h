@@ -33,13 +33,13 @@ struct NodeType {
 /// The node of that name, or nothing.
 const NodeType* find_node(std::string_view name);
 
-/// What is wrong with a name that find_node does not know, and the mend.
+/// What is wrong with a name that find_node does not know, and what to do.
 std::string unknown_node(std::string_view name);
 
-/// What is wrong with an argument name that the node does not have, and the mend.
+/// What is wrong with an argument name that the node does not have, and what to do.
 std::string unknown_argument(const NodeType& node, std::string_view name);
 
-/// Why a node of kind `unsupported` or `source` cannot be used, and the mend.
+/// Why a node of kind `unsupported` or `source` cannot be used, and what to do.
 std::string unusable_node(const NodeType& node);
 
 /// The candidate that is the fewest edits away, or an empty name if none is near.

@@ -17,11 +17,11 @@ const facet::Box everywhere{glm::dvec3(-infinite), glm::dvec3(infinite)};
 constexpr double noise = 1e-12;
 
 /// Corners of the part of a solid from the near plane on, in eye space.
-std::vector<glm::dvec3> clip_near(const facet::Convex& solid, const Frame& frame, double near) {
+std::vector<glm::dvec3> clip_near(const facet::Convex& solid, const EyeSpace& space, double near) {
   std::vector<glm::dvec3> in_eye;
   in_eye.reserve(solid.vertices.size());
-  for (const glm::dvec3& vertex : solid.vertices) in_eye.push_back(frame.to_eye(vertex));
-  if (!frame.perspective) return in_eye;
+  for (const glm::dvec3& vertex : solid.vertices) in_eye.push_back(space.to_eye(vertex));
+  if (!space.perspective) return in_eye;
   std::vector<glm::dvec3> kept;
   for (const glm::dvec3& vertex : in_eye) {
     if (vertex.z >= near) kept.push_back(vertex);
@@ -113,12 +113,12 @@ double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool n
 }
 
 /// The box in model space of places in the picture; infinite where one of them is nowhere before the eye.
-facet::Box box_around(const std::vector<glm::dvec3>& places, const Frame& frame, const View& view) {
+facet::Box box_around(const std::vector<glm::dvec3>& places, const EyeSpace& space, const View& view) {
   facet::Box box;
   for (const glm::dvec3& place : places) {
     const double distance = isa::distance_at(view.depth, view.sampling.z_bits, place.z);
-    if (frame.perspective && !(distance > 0.0 && std::isfinite(distance))) return everywhere;
-    box = hull(box, frame.to_model(frame.from_picture({place.x, place.y, distance})));
+    if (space.perspective && !(distance > 0.0 && std::isfinite(distance))) return everywhere;
+    box = hull(box, space.to_model(space.from_picture({place.x, place.y, distance})));
   }
   const glm::dvec3 more = noise * glm::max(glm::abs(box.low), glm::abs(box.high));
   return {box.low - more, box.high + more};
@@ -126,17 +126,17 @@ facet::Box box_around(const std::vector<glm::dvec3>& places, const Frame& frame,
 
 }  // namespace
 
-Extent make_extent(const facet::Convex& solid, const Frame& frame, const View& view) {
+Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View& view) {
   const Sampling& sampling = view.sampling;
-  std::vector<glm::dvec3> places = clip_near(solid, frame, view.depth.near);
+  std::vector<glm::dvec3> places = clip_near(solid, space, view.depth.near);
   if (places.empty()) return {};
   glm::dvec3 inside(0);
   const bool near_cuts =
-      frame.perspective && std::any_of(solid.vertices.begin(), solid.vertices.end(), [&](const glm::dvec3& vertex) {
-        return frame.to_eye(vertex).z < view.depth.near;
+      space.perspective && std::any_of(solid.vertices.begin(), solid.vertices.end(), [&](const glm::dvec3& vertex) {
+        return space.to_eye(vertex).z < view.depth.near;
       });
   for (glm::dvec3& place : places) {
-    place = frame.to_picture(place);
+    place = space.to_picture(place);
     place.z = isa::depth_of(view.depth, sampling.z_bits, place.z);
     inside += place / static_cast<double>(places.size());
   }
@@ -157,7 +157,7 @@ Extent make_extent(const facet::Convex& solid, const Frame& frame, const View& v
     };
     extent.z_low = std::max<std::int64_t>(0, to_step(std::floor(low)));
     extent.z_high = std::min(top, to_step(std::ceil(high)));
-    extent.box = box_around(places, frame, view);
+    extent.box = box_around(places, space, view);
     extent.corners = std::move(places);
   }
   narrow_by_planes(extent, solid, view);

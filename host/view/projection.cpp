@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "host/view/extent.h"
-#include "host/view/frame.h"
+#include "host/view/eye_space.h"
 #include "hw/base/error.h"
 #include "hw/isa/depth_scale.h"
 
@@ -54,18 +54,18 @@ void check_near(double near, double far) {
   }
 }
 
-isa::DepthScale fit_depth(const facet::Scene& scene, const model::Tree& tree, const Frame& frame,
+isa::DepthScale fit_depth(const facet::Scene& scene, const model::Tree& tree, const EyeSpace& space,
                           const Sampling& sampling) {
   std::vector<facet::Box> boxes;
   for (const facet::Convex& solid : scene.solids) {
     facet::Box box;
-    for (const glm::dvec3& vertex : solid.vertices) box = hull(box, frame.to_eye(vertex));
+    for (const glm::dvec3& vertex : solid.vertices) box = hull(box, space.to_eye(vertex));
     boxes.push_back(box);
   }
   const facet::Box box = facet::fold_boxes(tree, boxes);
   double near = box.empty() ? 1.0 : box.low.z;
   double far = box.empty() ? 2.0 : box.high.z;
-  if (frame.perspective) {
+  if (space.perspective) {
     if (far <= 0.0) return {true, 1.0, 2.0};  // all behind the eye
     if (box.empty() && sampling.near) far = 2.0 * *sampling.near;
     near = sampling.near ? *sampling.near : std::max(near, far * near_floor);
@@ -74,7 +74,7 @@ isa::DepthScale fit_depth(const facet::Scene& scene, const model::Tree& tree, co
   // Never a range of nothing: a flat model still has a front and a back.
   const double least = std::max({std::abs(near), std::abs(far), std::numeric_limits<double>::min()}) * 1e-9;
   if (!(far - near > least)) far = near + least;
-  return {frame.perspective, near, far};
+  return {space.perspective, near, far};
 }
 
 /// A canonical plane in eye space: normal . p + offset.
@@ -83,35 +83,35 @@ struct EyePlane {
   double offset;
 };
 
-EyePlane to_eye(const Frame& frame, const facet::Plane& plane, const glm::dvec3& centre) {
-  return {{glm::dot(plane.normal, frame.axes.right), glm::dot(plane.normal, frame.axes.up),
-           glm::dot(plane.normal, frame.axes.forward)},
-          plane.offset + glm::dot(plane.normal, frame.eye - centre)};
+EyePlane to_eye(const EyeSpace& space, const facet::Plane& plane, const glm::dvec3& centre) {
+  return {{glm::dot(plane.normal, space.axes.right), glm::dot(plane.normal, space.axes.up),
+           glm::dot(plane.normal, space.axes.forward)},
+          plane.offset + glm::dot(plane.normal, space.eye - centre)};
 }
 
 /// The plane as an edge test: its value on the ray of each pixel where the depth range is half passed, scaled to
 /// pixels.
-RealLinear edge_line(const Frame& frame, const isa::DepthScale& scale, const EyePlane& plane) {
-  const double a = plane.normal.x * frame.pixel;
-  const double b = -plane.normal.y * frame.pixel;
-  const double middle = frame.perspective ? plane.normal.z + plane.offset * (1.0 / scale.near + 1.0 / scale.far) / 2.0
+RealLinear edge_line(const EyeSpace& space, const isa::DepthScale& scale, const EyePlane& plane) {
+  const double a = plane.normal.x * space.pixel;
+  const double b = -plane.normal.y * space.pixel;
+  const double middle = space.perspective ? plane.normal.z + plane.offset * (1.0 / scale.near + 1.0 / scale.far) / 2.0
                                           : plane.normal.z * (scale.near + scale.far) / 2.0 + plane.offset;
   const double length = std::max(std::abs(a), std::abs(b));
   return length > 0.0 ? RealLinear{a / length, b / length, middle / length} : RealLinear{0, 0, middle};
 }
 
 /// The plane's depth at every pixel; infinite coefficients if it is seen edge-on exactly.
-RealLinear depth_plane(const Frame& frame, const isa::DepthScale& scale, unsigned z_bits, const EyePlane& plane) {
+RealLinear depth_plane(const EyeSpace& space, const isa::DepthScale& scale, unsigned z_bits, const EyePlane& plane) {
   const glm::dvec3& n = plane.normal;
   const double steps = isa::depth_steps(z_bits);
-  if (frame.perspective) {
+  if (space.perspective) {
     // On a ray (X/Z, Y/Z) the plane is met at 1/Z = -(n.x X/Z + n.y Y/Z + n.z) / offset.
     const double scaled = steps / (1.0 / scale.near - 1.0 / scale.far) / plane.offset;
-    return {n.x * frame.pixel * scaled, -n.y * frame.pixel * scaled,
+    return {n.x * space.pixel * scaled, -n.y * space.pixel * scaled,
             1.0 + steps / (1.0 - scale.near / scale.far) + n.z * scaled};
   }
   const double scaled = steps / (scale.far - scale.near);
-  return {-n.x * frame.pixel / n.z * scaled, n.y * frame.pixel / n.z * scaled,
+  return {-n.x * space.pixel / n.z * scaled, n.y * space.pixel / n.z * scaled,
           1.0 + (-plane.offset / n.z - scale.near) * scaled};
 }
 
@@ -136,17 +136,17 @@ ScreenPlane make_edge(const RealLinear& line, const Sampling& sampling) {
   return edge;
 }
 
-ScreenPlane make_screen_plane(const Frame& frame, const isa::DepthScale& scale, const Sampling& sampling,
+ScreenPlane make_screen_plane(const EyeSpace& space, const isa::DepthScale& scale, const Sampling& sampling,
                               const EyePlane& plane) {
-  const RealLinear depth = depth_plane(frame, scale, sampling.z_bits, plane);
+  const RealLinear depth = depth_plane(space, scale, sampling.z_bits, plane);
   const double slope = std::hypot(depth.a, depth.b);
   const double steepest = std::ldexp(1.0, static_cast<int>(sampling.z_bits)) / sampling.edge_on_fraction;
   if (!(slope <= steepest) || !std::isfinite(depth.at_centre))
-    return make_edge(edge_line(frame, scale, plane), sampling);
+    return make_edge(edge_line(space, scale, plane), sampling);
   ScreenPlane surface;
   surface.real = depth;
   // The eye is outside the positive half-space.
-  surface.positive = frame.perspective ? plane.offset > 0.0 : plane.normal.z < 0.0;
+  surface.positive = space.perspective ? plane.offset > 0.0 : plane.normal.z < 0.0;
   const auto fixed = to_fixed(depth, sampling.fraction_bits, sampling.width, sampling.height);
   surface.representable = fixed.has_value();
   if (fixed) surface.linear = *fixed;
@@ -165,20 +165,20 @@ View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera&
   check(sampling);
   const bool perspective = camera.projection == Projection::perspective;
   const double half = perspective ? half_height_per_distance() : half_height(camera);
-  const Frame frame{basis(camera),
-                    camera.eye,
-                    perspective,
-                    2.0 * half / sampling.height,
-                    (sampling.width - 1.0) / 2.0,
-                    (sampling.height - 1.0) / 2.0};
+  const EyeSpace space{basis(camera),
+                       camera.eye,
+                       perspective,
+                       2.0 * half / sampling.height,
+                       (sampling.width - 1.0) / 2.0,
+                       (sampling.height - 1.0) / 2.0};
   View view;
   view.camera = camera;
   view.sampling = sampling;
-  view.depth = fit_depth(scene, tree, frame, sampling);
+  view.depth = fit_depth(scene, tree, space, sampling);
   for (const facet::Plane& plane : scene.planes.planes()) {
-    view.planes.push_back(make_screen_plane(frame, view.depth, sampling, to_eye(frame, plane, scene.planes.centre())));
+    view.planes.push_back(make_screen_plane(space, view.depth, sampling, to_eye(space, plane, scene.planes.centre())));
   }
-  for (const facet::Convex& solid : scene.solids) view.extents.push_back(make_extent(solid, frame, view));
+  for (const facet::Convex& solid : scene.solids) view.extents.push_back(make_extent(solid, space, view));
   const double far_step = (view.depth.far - view.depth.near) / isa::depth_steps(sampling.z_bits);
   view.depth_step = perspective ? far_step * view.depth.far / view.depth.near : far_step;
   return view;

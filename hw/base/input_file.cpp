@@ -29,7 +29,7 @@ std::string size_text(std::size_t bytes) {
 
 void check_length(std::string_view name, std::size_t bytes, const InputKind& kind) {
   if (bytes <= kind.most_bytes) return;
-  throw InputError(fmt::format("{}: longer than {}; {}", name, size_text(kind.most_bytes), kind.mend));
+  throw InputError(fmt::format("{}: longer than {}; {}", name, size_text(kind.most_bytes), kind.advice));
 }
 
 std::string read_file(const std::filesystem::path& path, const InputKind& kind) {

@@ -11,7 +11,7 @@ namespace csgsim {
 struct InputKind {
   std::string_view what;  ///< as in "name a .csg file"
   std::size_t most_bytes = 0;
-  std::string_view mend;  ///< for a longer one, as in "split the model"
+  std::string_view advice;  ///< for a longer one, as in "split the model"
 };
 
 /// All of a file, which may also be a pipe or a device. Throws InputError if it cannot be read, is longer than allowed

@@ -48,7 +48,7 @@ class Pruner {
       ++counts_.nodes;
       looked_at_.push_back(at);
       // The subtree ends before its first node.
-      if (apart(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
+      if (disjoint(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
     }
     outcomes_.resize(tree_.nodes.size());
     std::reverse(looked_at_.begin(), looked_at_.end());
@@ -58,7 +58,7 @@ class Pruner {
 
   Outcome outcome_of(std::uint32_t index) {
     const TreeNode& node = tree_.nodes[index];
-    if (apart(node.box, surface_.box)) return {node.in_elsewhere ? Known::in : Known::out, 0};
+    if (disjoint(node.box, surface_.box)) return {node.in_elsewhere ? Known::in : Known::out, 0};
     if (node.is_leaf) return leaf(node);
     const Known dominant = node.op == Operator::intersect ? Known::out : Known::in;
     std::vector<std::uint32_t> operands;

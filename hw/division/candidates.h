@@ -23,8 +23,8 @@ Candidates all_of(const DisplayModel& model);
 
 /// First level (thesis 7.4.2): what can matter in any square of a group. Every primitive's rectangle is held against
 /// the group's, and the half-spaces of those that touch it are held against the corners of what they share. Left out
-/// are primitives apart from it or with a half-space that holds nothing of it at any depth, half-spaces that hold all
-/// of it at every depth, and those that a leader of the primitive's side is beyond.
+/// are primitives disjoint from it or with a half-space that holds nothing of it at any depth, half-spaces that hold
+/// all of it at every depth, and those that a leader of the primitive's side is beyond.
 ///
 /// Squares of the group are given the same instructions as from the whole model.
 Candidates survivors(const DisplayModel& model, const Rectangle& group, Counts& counts);

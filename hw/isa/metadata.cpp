@@ -9,7 +9,7 @@
 
 #include "hw/isa/bytes.h"
 #include "hw/isa/describe.h"
-#include "hw/isa/words.h"
+#include "hw/isa/quoting.h"
 
 namespace csgsim::isa {
 

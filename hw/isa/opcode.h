@@ -34,6 +34,6 @@ std::string_view name_of(Opcode opcode);
 const Operands& operands_of(Opcode opcode);
 
 /// Does it need the global OR of the machine?
-bool asks(Opcode opcode);
+bool is_question(Opcode opcode);
 
 }  // namespace csgsim::isa

@@ -11,6 +11,6 @@ std::string_view name_of(Opcode opcode) { return info(opcode).name; }
 
 const Operands& operands_of(Opcode opcode) { return info(opcode).operands; }
 
-bool asks(Opcode opcode) { return info(opcode).clock_class == ClockClass::answer; }
+bool is_question(Opcode opcode) { return info(opcode).clock_class == ClockClass::answer; }
 
 }  // namespace csgsim::isa

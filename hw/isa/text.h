@@ -44,7 +44,7 @@ namespace csgsim::isa {
 void print(std::ostream& out, const Program& program);
 
 /// Reads the text form; `name` is the file's in errors. The result is valid. Throws InputError, `name:line:column:
-/// what, and the mend`; unknown words name the nearest known one.
+/// what, and what to do`; unknown words name the nearest known one.
 Program parse(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::isa

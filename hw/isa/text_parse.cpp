@@ -2,9 +2,9 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/isa/quoting.h"
 #include "hw/isa/text.h"
 #include "hw/isa/text_grammar.h"
-#include "hw/isa/words.h"
 
 namespace csgsim::isa {
 

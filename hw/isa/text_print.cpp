@@ -12,8 +12,8 @@
 
 #include "hw/isa/describe.h"
 #include "hw/isa/operands.h"
+#include "hw/isa/quoting.h"
 #include "hw/isa/text.h"
-#include "hw/isa/words.h"
 
 namespace csgsim::isa {
 

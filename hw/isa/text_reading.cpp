@@ -13,8 +13,8 @@
 #include "hw/base/nearest.h"
 #include "hw/isa/describe.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/quoting.h"
 #include "hw/isa/validate.h"
-#include "hw/isa/words.h"
 
 namespace csgsim::isa {
 

@@ -61,7 +61,7 @@ bool same_hardware(const Machine& one, const Machine& other) {
          std::all_of(one.kind->schema.begin(), one.kind->schema.end(), same);
 }
 
-bool answers(const Machine& machine) { return machine.kind->answers(machine); }
+bool has_global_or(const Machine& machine) { return machine.kind->has_global_or(machine); }
 
 std::optional<Division> division(const Machine& machine) {
   return machine.kind->division == nullptr ? std::nullopt : machine.kind->division(machine);

@@ -37,7 +37,7 @@ struct Kind {
   void (*set_picture)(Machine& machine, Size size);
 
   /// Whether the controller learns if any pixel is enabled.
-  bool (*answers)(const Machine& machine);
+  bool (*has_global_or)(const Machine& machine);
   /// Of the picture, in the order in which the machine draws them.
   std::vector<isa::Region> (*regions)(const Machine& machine);
   /// Whether and how it divides the model itself; null for a kind that never does.

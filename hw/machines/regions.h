@@ -26,6 +26,6 @@ struct Division {
 std::optional<Division> division(const Machine& machine);
 
 /// Whether the controller learns if any pixel is enabled.
-bool answers(const Machine& machine);
+bool has_global_or(const Machine& machine);
 
 }  // namespace csgsim::machines

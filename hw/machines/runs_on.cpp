@@ -15,11 +15,11 @@ namespace csgsim::machines {
 namespace {
 
 void check_questions(const isa::Program& program, const Machine& machine) {
-  if (answers(machine)) return;
+  if (has_global_or(machine)) return;
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
     for (std::size_t i = 0; i < instructions.size(); ++i) {
-      if (!isa::asks(instructions[i].opcode)) continue;
+      if (!isa::is_question(instructions[i].opcode)) continue;
       throw InputError(
           fmt::format("segment {}, instruction {}: {} needs a global OR, which the machine {} does not have; compile "
                       "the model for this machine, or take one whose global_or.present is 1",

@@ -23,11 +23,11 @@ void ControlBus::begin() { stays_.begin(BusActivity::idle, time_.now()); }
 void ControlBus::on_request() {
   if (moving_) return;
   if (master_) {
-    if (asks(*master_)) transfer();
+    if (is_requesting(*master_)) transfer();
     return;
   }
   for (std::uint32_t master = 0; master < requests.size(); ++master) {
-    if (asks(master)) return start(master);
+    if (is_requesting(master)) return start(master);
   }
 }
 

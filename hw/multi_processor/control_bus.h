@@ -8,8 +8,8 @@
 
 #include "hw/machines/machine.h"
 #include "hw/multi_processor/account.h"
+#include "hw/multi_processor/bus_word.h"
 #include "hw/multi_processor/time_base.h"
-#include "hw/multi_processor/words.h"
 
 namespace csgsim::multi_processor {
 
@@ -33,7 +33,9 @@ class ControlBus final : public sc_core::sc_module {
   void on_grant();
   void start(std::uint32_t master);
   void transfer();
-  [[nodiscard]] bool asks(std::uint32_t master) const { return requests[master].read().number > served_[master]; }
+  [[nodiscard]] bool is_requesting(std::uint32_t master) const {
+    return requests[master].read().number > served_[master];
+  }
 
   TimeBase time_;
   const machines::Link link_;

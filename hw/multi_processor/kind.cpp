@@ -103,7 +103,7 @@ void complete(Machine& /*machine*/) {}
 
 void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
 
-bool answers(const Machine& /*machine*/) { return false; }
+bool has_global_or(const Machine& /*machine*/) { return false; }
 
 void check(const isa::Program& program, const Machine& machine) {
   machines::check_parts(program, machine);
@@ -136,7 +136,7 @@ const machines::Kind kind{
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
-    .answers = answers,
+    .has_global_or = has_global_or,
     .regions = regions,
     .check = check,
     .clocks = pixel_clocks,

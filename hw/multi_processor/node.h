@@ -10,12 +10,12 @@
 #include "hw/isa/wire.h"
 #include "hw/machines/machine.h"
 #include "hw/multi_processor/account.h"
+#include "hw/multi_processor/bus_word.h"
 #include "hw/multi_processor/collector.h"
 #include "hw/multi_processor/division.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/time_base.h"
-#include "hw/multi_processor/words.h"
 
 namespace csgsim::multi_processor {
 

@@ -5,8 +5,8 @@
 
 #include "hw/machines/machine.h"
 #include "hw/multi_processor/account.h"
+#include "hw/multi_processor/bus_word.h"
 #include "hw/multi_processor/time_base.h"
-#include "hw/multi_processor/words.h"
 
 namespace csgsim::multi_processor {
 

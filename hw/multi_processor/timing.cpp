@@ -106,9 +106,9 @@ std::uint64_t& at(DisplayClocks& clocks, DisplayActivity activity) {
 }
 
 /// A frame, stage after stage.
-class Frame {
+class FrameModel {
  public:
-  Frame(const isa::Program& program, const Machine& machine)
+  FrameModel(const isa::Program& program, const Machine& machine)
       : program_(program),
         machine_(machine),
         figures_(machines::own<Figures>(machine)),
@@ -298,7 +298,7 @@ void check_fits(const isa::Program& program, const Machine& machine) {
 
 FrameClocks time_stages(const isa::Program& program, const Machine& machine) {
   check_fits(program, machine);
-  return Frame(program, machine).run();
+  return FrameModel(program, machine).run();
 }
 
 FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {

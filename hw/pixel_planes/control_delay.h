@@ -4,7 +4,7 @@
 #include <systemc>
 #include <vector>
 
-#include "hw/pixel_planes/words.h"
+#include "hw/pixel_planes/control_word.h"
 
 namespace csgsim::pixel_planes {
 

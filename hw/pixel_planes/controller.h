@@ -7,7 +7,7 @@
 #include "hw/isa/wire.h"
 #include "hw/link/receiver.h"
 #include "hw/pixel_planes/account.h"
-#include "hw/pixel_planes/words.h"
+#include "hw/pixel_planes/control_word.h"
 
 namespace csgsim::pixel_planes {
 

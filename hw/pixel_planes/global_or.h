@@ -4,8 +4,8 @@
 #include <systemc>
 #include <vector>
 
+#include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/pixel_processors.h"
-#include "hw/pixel_planes/words.h"
 
 namespace csgsim::pixel_planes {
 

@@ -3,8 +3,8 @@
 #include <systemc>
 
 #include "hw/array/linear_evaluator.h"
+#include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/plane_channel.h"
-#include "hw/pixel_planes/words.h"
 
 namespace csgsim::pixel_planes {
 

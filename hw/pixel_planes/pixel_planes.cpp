@@ -199,7 +199,7 @@ void PixelPlanes::record(const WaveRequest& request) {
   wave_request_ = request;
 }
 
-Frame PixelPlanes::scan_out(isa::Field colour) {
+ShownFrame PixelPlanes::scan_out(isa::Field colour) {
   elaborate();
   scan_out_.begin(colour);
   run_until([this] { return !scan_out_.busy(); });

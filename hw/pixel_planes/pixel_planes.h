@@ -23,7 +23,7 @@
 
 namespace csgsim::pixel_planes {
 
-struct Frame {
+struct ShownFrame {
   std::uint64_t clocks = 0;
   std::uint64_t latch_clocks = 0;      ///< of these, until pixel memory may change
   std::vector<std::uint32_t> colours;  ///< in row order, the array's width a row
@@ -46,7 +46,7 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   void record(const WaveRequest& request) override;
 
   /// Scans the field out of the memory that the last program left.
-  Frame scan_out(isa::Field colour);
+  ShownFrame scan_out(isa::Field colour);
 
   [[nodiscard]] const PixelProcessors& processors() const { return processors_; }
   [[nodiscard]] const Controller& controller() const { return controller_; }

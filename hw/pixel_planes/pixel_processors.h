@@ -4,8 +4,8 @@
 #include <systemc>
 
 #include "hw/array/pixel_array.h"
+#include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/plane_channel.h"
-#include "hw/pixel_planes/words.h"
 
 namespace csgsim::pixel_planes {
 

@@ -6,9 +6,9 @@
 
 #include "hw/array/plane.h"
 #include "hw/isa/instruction.h"
+#include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/pixel_processors.h"
-#include "hw/pixel_planes/words.h"
 
 namespace csgsim::pixel_planes {
 

@@ -53,9 +53,9 @@ std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine&
 
 /// Edges are numbered from the frame's first. A word read at an edge that completes a command lets the command begin at
 /// the next; the edge at which a command begins is the first at which a word of the one after it is read.
-class Frame {
+class FrameModel {
  public:
-  Frame(const machines::Machine& machine, std::vector<Task> tasks)
+  FrameModel(const machines::Machine& machine, std::vector<Task> tasks)
       : machine_(machine), link_(machine.link), tasks_(std::move(tasks)) {}
 
   machines::FrameTiming time() {
@@ -174,7 +174,7 @@ std::uint64_t instruction_clocks(const isa::Instruction& instruction, const mach
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  std::span<const machines::Skip> skips) {
-  machines::FrameTiming timing = Frame(machine, tasks_of(program, machine, skips)).time();
+  machines::FrameTiming timing = FrameModel(machine, tasks_of(program, machine, skips)).time();
   const std::uint32_t colour_bits = isa::field_of(program, isa::FieldRole::colour).width;
   if (colour_bits == 0) return timing;
   const ScanOutClocks scan_out = scan_out_clocks(machine, colour_bits);

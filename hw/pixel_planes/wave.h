@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "hw/isa/program.h"
+#include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/controller.h"
 #include "hw/pixel_planes/pixel_processors.h"
-#include "hw/pixel_planes/words.h"
 #include "hw/systemc/wave_request.h"
 
 namespace csgsim::pixel_planes {

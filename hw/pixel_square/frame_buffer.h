@@ -8,7 +8,7 @@
 
 #include "hw/machines/machine.h"
 #include "hw/pixel_square/activity_counter.h"
-#include "hw/pixel_square/words.h"
+#include "hw/pixel_square/port_word.h"
 
 namespace csgsim::pixel_square {
 

@@ -74,7 +74,7 @@ void complete(Machine& /*machine*/) {}
 
 void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
 
-bool answers(const Machine& /*machine*/) { return false; }
+bool has_global_or(const Machine& /*machine*/) { return false; }
 
 std::optional<machines::Division> division(const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
@@ -121,7 +121,7 @@ const machines::Kind kind{
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
-    .answers = answers,
+    .has_global_or = has_global_or,
     .regions = regions,
     .division = division,
     .check = check,

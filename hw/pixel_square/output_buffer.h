@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hw/array/pixel_array.h"
-#include "hw/pixel_square/words.h"
+#include "hw/pixel_square/port_word.h"
 
 namespace csgsim::pixel_square {
 

@@ -12,9 +12,9 @@
 #include "hw/pixel_square/frame_buffer.h"
 #include "hw/pixel_square/host_sender.h"
 #include "hw/pixel_square/model_source.h"
+#include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/renderer.h"
 #include "hw/pixel_square/square_names.h"
-#include "hw/pixel_square/words.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
 

@@ -13,8 +13,8 @@
 #include "hw/machines/machine.h"
 #include "hw/pixel_square/activity_counter.h"
 #include "hw/pixel_square/output_buffer.h"
+#include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/square_names.h"
-#include "hw/pixel_square/words.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_square {

@@ -10,7 +10,7 @@
 #include "hw/link/frame_words.h"
 #include "hw/machines/machine.h"
 #include "hw/pixel_square/activity_counter.h"
-#include "hw/pixel_square/words.h"
+#include "hw/pixel_square/port_word.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_square {

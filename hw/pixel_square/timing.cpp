@@ -158,9 +158,9 @@ struct RendererState {
 };
 
 /// A frame, from edge to edge at which something happens.
-class Frame {
+class FrameModel {
  public:
-  Frame(const isa::Program& program, const Machine& machine)
+  FrameModel(const isa::Program& program, const Machine& machine)
       : program_(program),
         machine_(machine),
         figures_(machines::own<Figures>(machine)),
@@ -516,7 +516,9 @@ void check_countable(const isa::Program& program, const Machine& machine) {
   }
 }
 
-SquareTiming time_squares(const isa::Program& program, const Machine& machine) { return Frame(program, machine).run(); }
+SquareTiming time_squares(const isa::Program& program, const Machine& machine) {
+  return FrameModel(program, machine).run();
+}
 
 FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {
   const SquareTiming timing = time_squares(program, machine);

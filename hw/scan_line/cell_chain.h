@@ -5,8 +5,8 @@
 
 #include "hw/isa/program.h"
 #include "hw/scan_line/chain.h"
-#include "hw/scan_line/frame.h"
-#include "hw/scan_line/words.h"
+#include "hw/scan_line/packet_signals.h"
+#include "hw/scan_line/periods.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::scan_line {

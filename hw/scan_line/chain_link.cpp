@@ -9,7 +9,7 @@ ChainLink::ChainLink(sc_core::sc_module_name name, const machines::Link& link) :
   sensitive << clock.pos();
 }
 
-void ChainLink::begin(const Frame& frame, std::size_t lines_to_send) {
+void ChainLink::begin(const PictureLines& frame, std::size_t lines_to_send) {
   frame_ = frame;
   lines_left_ = lines_to_send;
   state_ = State::waiting;

@@ -10,7 +10,7 @@
 #include "hw/link/frame_words.h"
 #include "hw/machines/machine.h"
 #include "hw/scan_line/activity.h"
-#include "hw/scan_line/frame.h"
+#include "hw/scan_line/picture_lines.h"
 
 namespace csgsim::scan_line {
 
@@ -27,7 +27,7 @@ class ChainLink final : public sc_core::sc_module {
   ChainLink(sc_core::sc_module_name name, const machines::Link& link);
 
   /// For that many lines of the frame. Starts with the next clock.
-  void begin(const Frame& frame, std::size_t lines);
+  void begin(const PictureLines& frame, std::size_t lines);
 
   [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
   [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words
@@ -43,7 +43,7 @@ class ChainLink final : public sc_core::sc_module {
   [[nodiscard]] LineActivity activity() const;
 
   const machines::Link link_;
-  Frame frame_;
+  PictureLines frame_;
   std::size_t lines_left_ = 0;  ///< to be taken
   State state_ = State::waiting;
   std::uint32_t left_ = 0;     ///< clocks of the latency, or of the word on the link

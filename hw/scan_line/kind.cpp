@@ -68,7 +68,7 @@ void complete(Machine& machine) {
   machine.array.memory_bits = figures.words * figures.word_bits;
 }
 
-bool answers(const Machine& /*machine*/) { return false; }
+bool has_global_or(const Machine& /*machine*/) { return false; }
 
 /// Each line; of an interlaced picture the even ones first.
 std::vector<isa::Region> regions(const Machine& machine) {
@@ -95,7 +95,7 @@ const machines::Kind kind{
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
-    .answers = answers,
+    .has_global_or = has_global_or,
     .regions = regions,
     .check = machines::check_parts,
     .clocks = entry_clocks,

@@ -10,7 +10,7 @@ LineHost::LineHost(sc_core::sc_module_name name, const Figures& figures)
   sensitive << clock.pos();
 }
 
-void LineHost::begin(const Frame& frame) {
+void LineHost::begin(const PictureLines& frame) {
   frame_ = frame;
   active_.begin(extents_of(frame.lines));
   sorting_ = active_.primitives() * figures_.bucket_clocks;

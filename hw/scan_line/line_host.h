@@ -8,7 +8,7 @@
 #include "hw/scan_line/active_list.h"
 #include "hw/scan_line/activity.h"
 #include "hw/scan_line/figures.h"
-#include "hw/scan_line/frame.h"
+#include "hw/scan_line/picture_lines.h"
 
 namespace csgsim::scan_line {
 
@@ -23,7 +23,7 @@ class LineHost final : public sc_core::sc_module {
   LineHost(sc_core::sc_module_name name, const Figures& figures);
 
   /// Starts with the next clock.
-  void begin(const Frame& frame);
+  void begin(const PictureLines& frame);
 
   [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
 
@@ -33,7 +33,7 @@ class LineHost final : public sc_core::sc_module {
   void begin_line();
 
   const Figures figures_;
-  Frame frame_;
+  PictureLines frame_;
   ActiveList active_;
   std::uint32_t line_ = 0;
   std::uint64_t sorting_ = 0;    ///< clocks left

@@ -20,7 +20,7 @@ PacketQueue::PacketQueue(sc_core::sc_module_name name, const machines::Machine& 
   sensitive << clock.pos();
 }
 
-void PacketQueue::begin(const Frame& frame) {
+void PacketQueue::begin(const PictureLines& frame) {
   frame_ = frame;
   budget_ = line_budget(machine_, static_cast<std::uint32_t>(frame.lines.size()));
   line_ = chain_;

@@ -9,8 +9,8 @@
 #include "hw/machines/machine.h"
 #include "hw/scan_line/activity.h"
 #include "hw/scan_line/figures.h"
-#include "hw/scan_line/frame.h"
-#include "hw/scan_line/words.h"
+#include "hw/scan_line/packet_signals.h"
+#include "hw/scan_line/picture_lines.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::scan_line {
@@ -40,7 +40,7 @@ class PacketQueue final : public sc_core::sc_module {
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 
   /// Starts with the next clock.
-  void begin(const Frame& frame);
+  void begin(const PictureLines& frame);
 
   [[nodiscard]] const EntryCounts& counts() const { return counts_; }
   [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
@@ -59,7 +59,7 @@ class PacketQueue final : public sc_core::sc_module {
   const CellShape cell_;
   const std::uint32_t chain_;
   link::Receiver receiver_;
-  Frame frame_;
+  PictureLines frame_;
   std::uint64_t budget_ = 0;
   std::size_t line_ = 0;
   std::uint32_t index_ = 0;         ///< of the instruction in its line

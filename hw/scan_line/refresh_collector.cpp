@@ -13,7 +13,7 @@ RefreshCollector::RefreshCollector(sc_core::sc_module_name name, std::uint32_t c
   sensitive << clock.pos();
 }
 
-void RefreshCollector::begin(const Frame& frame) {
+void RefreshCollector::begin(const PictureLines& frame) {
   frame_ = frame;
   active_ = true;
   periods_.begin();

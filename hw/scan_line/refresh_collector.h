@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "hw/scan_line/activity.h"
-#include "hw/scan_line/frame.h"
-#include "hw/scan_line/words.h"
+#include "hw/scan_line/packet_signals.h"
+#include "hw/scan_line/periods.h"
+#include "hw/scan_line/picture_lines.h"
 
 namespace csgsim::scan_line {
 
@@ -21,7 +22,7 @@ class RefreshCollector final : public sc_core::sc_module {
 
   RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains);
 
-  void begin(const Frame& frame);
+  void begin(const PictureLines& frame);
 
   /// From the first in which the host works until that in which the last pixel was at its port.
   [[nodiscard]] std::uint64_t clocks() const { return periods_.count(); }
@@ -44,7 +45,7 @@ class RefreshCollector final : public sc_core::sc_module {
   void collect(std::size_t chain, std::uint32_t colour);
   [[nodiscard]] bool any_enters() const;
 
-  Frame frame_;
+  PictureLines frame_;
   bool active_ = false;
   Periods periods_;
   std::uint64_t drain_clocks_ = 0;

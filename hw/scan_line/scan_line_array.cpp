@@ -105,7 +105,7 @@ void ScanLineArray::on_done() { sc_core::sc_pause(); }
 
 kernel::RunReport ScanLineArray::run(const isa::Program& program, kernel::RunListener& listener) {
   const isa::FrameHeader header = isa::frame_header(program);
-  const Frame frame{.lines = program.segments, .colour = header.colour, .background = header.background};
+  const PictureLines frame{.lines = program.segments, .colour = header.colour, .background = header.background};
   draw(frame, listener);
   kernel::RunReport report{.clocks = collector_.clocks(),
                            .answers = {},
@@ -116,7 +116,7 @@ kernel::RunReport ScanLineArray::run(const isa::Program& program, kernel::RunLis
   return report;
 }
 
-void ScanLineArray::draw(const Frame& frame, kernel::RunListener& listener) {
+void ScanLineArray::draw(const PictureLines& frame, kernel::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   retirement_.begin(listener);
   host_.begin(frame);
@@ -130,7 +130,7 @@ void ScanLineArray::draw(const Frame& frame, kernel::RunListener& listener) {
 }
 
 /// The frame after begins when all marks have entered, and so late that none of its own waits for one of these.
-std::uint64_t ScanLineArray::interval(const Frame& frame) const {
+std::uint64_t ScanLineArray::interval(const PictureLines& frame) const {
   std::uint64_t clocks = 0;
   for (const PacketQueue& queue : queues_) {
     const EntryCounts& counts = queue.counts();

@@ -6,9 +6,9 @@
 #include "hw/scan_line/account.h"
 #include "hw/scan_line/cell_chain.h"
 #include "hw/scan_line/chain_link.h"
-#include "hw/scan_line/frame.h"
 #include "hw/scan_line/line_host.h"
 #include "hw/scan_line/packet_queue.h"
+#include "hw/scan_line/picture_lines.h"
 #include "hw/scan_line/refresh_collector.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
@@ -25,9 +25,9 @@ class ScanLineArray final : public sc_core::sc_module, public kernel::ClockedMac
 
  private:
   void on_done();
-  void draw(const Frame& frame, kernel::RunListener& listener);
+  void draw(const PictureLines& frame, kernel::RunListener& listener);
   [[nodiscard]] LineAccount counted() const;
-  [[nodiscard]] std::uint64_t interval(const Frame& frame) const;
+  [[nodiscard]] std::uint64_t interval(const PictureLines& frame) const;
 
   const machines::Machine machine_;
   sc_core::sc_clock clock_;

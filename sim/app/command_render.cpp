@@ -5,9 +5,6 @@
 #include <optional>
 
 #include "hw/base/error.h"
-#include "sim/accuracy/errors.h"
-#include "sim/accuracy/explain.h"
-#include "sim/accuracy/truth.h"
 #include "sim/app/commands.h"
 #include "sim/app/frames.h"
 #include "sim/app/model_options.h"
@@ -15,6 +12,9 @@
 #include "sim/app/run_options.h"
 #include "sim/app/run_outputs.h"
 #include "sim/app/usage.h"
+#include "sim/judges/errors.h"
+#include "sim/judges/explain.h"
+#include "sim/judges/truth.h"
 #include "sim/study/measure.h"
 
 namespace csgsim::app {
@@ -32,11 +32,10 @@ struct Options {
 /// Holds the picture against the exact one of the same half-spaces.
 std::string verdict(const CompiledModel& compiled, const sim::Frame& frame, nlohmann::ordered_json& json) {
   const isa::Program& program = compiled.program;
-  const accuracy::Truth truth =
-      accuracy::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width, program.shape.height,
-                            program.facts.depth_scale);
-  const accuracy::Explainer explainer(compiled.tree, compiled.scene, compiled.camera, program);
-  const accuracy::Errors errors = accuracy::judge(truth, frame, program, explainer);
+  const judges::Truth truth = judges::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width,
+                                                  program.shape.height, program.facts.depth_scale);
+  const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.camera, program);
+  const judges::Errors errors = judges::judge(truth, frame, program, explainer);
   json = {{"wrong_pixels", errors.wrong()},
           {"silhouette", errors.silhouette},
           {"owner", errors.owner},
@@ -46,7 +45,7 @@ std::string verdict(const CompiledModel& compiled, const sim::Frame& frame, nloh
           {"covered", errors.covered},
           {"depth_error", {{"max", errors.model_units.max}, {"p999", errors.model_units.p999}}},
           {"depth_error_steps", {{"max", errors.steps.max}, {"p999", errors.steps.p999}}}};
-  return fmt::format("{:<18}{}\n", "accuracy", accuracy::to_text(errors));
+  return fmt::format("{:<18}{}\n", "accuracy", judges::to_text(errors));
 }
 
 /// Takes the cheapest z bits and fraction bits whose picture has at most so many wrong pixels, and says which.

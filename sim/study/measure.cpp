@@ -12,12 +12,12 @@
 #include "host/view/projection.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
-#include "sim/accuracy/analytic.h"
-#include "sim/accuracy/errors.h"
-#include "sim/accuracy/explain.h"
-#include "sim/accuracy/truth.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
+#include "sim/judges/analytic.h"
+#include "sim/judges/errors.h"
+#include "sim/judges/explain.h"
+#include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
 
@@ -79,8 +79,8 @@ bool measures(const Measurement& row, const WantedSettings& wanted) {
 
 struct Meter::Subject {
   facet::Scene scene;
-  accuracy::Truth exact;     ///< of the half-spaces
-  accuracy::Truth analytic;  ///< of the curved surfaces
+  judges::Truth exact;     ///< of the half-spaces
+  judges::Truth analytic;  ///< of the curved surfaces
   sim::Frame finest;
 };
 
@@ -105,8 +105,8 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   machine.array.memory_bits = std::max(machine.array.memory_bits, ample_memory_bits);
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine, options_), machine);
   const isa::DepthScale& depth = drawn.program.facts.depth_scale;
-  accuracy::Truth exact = accuracy::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
-  accuracy::Truth analytic = accuracy::analytic_truth(tree_, cameras_[camera], sampling.width, sampling.height, depth);
+  judges::Truth exact = judges::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
+  judges::Truth analytic = judges::analytic_truth(tree_, cameras_[camera], sampling.width, sampling.height, depth);
   return subjects_
       .emplace(key, Subject{std::move(scene), std::move(exact), std::move(analytic), std::move(drawn.frame)})
       .first->second;
@@ -133,9 +133,9 @@ Measurement Meter::measure(const Settings& settings) {
     const Subject& subject = this->subject(settings, camera);
     const Drawn drawn =
         draw(compile(tree_, subject.scene, cameras_[camera], settings.sampling, machine, options_), machine);
-    const accuracy::Explainer explainer(tree_, subject.scene, cameras_[camera], drawn.program);
-    const accuracy::Errors errors = accuracy::judge(subject.exact, drawn.frame, drawn.program, explainer);
-    const accuracy::Errors facets = accuracy::compare(subject.analytic, drawn.frame, drawn.program);
+    const judges::Explainer explainer(tree_, subject.scene, cameras_[camera], drawn.program);
+    const judges::Errors errors = judges::judge(subject.exact, drawn.frame, drawn.program, explainer);
+    const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
     sum.clocks += drawn.clocks;
     sum.halfspaces = drawn.program.facts.model.halfspaces;
     sum.memory_bits = std::max(sum.memory_bits, sim::used_memory_bits(drawn.program));

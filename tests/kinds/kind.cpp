@@ -30,7 +30,7 @@ void set_picture(Machine& machine, machines::Size size) {
   machine.array.height = size.height;
 }
 
-bool answers(const Machine& /*machine*/) { return false; }
+bool has_global_or(const Machine& /*machine*/) { return false; }
 
 std::vector<isa::Region> regions(const Machine& machine) { return {{0, 0, machine.array.width, machine.array.height}}; }
 
@@ -63,7 +63,7 @@ const machines::Kind kind{
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
-    .answers = answers,
+    .has_global_or = has_global_or,
     .regions = regions,
     .check = check,
     .clocks = clocks,

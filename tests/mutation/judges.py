@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 PICTURES = ["rules", "strategies", "golden", "hard_cases", "agreement"]
 JUDGES_OF = {  # in the order in which they are asked
-    "host/view": ["view", "csg", "accuracy", "emit", *PICTURES, "study"],
-    "host/facet": ["facet", "csg", "view", "accuracy", "emit", *PICTURES],
+    "host/view": ["view", "csg", "judges", "emit", *PICTURES, "study"],
+    "host/facet": ["facet", "csg", "view", "judges", "emit", *PICTURES],
     "host/csg": ["csg", "emit", *PICTURES, "study"],
     "host/emit": ["emit", *PICTURES, "lockstep_models", "study"],
     "hw/isa": ["isa", "view", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
     "hw/array": ["array", "pixel_planes", "pixel_square", "lockstep_cycle", "lockstep_squares", "lockstep_models"],
-    "sim/accuracy": ["accuracy", "hard_cases", "study"],
+    "sim/judges": ["judges", "hard_cases", "study"],
 }
 BY_CASE = {"pixel_planes", "pixel_square", "cli"}  # a process a test case: SystemC elaborates once
 TOO_SLOW = ["*half a million facets*", "*turned by a hair*"]

@@ -11,9 +11,9 @@
 
 #include "host/read/read.h"
 #include "hw/pixel_planes/kind.h"
-#include "sim/accuracy/errors.h"
-#include "sim/accuracy/explain.h"
 #include "sim/engine/engine.h"
+#include "sim/judges/errors.h"
+#include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
 
 namespace csgsim::testing {
@@ -61,9 +61,9 @@ void compare_engines(const std::string& csg, const view::Camera& camera, Look ho
   CHECK(same(frame, run(*cycle, compiled.program)));
 }
 
-accuracy::Errors errors_of(const Compiled& compiled) {
-  const accuracy::Explainer explainer(compiled.tree, compiled.scene, compiled.view.camera, compiled.program);
-  return accuracy::judge(truth_of(compiled), draw(compiled.program), compiled.program, explainer);
+judges::Errors errors_of(const Compiled& compiled) {
+  const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.view.camera, compiled.program);
+  return judges::judge(truth_of(compiled), draw(compiled.program), compiled.program, explainer);
 }
 
 /// Moved by a little that no pixel is a simple part of, so that nothing that is symmetric lies on pixel centres.
@@ -100,9 +100,9 @@ Verdict& Verdict::operator+=(const Verdict& other) {
   return *this;
 }
 
-accuracy::Truth truth_of(const Compiled& compiled) {
-  return accuracy::exact_truth(compiled.tree, compiled.scene, compiled.view.camera, compiled.program.shape.width,
-                               compiled.program.shape.height, compiled.program.facts.depth_scale);
+judges::Truth truth_of(const Compiled& compiled) {
+  return judges::exact_truth(compiled.tree, compiled.scene, compiled.view.camera, compiled.program.shape.width,
+                             compiled.program.shape.height, compiled.program.facts.depth_scale);
 }
 
 sim::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how) {
@@ -114,8 +114,8 @@ Verdict look(const std::string& csg, const view::Camera& camera, const Look& how
   CAPTURE(camera.eye.y);
   CAPTURE(camera.eye.z);
   CAPTURE((camera.projection == Projection::perspective));
-  const accuracy::Errors errors = errors_of(compile_text(csg, {camera, how.sampling, how.memory_bits}));
-  CHECK_MESSAGE(errors.unexplained == 0, accuracy::to_text(errors));
+  const judges::Errors errors = errors_of(compile_text(csg, {camera, how.sampling, how.memory_bits}));
+  CHECK_MESSAGE(errors.unexplained == 0, judges::to_text(errors));
   if (how.engines) compare_engines(csg, camera, how);
   return {1, errors.covered, errors.wrong(), 0};
 }

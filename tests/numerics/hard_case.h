@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/view/projection.h"
-#include "sim/accuracy/truth.h"
+#include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
 #include "tests/support/drawing.h"
 
@@ -54,7 +54,7 @@ Verdict look_around(const std::string& csg, const Look& how = {});
 Verdict look_obliquely(const std::string& csg, const Look& how = {});
 
 /// The truth of one picture, of the model as it is.
-accuracy::Truth truth_of(const Compiled& compiled);
+judges::Truth truth_of(const Compiled& compiled);
 
 /// The picture of the functional engine.
 sim::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how = {});

@@ -13,9 +13,9 @@ constexpr Projection perspective = Projection::perspective;
 const std::string room = subtract({box({-10, -10, -10}, {10, 10, 10}), box({-8, -8, -8}, {8, 8, 8}),
                                    cylinder({0, 0, -20}, 40, 3, 3, 16), box({2, 7, -3}, {5, 11, 3})});
 
-std::uint64_t total(const csgsim::accuracy::Truth& truth) { return truth.owner.size(); }
+std::uint64_t total(const csgsim::judges::Truth& truth) { return truth.owner.size(); }
 
-csgsim::accuracy::Truth truth_at(const std::string& csg, const csgsim::view::Camera& camera) {
+csgsim::judges::Truth truth_at(const std::string& csg, const csgsim::view::Camera& camera) {
   const Look how;
   return truth_of(compile_text(csg, {camera, how.sampling, how.memory_bits}));
 }

@@ -102,10 +102,10 @@ TEST_CASE("empty operands empty an intersection, and are nothing to a union or d
   check_empty(unite({empty, intersect({body, "group();\n"})}));
   check_empty("group();\n");
 }
-TEST_CASE("an intersection of solids that are apart is empty, and nothing to what it is subtracted from") {
-  const std::string apart = intersect({cube, box({20, 20, 20}, {30, 30, 30})});
-  check_empty(apart);
-  check_seen(subtract({body, apart}));
+TEST_CASE("an intersection of solids that are disjoint is empty, and nothing to what it is subtracted from") {
+  const std::string disjoint = intersect({cube, box({20, 20, 20}, {30, 30, 30})});
+  check_empty(disjoint);
+  check_seen(subtract({body, disjoint}));
 }
 TEST_CASE("coefficients that fit no width are an error that names the primitive, never a wrong picture") {
   // Faces that lean less and less from edge-on, which the picture is to show as surfaces all the same.

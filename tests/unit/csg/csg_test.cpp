@@ -99,7 +99,7 @@ TEST_CASE("primitives under unions alone have nothing to be classified against")
   }
 }
 
-TEST_CASE("operands that are apart are pruned, and take with them what they would have left") {
+TEST_CASE("operands that are disjoint are pruned, and take with them what they would have left") {
   const Prepared p =
       prepare("union(){difference(){" + box(0, 2) + box(30, 2) + "}intersection(){" + box(0, 2) + box(30, 2) + "}}");
   CHECK(p.active_tree(0).operands.empty());

@@ -104,10 +104,10 @@ TEST_CASE("bytes that cannot be shown are named by number") {
 }
 
 TEST_CASE("OpenSCAD source is sent to OpenSCAD") {
-  const char* mend = ": this is OpenSCAD source, not .csg; export it first: openscad -o model.csg model.scad";
-  CHECK(error_of("a = 3; cube(a);") == std::string("m.csg:1:1") + mend);
-  CHECK(error_of("\nmodule m() { cube(1); }") == std::string("m.csg:2:1") + mend);
-  CHECK(error_of("use <a.scad>") == std::string("m.csg:1:1") + mend);
+  const char* advice = ": this is OpenSCAD source, not .csg; export it first: openscad -o model.csg model.scad";
+  CHECK(error_of("a = 3; cube(a);") == std::string("m.csg:1:1") + advice);
+  CHECK(error_of("\nmodule m() { cube(1); }") == std::string("m.csg:2:1") + advice);
+  CHECK(error_of("use <a.scad>") == std::string("m.csg:1:1") + advice);
   CHECK(error_of("translate([1, 2, 3]) { cube(1); }") ==
         "m.csg:1:1: translate() is OpenSCAD source, not .csg; export it first: openscad -o model.csg model.scad");
 }

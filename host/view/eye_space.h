@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "host/view/camera.h"
+#include "hw/isa/depth_scale.h"
+
+namespace csgsim::view {
+
+/// Maps model space to eye space, and eye space to the picture.
+struct EyeSpace {
+  Basis axes;
+  glm::dvec3 eye;
+  bool perspective;
+  double pixel;     ///< orthographic: model units a pixel; perspective: tangent a pixel
+  double middle_x;  ///< column and row that the view axis meets
+  double middle_y;
+
+  /// Right, up and forward of the eye, model units.
+  [[nodiscard]] glm::dvec3 to_eye(const glm::dvec3& point) const {
+    const glm::dvec3 d = point - eye;
+    return {glm::dot(d, axes.right), glm::dot(d, axes.up), glm::dot(d, axes.forward)};
+  }
+  [[nodiscard]] glm::dvec3 to_model(const glm::dvec3& in_eye) const {
+    return eye + axes.right * in_eye.x + axes.up * in_eye.y + axes.forward * in_eye.z;
+  }
+
+  /// Column and row in pixels, pixel centres at integers; the third coordinate stays the distance.
+  [[nodiscard]] glm::dvec3 to_picture(const glm::dvec3& in_eye) const {
+    const double unit = unit_at(in_eye.z);
+    return {middle_x + in_eye.x / unit, middle_y - in_eye.y / unit, in_eye.z};
+  }
+  [[nodiscard]] glm::dvec3 from_picture(const glm::dvec3& place) const {
+    const double unit = unit_at(place.z);
+    return {(place.x - middle_x) * unit, (middle_y - place.y) * unit, place.z};
+  }
+
+ private:
+  [[nodiscard]] double unit_at(double distance) const { return perspective ? pixel * distance : pixel; }
+};
+
+}  // namespace csgsim::view

@@ -1,0 +1,158 @@
+#include "sim/judges/analytic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "sim/judges/solid_ray.h"
+#include "sim/judges/tree_sweep.h"
+
+namespace csgsim::judges {
+
+namespace {
+
+/// Depths closer than this part of the distance are the same depth. Has to be more than planes may be apart that the
+/// host takes as one (facet::coincidence_tolerance, of the model's diagonal), a hundred times more for planes that are
+/// seen nearly edge-on: else coinciding faces have another owner here than in the faceted picture.
+constexpr long double same_part = 1e-9L;
+
+/// What moves rays off edge-on faces, pixels.
+constexpr long double nudge_right = 1e-9L;
+constexpr long double nudge_down = 1e-10L;
+
+/// Sine of the angle to the vertical below which +x is to the right.
+constexpr long double vertical = 1e-12L;
+
+class LongCamera {
+ public:
+  LongCamera(const view::Camera& camera, std::uint32_t width, std::uint32_t height)
+      : eye_(camera.eye),
+        perspective_(camera.projection == view::Projection::perspective),
+        middle_x_((static_cast<long double>(width) - 1) / 2),
+        middle_y_((static_cast<long double>(height) - 1) / 2) {
+    const LongVector view = LongVector(camera.centre) - eye_;
+    forward_ = glm::normalize(view);
+    const LongVector across(forward_.y, -forward_.x, 0);
+    right_ = glm::length(across) > vertical ? glm::normalize(across) : LongVector(1, 0, 0);
+    up_ = glm::cross(right_, forward_);
+    const long double tangent = std::tan(std::numbers::pi_v<long double> / 16);
+    pixel_ = 2 * tangent / height * (perspective_ ? 1 : glm::length(view));
+    least_unit_ = perspective_ ? 0 : glm::length(view);
+  }
+
+  /// The ray of a pixel centre; t counts model units along the axis from the eye.
+  [[nodiscard]] Line ray(std::uint32_t column, std::uint32_t row) const {
+    const long double x = (column - middle_x_ + nudge_right) * pixel_;
+    const long double y = (row - middle_y_ + nudge_down) * pixel_;
+    const LongVector aside = x * right_ - y * up_;
+    return perspective_ ? Line{eye_, forward_ + aside} : Line{eye_ + aside, forward_};
+  }
+
+  [[nodiscard]] bool perspective() const { return perspective_; }
+
+  [[nodiscard]] bool same_depth(long double a, long double b) const {
+    return std::abs(b - a) <= same_part * std::max({std::abs(a), std::abs(b), least_unit_});
+  }
+
+  /// Column and row that a point is seen at, and its distance.
+  [[nodiscard]] LongVector see(const LongVector& point) const {
+    const LongVector d = point - eye_;
+    const long double distance = glm::dot(d, forward_);
+    const long double unit = perspective_ ? pixel_ * distance : pixel_;
+    return {middle_x_ + glm::dot(d, right_) / unit, middle_y_ - glm::dot(d, up_) / unit, distance};
+  }
+
+ private:
+  LongVector eye_;
+  bool perspective_;
+  long double middle_x_;
+  long double middle_y_;
+  LongVector right_{};
+  LongVector up_{};
+  LongVector forward_{};
+  long double pixel_ = 0;  ///< orthographic: model units; perspective: tangent
+  /// An orthographic view shows what is at the eye and behind it too: the size of the picture counts there.
+  long double least_unit_ = 0;
+};
+
+/// Pixels [x0, x1) x [y0, y1) that a solid may be seen at.
+struct Window {
+  std::uint32_t x0, y0, x1, y1;
+};
+
+Window window_of(const TrueSolid& solid, const LongCamera& camera, std::uint32_t width, std::uint32_t height,
+                 long double near) {
+  long double x0 = width;
+  long double y0 = height;
+  long double x1 = 0;
+  long double y1 = 0;
+  for (const LongVector& corner : solid.corners()) {
+    const LongVector seen = camera.see(corner);
+    // What reaches before the near plane may be anywhere.
+    if (camera.perspective() && seen.z < near) return {0, 0, width, height};
+    x0 = std::min(x0, std::floor(seen.x));
+    y0 = std::min(y0, std::floor(seen.y));
+    x1 = std::max(x1, std::ceil(seen.x) + 1);
+    y1 = std::max(y1, std::ceil(seen.y) + 1);
+  }
+  const auto clamped = [](long double value, std::uint32_t top) {
+    return static_cast<std::uint32_t>(std::clamp(value, 0.0L, static_cast<long double>(top)));
+  };
+  return {clamped(x0, width), clamped(y0, height), clamped(x1, width), clamped(y1, height)};
+}
+
+struct Event {
+  long double depth;
+  std::uint32_t primitive;
+  bool enters;
+};
+
+}  // namespace
+
+Truth analytic_truth(const model::Tree& tree, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
+                     const isa::DepthScale& depth) {
+  Truth truth = empty_truth(width, height);
+  truth.plane.clear();
+  if (tree.root == model::no_index) return truth;
+  const LongCamera view(camera, width, height);
+  std::vector<TrueSolid> solids;
+  std::vector<Window> windows;
+  for (const model::Primitive& primitive : tree.primitives) {
+    solids.emplace_back(primitive);
+    windows.push_back(window_of(solids.back(), view, width, height, depth.near));
+  }
+  TreeSweep sweep(tree);
+  std::vector<std::uint32_t> in_row;
+  std::vector<Event> events;
+  for (std::uint32_t row = 0; row < height; ++row) {
+    in_row.clear();
+    for (std::uint32_t i = 0; i < solids.size(); ++i) {
+      if (windows[i].y0 <= row && row < windows[i].y1) in_row.push_back(i);
+    }
+    for (std::uint32_t column = 0; column < width; ++column) {
+      const Line ray = view.ray(column, row);
+      events.clear();
+      for (const std::uint32_t i : in_row) {
+        if (column < windows[i].x0 || column >= windows[i].x1) continue;
+        Interval in = solids[i].on(ray);
+        if (view.perspective()) in.low = std::max(in.low, static_cast<long double>(depth.near));
+        if (in.empty()) continue;
+        events.push_back({in.low, i, true});
+        events.push_back({in.high, i, false});
+      }
+      std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.depth < b.depth; });
+      const Event* seen = first_seen(sweep, std::span<const Event>(events),
+                                     [&](const Event& a, const Event& b) { return view.same_depth(a.depth, b.depth); });
+      if (seen == nullptr) continue;
+      const std::size_t pixel = static_cast<std::size_t>(row) * width + column;
+      truth.distance[pixel] = static_cast<double>(seen->depth);
+      truth.owner[pixel] = seen->primitive;
+    }
+  }
+  return truth;
+}
+
+}  // namespace csgsim::judges

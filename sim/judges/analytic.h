@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host/model/tree.h"
+#include "host/view/camera.h"
+#include "hw/isa/program.h"
+#include "sim/judges/truth.h"
+
+namespace csgsim::judges {
+
+/// The picture of the model's true spheres, cylinders and cones (and boxes and polyhedra) under their transforms, by
+/// the rules of exact_truth: what faceting costs is the difference from it. It has no planes.
+///
+/// Worked out in long double, about the point of a ray that is nearest to the primitive's origin: depths are right to
+/// some 1e-15 of the distance, and to 1e-8 of a curved solid's size where its outline is grazed. Depths closer than
+/// 1e-9 of the distance (in an orthographic view of |centre - eye|, if that is more) are taken as equal. Rays are moved
+/// right by 1e-9 pixels and down by 1e-10, which decides what is seen edge-on as the tie rule does. `depth` is used for
+/// its near plane only.
+Truth analytic_truth(const model::Tree& tree, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
+                     const isa::DepthScale& depth);
+
+}  // namespace csgsim::judges

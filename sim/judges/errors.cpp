@@ -1,0 +1,108 @@
+#include "sim/judges/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "hw/isa/depth_scale.h"
+#include "sim/judges/explain.h"
+#include "sim/judges/truth.h"
+
+namespace csgsim::judges {
+
+namespace {
+
+DepthError summarise(std::vector<double> errors) {
+  if (errors.empty()) return {};
+  const std::size_t rank = (errors.size() * 999 + 999) / 1000 - 1;
+  const auto at = errors.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(errors.begin(), at, errors.end());
+  return {*std::max_element(at, errors.end()), *at};
+}
+
+/// What rounding may make of the depth of the plane that is seen in truth.
+using Allowed = std::function<Steps(std::uint32_t plane, PixelPlace place)>;
+using MayShow = std::function<bool(PixelPlace place, std::uint32_t owner, std::uint32_t depth)>;
+
+Errors measure(const Truth& truth, const sim::Frame& frame, const isa::Program& program, const Allowed& allowed,
+               const MayShow& may_show) {
+  if (frame.width != truth.width || frame.height != truth.height) {
+    throw std::invalid_argument("the picture and the truth have different sizes");
+  }
+  const unsigned bits = program.facts.compile.z_bits;
+  const std::uint32_t farthest = static_cast<std::uint32_t>((1ULL << bits) - 1);
+  Errors errors;
+  errors.pixels = truth.owner.size();
+  std::vector<double> model_units;
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < truth.owner.size(); ++i) {
+    const PixelPlace place{static_cast<std::uint32_t>(i % truth.width), static_cast<std::uint32_t>(i / truth.width)};
+    const std::uint32_t expected = truth.owner[i];
+    const std::uint32_t depth = frame.depth[i];
+    const std::uint32_t owner = depth == farthest ? nothing : frame.owner[i];
+    if (expected != nothing) ++errors.covered;
+    bool wrong = true;
+    if ((expected == nothing) != (owner == nothing)) {
+      ++errors.silhouette;
+    } else if (expected != owner) {
+      ++errors.owner;
+    } else {
+      wrong = false;
+    }
+    if (!wrong && expected != nothing) {
+      model_units.push_back(std::abs(isa::distance_of(program.facts.depth_scale, bits, depth) - truth.distance[i]));
+      steps.push_back(std::abs(isa::depth_of(program.facts.depth_scale, bits, truth.distance[i]) - depth));
+      if (allowed) {
+        const Steps may = allowed(truth.plane[i], place);
+        wrong = depth < std::max<std::int64_t>(may.low, 0) || depth > std::max<std::int64_t>(may.high, 0);
+        if (wrong) ++errors.depth;
+      }
+    }
+    if (!wrong || !may_show) continue;
+    if (may_show(place, owner, depth)) {
+      ++errors.explained;
+    } else {
+      ++errors.unexplained;
+      if (!errors.first_unexplained) errors.first_unexplained = place;
+    }
+  }
+  errors.model_units = summarise(std::move(model_units));
+  errors.steps = summarise(std::move(steps));
+  return errors;
+}
+
+}  // namespace
+
+Errors compare(const Truth& truth, const sim::Frame& frame, const isa::Program& program) {
+  return measure(truth, frame, program, {}, {});
+}
+
+Errors judge(const Truth& truth, const sim::Frame& frame, const isa::Program& program, const Explainer& explainer) {
+  return measure(
+      truth, frame, program,
+      [&](std::uint32_t plane, PixelPlace at) {
+        return explainer.steps(plane, place_of(at.column, at.row, truth.width, truth.height));
+      },
+      [&](PixelPlace at, std::uint32_t owner, std::uint32_t depth) {
+        return explainer.may_show(at.column, at.row, owner, depth);
+      });
+}
+
+std::string to_text(const Errors& errors) {
+  std::string text = fmt::format(
+      "{} of {} pixels wrong ({} silhouette, {} owner, {} depth; {} explained, {} not); depth off by {:.3g} at most, "
+      "{:.3g} at 99.9 %, in steps {:.4g} and {:.4g}",
+      errors.wrong(), errors.pixels, errors.silhouette, errors.owner, errors.depth, errors.explained,
+      errors.unexplained, errors.model_units.max, errors.model_units.p999, errors.steps.max, errors.steps.p999);
+  if (errors.first_unexplained) {
+    text += fmt::format("; not explained at column {}, row {}", errors.first_unexplained->column,
+                        errors.first_unexplained->row);
+  }
+  return text;
+}
+
+}  // namespace csgsim::judges

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "sim/judges/sight.h"
+#include "sim/judges/tiles.h"
+#include "sim/judges/tree_sweep.h"
+#include "sim/judges/truth.h"
+
+namespace csgsim::judges {
+
+namespace {
+
+/// Pixels a side below which tiles are drawn pixel by pixel.
+constexpr std::uint32_t small_tile = 8;
+
+/// A place along a ray where it enters or leaves a primitive.
+struct Event {
+  std::uint32_t plane;
+  std::uint32_t primitive;
+  bool enters;
+};
+
+/// The farthest (sign 1) or nearest (sign -1) of the planes on a ray, exact.
+std::uint32_t extreme(const Sight& sight, std::span<const facet::Halfspace> planes, Place place, int sign) {
+  std::uint32_t best = planes.front().plane;
+  for (const facet::Halfspace& other : planes.subspan(1)) {
+    if (sight.compare(other.plane, best, place) * sign > 0) best = other.plane;
+  }
+  return best;
+}
+
+class Painter {
+ public:
+  Painter(const model::Tree& tree, const Sight& sight, Truth& truth) : sight_(sight), truth_(truth), sweep_(tree) {}
+
+  /// Quarters the tile until it is small, narrowing on the way.
+  void paint(const Pieces& pieces, const Tile& tile) {
+    if (pieces.pieces.empty()) return;
+    if (std::max(tile.width(), tile.height()) <= small_tile) {
+      for (std::uint32_t y = tile.y0; y < tile.y1; ++y) {
+        for (std::uint32_t x = tile.x0; x < tile.x1; ++x) paint_pixel(pieces, x, y);
+      }
+      return;
+    }
+    const std::uint32_t half = std::max(tile.width(), tile.height()) / 2;
+    for (std::uint32_t y = tile.y0; y < tile.y1; y += half) {
+      for (std::uint32_t x = tile.x0; x < tile.x1; x += half) {
+        const Tile part{x, y, std::min(x + half, tile.x1), std::min(y + half, tile.y1)};
+        paint(narrow(pieces, sight_, part, truth_.width, truth_.height), part);
+      }
+    }
+  }
+
+ private:
+  void paint_pixel(const Pieces& pieces, std::uint32_t x, std::uint32_t y) {
+    const Place place = place_of(x, y, truth_.width, truth_.height);
+    events_.clear();
+    for (const Piece& piece : pieces.pieces) add_events(pieces, piece, place);
+    if (events_.empty()) return;
+    std::sort(events_.begin(), events_.end(),
+              [&](const Event& a, const Event& b) { return sight_.compare(a.plane, b.plane, place) < 0; });
+    const Event* seen = first_seen(sweep_, std::span<const Event>(events_), [&](const Event& a, const Event& b) {
+      return sight_.compare(a.plane, b.plane, place) == 0;
+    });
+    if (seen == nullptr) return;
+    const std::size_t pixel = static_cast<std::size_t>(y) * truth_.width + x;
+    truth_.distance[pixel] = sight_.distance(seen->plane, place);
+    truth_.owner[pixel] = seen->primitive;
+    truth_.plane[pixel] = seen->plane;
+  }
+
+  void add_events(const Pieces& pieces, const Piece& piece, Place place) {
+    for (const facet::Halfspace& edge : pieces.of(piece.edges)) {
+      if (sight_.edge_holds(edge.plane, place) != edge.positive) return;
+    }
+    const std::uint32_t front = extreme(sight_, pieces.of(piece.fronts), place, 1);
+    const std::uint32_t back = extreme(sight_, pieces.of(piece.backs), place, -1);
+    if (sight_.compare(front, back, place) >= 0) return;
+    events_.push_back({front, piece.primitive, true});
+    events_.push_back({back, piece.primitive, false});
+  }
+
+  const Sight& sight_;
+  Truth& truth_;
+  TreeSweep sweep_;
+  std::vector<Event> events_;
+};
+
+}  // namespace
+
+Truth exact_truth(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera, std::uint32_t width,
+                  std::uint32_t height, const isa::DepthScale& depth) {
+  Truth truth = empty_truth(width, height);
+  if (tree.root == model::no_index) return truth;
+  const Sight sight(scene.planes, camera, width, height, depth);
+  Painter(tree, sight, truth).paint(all_pieces(scene, sight), {0, 0, width, height});
+  return truth;
+}
+
+}  // namespace csgsim::judges

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/facet/scene.h"
+#include "host/model/tree.h"
+#include "host/view/camera.h"
+#include "hw/isa/program.h"
+#include "sim/judges/possible.h"
+#include "sim/judges/sight.h"
+
+namespace csgsim::judges {
+
+/// Says what a machine may draw at a pixel if every plane is off by no more than the design states (docs/numbers.md),
+/// dx columns and dy rows from the middle of the picture, with f fraction bits and n bits of depth:
+///
+/// - A plane is F = floor(z + e), |e| <= (1 + dx + dy) 2^-(f+1) steps, plus what doubles do to z on the way, 2^-49 of
+/// the
+///   sum of its terms times SightPlane::condition. Half-spaces on the same plane have the same F.
+/// - A plane steeper than 2^n steps in `edge_on_fraction` of a pixel holds or does not hold the whole ray, by the true
+///   side of it if all depths from near to far are on that side, more than (1 + dx + dy) 2^-(f+9) pixels from the
+///   plane; else either, but the same for all half-spaces on the plane.
+///
+/// A picture is explained at a pixel if some such planes make it. That is decided by three-valued logic, which may
+/// allow a little too much where several planes are uncertain together, never too little.
+class Explainer {
+ public:
+  /// Keeps references to the tree and the scene. The Program tells size, depth scale and accuracy.
+  Explainer(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
+            const isa::Program& program);
+
+  /// Whether the machine may show that primitive (or `nothing`) at that depth step at the pixel.
+  [[nodiscard]] bool may_show(std::uint32_t column, std::uint32_t row, std::uint32_t owner, std::uint32_t depth) const;
+
+  /// Depth steps that the canonical plane may have there.
+  [[nodiscard]] Steps steps(std::uint32_t plane, Place place) const;
+
+ private:
+  struct Nature;
+  [[nodiscard]] Nature nature(std::uint32_t plane, Place place) const;
+  [[nodiscard]] double rounding(Place place) const;
+  [[nodiscard]] Ray make_ray(Place place) const;
+
+  const model::Tree& tree_;
+  const facet::Scene& scene_;
+  std::uint32_t width_;
+  std::uint32_t height_;
+  Sight sight_;
+  std::uint32_t z_bits_;
+  double ulp_;        ///< half a unit of a coefficient of a surface, depth steps
+  double z_at_zero_;  ///< depth step of q = 0 (Sight)
+  double z_per_q_;
+  double q_middle_;  ///< q where half the depth range is passed
+  double q_half_range_;
+  double steepest_;  ///< depth steps a pixel
+};
+
+}  // namespace csgsim::judges

@@ -1,0 +1,198 @@
+#include "sim/judges/possible.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "sim/judges/truth.h"
+
+namespace csgsim::judges {
+
+namespace {
+
+/// Undecided edges of which both sides are tried; more are left unknown.
+constexpr std::size_t max_tried_edges = 6;
+
+Maybe least(Maybe a, Maybe b) { return std::min(a, b); }
+
+/// The depth of a surface: the greatest (or least) of the planes named, which are all that can be it.
+struct Surface {
+  bool greatest = true;
+  std::vector<std::uint32_t> planes;  ///< sorted
+  Steps steps;
+
+  [[nodiscard]] bool has(std::uint32_t plane) const { return std::binary_search(planes.begin(), planes.end(), plane); }
+  [[nodiscard]] bool is(std::uint32_t plane) const { return planes.size() == 1 && planes.front() == plane; }
+  [[nodiscard]] bool same_as(const Surface& other) const {
+    return planes == other.planes && (greatest == other.greatest || planes.size() == 1);
+  }
+};
+
+Surface make_surface(std::span<const Met> planes, bool greatest) {
+  Surface surface{greatest, {}, planes.front().steps};
+  for (const Met& met : planes) {
+    surface.steps.low =
+        greatest ? std::max(surface.steps.low, met.steps.low) : std::min(surface.steps.low, met.steps.low);
+    surface.steps.high =
+        greatest ? std::max(surface.steps.high, met.steps.high) : std::min(surface.steps.high, met.steps.high);
+  }
+  for (const Met& met : planes) {
+    const bool can_be = greatest ? met.steps.high >= surface.steps.low : met.steps.low <= surface.steps.high;
+    if (can_be) surface.planes.push_back(met.plane);
+  }
+  std::sort(surface.planes.begin(), surface.planes.end());
+  return surface;
+}
+
+/// Whether the plane is at the surface's depth or nearer.
+Maybe not_behind(const Met& met, const Surface& surface) {
+  if (surface.is(met.plane) || (surface.greatest && surface.has(met.plane))) return Maybe::yes;
+  if (met.steps.high <= surface.steps.low) return Maybe::yes;
+  return met.steps.low > surface.steps.high ? Maybe::no : Maybe::unknown;
+}
+
+/// One choice of sides for the undecided edges of a ray.
+class Branch {
+ public:
+  Branch(const model::Tree& tree, const Ray& ray, std::uint32_t sides)
+      : tree_(tree), ray_(ray), sides_(sides), of_primitive_(tree.primitives.size(), nullptr) {
+    for (const Chance& chance : ray.chances) of_primitive_[chance.primitive] = &chance;
+    mark_taken_away();
+  }
+
+  [[nodiscard]] bool can_show(std::uint32_t owner, std::int64_t depth) const {
+    if (owner == nothing) {
+      return std::none_of(ray_.chances.begin(), ray_.chances.end(),
+                          [&](const Chance& one) { return state(one, surface_of(one)) == Maybe::yes; });
+    }
+    if (owner >= of_primitive_.size() || of_primitive_[owner] == nullptr) return false;
+    const Chance& shown = *of_primitive_[owner];
+    if (shown.doubtful) return true;
+    Surface surface = surface_of(shown);
+    if (depth < surface.steps.low || depth > surface.steps.high) return false;
+    surface.steps = {depth, depth};
+    if (state(shown, surface) == Maybe::no) return false;
+    return std::none_of(ray_.chances.begin(), ray_.chances.end(),
+                        [&](const Chance& other) { return surely_before(other, owner, surface); });
+  }
+
+ private:
+  /// Whether the other primitive's surface surely hides the one that is shown at that depth.
+  [[nodiscard]] bool surely_before(const Chance& other, std::uint32_t owner, const Surface& surface) const {
+    if (other.primitive == owner || other.doubtful) return false;
+    const Surface hiding = surface_of(other);
+    const bool first = other.primitive < owner;
+    const bool nearer = hiding.steps.high < surface.steps.low ||
+                        (first && (hiding.steps.high <= surface.steps.low || hiding.same_as(surface)));
+    return nearer && state(other, hiding) == Maybe::yes;
+  }
+
+  [[nodiscard]] Surface surface_of(const Chance& chance) const {
+    const bool back = taken_away_[chance.primitive];
+    return make_surface(back ? chance.backs : chance.fronts, !back);
+  }
+
+  /// Whether the primitive's visible surface is there and no operator takes it away.
+  [[nodiscard]] Maybe state(const Chance& chance, const Surface& surface) const {
+    const Maybe there = least(on_ray(chance), not_empty(chance));
+    return there == Maybe::no ? there : least(there, shows(chance.primitive, surface));
+  }
+
+  [[nodiscard]] Maybe on_ray(const Chance& chance) const {
+    Maybe result = chance.doubtful ? Maybe::unknown : Maybe::yes;
+    for (const EdgeUse& edge : chance.edges) {
+      const auto at = std::find(ray_.undecided_edges.begin(), ray_.undecided_edges.end(), edge.plane);
+      const auto bit = static_cast<std::size_t>(at - ray_.undecided_edges.begin());
+      if (bit >= max_tried_edges) {
+        result = least(result, Maybe::unknown);
+      } else if ((((sides_ >> bit) & 1U) != 0) != edge.positive) {
+        return Maybe::no;
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] static Maybe not_empty(const Chance& chance) {
+    const Surface front = make_surface(chance.fronts, true);
+    Maybe result = Maybe::yes;
+    for (const Met& back : chance.backs) result = least(result, opposite(not_behind(back, front)));
+    return result;
+  }
+
+  [[nodiscard]] Maybe holds(const Chance& chance, const Surface& surface) const {
+    Maybe result = on_ray(chance);
+    for (const Met& front : chance.fronts) result = least(result, not_behind(front, surface));
+    for (const Met& back : chance.backs) result = least(result, opposite(not_behind(back, surface)));
+    return result;
+  }
+
+  /// Whether all operators above the primitive are in (out, where they are taken away) at the surface.
+  [[nodiscard]] Maybe shows(std::uint32_t primitive, const Surface& surface) const {
+    values_.assign(tree_.nodes.size(), Maybe::no);
+    std::uint32_t on_path = model::no_index;
+    Maybe result = Maybe::yes;
+    for (std::uint32_t i = 0; i < tree_.nodes.size(); ++i) {
+      const model::Node& node = tree_.nodes[i];
+      bool through = false;
+      if (node.is_leaf) {
+        through = node.primitive == primitive;
+        const Chance* chance = of_primitive_[node.primitive];
+        if (chance != nullptr) values_[i] = holds(*chance, surface);
+        // At its own front a solid is in, at its back out, if there is any of it.
+        if (through) values_[i] = taken_away_[primitive] ? Maybe::no : Maybe::yes;
+      } else {
+        values_[i] = combine(node);
+        through = std::find(node.children.begin(), node.children.end(), on_path) != node.children.end();
+      }
+      if (!through) continue;
+      on_path = i;
+      result = least(result, node_taken_away_[i] ? opposite(values_[i]) : values_[i]);
+    }
+    return result;
+  }
+
+  [[nodiscard]] Maybe combine(const model::Node& node) const {
+    Maybe result = values_[node.children.front()];
+    for (std::size_t c = 1; c < node.children.size(); ++c) {
+      const Maybe other = values_[node.children[c]];
+      switch (node.op) {
+        case model::Operator::unite: result = std::max(result, other); break;
+        case model::Operator::intersect: result = least(result, other); break;
+        case model::Operator::subtract: result = least(result, opposite(other)); break;
+      }
+    }
+    return result;
+  }
+
+  void mark_taken_away() {
+    node_taken_away_.assign(tree_.nodes.size(), false);
+    taken_away_.assign(tree_.primitives.size(), false);
+    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
+      const model::Node& node = tree_.nodes[i];
+      if (node.is_leaf) taken_away_[node.primitive] = node_taken_away_[i];
+      for (std::size_t c = 0; c < node.children.size(); ++c) {
+        node_taken_away_[node.children[c]] = node_taken_away_[i] != (node.op == model::Operator::subtract && c > 0);
+      }
+    }
+  }
+
+  const model::Tree& tree_;
+  const Ray& ray_;
+  std::uint32_t sides_;
+  std::vector<const Chance*> of_primitive_;
+  std::vector<bool> node_taken_away_;
+  std::vector<bool> taken_away_;
+  mutable std::vector<Maybe> values_;
+};
+
+}  // namespace
+
+bool can_show(const model::Tree& tree, const Ray& ray, std::uint32_t owner, std::int64_t depth) {
+  const std::size_t tried = std::min(ray.undecided_edges.size(), max_tried_edges);
+  for (std::uint32_t sides = 0; sides < (1U << tried); ++sides) {
+    if (Branch(tree, ray, sides).can_show(owner, depth)) return true;
+  }
+  return false;
+}
+
+}  // namespace csgsim::judges

@@ -1,0 +1,128 @@
+#include "sim/judges/tiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace csgsim::judges {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A rectangle of places: its middle and half its sides.
+struct Middle {
+  double x;
+  double y;
+  double half_width;
+  double half_height;
+};
+
+struct Range {
+  double low;
+  double high;
+};
+
+Middle middle_of(const Tile& tile, std::uint32_t width, std::uint32_t height) {
+  const Place first = place_of(tile.x0, tile.y0, width, height);
+  const Place last = place_of(tile.x1 - 1, tile.y1 - 1, width, height);
+  return {(first.x + last.x) / 2.0, (first.y + last.y) / 2.0, (last.x - first.x) / 2.0, (last.y - first.y) / 2.0};
+}
+
+/// Bounds of a plane's depth, or of an edge's value, over the tile.
+Range range_over(const SightPlane& plane, const Middle& tile) {
+  const double value = plane.c + plane.a * tile.x + plane.b * tile.y;
+  const double reach = std::abs(plane.a) * tile.half_width + std::abs(plane.b) * tile.half_height + 2.0 * plane.error;
+  return {value - reach, value + reach};
+}
+
+enum class Held : std::uint8_t { all, none, part };
+
+Held held(facet::Halfspace edge, const Sight& sight, const Middle& tile) {
+  const Range range = range_over(sight.plane(edge.plane), tile);
+  if (range.high < 0.0) return edge.positive ? Held::all : Held::none;
+  if (range.low > 0.0) return edge.positive ? Held::none : Held::all;
+  return Held::part;
+}
+
+/// Narrows one primitive after the other.
+class Narrowing {
+ public:
+  Narrowing(const Pieces& from, const Sight& sight, const Middle& tile) : from_(from), sight_(sight), tile_(tile) {}
+
+  Pieces run() {
+    for (const Piece& piece : from_.pieces) {
+      const auto mark = static_cast<std::ptrdiff_t>(into_.halfspaces.size());
+      if (!add(piece)) into_.halfspaces.erase(into_.halfspaces.begin() + mark, into_.halfspaces.end());
+    }
+    return std::move(into_);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(into_.halfspaces.size()); }
+
+  /// False if the primitive is nowhere in the tile.
+  bool add(const Piece& piece) {
+    Piece kept{piece.primitive, {size(), 0}, {}, {}};
+    for (const facet::Halfspace& edge : from_.of(piece.edges)) {
+      const Held part = held(edge, sight_, tile_);
+      if (part == Held::none) return false;
+      if (part == Held::part) into_.halfspaces.push_back(edge);
+    }
+    kept.edges.end = kept.fronts.begin = size();
+    double front = -infinity;
+    for (const facet::Halfspace& plane : from_.of(piece.fronts)) front = std::max(front, range(plane).low);
+    double back = infinity;
+    for (const facet::Halfspace& plane : from_.of(piece.backs)) back = std::min(back, range(plane).high);
+    if (front > back) return false;
+    for (const facet::Halfspace& plane : from_.of(piece.fronts)) {
+      if (range(plane).high >= front) into_.halfspaces.push_back(plane);
+    }
+    kept.fronts.end = kept.backs.begin = size();
+    for (const facet::Halfspace& plane : from_.of(piece.backs)) {
+      if (range(plane).low <= back) into_.halfspaces.push_back(plane);
+    }
+    kept.backs.end = size();
+    into_.pieces.push_back(kept);
+    return true;
+  }
+
+  [[nodiscard]] Range range(facet::Halfspace plane) const { return range_over(sight_.plane(plane.plane), tile_); }
+
+  const Pieces& from_;
+  const Sight& sight_;
+  const Middle& tile_;
+  Pieces into_;
+};
+
+}  // namespace
+
+Pieces all_pieces(const facet::Scene& scene, const Sight& sight) {
+  Pieces all;
+  const auto size = [&] { return static_cast<std::uint32_t>(all.halfspaces.size()); };
+  const auto add = [&](const facet::Convex& solid, Role role) {
+    const std::uint32_t begin = size();
+    for (const facet::Halfspace& halfspace : solid.halfspaces) {
+      Role is = sight.plane(halfspace.plane).role;
+      if (is != Role::edge && !halfspace.positive) is = is == Role::front ? Role::back : Role::front;
+      if (is == role) all.halfspaces.push_back(halfspace);
+    }
+    if (role == Role::front && sight.perspective()) all.halfspaces.push_back({sight.near_plane(), true});
+    return Run{begin, size()};
+  };
+  for (std::uint32_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
+    const facet::Convex& solid = scene.solids[primitive];
+    const Run edges = add(solid, Role::edge);
+    const Run fronts = add(solid, Role::front);
+    const Run backs = add(solid, Role::back);
+    // A bounded solid is bounded along every ray.
+    if (fronts.begin < fronts.end && backs.begin < backs.end) all.pieces.push_back({primitive, edges, fronts, backs});
+  }
+  return all;
+}
+
+Pieces narrow(const Pieces& from, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height) {
+  return Narrowing(from, sight, middle_of(tile, width, height)).run();
+}
+
+}  // namespace csgsim::judges

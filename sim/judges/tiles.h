@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/facet/scene.h"
+#include "sim/judges/sight.h"
+
+namespace csgsim::judges {
+
+/// Pixels [x0, x1) x [y0, y1).
+struct Tile {
+  std::uint32_t x0 = 0;
+  std::uint32_t y0 = 0;
+  std::uint32_t x1 = 0;
+  std::uint32_t y1 = 0;
+
+  [[nodiscard]] std::uint32_t width() const { return x1 - x0; }
+  [[nodiscard]] std::uint32_t height() const { return y1 - y0; }
+};
+
+/// Consecutive half-spaces of a list.
+struct Run {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+/// The half-spaces of a primitive that can matter somewhere in a tile.
+struct Piece {
+  std::uint32_t primitive = 0;
+  Run edges;
+  Run fronts;
+  Run backs;
+};
+
+/// The primitives that can matter somewhere in a tile, in tree order.
+struct Pieces {
+  std::vector<Piece> pieces;
+  std::vector<facet::Halfspace> halfspaces;
+
+  [[nodiscard]] std::span<const facet::Halfspace> of(Run run) const {
+    return std::span(halfspaces).subspan(run.begin, run.end - run.begin);
+  }
+};
+
+/// All half-spaces of all primitives, and the near plane as a front of each in perspective.
+Pieces all_pieces(const facet::Scene& scene, const Sight& sight);
+
+/// Leaves out half-spaces that hold the tile or lie behind (before) another front (back) all over it, and primitives
+/// that are nowhere in it, with the bounds of the filter: never one that matters.
+Pieces narrow(const Pieces& from, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height);
+
+}  // namespace csgsim::judges

@@ -1,0 +1,189 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "tests/numerics/solids.h"
+#include "tests/unit/judges/scenery.h"
+
+using namespace csgsim;
+using namespace csgsim::testing;
+using view::Projection;
+
+namespace {
+
+constexpr Size size{40, 30};
+const double to_origin = straight_distance(size.height);
+constexpr double none = std::numeric_limits<double>::infinity();
+
+/// The surface of a solid about the origin, seen along +y: the distance from the eye, or `none`, along the ray that is
+/// x to the right and z above the axis, in pixels: model units, or model units at the origin.
+using Surface = std::function<double(double x, double z)>;
+
+/// The nearer root of a t^2 - 2 b t + c = 0.
+double nearer(double a, double b, double c) {
+  const double discriminant = b * b - a * c;
+  return discriminant < 0 ? none : (b - std::sqrt(discriminant)) / a;
+}
+
+double square(double x) { return x * x; }
+
+/// Turned, with the camera, about x and then about z: the picture stays.
+struct Turn {
+  double about_x = 0;
+  double about_z = 0;
+};
+
+view::Camera turned(const view::Camera& camera, Turn turn) {
+  constexpr double radians = std::numbers::pi / 180.0;
+  const double x = turn.about_x * radians;
+  const double z = turn.about_z * radians;
+  const double away = camera.eye.y;
+  return {{-away * std::cos(x) * std::sin(z), away * std::cos(x) * std::cos(z), away * std::sin(x)},
+          {0, 0, 0},
+          camera.projection};
+}
+
+Turn any_turn() { return {*rc::gen::inRange(-890, 890) / 10.0, *rc::gen::inRange(-1800, 1800) / 10.0}; }
+
+/// Whether the surface is not about to begin or end at that place.
+bool is_clear(const Surface& surface, double x, double z) {
+  constexpr double little = 1e-6;
+  const bool seen = surface(x, z) < none;
+  for (const double dx : {-little, little}) {
+    for (const double dz : {-little, little}) {
+      if ((surface(x + dx, z + dz) < none) != seen) return false;
+    }
+  }
+  return true;
+}
+
+/// Pixels at which the solid is not seen as the formula says.
+std::size_t wrong(const std::string& csg, Projection projection, Turn turn, const Surface& surface) {
+  const std::string placed_csg = placed(rotation(turn.about_x, turn.about_z), csg);
+  const judges::Truth truth = analytic(make_scenery(placed_csg, turned(straight(size.height, projection), turn), size));
+  std::size_t count = 0;
+  std::size_t covered = 0;
+  for (std::uint32_t i = 0; i < truth.owner.size(); ++i) {
+    const double x = i % size.width - (size.width - 1) / 2.0;
+    const double z = (size.height - 1) / 2.0 - i / size.width;
+    if (!is_clear(surface, x, z)) continue;
+    const double expected = surface(x, z);
+    const bool seen = truth.owner[i] != judges::nothing;
+    if (seen) ++covered;
+    // An infinite distance equals itself only.
+    const bool right = seen ? std::abs(truth.distance[i] - expected) <= 1e-9 * to_origin : expected == none;
+    if (!right) ++count;
+  }
+  return covered > 50 ? count : truth.owner.size();
+}
+
+void check(const std::string& csg, Projection projection, const Surface& surface) {
+  CHECK(wrong(csg, projection, {}, surface) == 0);
+  CHECK(rc::check([&] { RC_ASSERT(wrong(csg, projection, any_turn(), surface) == 0U); }));
+}
+
+std::string scaled(const glm::dvec3& by, const std::string& part) { return placed(scaling(by), part); }
+
+}  // namespace
+
+TEST_CASE("a sphere is at the distance that Pythagoras says") {
+  const std::string sphere = ball({0, 0, 0}, 12.25, 5);
+  check(sphere, Projection::orthographic, [](double x, double z) {
+    const double depth = square(12.25) - x * x - z * z;
+    return depth < 0 ? none : to_origin - std::sqrt(depth);
+  });
+  check(sphere, Projection::perspective, [](double x, double z) {
+    return nearer(1 + square(x / to_origin) + square(z / to_origin), to_origin, square(to_origin) - square(12.25));
+  });
+}
+
+TEST_CASE("a sphere under a scale is the ellipsoid") {
+  const std::string ellipsoid = scaled({14, 3, 8}, ball({0, 0, 0}, 1, 5));
+  check(ellipsoid, Projection::orthographic, [](double x, double z) {
+    const double depth = 1 - square(x / 14) - square(z / 8);
+    return depth < 0 ? none : to_origin - 3 * std::sqrt(depth);
+  });
+  check(ellipsoid, Projection::perspective, [](double x, double z) {
+    return nearer(square(x / to_origin / 14) + square(z / to_origin / 8) + 1.0 / 9, to_origin / 9,
+                  square(to_origin / 3) - 1);
+  });
+}
+
+TEST_CASE("a cylinder from the side is as deep as its circle, between its ends") {
+  check(cylinder({0, 0, -7.25}, 14.5, 6.25, 6.25, 3), Projection::orthographic, [](double x, double z) {
+    return std::abs(z) > 7.25 || std::abs(x) > 6.25 ? none : to_origin - std::sqrt(square(6.25) - x * x);
+  });
+  // So high that its ends are out of the picture.
+  check(cylinder({0, 0, -40}, 80, 6.25, 6.25, 3), Projection::perspective, [](double x, double) {
+    return nearer(1 + square(x / to_origin), to_origin, square(to_origin) - square(6.25));
+  });
+}
+
+TEST_CASE("a cylinder from its end is a flat ellipse under a scale") {
+  const std::string lying = placed(rotation(90, 0), scaled({2, 1, 3}, cylinder({0, 0, -1}, 2, 6.25, 6.25, 3)));
+  check(lying, Projection::orthographic,
+        [](double x, double z) { return square(x / 2) + z * z > square(6.25) ? none : to_origin - 3; });
+  // In perspective its side is hidden by its front.
+  check(lying, Projection::perspective, [](double x, double z) {
+    const double nearness = (to_origin - 3) / to_origin;
+    return square(x * nearness / 2) + square(z * nearness) > square(6.25) ? none : to_origin - 3;
+  });
+}
+
+TEST_CASE("a cone from above slopes evenly, and an end of a frustum is flat") {
+  // The tip is towards the eye: the axis is along -y.
+  const auto towards = [](const std::string& upright) { return placed(rotation(90, 0), upright); };
+  check(towards(cylinder({0, 0, 0}, 9, 12.25, 0, 3)), Projection::orthographic, [](double x, double z) {
+    const double aside = std::hypot(x, z);
+    return aside > 12.25 ? none : to_origin - 9 * (1 - aside / 12.25);
+  });
+  check(towards(cylinder({0, 0, 0}, 9, 12.25, 4.25, 3)), Projection::orthographic, [](double x, double z) {
+    const double aside = std::max(std::hypot(x, z), 4.25);
+    return aside > 12.25 ? none : to_origin - 9 * (12.25 - aside) / 8;
+  });
+  // At the distance t the ray is slope t off the axis, where the cone is 9 slope t / 12.25 behind its tip.
+  check(towards(cylinder({0, 0, 0}, 9, 12.25, 0, 3)), Projection::perspective, [](double x, double z) {
+    const double slope = std::hypot(x, z) / to_origin;
+    const double t = (to_origin - 9) / (1 - slope * 9 / 12.25);
+    return t > to_origin ? none : t;
+  });
+}
+
+TEST_CASE("a cone from the side is a hyperbola's depth at every height, and ends at its tip") {
+  for (const bool tip_up : {true, false}) {
+    const std::string cone = tip_up ? cylinder({0, 0, -9.25}, 18.5, 8, 0, 3) : cylinder({0, 0, -9.25}, 18.5, 0, 8, 3);
+    check(cone, Projection::orthographic, [&](double x, double z) {
+      const double radius = 8 * (9.25 + (tip_up ? -z : z)) / 18.5;
+      const bool in = std::abs(z) < 9.25 && std::abs(x) <= radius;
+      return in ? to_origin - std::sqrt(square(radius) - x * x) : none;
+    });
+  }
+}
+
+TEST_CASE("a ray that is steeper than a cone meets one of its two halves only") {
+  // Seen from its foot: the flat end hides what is mirrored beyond the tip.
+  const std::string away = placed(rotation(-90, 0), cylinder({0, 0, 0}, 9, 12.25, 0, 3));
+  check(away, Projection::orthographic, [](double x, double z) { return std::hypot(x, z) > 12.25 ? none : to_origin; });
+  // Its inside is seen where it is taken from something that ends at its foot.
+  const std::string dent = subtract({placed(rotation(90, 0), cylinder({0, 0, -20}, 20, 14.25, 14.25, 3)), away});
+  check(dent, Projection::orthographic, [](double x, double z) {
+    const double aside = std::hypot(x, z);
+    if (aside > 14.25) return none;
+    return aside > 12.25 ? to_origin : to_origin + 9 * (1 - aside / 12.25);
+  });
+}
+
+TEST_CASE("facets make no difference to the true picture") {
+  const view::Camera camera = straight(size.height, Projection::perspective);
+  const judges::Truth few = analytic(make_scenery(ball({1, 2, 3}, 8, 3), camera, size));
+  const judges::Truth many = analytic(make_scenery(ball({1, 2, 3}, 8, 50), camera, size));
+  CHECK(few.distance == many.distance);
+  CHECK(few.plane.empty());
+}

@@ -1,0 +1,143 @@
+#include "sim/judges/dyadic.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace csgsim::judges;
+
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+/// Any finite double: zeros, integers, subnormals, and all exponents alike.
+double any_double() {
+  switch (*rc::gen::inRange(0, 5)) {
+    case 0:
+      return *rc::gen::element(0.0, -0.0, 1.0, -1.0, 0.5, std::numeric_limits<double>::max(),
+                               std::numeric_limits<double>::min(), std::numeric_limits<double>::denorm_min(),
+                               -std::numeric_limits<double>::denorm_min());
+    case 1: return *rc::gen::inRange(-50, 50);
+    case 2:
+      return std::ldexp(static_cast<double>(*rc::gen::inRange(-1'000'000, 1'000'000)), *rc::gen::inRange(-30, 10));
+    default: {
+      constexpr std::int64_t limit = std::int64_t{1} << 53;
+      return std::ldexp(static_cast<double>(*rc::gen::inRange(-limit, limit)), *rc::gen::inRange(-1074, 970));
+    }
+  }
+}
+
+/// The same number in both kinds of arithmetic.
+struct Both {
+  Dyadic dyadic;
+  Rational rational;
+};
+
+Both both(double value) { return {Dyadic(value), Rational(value)}; }
+
+Both operator+(const Both& a, const Both& b) { return {a.dyadic + b.dyadic, a.rational + b.rational}; }
+Both operator-(const Both& a, const Both& b) { return {a.dyadic - b.dyadic, a.rational - b.rational}; }
+Both operator*(const Both& a, const Both& b) { return {a.dyadic * b.dyadic, a.rational * b.rational}; }
+
+/// The value of a random expression of a few sums, differences and products.
+Both any_expression() {
+  std::vector<Both> values;
+  for (int i = 0; i < 3; ++i) values.push_back(both(any_double()));
+  const int steps = *rc::gen::inRange(0, 6);
+  for (int i = 0; i < steps; ++i) {
+    const Both a = *rc::gen::elementOf(values);
+    const Both b = *rc::gen::elementOf(values);
+    const int operation = *rc::gen::inRange(0, 3);
+    values.push_back(operation == 0 ? a + b : operation == 1 ? a - b : a * b);
+  }
+  return values.back();
+}
+
+int sign(const Rational& value) { return value < 0 ? -1 : value > 0 ? 1 : 0; }
+
+Rational size(const Rational& value) { return value < 0 ? Rational(-value) : value; }
+
+bool in_range(const Rational& value) {
+  return size(value) < Rational(std::numeric_limits<double>::max()) &&
+         size(value) > Rational(std::numeric_limits<double>::min());
+}
+
+}  // namespace
+
+TEST_CASE("sums, differences and products have the sign that they have in rational numbers") {
+  CHECK(rc::check([] {
+    const Both value = any_expression();
+    RC_ASSERT(value.dyadic.sign() == sign(value.rational));
+    RC_ASSERT((-value.dyadic).sign() == -sign(value.rational));
+  }));
+}
+
+TEST_CASE("the nearest double is off by at most 2^-52 of the value") {
+  CHECK(rc::check([] {
+    const Both value = any_expression();
+    if (!in_range(value.rational)) return;
+    const Rational off = Rational(value.dyadic.approximately()) - value.rational;
+    RC_ASSERT(size(off) <= size(value.rational) * Rational(0x1p-52));
+  }));
+}
+
+TEST_CASE("what a double leaves of a number has the right sign, however little that is") {
+  CHECK(rc::check([] {
+    const Both value = any_expression();
+    const double rounded = value.dyadic.approximately();
+    if (!std::isfinite(rounded)) return;
+    const Both rest = value - both(rounded);
+    RC_ASSERT(rest.dyadic.sign() == sign(rest.rational));
+  }));
+}
+
+TEST_CASE("a double becomes itself again") {
+  CHECK(rc::check([] {
+    const double value = any_double();
+    RC_ASSERT(Dyadic(value).approximately() == value);
+    RC_ASSERT(Dyadic(value).to_real() == Real(value));
+  }));
+}
+
+TEST_CASE("nothing is lost where a huge and a tiny number are added") {
+  const double huge = std::numeric_limits<double>::max();
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const Dyadic sum = Dyadic(huge) + Dyadic(tiny);
+  CHECK(sum.approximately() == huge);
+  CHECK((sum - Dyadic(huge)).approximately() == tiny);
+  CHECK((sum - Dyadic(huge) - Dyadic(tiny)).sign() == 0);
+}
+
+TEST_CASE("numbers beyond the range of doubles keep their sign") {
+  const Dyadic large = Dyadic(-1e300) * Dyadic(1e300);
+  CHECK(large.sign() == -1);
+  CHECK(large.approximately() == -std::numeric_limits<double>::infinity());
+  const Dyadic small = Dyadic(1e-300) * Dyadic(1e-300);
+  CHECK(small.sign() == 1);
+  CHECK(small.approximately() == 0.0);
+}
+
+TEST_CASE("a real number keeps all its digits") {
+  for (const int of : {2, 3, 5, 1'000'003}) {
+    const Real root = sqrt(Real(of)) * pow(Real(10), 30);
+    CHECK(Dyadic(root).to_real() == root);
+    CHECK(Dyadic(Real(-root)).to_real() == -root);
+  }
+  CHECK(Dyadic(Real(0)).sign() == 0);
+}
+
+TEST_CASE("a cross product is perpendicular to both vectors exactly, and a dot product is that of rational numbers") {
+  CHECK(rc::check([] {
+    const glm::dvec3 a(any_double(), any_double(), any_double());
+    const glm::dvec3 b(any_double(), any_double(), any_double());
+    const Vector across = cross(exactly(a), exactly(b));
+    RC_ASSERT(dot(across, exactly(a)).sign() == 0);
+    RC_ASSERT(dot(across, exactly(b)).sign() == 0);
+    RC_ASSERT(across[2].sign() == sign(Rational(a.x) * Rational(b.y) - Rational(a.y) * Rational(b.x)));
+    RC_ASSERT(dot(exactly(a), exactly(b)).sign() ==
+              sign(Rational(a.x) * Rational(b.x) + Rational(a.y) * Rational(b.y) + Rational(a.z) * Rational(b.z)));
+  }));
+}

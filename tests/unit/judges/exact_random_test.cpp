@@ -1,0 +1,74 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/numerics/solids.h"
+#include "tests/oracle/random_model.h"
+#include "tests/oracle/rational_oracle.h"
+#include "tests/unit/judges/scenery.h"
+
+using namespace csgsim;
+using namespace csgsim::testing;
+using judges::nothing;
+using judges::Truth;
+using view::Projection;
+
+namespace {
+
+std::size_t covered(const Truth& truth) {
+  return truth.owner.size() - static_cast<std::size_t>(std::count(truth.owner.begin(), truth.owner.end(), nothing));
+}
+
+/// Random models of which something is to be seen, judged pixel by pixel in rational numbers.
+void check_models(const view::Camera& camera, std::uint64_t seed, int models) {
+  // Odd, so that pixel centres meet faces; larger than a tile.
+  constexpr Size size{11, 7};
+  constexpr double near = 0.5;
+  for (int judged = 0; judged < models; ++seed) {
+    const Scenery scenery = make_scenery(random_model(seed, 2 + static_cast<unsigned>(seed % 3)), camera, size, near);
+    const Truth truth = exact(scenery);
+    if (covered(truth) < 15) continue;
+    ++judged;
+    CAPTURE(seed);
+    CHECK(truth.owner == rational_owners(scenery.tree, scenery.scene, camera, size.width, size.height, near));
+    for (std::uint32_t i = 0; i < truth.owner.size(); ++i) {
+      if (truth.owner[i] == nothing) continue;
+      const double expected = distance_in_doubles(scenery, i % size.width, i / size.width, truth.owner[i]);
+      CHECK(truth.distance[i] == doctest::Approx(expected).epsilon(1e-9));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("random models are seen as rational numbers say") {
+  check_models({{15, -22, 17}, {0, 0, 0}, Projection::orthographic}, 1, 2);
+  check_models({{15, -22, 17}, {0, 0, 0}, Projection::perspective}, 101, 2);
+}
+TEST_CASE("random models with faces edge-on, through pixel centres, are seen as rational numbers say") {
+  check_models({{0, -30, 0}, {0, 0, 0}, Projection::orthographic}, 201, 4);
+  check_models({{0, 0, 30}, {0, 0, 0}, Projection::orthographic}, 301, 4);
+  check_models({{0, -25, 0}, {0, 0, 0}, Projection::perspective}, 401, 4);
+}
+TEST_CASE("random models around the eye are seen as rational numbers say") {
+  check_models({{0.25, -1, 0.5}, {0, 3, 0}, Projection::perspective}, 501, 2);
+}
+TEST_CASE("where the faces of turned boxes meet on a ray, but for the last bits, the last bits decide") {
+  CHECK(rc::check([] {
+    std::vector<std::string> boxes;
+    for (int i = 0; i < 3; ++i) {
+      const double about_x = *rc::gen::inRange(0, 3600) / 10.0;
+      const double about_z = *rc::gen::inRange(0, 3600) / 10.0;
+      const double size = *rc::gen::inRange(2, 5);
+      boxes.push_back(placed(rotation(about_x, about_z), box({0, 0, 0}, {size, 3, 3})));
+    }
+    const auto projection = *rc::gen::element(Projection::orthographic, Projection::perspective);
+    const view::Camera camera{{15, -22, 17}, {0, 0, 0}, projection};
+    const std::string model = *rc::gen::element(unite(boxes), subtract(boxes));
+    const Scenery scenery = make_scenery(model, camera, {1, 1});
+    RC_ASSERT(exact(scenery).owner == rational_owners(scenery.tree, scenery.scene, camera, 1, 1, scenery.near));
+  }));
+}

@@ -1,0 +1,166 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/numerics/solids.h"
+#include "tests/unit/judges/scenery.h"
+
+using namespace csgsim;
+using namespace csgsim::testing;
+using judges::nothing;
+using judges::Truth;
+using view::Projection;
+
+namespace {
+
+constexpr Size even{8, 6};
+constexpr Size odd{7, 5};
+
+Truth straight_on(const std::string& csg, Size size, Projection projection = Projection::orthographic,
+                  double near = 1) {
+  return exact(make_scenery(csg, straight(size.height, projection), size, near));
+}
+
+/// Every pixel that shows something is so many model units behind the middle of the picture.
+bool all_at(const Truth& truth, double behind) {
+  const double expected = straight_distance(truth.height) + behind;
+  for (std::size_t i = 0; i < truth.owner.size(); ++i) {
+    const bool seen = truth.owner[i] != nothing;
+    if (seen != std::isfinite(truth.distance[i])) return false;
+    if (seen && std::abs(truth.distance[i] - expected) > 1e-13 * expected) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("a box seen straight on covers the pixels whose centres it holds, at the distance of its front") {
+  const Truth truth = straight_on(box({-3, -1, -2}, {2, 5, 1}), even);
+  CHECK(owners(truth) ==
+        "........\n"
+        "........\n"
+        ".00000..\n"
+        ".00000..\n"
+        ".00000..\n"
+        "........\n");
+  CHECK(all_at(truth, -1));
+}
+
+TEST_CASE("a hole through a box shows what is behind it, though its ends are flush with the box") {
+  const std::string holed = subtract({box({-3, -1, -2}, {3, 1, 2}), box({-1, -1, -1}, {2, 1, 1})});
+  CHECK(owners(straight_on(holed, even)) ==
+        "........\n"
+        ".000000.\n"
+        ".00...0.\n"
+        ".00...0.\n"
+        ".000000.\n"
+        "........\n");
+  CHECK(owners(straight_on(unite({holed, box({-4, 4, 0}, {4, 5, 3})}), even)) ==
+        "22222222\n"
+        "20000002\n"
+        "20022202\n"
+        ".00...0.\n"
+        ".000000.\n"
+        "........\n");
+}
+
+TEST_CASE("the bottom of a hole belongs to what is taken away, at the distance of its back") {
+  const Truth truth = straight_on(subtract({box({-3, -1, -2}, {3, 9, 2}), box({-5, -5, -5}, {5, 4, 5})}), even);
+  CHECK(owners(truth) ==
+        "........\n"
+        ".111111.\n"
+        ".111111.\n"
+        ".111111.\n"
+        ".111111.\n"
+        "........\n");
+  CHECK(all_at(truth, 4));
+}
+
+TEST_CASE("a shared surface belongs to the first primitive in tree order") {
+  const std::string wide = box({-4, 0, -1}, {4, 1, 1});
+  const std::string high = box({-1, 0, -3}, {1, 2, 3});
+  CHECK(owners(straight_on(unite({wide, high}), even)) ==
+        "...11...\n"
+        "...11...\n"
+        "00000000\n"
+        "00000000\n"
+        "...11...\n"
+        "...11...\n");
+  CHECK(owners(straight_on(unite({high, wide}), even)) ==
+        "...00...\n"
+        "...00...\n"
+        "11100111\n"
+        "11100111\n"
+        "...00...\n"
+        "...00...\n");
+}
+
+TEST_CASE("solids that touch have nothing in common, and take nothing from each other") {
+  const std::string before = box({-3, -2, -2}, {3, 0, 2});
+  const std::string behind = box({-3, 0, -2}, {3, 2, 2});
+  const std::string none = owners(straight_on(subtract({before, before}), even));
+  CHECK(none.find('0') == std::string::npos);
+  CHECK(owners(straight_on(intersect({before, behind}), even)) == none);
+  CHECK(owners(straight_on(subtract({before, behind}), even)) == owners(straight_on(before, even)));
+  CHECK(owners(straight_on(subtract({behind, before}), even)) == owners(straight_on(behind, even)));
+}
+
+TEST_CASE("pixel centres on a face seen edge-on belong to the solid right of it, or below it") {
+  const std::string four = unite({box({-1.5, 0, 0}, {0, 1, 1.5}), box({0, 0, 0}, {1.5, 1, 1.5}),
+                                  box({-1.5, 0, -1.5}, {0, 1, 0}), box({0, 0, -1.5}, {1.5, 1, 0})});
+  CHECK(owners(straight_on(four, odd)) ==
+        ".......\n"
+        "..011..\n"
+        "..233..\n"
+        "..233..\n"
+        ".......\n");
+}
+
+TEST_CASE("what reaches before the near plane is capped there, and the cap has a plane of its own") {
+  const Scenery scenery =
+      make_scenery(box({-50, -50, -50}, {50, 3, 50}), straight(6, Projection::perspective), even, 2);
+  const Truth truth = exact(scenery);
+  for (std::size_t i = 0; i < truth.owner.size(); ++i) {
+    CHECK(truth.owner[i] == 0);
+    CHECK(truth.distance[i] == doctest::Approx(2).epsilon(1e-15));
+    CHECK(truth.plane[i] == scenery.scene.planes.planes().size());
+  }
+}
+
+TEST_CASE("a face in the near plane is not cut") {
+  const view::Camera camera{{0, -4, 0}, {0, 0, 0}, Projection::perspective};
+  const Scenery scenery = make_scenery(box({-9, -3, -9}, {9, 3, 9}), camera, even, 1);
+  const Truth truth = exact(scenery);
+  for (const std::uint32_t plane : truth.plane) CHECK(plane < scenery.scene.planes.planes().size());
+}
+
+TEST_CASE("inside of what is taken away one sees its back, and nothing of what ends before the near plane") {
+  const std::string hollow = subtract({box({-50, -50, -50}, {50, 50, 50}), box({-40, -40, -40}, {40, 3, 40})});
+  const Truth truth = straight_on(hollow, even, Projection::perspective);
+  for (const std::uint32_t owner : truth.owner) CHECK(owner == 1);
+  CHECK(all_at(truth, 3));
+  const Truth behind = straight_on(box({-50, -50, -50}, {50, -20, 50}), even, Projection::perspective);
+  for (const std::uint32_t owner : behind.owner) CHECK(owner == nothing);
+}
+
+TEST_CASE("a perspective picture of a box has its front at its distance, and as large as that says") {
+  // At half the distance of the origin two pixels are one unit.
+  const double front = -straight_distance(6) / 2;
+  const Truth truth = straight_on(box({-1, front, -0.5}, {1.5, 3, 1}), even, Projection::perspective);
+  CHECK(owners(truth) ==
+        "........\n"
+        "..00000.\n"
+        "..00000.\n"
+        "..00000.\n"
+        "........\n"
+        "........\n");
+  CHECK(all_at(truth, front));
+}
+
+TEST_CASE("nothing is seen of an empty model") {
+  const model::Tree tree;
+  const Truth truth = exact({tree, facet::make_scene(tree), straight(even.height), even.width, even.height});
+  for (const std::uint32_t owner : truth.owner) CHECK(owner == nothing);
+  CHECK(all_at(truth, 0));
+}

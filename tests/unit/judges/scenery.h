@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "host/facet/scene.h"
+#include "host/model/tree.h"
+#include "host/view/camera.h"
+#include "sim/judges/truth.h"
+
+namespace csgsim::testing {
+
+/// A model and how it is looked at, without a Program.
+struct Scenery {
+  model::Tree tree;
+  facet::Scene scene;
+  view::Camera camera;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  double near = 1;  ///< perspective: distance of the near plane, model units
+};
+
+struct Size {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+Scenery make_scenery(const std::string& csg, const view::Camera& camera, Size size, double near = 1);
+
+judges::Truth exact(const Scenery& scenery);
+judges::Truth analytic(const Scenery& scenery);
+
+/// Looks along +y at the origin, x to the right and z upward, from where a pixel of a picture of that height is one
+/// model unit (in perspective, at the origin).
+view::Camera straight(std::uint32_t height, view::Projection projection = view::Projection::orthographic);
+
+/// Model units from the eye of that camera to the origin.
+double straight_distance(std::uint32_t height);
+
+/// Owners as digits, a point where nothing is seen, a line a row.
+std::string owners(const judges::Truth& truth);
+
+/// Model units along the view axis from the eye to the surface of the owner, in plain doubles: the farthest of its
+/// front planes, or the nearest of its back planes if it is taken away.
+double distance_in_doubles(const Scenery& scenery, std::uint32_t column, std::uint32_t row, std::uint32_t owner);
+
+}  // namespace csgsim::testing
