@@ -52,9 +52,6 @@ bool has_global_or(const Machine& machine) { return machines::own<Figures>(machi
 
 std::vector<isa::Region> regions(const Machine& machine) { return {{0, 0, machine.array.width, machine.array.height}}; }
 
-/// Any segments will do: each is drawn in the array's corner.
-void check(const isa::Program& /*program*/, const Machine& /*machine*/) {}
-
 machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) {
   const std::uint64_t processors = std::uint64_t{machine.array.width} * machine.array.height;
   return {processors, processors * machine.array.memory_bits};
@@ -64,14 +61,12 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*
 
 const machines::Kind kind{
     .name = "frame-buffer",
-    .over = "the whole picture",
     .schema = schema,
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
     .has_global_or = has_global_or,
     .regions = regions,
-    .check = check,
     .clocks = instruction_clocks,
     .time = time_frame,
     .resources = resources,

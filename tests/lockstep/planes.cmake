@@ -1,6 +1,6 @@
 # The frame-buffer machine with its link. Each row are figures of one machine; those that it does not name are as in
 # planes.cpp.
-add_executable(lockstep_planes planes.cpp)
+add_executable(lockstep_planes planes.cpp row.cpp)
 target_link_libraries(lockstep_planes PRIVATE
   csgsim_lockstep csgsim_random_program csgsim::reference csgsim::cycle fmt::fmt csgsim_flags)
 foreach(row IN ITEMS

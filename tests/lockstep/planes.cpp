@@ -5,17 +5,14 @@
 #include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <map>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "hw/pixel_planes/figures.h"
 #include "tests/lockstep/lockstep.h"
+#include "tests/lockstep/row.h"
 #include "tests/support/random_program.h"
 
 namespace csgsim::test {
@@ -48,34 +45,9 @@ Settings read_settings(int count, char** arguments) {
                                                     {"shared", &shared_port},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
-  for (int i = 1; i < count; ++i) {
-    const std::string argument = arguments[i];
-    const std::size_t equals = argument.find('=');
-    const auto setting = known.find(argument.substr(0, equals));
-    if (equals == argument.npos || setting == known.end()) throw std::invalid_argument("what is " + argument + "?");
-    *setting->second = static_cast<std::uint32_t>(std::stoul(argument.substr(equals + 1)));
-  }
+  read_row(count, arguments, known);
   if (shared_port != 0) figures.scan_out_port = pixel_planes::ScanOutPort::shared;
   return settings;
-}
-
-std::string show(const sim::RunResult& result) {
-  std::string text = fmt::format("{} clocks", result.clocks);
-  for (const machines::Count& count : result.account.counts) text += fmt::format(", {} {}", count.value, count.name);
-  for (const machines::PartAccount& part : result.account.parts) {
-    text += fmt::format("\n  {}:", part.part);
-    for (const machines::ActivityClocks& one : part.clocks) text += fmt::format(" {} {}", one.activity, one.clocks);
-  }
-  return text;
-}
-
-/// Every clock of the frame is accounted for, in every part.
-bool adds_up(const sim::RunResult& result) {
-  return std::ranges::all_of(result.account.parts, [&](const machines::PartAccount& part) {
-    std::uint64_t sum = 0;
-    for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
-    return sum == result.clocks;
-  });
 }
 
 bool agree(const Settings& settings) {
@@ -101,8 +73,7 @@ bool agree(const Settings& settings) {
 int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
-    ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", settings.programs).c_str(), 0);
-    return csgsim::test::agree(settings) ? 0 : 1;
+    return csgsim::test::exit_code_of(settings.programs, [&] { return csgsim::test::agree(settings); });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }
