@@ -20,10 +20,10 @@ void FrameBuffer::begin(const FrameContents& contents) {
   incoming_.assign(incoming_.size(), {});
   squares_ = 0;
   turn_ = 0;
-  counter_.clear();
+  clocks_ = {};
 }
 
-void FrameBuffer::on_clock() { counter_.count(act()); }
+void FrameBuffer::on_clock() { clocks_.add(act()); }
 
 SquareActivity FrameBuffer::act() {
   const std::size_t ports = incoming_.size();

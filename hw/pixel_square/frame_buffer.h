@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/account.h"
 #include "hw/pixel_square/port_word.h"
 
 namespace csgsim::pixel_square {
@@ -37,7 +37,7 @@ class FrameBuffer final : public sc_core::sc_module {
 
   /// Of every pixel, in row order: what was stored last; 0 if nothing was since a picture of that size was begun.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
-  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+  [[nodiscard]] const SquareClocks& account() const { return clocks_; }
 
  private:
   /// The square that comes through a port.
@@ -66,7 +66,7 @@ class FrameBuffer final : public sc_core::sc_module {
   std::uint64_t squares_ = 0;
   std::size_t turn_ = 0;  ///< port that is asked first
   std::uint64_t frames_done_ = 0;
-  ActivityCounter counter_;
+  SquareClocks clocks_;
 };
 
 }  // namespace csgsim::pixel_square

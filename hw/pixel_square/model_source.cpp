@@ -15,10 +15,10 @@ void ModelSource::begin(std::span<const std::uint8_t> model) {
   sent_ = 0;
   latency_left_ = link_.latency;
   elapsed_ = 0;
-  counter_.clear();
+  clocks_ = {};
 }
 
-void ModelSource::on_clock() { counter_.count(act()); }
+void ModelSource::on_clock() { clocks_.add(act()); }
 
 SquareActivity ModelSource::act() {
   if (sent_ >= 8 * std::uint64_t{model_.size()}) return SquareActivity::done;

@@ -7,7 +7,7 @@
 #include "hw/isa/link_word.h"
 #include "hw/link/frame_words.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/account.h"
 
 namespace csgsim::pixel_square {
 
@@ -23,7 +23,7 @@ class ModelSource final : public sc_core::sc_module {
   /// Starts at the next edge. The bytes have to live until the frame is drawn.
   void begin(std::span<const std::uint8_t> model);
 
-  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+  [[nodiscard]] const SquareClocks& account() const { return clocks_; }
 
  private:
   void on_clock();
@@ -35,7 +35,7 @@ class ModelSource final : public sc_core::sc_module {
   std::uint64_t sent_ = 0;  ///< bits
   std::uint32_t latency_left_ = 0;
   std::uint32_t elapsed_ = 0;  ///< clocks spent on the word at hand
-  ActivityCounter counter_;
+  SquareClocks clocks_;
 };
 
 }  // namespace csgsim::pixel_square

@@ -1,7 +1,6 @@
 #include "hw/pixel_square/pixel_square.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "hw/pixel_square/division_check.h"
 #include "hw/pixel_square/figures.h"
@@ -96,8 +95,7 @@ kernel::RunReport PixelSquareMachine::run(const isa::Program& program, kernel::R
   begin(program, listener);
   if (!program.segments.empty()) sc_core::sc_start();
   retirement_.rethrow();
-  const SquareClocks& stored = frame_buffer_.account();
-  return {.clocks = std::accumulate(stored.begin(), stored.end(), std::uint64_t{0}),
+  return {.clocks = frame_buffer_.account().total(),
           .answers = {},
           .account = account(counted()),
           .picture = picture_of(program)};

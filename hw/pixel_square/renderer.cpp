@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "hw/base/quotient.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/systemc/array_view.h"
 
@@ -38,12 +39,12 @@ void Renderer::begin(isa::Field colour, const SquareNames& names) {
   names_ = &names;
   squares_ = 0;
   idle_ = 0;
-  counter_.clear();
+  clocks_ = {};
 }
 
 SquareClocks Renderer::account() const {
-  SquareClocks clocks = counter_.clocks();
-  clocks[static_cast<std::size_t>(SquareActivity::done)] += idle_;
+  SquareClocks clocks = clocks_;
+  clocks.add(SquareActivity::done, idle_);
   return clocks;
 }
 
@@ -56,8 +57,8 @@ void Renderer::on_clock() {
     ++idle_;
     return;
   }
-  for (; idle_ > 0; --idle_) counter_.count(SquareActivity::waiting_for_divider);
-  counter_.count(activity);
+  clocks_.add(SquareActivity::waiting_for_divider, std::exchange(idle_, 0));
+  clocks_.add(activity);
 }
 
 void Renderer::send() {
@@ -175,7 +176,7 @@ void Renderer::move_out() {
     state_ = State::leaving;
     return;
   }
-  clocks_left_ = move_bits_ == all_planes ? 0 : static_cast<std::uint32_t>(words_for(colour_.width, move_bits_));
+  clocks_left_ = move_bits_ == all_planes ? 0 : quotient_up(colour_.width, move_bits_);
   state_ = State::moving;
   if (clocks_left_ == 0) finish();
 }

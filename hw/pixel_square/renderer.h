@@ -11,7 +11,7 @@
 #include "hw/isa/wire.h"
 #include "hw/link/receiver.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/account.h"
 #include "hw/pixel_square/output_buffer.h"
 #include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/square_names.h"
@@ -97,7 +97,7 @@ class Renderer final : public sc_core::sc_module {
   std::uint64_t finished_count_ = 0;
   std::uint64_t squares_ = 0;
   std::uint64_t idle_ = 0;  ///< clocks since the last square
-  ActivityCounter counter_;
+  SquareClocks clocks_;
 
   const SquareNames* names_ = nullptr;
   std::uint32_t segment_ = 0;  ///< that the square is

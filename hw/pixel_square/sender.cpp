@@ -1,5 +1,6 @@
 #include "hw/pixel_square/sender.h"
 
+#include "hw/base/quotient.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/systemc/clear_view.h"
 
@@ -23,10 +24,10 @@ void Sender::begin_frame(std::size_t squares) {
   index_ = 0;
   square_.reset();
   skipped_ = 0;
-  counter_.clear();
+  clocks_ = {};
 }
 
-void Sender::on_clock() { counter_.count(act()); }
+void Sender::on_clock() { clocks_.add(act()); }
 
 SquareActivity Sender::act() {
   if (index_ == squares_) return SquareActivity::done;
@@ -58,7 +59,7 @@ SquareActivity Sender::send() {
   if (!send_word()) return is_clear ? SquareActivity::waiting_for_frame_buffer : SquareActivity::waiting_for_renderer;
   elapsed_ = 0;
   ++sent_;
-  if (sent_ < (is_clear ? words_for(header_bits, port_bits_) : square_->words.size())) return SquareActivity::working;
+  if (sent_ < (is_clear ? quotient_up(header_bits, port_bits_) : square_->words.size())) return SquareActivity::working;
   if (is_clear) {
     retirement->after_segment(static_cast<std::uint32_t>(index_), kernel::ClearView());
     ++skipped_;

@@ -9,7 +9,7 @@
 #include "hw/isa/link_word.h"
 #include "hw/link/frame_words.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/account.h"
 #include "hw/pixel_square/port_word.h"
 #include "hw/systemc/retirement.h"
 
@@ -32,7 +32,7 @@ class Sender : public sc_core::sc_module {
   sc_core::sc_fifo_out<PortWord> clears{"clears"};
   sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
 
-  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+  [[nodiscard]] const SquareClocks& account() const { return clocks_; }
   [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
 
  protected:
@@ -65,7 +65,7 @@ class Sender : public sc_core::sc_module {
   std::uint32_t elapsed_ = 0;          ///< clocks spent on the word at hand
   std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
   std::uint64_t skipped_ = 0;
-  ActivityCounter counter_;
+  SquareClocks clocks_;
 };
 
 }  // namespace csgsim::pixel_square
