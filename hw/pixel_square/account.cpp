@@ -25,6 +25,11 @@ machines::Share utilisation(const SquareAccount& counted) {
 
 }  // namespace
 
+SquareClocks whole(SquareClocks counted, SquareActivity rest, std::uint64_t clocks) {
+  counted.add(rest, clocks - counted.total());
+  return counted;
+}
+
 machines::Account account(const SquareAccount& counted) {
   machines::Account account{
       .counts = {{"squares_drawn", counted.squares_drawn}, {"squares_skipped", counted.squares_skipped}},

@@ -40,6 +40,9 @@ inline constexpr auto square_activities = std::to_array<SquareActivityInfo>({
 /// Clocks of one part by activity; they add up to the frame's.
 using SquareClocks = machines::ClockTally<SquareActivity, square_activities.size()>;
 
+/// The clocks of a frame of so many: in those that are not accounted for a part was at `rest`.
+SquareClocks whole(SquareClocks counted, SquareActivity rest, std::uint64_t clocks);
+
 /// How the frame of a pixel-square machine went by.
 struct SquareAccount {
   std::uint64_t squares_drawn = 0;

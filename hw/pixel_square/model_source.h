@@ -23,10 +23,14 @@ class ModelSource final : public sc_core::sc_module {
   /// Starts at the next edge. The bytes have to live until the frame is drawn.
   void begin(std::span<const std::uint8_t> model);
 
-  [[nodiscard]] const SquareClocks& account() const { return clocks_; }
+  /// Of a frame of so many clocks.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
+    return whole(clocks_, SquareActivity::done, clocks);
+  }
 
  private:
   void on_clock();
+  [[nodiscard]] bool done() const { return sent_ >= 8 * std::uint64_t{model_.size()}; }
   SquareActivity act();
   [[nodiscard]] isa::LinkWord next_word() const;
 
@@ -36,6 +40,7 @@ class ModelSource final : public sc_core::sc_module {
   std::uint32_t latency_left_ = 0;
   std::uint32_t elapsed_ = 0;  ///< clocks spent on the word at hand
   SquareClocks clocks_;
+  sc_core::sc_event begun_{"begun"};
 };
 
 }  // namespace csgsim::pixel_square

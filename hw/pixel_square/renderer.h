@@ -41,8 +41,8 @@ class Renderer final : public sc_core::sc_module {
   /// `colour`: what of a pixel's memory goes to the frame buffer. The names have to live until the frame is drawn.
   void begin(isa::Field colour, const SquareNames& names);
 
-  /// Of the pixel processors. Clocks after the last square are `done`.
-  [[nodiscard]] SquareClocks account() const { return controller_.account(); }
+  /// Of the pixel processors, in a frame of so many clocks. Those after the last square are `done`.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const { return controller_.account(clocks); }
   [[nodiscard]] std::uint64_t squares() const { return controller_.squares(); }
   [[nodiscard]] const array::PixelArray& pixels() const { return processors_.pixels(); }
 

@@ -25,12 +25,16 @@ void Sender::begin_frame(std::size_t squares) {
   square_.reset();
   skipped_ = 0;
   clocks_ = {};
+  begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-void Sender::on_clock() { clocks_.add(act()); }
+/// Sleeps when it is done.
+void Sender::on_clock() {
+  if (index_ == squares_) return next_trigger(begun_);
+  if (clock.posedge()) clocks_.add(act());
+}
 
 SquareActivity Sender::act() {
-  if (index_ == squares_) return SquareActivity::done;
   if (!square_) {
     if (const std::optional<SquareActivity> activity = prepare(index_)) return *activity;
     begin_square();

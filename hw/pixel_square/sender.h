@@ -32,7 +32,10 @@ class Sender : public sc_core::sc_module {
   sc_core::sc_fifo_out<PortWord> clears{"clears"};
   sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
 
-  [[nodiscard]] const SquareClocks& account() const { return clocks_; }
+  /// Of a frame of so many clocks.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
+    return whole(clocks_, SquareActivity::done, clocks);
+  }
   [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
 
  protected:
@@ -66,6 +69,7 @@ class Sender : public sc_core::sc_module {
   std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
   std::uint64_t skipped_ = 0;
   SquareClocks clocks_;
+  sc_core::sc_event begun_{"begun"};
 };
 
 }  // namespace csgsim::pixel_square

@@ -1,13 +1,13 @@
 #include "hw/pixel_square/square_controller.h"
 
 #include <algorithm>
-#include <utility>
 #include <variant>
 
 #include "hw/base/quotient.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/port_word.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {
 
@@ -15,6 +15,7 @@ using pixel_planes::ControlWord;
 
 SquareController::SquareController(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
+      period_(kernel::period_of(machine)),
       buffered_(machines::own<Figures>(machine).buffers >= 2),
       clear_clocks_(std::max(machine.clear_clocks, 1U)),
       move_bits_(machines::own<Figures>(machine).move_bits),
@@ -31,20 +32,19 @@ SquareController::SquareController(sc_core::sc_module_name name, const machines:
 void SquareController::begin(std::uint32_t colour_bits) {
   move_clocks_ = move_bits_ == all_planes ? 0 : quotient_up(colour_bits, move_bits_);
   squares_ = 0;
-  idle_ = 0;
+  idle_from_ = edges();
   clocks_ = {};
 }
 
-SquareClocks SquareController::account() const {
-  SquareClocks clocks = clocks_;
-  clocks.add(SquareActivity::done, idle_);
-  return clocks;
-}
+/// Since the machine was built.
+std::uint64_t SquareController::edges() const { return sc_core::sc_time_stamp().value() / period_.value(); }
 
 /// At a clock edge; and when the last word of a square has left at one, which frees the pixels without a second buffer.
+/// Sleeps without a square, until a word comes.
 void SquareController::act() {
+  const bool was_idle = state_ == State::idle;
   if (clock.posedge()) {
-    count();
+    if (!was_idle) clocks_.add(activity_);
     receiver_.clock(link);
     advance();
   } else if (state_ == State::leaving) {
@@ -53,16 +53,10 @@ void SquareController::act() {
     return;
   }
   put_control_word();
-}
-
-/// The clock that ends.
-void SquareController::count() {
-  if (state_ == State::idle) {
-    ++idle_;
-    return;
-  }
-  clocks_.add(SquareActivity::waiting_for_divider, std::exchange(idle_, 0));
-  clocks_.add(activity_);
+  if (was_idle && state_ != State::idle) clocks_.add(SquareActivity::waiting_for_divider, edges() - idle_from_);
+  if (state_ != State::idle) return;
+  if (!was_idle) idle_from_ = edges();
+  if (link.num_available() == 0) next_trigger(link.data_written_event());
 }
 
 void SquareController::advance() {

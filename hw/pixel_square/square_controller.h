@@ -36,8 +36,10 @@ class SquareController final : public sc_core::sc_module {
   /// A frame begins, with colours of so many bits.
   void begin(std::uint32_t colour_bits);
 
-  /// Of the clocks that are over. Those after the last square are `done`.
-  [[nodiscard]] SquareClocks account() const;
+  /// Of a frame of so many clocks, those that are over. Those after the last square are `done`.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
+    return whole(clocks_, SquareActivity::done, clocks);
+  }
   [[nodiscard]] std::uint64_t squares() const { return squares_; }
 
  private:
@@ -52,7 +54,7 @@ class SquareController final : public sc_core::sc_module {
   };
 
   void act();
-  void count();
+  [[nodiscard]] std::uint64_t edges() const;
   void advance();
   void begin_output();
   void finish();
@@ -65,6 +67,7 @@ class SquareController final : public sc_core::sc_module {
   void rest();
   void put(const pixel_planes::ControlWord& word, const array::RootBits& bits = {});
 
+  const sc_core::sc_time period_;
   const bool buffered_;
   const std::uint32_t clear_clocks_;
   const std::uint32_t move_bits_;
@@ -84,7 +87,7 @@ class SquareController final : public sc_core::sc_module {
   std::uint64_t begun_count_ = 0;
   std::uint64_t finished_count_ = 0;
   std::uint64_t squares_ = 0;
-  std::uint64_t idle_ = 0;  ///< clocks since the last square
+  std::uint64_t idle_from_ = 0;  ///< edge of the last square's last clock, or the frame's first
   SquareClocks clocks_;
 };
 
