@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
 #include "hw/isa/describe.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/validate.h"
@@ -207,7 +208,7 @@ unsigned wire_bits(const Command& command) {
 
 unsigned wire_words(const Command& command, unsigned link_width) {
   check_link_width(link_width);
-  return (wire_bits(command) + link_width - 1) / link_width;
+  return quotient_up(wire_bits(command), link_width);
 }
 
 LinkWord packed(const Command& command) {

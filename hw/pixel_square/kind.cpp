@@ -11,6 +11,7 @@
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/regions.h"
 #include "hw/pixel_square/timing.h"
+#include "hw/pixel_square/timing_division.h"
 
 namespace csgsim::pixel_square {
 
