@@ -65,6 +65,10 @@ bool same_hardware(const Machine& one, const Machine& other) {
          std::all_of(one.kind->schema.begin(), one.kind->schema.end(), same);
 }
 
+isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine) {
+  return machine.kind->second_buffer == nullptr ? isa::Field{} : machine.kind->second_buffer(colour_bits, machine);
+}
+
 bool has_global_or(const Machine& machine) {
   return machine.kind->has_global_or != nullptr && machine.kind->has_global_or(machine);
 }

@@ -35,6 +35,9 @@ struct Kind {
   /// Throws InputError where the machine cannot draw such a picture.
   void (*set_picture)(Machine& machine, Size size) = nullptr;
 
+  /// The field of pixel memory from which so many bits of colour are shown, where that is not the one in which they
+  /// are drawn; else one of width 0. Null for a kind that has no such field.
+  isa::Field (*second_buffer)(std::uint32_t colour_bits, const Machine& machine) = nullptr;
   /// Whether the controller learns if any pixel is enabled; null for a kind whose controllers never do.
   bool (*has_global_or)(const Machine& machine) = nullptr;
   /// Of the picture, in the order in which the machine draws them.
