@@ -427,6 +427,25 @@ TEST_CASE("a window beyond the program's end is closed with the program, and pro
   CHECK(contents(file).find("opcode_text") != std::string::npos);
 }
 
+TEST_CASE("a wave goes on beyond the drawing, as long as the picture is shown") {
+  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_scan_out.vcd";
+  PixelPlanes machine("machine", machine_8x8());
+  RunListener nobody;
+  const Program program =
+      shown(program_of({segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})}), {3, 6});
+  machine.record({.file = file, .begin = 0, .end = 1000, .probes = {}, .fields = {}});
+  const auto report = machine.run(program, nobody);
+  CHECK(report.recorded);
+  const std::string text = contents(file);
+  for (const char* name : {"picture_finished", "picture_latched", "refreshes_asked", "video"}) {
+    CAPTURE(name);
+    CHECK(text.find(name) != std::string::npos);
+  }
+  CHECK(text.find("b111110 ") != std::string::npos);  // the colour of the last pixel but one, 62
+  CHECK(text.find("\n#" + std::to_string((report.shown_clocks - 1) * 100'000)) != std::string::npos);
+  CHECK(text.find("\n#" + std::to_string((report.shown_clocks + 2) * 100'000)) == std::string::npos);
+}
+
 TEST_CASE("a Program run for its wave has the result of any other run") {
   const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_program.vcd";
   std::filesystem::remove(file);
