@@ -5,6 +5,7 @@
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
+#include "hw/pixel_planes/clear_step.h"
 
 namespace csgsim::pixel_planes {
 
@@ -155,23 +156,17 @@ void Controller::issue() {
   }
 }
 
-/// The memory's bits are spread evenly over the clocks. A picture that is being shown stays.
+/// A picture that is being shown stays.
 void Controller::clear() {
-  const std::uint64_t clocks = std::max(figures_.clear_clocks, 1U);
-  const std::uint64_t end = unlatched_ ? shown_.base : figures_.memory_bits;
-  const auto up_to = [&](std::uint64_t elapsed) {
-    return static_cast<std::uint16_t>(std::min(elapsed * figures_.memory_bits / clocks, end));
-  };
-  const std::uint16_t address = up_to(cleared_);
+  const std::uint32_t clocks = std::max(figures_.clear_clocks, 1U);
+  const std::uint32_t end = unlatched_ ? shown_.base : figures_.memory_bits;
+  const ClearStep step = clear_step(region_, figures_.memory_bits, cleared_, clocks, end);
   ++cleared_;
   const bool last = cleared_ == clocks;
   root.write({});
   ControlWord word;
   word.clears = true;
-  word.clear = {.address = address,
-                .bits = static_cast<std::uint16_t>(up_to(cleared_) - address),
-                .width = static_cast<std::uint16_t>(region_.width),
-                .height = static_cast<std::uint16_t>(region_.height)};
+  word.clear = step;
   word.last = last;
   word.ordinal = next_ordinal_;
   control.write(word);

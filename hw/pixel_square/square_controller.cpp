@@ -5,6 +5,7 @@
 
 #include "hw/base/quotient.h"
 #include "hw/machines/clocks.h"
+#include "hw/pixel_planes/clear_step.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/port_word.h"
 #include "hw/systemc/kernel.h"
@@ -122,19 +123,12 @@ void SquareController::begin_square(const isa::Region& region) {
   clocks_left_ = clear_clocks_;
 }
 
-/// The memory's bits are spread evenly over the clocks.
 void SquareController::clear() {
-  const auto up_to = [&](std::uint64_t elapsed) {
-    return static_cast<std::uint16_t>(elapsed * memory_bits_ / clear_clocks_);
-  };
-  const std::uint16_t address = up_to(clear_clocks_ - clocks_left_);
-  --clocks_left_;
   ControlWord word;
   word.clears = true;
-  word.clear = {.address = address,
-                .bits = static_cast<std::uint16_t>(up_to(clear_clocks_ - clocks_left_) - address),
-                .width = static_cast<std::uint16_t>(region_.width),
-                .height = static_cast<std::uint16_t>(region_.height)};
+  word.clear =
+      pixel_planes::clear_step(region_, memory_bits_, clear_clocks_ - clocks_left_, clear_clocks_, memory_bits_);
+  --clocks_left_;
   word.last = clocks_left_ == 0;
   put(word);
   if (clocks_left_ > 0) return;

@@ -107,10 +107,11 @@ std::uint64_t words_of(const std::vector<isa::Command>& commands) {
 }  // namespace
 
 TEST_CASE("the divider takes a word a clock, tests a square, sends it a word a clock, and goes on with the next") {
-  const division::DisplayModel slab = testing::one_slab();  // in the left half of the picture
+  const division::DisplayModel slab = testing::slab_with_hole();  // in the left half of the picture
   const division::Divider judge(slab);
   const isa::Region left{0, 0, 8, 8};
   const division::Divided drawn = judge.divide(left);
+  REQUIRE((drawn.counts.boxes > 0 && drawn.counts.halfspaces > 0 && drawn.counts.nodes > 0));
   const division::Divided empty = judge.divide({8, 0, 8, 8});
   REQUIRE(!drawn.instructions.empty());
   REQUIRE(empty.instructions.empty());

@@ -112,17 +112,23 @@ TEST_CASE("a square that is cleared gets its background in as many clocks as its
   CHECK(board.picture() == std::vector<std::uint32_t>{4, 4, 1, 2, 4, 4, 4, 3});
 }
 
-TEST_CASE("a frame begins at the first port, keeps the picture before, and sleeps no word away") {
+TEST_CASE(
+    "a frame begins at the first port, keeps the picture before, and no word wakes the frame buffer too soon or too "
+    "late") {
   Board board(2);
   board.begin(1, 5);
   board.bench.edges(7);
   board.clear({0, 0, 4, 1});
-  board.bench.edges(header_words + 2);
+  board.bench.edges(header_words + 1);
+  CHECK(board.frames.read() == 0);
+  board.bench.edges(1);
   CHECK(board.frames.read() == 1);
   board.begin(1);
   board.bench.edges(3);
   board.send(1, {0, 1, 1, 1}, {7});
-  board.bench.edges(header_words + 1);
+  board.bench.edges(header_words);
+  CHECK(board.frames.read() == 1);
+  board.bench.edges(1);
   CHECK(board.frames.read() == 2);
   CHECK(board.picture() == std::vector<std::uint32_t>{5, 5, 5, 5, 7, 0, 0, 0});
   CHECK(board.buffer.account(12).of(SquareActivity::working) == header_words + 1);
