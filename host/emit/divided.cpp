@@ -26,7 +26,7 @@ void put(const division::Counts& counts, isa::Segment& segment) {
   isa::DivisionFacts& facts = segment.facts.division;
   facts.boxes = counts.boxes;
   facts.halfspaces = counts.halfspaces;
-  facts.pairs = counts.pairs;
+  facts.cells = counts.cells;
   facts.nodes = counts.nodes;
 }
 
@@ -88,6 +88,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
     for (std::size_t i = 0; i < squares.size(); ++i) put(of_squares[i], squares[i]);
     squares.front().facts.division.group_boxes = counts.group.boxes;
     squares.front().facts.division.group_halfspaces = counts.group.halfspaces;
+    squares.front().facts.division.group_cells = counts.group.cells;
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hw/division/cells.h"
+
 namespace csgsim::division {
 
 namespace {
@@ -59,17 +61,17 @@ std::vector<Surface> surfaces_in(const DisplayModel& model, const Candidates& ca
   return surfaces;
 }
 
-Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, std::int64_t z_low,
-                     std::int64_t z_high, Counts& counts) {
+Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, const Box& box,
+                     Counts& counts) {
   Extremes result;
   for (const Tested& one : tested) {
     if (one.side != side) continue;
-    const Known known = known_between(one, z_low, z_high);
+    const Known known = known_between(one, box.z_low, box.z_high);
     if (known == Known::in) continue;
     result.nothing = result.nothing || known == Known::out;
     result.facets.push_back(one);
   }
-  if (!result.nothing) counts.pairs += keep_extremes(result.facets, std::int64_t{1} << model.fraction_bits);
+  if (!result.nothing) counts.cells += keep_extremes(model, result.facets, box.pixels);
   return result;
 }
 

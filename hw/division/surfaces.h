@@ -31,8 +31,9 @@ struct Extremes {
   bool nothing = false;  ///< one of them holds nothing
 };
 
-/// Of a surface over all depths, or of a primitive between those of a surface that it is compared with.
-Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, std::int64_t z_low,
-                     std::int64_t z_high, Counts& counts);
+/// Of a surface over all depths, or of a primitive between those of a surface that it is compared with. The half-spaces
+/// have been tested at the corners of the box's pixels.
+Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, const Box& box,
+                     Counts& counts);
 
 }  // namespace csgsim::division

@@ -43,7 +43,7 @@ struct Figures {
   std::uint32_t model_bits = 1;        ///< of the memory that holds the model
   std::uint32_t box_clocks = 1;        ///< to hold a primitive's box against a square's
   std::uint32_t halfspace_clocks = 1;  ///< to test a half-space at four corners
-  std::uint32_t pair_clocks = 1;       ///< to hold two half-spaces of a side against each other
+  std::uint32_t cell_clocks = 1;       ///< to hold a half-space of a side against the leaders of a cell
   std::uint32_t node_clocks = 1;       ///< to look at a node of the tree
 
   constexpr bool operator==(const Figures&) const = default;

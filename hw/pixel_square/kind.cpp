@@ -62,8 +62,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                               "to hold the box of a primitive against a square's"),
     own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
                                                     "to test a half-space at four corners"),
-    own_figure<Figures, &Figures::pair_clocks>("divider.pair_clocks", "clocks", 0, most_clocks,
-                                               "to hold two half-spaces of a side against each other"),
+    own_figure<Figures, &Figures::cell_clocks>("divider.cell_clocks", "clocks", 0, most_clocks,
+                                               "to hold a half-space of a side against the leaders of a cell"),
     own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
                                                "to look at a node of the tree"),
 });

@@ -20,6 +20,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/regions.h"
+#include "hw/pixel_square/figures.h"
 #include "tests/support/drawing.h"
 
 // What the divider of the pixel-square machine does for the thesis's objects, at one level and two, and what the host's
@@ -52,6 +53,8 @@ Subject subject(const testing::ThesisObject& object, machines::Size picture, mac
   machines::set_picture_size(machine, picture);
   machine.array.width = square.width;
   machine.array.height = square.height;
+  // So that it is compiled with other prunings than the divider's.
+  machines::own<pixel_square::Figures>(machine).divider = pixel_square::DividerKind::host;
   return {object.name, std::move(tree), std::move(scene), std::move(view), machine};
 }
 
@@ -61,11 +64,11 @@ struct Work {
   std::uint64_t most_entries = 0;
   std::vector<std::uint64_t> entries;
 
-  /// Clocks of a divider that holds a box, a pair or a node in a clock and a half-space in four.
+  /// Clocks of a divider that holds a box, a cell or a node in a clock and a half-space in four.
   [[nodiscard]] std::uint64_t tests() const {
     division::Counts all = squares;
     all += groups;
-    return all.boxes + 4 * all.halfspaces + all.pairs + all.nodes;
+    return all.boxes + 4 * all.halfspaces + all.cells + all.nodes;
   }
 };
 
@@ -93,7 +96,7 @@ Work two_levels(const Subject& subject, const division::Divider& divider, std::u
 }
 
 void print(const char* what, const division::Counts& counts) {
-  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", what, counts.boxes, counts.halfspaces, counts.pairs,
+  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", what, counts.boxes, counts.halfspaces, counts.cells,
              counts.nodes, counts.instructions);
 }
 
@@ -130,12 +133,12 @@ void print_prunings(const Subject& subject) {
   row("with separation", changed(&csg::Pruning::separation, true));
   row("with hidden", changed(&csg::Pruning::hidden, true));
   row("with near", changed(&csg::Pruning::near, true));
-  row("without pairs", changed(&csg::Pruning::pairs, false));
+  row("without cells", changed(&csg::Pruning::pixels, false));
   row("without sets", changed(&csg::Pruning::sets, false));
   row("the host's prunings", compiled(subject, {}));
   csg::Pruning all;
-  all.pairs = true;
-  row("the host's prunings and pairs", compiled(subject, all));
+  all.pixels = true;
+  row("the host's prunings and cells", compiled(subject, all));
 }
 
 /// Primitives by the subtree of unions alone that they are leaves of, if it has several of them.
@@ -199,7 +202,7 @@ void report(const Subject& subject, bool unions) {
   fmt::print("  model: {} bits, {} words of 32; {} planes of {}, primitives of {}, half-spaces of {}\n", sent.count,
              division::link_words(sent.count, 32), model.planes.size(), widths.plane_record(),
              widths.primitive_record(), widths.halfspace_record());
-  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", "", "boxes", "half-spaces", "pairs", "nodes", "instructions");
+  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", "", "boxes", "half-spaces", "cells", "nodes", "instructions");
   const Work one = one_level(subject, divider);
   print("one level", one.squares);
   Work two = two_levels(subject, divider, unlimited);

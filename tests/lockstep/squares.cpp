@@ -71,7 +71,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"list", &figures.list_entries},
                                                     {"box", &figures.box_clocks},
                                                     {"halfspace", &figures.halfspace_clocks},
-                                                    {"pair", &figures.pair_clocks},
+                                                    {"cell", &figures.cell_clocks},
                                                     {"node", &figures.node_clocks},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};

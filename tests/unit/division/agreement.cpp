@@ -17,8 +17,8 @@ namespace csgsim::testing {
 namespace {
 
 std::string show(const division::Counts& counts) {
-  return fmt::format("{} boxes, {} half-spaces, {} pairs, {} nodes, {} instructions", counts.boxes, counts.halfspaces,
-                     counts.pairs, counts.nodes, counts.instructions);
+  return fmt::format("{} boxes, {} half-spaces, {} cells, {} nodes, {} instructions", counts.boxes, counts.halfspaces,
+                     counts.cells, counts.nodes, counts.instructions);
 }
 
 std::string difference(const division::Divided& divided, const isa::Segment& segment, division::Counts counts) {

@@ -139,15 +139,15 @@ TEST_CASE("a divider takes the model, tests a square, and then sends it") {
 TEST_CASE("tests whose clocks would not fit their counter are refused") {
   isa::Program program = program_of(2, {square(1, {})});
   program.display_model.resize(1);
-  program.segments[0].facts.division.pairs = ~std::uint64_t{0};
+  program.segments[0].facts.division.cells = ~std::uint64_t{0};
   CHECK(error_of([&] {
           pixel_square::check_countable(program, machine_of(1, {}));
         }).starts_with("the divider would test for more than"));
-  program.segments[0].facts.division.pairs = std::uint64_t{1} << 36U;
+  program.segments[0].facts.division.cells = std::uint64_t{1} << 36U;
   program.segments.assign(1 << 5, program.segments[0]);
   CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(1, {})));
   CHECK(error_of([&] {
-          pixel_square::check_countable(program, machine_of(1, {.pair_clocks = 1'000'000}));
+          pixel_square::check_countable(program, machine_of(1, {.cell_clocks = 1'000'000}));
         }).starts_with("the divider would test for more than"));
 }
 
