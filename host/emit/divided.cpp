@@ -22,12 +22,15 @@ std::vector<std::uint8_t> bytes_of(const division::Bits& bits) {
   return bytes;
 }
 
-void put(const division::Counts& counts, isa::Segment& segment) {
+void put(const SquareCounts& square, isa::Segment& segment) {
+  const division::Counts& counts = square.counts;
   isa::DivisionFacts& facts = segment.facts.division;
   facts.boxes = counts.boxes;
   facts.halfspaces = counts.halfspaces;
   facts.cells = counts.cells;
   facts.nodes = counts.nodes;
+  facts.most_halfspaces = square.at_hand.halfspaces;
+  facts.most_nodes = square.at_hand.nodes;
 }
 
 std::vector<isa::Region> regions_of(std::span<const isa::Segment> segments) {

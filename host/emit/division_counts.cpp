@@ -76,9 +76,9 @@ class Counter {
     return listed;
   }
 
-  std::vector<division::Counts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
+  std::vector<SquareCounts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
     const Plan plan = make_plan(tree_, scene_, view_, {squares.begin(), squares.end()}, options_.pruning);
-    std::vector<division::Counts> counts;
+    std::vector<SquareCounts> counts;
     for (const SegmentPlan& segment : plan.segments) counts.push_back(square(segment, listed));
     return counts;
   }
@@ -136,16 +136,21 @@ class Counter {
     return count;
   }
 
-  [[nodiscard]] division::Counts square(const SegmentPlan& segment, const Listed& listed) const {
-    division::Counts counts;
+  [[nodiscard]] SquareCounts square(const SegmentPlan& segment, const Listed& listed) const {
+    SquareCounts square;
+    division::Counts& counts = square.counts;
     counts.boxes = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
     const csg::Pruner pruner(scene_, view_, positive_, options_.pruning);
     for (const csg::ConvexSet& set : csg::convex_sets(positive_, true)) {
       const bool is_listed = std::all_of(set.begin(), set.end(), [&](auto one) { return listed.primitives[one]; });
       if (!is_listed || !has_box(set, segment)) continue;
-      counts.halfspaces += halfspaces_of(set, listed);
+      division::Counts surface;
+      surface.halfspaces = halfspaces_of(set, listed);
       const csg::Block block = pruner.block_of(set, segment.pixels());
-      if (!block.pixels.empty()) look_at_tree(set, block, listed, counts);
+      if (!block.pixels.empty()) look_at_tree(set, block, listed, surface);
+      counts += surface;
+      square.at_hand.halfspaces = std::max(square.at_hand.halfspaces, surface.halfspaces);
+      square.at_hand.nodes = std::max(square.at_hand.nodes, surface.nodes);
     }
     const Context context = context_of(segment);
     for (const PlannedSurface& planned : segment.surfaces) {
@@ -153,7 +158,7 @@ class Counter {
           std::all_of(planned.set.begin(), planned.set.end(), [&](auto one) { return listed.primitives[one]; });
       if (is_listed) thin_out(context, planned, listed, counts);
     }
-    return counts;
+    return square;
   }
 
   /// The nodes above the set's first leaf, the other operands of the intersections among them, and whatever is below
@@ -240,8 +245,8 @@ class Counter {
 
 }  // namespace
 
-std::vector<division::Counts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                                             const Options& options, std::span<const isa::Region> squares) {
+std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                                         const Options& options, std::span<const isa::Region> squares) {
   const Counter counter(tree, scene, view, options);
   return counter.squares(squares, counter.everything());
 }

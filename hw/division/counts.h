@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace csgsim::division {
@@ -21,6 +22,19 @@ struct Counts {
     return *this;
   }
   bool operator==(const Counts&) const = default;
+};
+
+/// What the divider has to keep at a time, the most for any surface of a square: whatever it looks at for one.
+struct AtHand {
+  std::uint64_t halfspaces = 0;  ///< tested at corners
+  std::uint64_t nodes = 0;       ///< of the tree
+
+  /// A surface that takes so much more.
+  void take(const Counts& surface) {
+    halfspaces = std::max(halfspaces, surface.halfspaces);
+    nodes = std::max(nodes, surface.nodes);
+  }
+  bool operator==(const AtHand&) const = default;
 };
 
 }  // namespace csgsim::division

@@ -39,26 +39,25 @@ void narrow(Box& box, const std::vector<Tested>& tested) {
 
 }  // namespace
 
-std::vector<Surface> surfaces_in(const DisplayModel& model, const Candidates& candidates, const Rectangle& square,
-                                 Counts& counts) {
-  counts.boxes += candidates.primitives.size();
-  std::vector<Surface> surfaces;
-  const auto primitives = static_cast<std::uint32_t>(model.primitives.size());
-  for (std::uint32_t first = 0, next = 0; first < primitives; first = next) {
-    next = first + 1;
-    while (next < primitives && model.primitives[next].joined) ++next;
-    Surface surface{first, next - first, common_box(model, candidates, first, next - first, square), {}};
-    if (surface.box.empty()) continue;
-    for (std::uint32_t i = first; i < next; ++i) {
-      for (const Halfspace& halfspace : candidates.halfspaces[i]) {
-        surface.tested.push_back(test_corners(model, i, halfspace, surface.box.pixels));
-      }
+std::uint32_t joined_from(const DisplayModel& model, std::uint32_t first) {
+  std::uint32_t next = first + 1;
+  while (next < model.primitives.size() && model.primitives[next].joined) ++next;
+  return next - first;
+}
+
+std::optional<Surface> surface_in(const DisplayModel& model, const Candidates& candidates, std::uint32_t first,
+                                  std::uint32_t count, const Rectangle& square, Counts& counts) {
+  Surface surface{first, count, common_box(model, candidates, first, count, square), {}};
+  if (surface.box.empty()) return std::nullopt;
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    for (const Halfspace& halfspace : candidates.halfspaces[i]) {
+      surface.tested.push_back(test_corners(model, i, halfspace, surface.box.pixels));
     }
-    counts.halfspaces += surface.tested.size();
-    narrow(surface.box, surface.tested);
-    if (!surface.box.empty()) surfaces.push_back(std::move(surface));
   }
-  return surfaces;
+  counts.halfspaces += surface.tested.size();
+  narrow(surface.box, surface.tested);
+  if (surface.box.empty()) return std::nullopt;
+  return surface;
 }
 
 Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, const Box& box,

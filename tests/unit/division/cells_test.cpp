@@ -120,7 +120,8 @@ TEST_CASE("one half-space, or none, is held against nothing") {
 }
 
 TEST_CASE("what no leader of the rectangle is beyond everywhere is held against those of its quarters") {
-  // At the corners 20 and -10, -10 and 20, 4 and 4; of columns 0 to 7, 20 and -1, -10 and 11; of 4 to 7, 8 and -1, 2 and
+  // At the corners 20 and -10, -10 and 20, 4 and 4; of columns 0 to 7, 20 and -1, -10 and 11; of 4 to 7, 8 and -1, 2
+  // and
   // 11. In 0 to 3 the first has 11 at least, in 4 and 5 it has 5; in 6 and 7 the second has 8, and in 8 to 10 14.
   const Sides made = side_of({{false, -3, 0, 20}, {false, 3, 0, -10}, {false, 0, 0, 4}}, true, row);
   CHECK(by_leaders(made) == Kept{{0, 1, 2}, 3});
