@@ -22,7 +22,8 @@ auto tests_of(const isa::DivisionFacts& facts, const Figures& figures) {
                                {facts.group_boxes, figures.box_clocks},
                                {facts.halfspaces, figures.halfspace_clocks},
                                {facts.group_halfspaces, figures.halfspace_clocks},
-                               {facts.pairs, figures.pair_clocks},
+                               {facts.cells, figures.cell_clocks},
+                               {facts.group_cells, figures.cell_clocks},
                                {facts.nodes, figures.node_clocks}});
 }
 

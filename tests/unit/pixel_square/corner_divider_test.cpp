@@ -34,12 +34,12 @@ pixel_square::Figures figures(std::uint32_t levels) {
           .model_bits = 100'000,
           .box_clocks = 2,
           .halfspace_clocks = 3,
-          .pair_clocks = 5,
+          .cell_clocks = 5,
           .node_clocks = 7};
 }
 
 std::uint64_t clocks_of(const division::Counts& counts) {
-  return 2 * counts.boxes + 3 * counts.halfspaces + 5 * counts.pairs + 7 * counts.nodes;
+  return 2 * counts.boxes + 3 * counts.halfspaces + 5 * counts.cells + 7 * counts.nodes;
 }
 
 /// Four squares of 8 x 8; the FIFO of the model has room for all of it.
