@@ -390,11 +390,11 @@ TEST_CASE("with a divider a frame takes at least what its busiest part has to do
     const std::uint64_t divider = model + test_clocks(program, machine) + work.host;
     const Timing timing = time(program, machine);
     const auto working = static_cast<std::size_t>(pixel_square::SquareActivity::working);
-    RC_ASSERT(timing.account.divider[working] == divider);
+    RC_ASSERT(timing.account.divider.value()[working] == divider);
     RC_ASSERT(timing.clocks > std::max({host, divider, work.frame_buffer}));
     RC_ASSERT(timing.clocks <= 2 * host + divider + work.host + work.renderers + 2 * work.frame_buffer +
                                    4 * program.segments.size() + 4);
-    for (const SquareClocks& part : {timing.account.host, timing.account.divider, timing.account.frame_buffer})
+    for (const SquareClocks& part : {timing.account.host, timing.account.divider.value(), timing.account.frame_buffer})
       RC_ASSERT(sum(part) == timing.clocks);
   }));
 }
@@ -428,8 +428,8 @@ TEST_CASE("with a divider and one renderer, and no square cleared, no faster tes
   }));
 }
 
-// A square goes to the renderer with the fewest squares, not to the one that is free first: with one renderer more a
-// long one may come behind another. It waits there for one square at a time, at most.
+// From two renderers on, one more may change who draws what: a square goes to the one with the fewest squares, not to
+// the one that is free first.
 TEST_CASE("where the divider waits for no room, more renderers take no more clocks than one") {
   CHECK(rc::check([] {
     Machine machine = any_dividing_machine();
