@@ -81,6 +81,7 @@ void describe(T& division, Visit&& visit) {
   visit("nodes", division.nodes);
   visit("group_boxes", division.group_boxes);
   visit("group_tests", division.group_halfspaces);
+  visit("group_entries", division.group_entries);
 }
 
 /// A segment but for its instructions, with what its division takes.

@@ -29,6 +29,7 @@ struct DivisionFacts {
   std::uint64_t nodes = 0;
   std::uint64_t group_boxes = 0;       ///< before the first region of a group
   std::uint64_t group_halfspaces = 0;  ///< the same
+  std::uint64_t group_entries = 0;     ///< primitives and half-spaces that the group leaves, with its first region
 
   constexpr bool operator==(const DivisionFacts&) const = default;
 };

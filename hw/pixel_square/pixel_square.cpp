@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "hw/pixel_square/division_check.h"
+#include "hw/division/division_check.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/make.h"
 #include "hw/systemc/kernel.h"
@@ -92,7 +92,7 @@ void PixelSquareMachine::on_done() { sc_core::sc_pause(); }
 
 kernel::RunReport PixelSquareMachine::run(const isa::Program& program, kernel::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
-  check_division(program, machine_);
+  if (front_.divider) division::check_division(program);
   begin(program, listener);
   if (!program.segments.empty()) sc_core::sc_start();
   retirement_.rethrow();

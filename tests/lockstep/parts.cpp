@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "hw/isa/validate.h"
+#include "hw/machines/regions.h"
+#include "tests/lockstep/divided_program.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/support/random_program.h"
 
@@ -70,7 +72,8 @@ bool agree_in_parts(const std::string& what, const machines::Machine& machine, u
   const auto functional = sim::make_functional_engine(machine);
   const auto cycle = sim::make_cycle_engine(machine);
   return rc::check(what, [&] {
-    const isa::Program program = *arbitrary_program_in_parts(machine, instructions);
+    const isa::Program program =
+        machines::division(machine) ? any_divided_program(machine) : *arbitrary_program_in_parts(machine, instructions);
     isa::validate(program);
     const sim::RunResult counted = check_lockstep(*reference, *cycle, program, machine).engine;
     Picture picture(program);

@@ -1,4 +1,4 @@
-#include "hw/pixel_square/division_check.h"
+#include "hw/division/division_check.h"
 
 #include <fmt/format.h>
 
@@ -9,18 +9,10 @@
 #include "hw/division/divide.h"
 #include "hw/division/encoding.h"
 #include "hw/isa/wire.h"
-#include "hw/pixel_square/figures.h"
 
-namespace csgsim::pixel_square {
+namespace csgsim::division {
 
 namespace {
-
-division::Divider divider_of(const isa::Program& program) {
-  constexpr unsigned byte_bits = 8;
-  std::vector<isa::LinkWord> words(program.display_model.size());
-  for (std::size_t i = 0; i < words.size(); ++i) words[i].put(0, byte_bits, program.display_model[i]);
-  return division::Divider(division::from_link(words, byte_bits));
-}
 
 bool alike(const isa::Instruction& one, const isa::Instruction& other) {
   return isa::as_received(one) == isa::as_received(other);
@@ -28,10 +20,16 @@ bool alike(const isa::Instruction& one, const isa::Instruction& other) {
 
 }  // namespace
 
-void check_division(const isa::Program& program, const machines::Machine& machine) {
-  if (machines::own<Figures>(machine).divider == DividerKind::host) return;
-  const division::Divider divider = divider_of(program);
-  const division::DisplayModel& model = divider.model();
+DisplayModel display_model_of(std::span<const std::uint8_t> bytes) {
+  constexpr unsigned byte_bits = 8;
+  std::vector<isa::LinkWord> words(bytes.size());
+  for (std::size_t i = 0; i < words.size(); ++i) words[i].put(0, byte_bits, bytes[i]);
+  return from_link(words, byte_bits);
+}
+
+void check_division(const isa::Program& program) {
+  const Divider divider(display_model_of(program.display_model));
+  const DisplayModel& model = divider.model();
   if (model.width != program.shape.width || model.height != program.shape.height)
     throw InputError("the Program's picture is not that of its display model; compile the model again");
   for (std::size_t i = 0; i < program.segments.size(); ++i) {
@@ -44,4 +42,4 @@ void check_division(const isa::Program& program, const machines::Machine& machin
   }
 }
 
-}  // namespace csgsim::pixel_square
+}  // namespace csgsim::division

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hw/division/display_model.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::division {
+
+/// The display model of a Program. Throws InputError unless the bytes are those of one.
+DisplayModel display_model_of(std::span<const std::uint8_t> bytes);
+
+/// Throws InputError unless the segments of a Program with a display model are what a divider makes of that, so that
+/// who watches a run can be told of them.
+void check_division(const isa::Program& program);
+
+}  // namespace csgsim::division
