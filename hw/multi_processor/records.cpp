@@ -18,6 +18,13 @@ using division::Primitive;
 using division::Widths;
 
 constexpr unsigned background_bits = 32;
+constexpr unsigned most_bits = 64;  ///< of a number
+
+/// Widths of a sound model are never more, nor is that of a coefficient 0.
+void put(BitWriter& out, std::uint64_t value, unsigned width) { out.put(value, std::min(width, most_bits)); }
+void put_signed(BitWriter& out, std::int64_t value, unsigned width) {
+  out.put_signed(value, std::clamp(width, 1U, most_bits));
+}
 
 /// What follows from the model's own widths and the number of its primitives.
 RecordFormat format_of(const Widths& widths, std::uint64_t primitives) {
@@ -58,11 +65,11 @@ division::Bits primitive_record(const Primitive& one, const RecordFormat& format
   const division::Rectangle& pixels = one.box.pixels;
   for (const std::int32_t side : {pixels.x0, pixels.y0, pixels.x1 + 1, pixels.y1 + 1})
     out.put(static_cast<std::uint64_t>(side), Widths::side);
-  out.put(static_cast<std::uint64_t>(one.box.z_low), format.depth);
-  out.put(static_cast<std::uint64_t>(one.box.z_high + 1), format.depth);
+  put(out, static_cast<std::uint64_t>(one.box.z_low), format.depth);
+  put(out, static_cast<std::uint64_t>(one.box.z_high + 1), format.depth);
   out.put(one.complemented ? 1 : 0, 1);
   out.put(one.joined ? 1 : 0, 1);
-  out.put(one.near_colour, format.colour);
+  put(out, one.near_colour, format.colour);
   return out.take();
 }
 
@@ -70,7 +77,7 @@ division::Bits node_record(const division::Node& node, const RecordFormat& forma
   BitWriter out;
   out.put(node.operands == 0 ? 0 : 1, 1);
   out.put(node.op == division::Operator::intersect ? 1 : 0, 1);
-  out.put(node.operands, format.operands);
+  put(out, node.operands, format.operands);
   return out.take();
 }
 
@@ -79,10 +86,10 @@ division::Bits halfspace_record(const DisplayModel& model, const division::Halfs
   const division::Plane& plane = model.planes[one.plane];
   out.put(plane.is_edge ? 1 : 0, 1);
   out.put(one.forward ? 1 : 0, 1);
-  out.put_signed(plane.a, format.slope);
-  out.put_signed(plane.b, format.slope);
-  out.put_signed(plane.c, format.constant);
-  out.put(one.colour, format.colour);
+  put_signed(out, plane.a, format.slope);
+  put_signed(out, plane.b, format.slope);
+  put_signed(out, plane.c, format.constant);
+  put(out, one.colour, format.colour);
   return out.take();
 }
 
@@ -94,7 +101,7 @@ struct Number {
 
 division::Bits numbers_record(std::initializer_list<Number> numbers) {
   BitWriter out;
-  for (const Number& one : numbers) out.put(one.value, one.width);
+  for (const Number& one : numbers) put(out, one.value, one.width);
   return out.take();
 }
 
