@@ -80,8 +80,8 @@ void add_division(isa::Program& program, const machines::Division& division, con
     return;
   }
   const auto group_at = [&](std::size_t index) {
-    return group_of(segments[index].region, program.shape, division.group_side * machine.array.width,
-                    division.group_side * machine.array.height);
+    return group_of(segments[index].region, program.shape, std::max(1U, division.group_side * machine.array.width),
+                    std::max(1U, division.group_side * machine.array.height));
   };
   std::size_t turn = 0;
   for (std::size_t first = 0, next = 0; first < segments.size(); first = next) {

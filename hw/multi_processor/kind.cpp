@@ -105,12 +105,6 @@ constexpr auto schema = std::to_array<FigureSchema>({
 
 std::any own() { return Figures{}; }
 
-void complete(Machine& /*machine*/) {}
-
-void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
-
-bool has_global_or(const Machine& /*machine*/) { return false; }
-
 /// A segment's subsegments are divided from whatever the segment leaves.
 std::optional<machines::Division> division(const Machine& machine) {
   return machines::Division{.list_entries = ~std::uint64_t{0},
@@ -144,12 +138,8 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& he
 
 const machines::Kind kind{
     .name = "multi-processor",
-    .over = "a subsegment of the picture",
     .schema = schema,
     .own = own,
-    .complete = complete,
-    .set_picture = set_picture,
-    .has_global_or = has_global_or,
     .regions = regions,
     .division = division,
     .check = check,

@@ -10,15 +10,15 @@ struct Place {
   unsigned bits = 0;
 };
 
-constexpr Place planes{0, 32};
-constexpr Place primitives{32, 32};
-constexpr Place nodes{64, 32};
-constexpr Place depth{126, 5};
-constexpr Place colour{136, 5};
-constexpr Place slope{141, 6};
-constexpr Place constant{147, 6};
-constexpr Place halfspaces{153, 6};
-constexpr Place operands{159, 5};
+constexpr Place at_planes{0, 32};
+constexpr Place at_primitives{32, 32};
+constexpr Place at_nodes{64, 32};
+constexpr Place at_depth{126, 5};
+constexpr Place at_colour{136, 5};
+constexpr Place at_slope{141, 6};
+constexpr Place at_constant{147, 6};
+constexpr Place at_halfspaces{153, 6};
+constexpr Place at_operands{159, 5};
 constexpr unsigned header_bits = 164;
 
 std::uint32_t number_at(Place place, std::span<const std::uint8_t> bytes) {
@@ -42,8 +42,8 @@ std::uint32_t bits_to_tell(std::uint64_t most) {
 ModelSizes sizes_of(std::span<const std::uint8_t> display_model) {
   if (8 * display_model.size() < header_bits) return {};
   const auto number = [&](Place place) { return number_at(place, display_model); };
-  return {number(planes), number(primitives), number(nodes),      number(depth),   number(colour),
-          number(slope),  number(constant),   number(halfspaces), number(operands)};
+  return {number(at_planes), number(at_primitives), number(at_nodes),      number(at_depth),   number(at_colour),
+          number(at_slope),  number(at_constant),   number(at_halfspaces), number(at_operands)};
 }
 
 std::uint64_t frame_words(const ModelSizes& sizes, std::uint32_t word_bits) {

@@ -11,6 +11,7 @@
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/regions.h"
 #include "hw/pixel_square/timing.h"
+#include "hw/pixel_square/timing_division.h"
 
 namespace csgsim::pixel_square {
 
@@ -70,12 +71,6 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 
 std::any own() { return Figures{}; }
 
-void complete(Machine& /*machine*/) {}
-
-void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
-
-bool has_global_or(const Machine& /*machine*/) { return false; }
-
 std::optional<machines::Division> division(const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.divider == DividerKind::host) return std::nullopt;
@@ -116,12 +111,8 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& he
 
 const machines::Kind kind{
     .name = "pixel-square",
-    .over = "a square of the picture",
     .schema = schema,
     .own = own,
-    .complete = complete,
-    .set_picture = set_picture,
-    .has_global_or = has_global_or,
     .regions = regions,
     .division = division,
     .check = check,

@@ -11,7 +11,9 @@
 
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
+#include "tests/lockstep/divided_program.h"
 #include "tests/lockstep/parts.h"
+#include "tests/lockstep/row.h"
 
 namespace csgsim::test {
 
@@ -70,11 +72,11 @@ int main(int argc, char** argv) {
     const csgsim::machines::Machine machine =
         csgsim::test::random_machine(static_cast<std::uint32_t>(std::stoul(argv[1])));
     const auto programs = static_cast<unsigned>(std::stoul(argv[2]));
-    return csgsim::test::agree_in_parts(
-               "the clocked multi-processor leaves the bits, picture, clocks and account worked out", machine, programs,
-               0)
-               ? 0
-               : 1;
+    return csgsim::test::exit_code_of(programs, [&] {
+      return csgsim::test::agree_in_parts(
+          "the clocked multi-processor leaves the bits, picture, clocks and account worked out", machine,
+          [&] { return csgsim::test::any_divided_program(machine); });
+    });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

@@ -1,5 +1,5 @@
 # The pixel-square machine. Each row are figures of one machine; those that it does not name are as in squares.cpp.
-add_executable(lockstep_squares squares.cpp divided_program.cpp)
+add_executable(lockstep_squares squares.cpp divided_program.cpp parts.cpp row.cpp)
 target_link_libraries(lockstep_squares PRIVATE
   csgsim_lockstep csgsim_random_program csgsim_oracle csgsim::read csgsim::emit csgsim::reference csgsim::functional csgsim::cycle fmt::fmt csgsim_flags)
 foreach(row IN ITEMS

@@ -16,6 +16,7 @@
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
 #include "hw/pixel_square/timing.h"
+#include "hw/pixel_square/timing_division.h"
 #include "hw/scan_line/kind.h"
 #include "tests/support/random_program.h"
 
@@ -67,7 +68,7 @@ Timing time(const isa::Program& program, const Machine& machine) {
 }
 
 std::uint64_t sum(const SquareClocks& clocks) {
-  return std::accumulate(clocks.begin(), clocks.end(), std::uint64_t{0});
+  return std::accumulate(clocks.clocks.begin(), clocks.clocks.end(), std::uint64_t{0});
 }
 
 template <class Run>
