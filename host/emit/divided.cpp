@@ -39,6 +39,12 @@ std::vector<isa::Region> regions_of(std::span<const isa::Segment> segments) {
   return regions;
 }
 
+/// Whether the region lies in the group.
+bool holds(const isa::Region& group, const isa::Region& region) {
+  return region.x >= group.x && region.x - group.x < group.width && region.y >= group.y &&
+         region.y - group.y < group.height;
+}
+
 /// The group of so many pixels that holds the region, cut off at the picture's edges.
 isa::Region group_of(const isa::Region& region, const isa::ArrayShape& picture, std::uint32_t width,
                      std::uint32_t height) {
@@ -53,14 +59,14 @@ Options options_for(const machines::Division& /*division*/, const Options& optio
   if (options.strategy != Strategy::stack && options.strategy != Strategy::automatic) {
     throw InputError(
         fmt::format("the machine divides the model itself, by the strategy stack alone, not {}; take that, "
-                    "or a machine whose divider.kind is host",
+                    "or a machine for which the host divides",
                     name_of(options.strategy)));
   }
   const Options divided = divider_options(options);
   if (options.pruning != csg::Pruning{} && options.pruning != divided.pruning) {
     throw InputError(
         "the machine divides the model itself, with prunings of its own; leave out none of them, or take a "
-        "machine whose divider.kind is host");
+        "machine for which the host divides");
   }
   return divided;
 }
@@ -71,27 +77,32 @@ void add_division(isa::Program& program, const machines::Division& division, con
   program.display_model =
       bytes_of(division::encode(make_display_model(tree, scene, view, options, program.shape.memory_bits)));
   const std::span<isa::Segment> segments = program.segments;
-  if (division.group_side == 0) {
+  if (division.group_side == 0 && division.groups.empty()) {
     const auto counts = count_division(tree, scene, view, options, regions_of(segments));
     for (std::size_t i = 0; i < segments.size(); ++i) put(counts[i], segments[i]);
     return;
   }
   const auto group_at = [&](std::size_t index) {
-    return group_of(segments[index].region, program.shape, division.group_side * machine.array.width,
-                    division.group_side * machine.array.height);
+    return group_of(segments[index].region, program.shape, std::max(1U, division.group_side * machine.array.width),
+                    std::max(1U, division.group_side * machine.array.height));
   };
+  std::size_t turn = 0;
   for (std::size_t first = 0, next = 0; first < segments.size(); first = next) {
-    const isa::Region group = group_at(first);
-    while (next < segments.size() && group_at(next) == group) ++next;
+    const isa::Region group = division.groups.empty() ? group_at(first) : division.groups.at(turn++);
+    const auto outside = [&](const isa::Segment& segment) { return !holds(group, segment.region); };
+    const auto end = std::find_if(segments.begin() + static_cast<std::ptrdiff_t>(first), segments.end(), outside);
+    next = static_cast<std::size_t>(end - segments.begin());
     const std::span<isa::Segment> squares = segments.subspan(first, next - first);
     const std::vector<isa::Region> regions = regions_of(squares);
     const GroupCounts counts = count_group(tree, scene, view, options, group, regions);
     const bool fits = counts.entries <= division.list_entries;
     const auto of_squares = fits ? counts.squares : count_division(tree, scene, view, options, regions);
     for (std::size_t i = 0; i < squares.size(); ++i) put(of_squares[i], squares[i]);
-    squares.front().facts.division.group_boxes = counts.group.boxes;
-    squares.front().facts.division.group_halfspaces = counts.group.halfspaces;
-    squares.front().facts.division.group_cells = counts.group.cells;
+    isa::DivisionFacts& facts = squares.front().facts.division;
+    facts.group_boxes = counts.group.boxes;
+    facts.group_halfspaces = counts.group.halfspaces;
+    facts.group_cells = counts.group.cells;
+    facts.group_entries = counts.entries;
   }
 }
 

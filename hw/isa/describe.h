@@ -82,6 +82,7 @@ void describe(T& division, Visit&& visit) {
   visit("group_boxes", division.group_boxes);
   visit("group_tests", division.group_halfspaces);
   visit("group_cells", division.group_cells);
+  visit("group_entries", division.group_entries);
   visit("most_tests", division.most_halfspaces);
   visit("most_nodes", division.most_nodes);
 }

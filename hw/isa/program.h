@@ -30,6 +30,7 @@ struct DivisionFacts {
   std::uint64_t group_boxes = 0;       ///< before the first region of a group
   std::uint64_t group_halfspaces = 0;  ///< the same
   std::uint64_t group_cells = 0;       ///< the same
+  std::uint64_t group_entries = 0;     ///< primitives and half-spaces that the group leaves, with its first region
   std::uint64_t most_halfspaces = 0;   ///< for one surface
   std::uint64_t most_nodes = 0;        ///< the same
 

@@ -18,8 +18,10 @@ struct Division {
   /// Regions of a group, along a row and down, for the first of two levels; 0 if there is one level.
   std::uint32_t group_side = 0;
   std::uint64_t list_entries = 0;  ///< that what a group leaves has to fit
+  /// The groups themselves, in the order in which the machine draws them, where they are no such squares of regions.
+  std::vector<isa::Region> groups{};
 
-  constexpr bool operator==(const Division&) const = default;
+  bool operator==(const Division&) const = default;
 };
 
 /// None, if the host divides the model.

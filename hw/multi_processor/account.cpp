@@ -42,16 +42,21 @@ machines::Share busiest_share(const FrameAccount& counted) {
 
 machines::Account account(const FrameAccount& counted, const isa::ArrayShape& nodes) {
   const StageClocks& stages = counted.stages;
-  machines::Account told{.counts = {{"segments", counted.segments},
+  machines::Account told{.counts = {{"segments", counted.segment_count},
                                     {"active_segments", counted.active_segments},
                                     {"first_box_tests", counted.first_box_tests},
                                     {"first_halfspace_tests", counted.first_halfspace_tests},
+                                    {"first_cell_tests", counted.first_cell_tests},
                                     {"second_box_tests", counted.second_box_tests},
                                     {"second_halfspace_tests", counted.second_halfspace_tests},
+                                    {"second_cell_tests", counted.second_cell_tests},
+                                    {"second_tree_nodes", counted.second_tree_nodes},
+                                    {"model_words", counted.model_words},
                                     {"broadcast_primitives", counted.broadcast_primitives},
                                     {"broadcast_halfspaces", counted.broadcast_halfspaces},
                                     {"broadcast_words", counted.broadcast_words},
                                     {"shared_words", counted.shared_words},
+                                    {"reception_clocks", stages.reception},
                                     {"transformation_clocks", stages.transformation},
                                     {"first_pruning_clocks", stages.first_pruning},
                                     {"broadcasting_clocks", stages.broadcasting},

@@ -10,6 +10,8 @@ std::ostream& operator<<(std::ostream& stream, const BusLines& lines) {
   return stream << lines.number << " from " << lines.master << ": " << lines.sent;
 }
 
+std::ostream& operator<<(std::ostream& stream, const HostWord& word) { return stream << "word " << word.number; }
+
 void sc_trace(sc_core::sc_trace_file* file, const BusRequest& request, const std::string& name) {
   sc_core::sc_trace(file, request.number, name + ".number");
   sc_core::sc_trace(file, request.last, name + ".last");
@@ -19,6 +21,10 @@ void sc_trace(sc_core::sc_trace_file* file, const BusLines& lines, const std::st
   sc_core::sc_trace(file, lines.number, name + ".number");
   sc_core::sc_trace(file, lines.master, name + ".master");
   sc_trace(file, lines.sent, name + ".sent");
+}
+
+void sc_trace(sc_core::sc_trace_file* file, const HostWord& word, const std::string& name) {
+  sc_core::sc_trace(file, word.number, name + ".number");
 }
 
 }  // namespace csgsim::multi_processor

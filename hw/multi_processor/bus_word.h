@@ -12,9 +12,9 @@ namespace csgsim::multi_processor {
 
 /// What a word of the control bus is, which a wire beside it says.
 enum class WordKind : std::uint8_t {
-  command,    ///< part of a command of hw/isa/wire.h
-  primitive,  ///< part of an active primitive's data
-  halfspace,  ///< part of a half-space's data
+  command,  ///< part of a command of hw/isa/wire.h
+  frame,    ///< part of a record of the frame (records.h)
+  segment,  ///< part of a record of a segment
 };
 
 /// A master's word for the bus.
@@ -36,11 +36,21 @@ struct BusLines {
   constexpr bool operator==(const BusLines&) const = default;
 };
 
+/// A word of the host's link.
+struct HostWord {
+  std::uint64_t number = 0;  ///< of all words, from 1; 0 before the first
+  isa::LinkWord word;
+
+  constexpr bool operator==(const HostWord&) const = default;
+};
+
 std::ostream& operator<<(std::ostream& stream, const BusRequest& request);
 std::ostream& operator<<(std::ostream& stream, const BusLines& lines);
+std::ostream& operator<<(std::ostream& stream, const HostWord& word);
 
 void sc_trace(sc_core::sc_trace_file* file, const BusRequest& request, const std::string& name);
 void sc_trace(sc_core::sc_trace_file* file, const BusLines& lines, const std::string& name);
+void sc_trace(sc_core::sc_trace_file* file, const HostWord& word, const std::string& name);
 
 /// The display processor is master 0 of the bus, node n is master n + 1.
 inline constexpr std::uint32_t display_master = 0;

@@ -108,15 +108,15 @@ MergedView view_of(const isa::Region& region, const isa::ArrayShape& nodes, std:
 
 }  // namespace
 
-Collector::Collector(sc_core::sc_module_name name, const machines::Machine& machine, const Division& division)
+Collector::Collector(sc_core::sc_module_name name, const machines::Machine& machine, const SubsegmentNames& names)
     : sc_core::sc_module(name),
       nodes_(machine.array),
-      division_(division),
+      names_(names),
       told_(std::size_t{nodes_.width} * nodes_.height),
       ends_(told_.size()) {}
 
 kernel::Keep Collector::keeps_after(const isa::Region& region, std::uint32_t index) {
-  return retirement->keeps_after(division_.number_of(region), index);
+  return retirement->keeps_after(names_.number_of(region), index);
 }
 
 void Collector::after_instruction(std::uint32_t node, NodeState state) {
@@ -135,7 +135,7 @@ void Collector::after_subsegment(std::uint32_t node, const isa::Region& region, 
 }
 
 void Collector::tell(const isa::Region& region) {
-  const std::uint32_t segment = division_.number_of(region);
+  const std::uint32_t segment = names_.number_of(region);
   for (std::uint32_t index = 0; index < steps_.size(); ++index) {
     kernel::Retired retired{.segment = segment, .index = index};
     for (const NodeState& state : steps_[index]) {
@@ -152,7 +152,7 @@ void Collector::after_clear(const isa::Region& segment) {
   if (++ended_ < told_.size()) return;
   ended_ = 0;
   for (const isa::Region& part : parts_of(segment, nodes_.width, nodes_.height)) {
-    retirement->after_segment(division_.number_of(part), kernel::ClearView());
+    retirement->after_segment(names_.number_of(part), kernel::ClearView());
   }
 }
 

@@ -5,10 +5,9 @@
 #include <systemc>
 #include <vector>
 
-#include "hw/isa/program.h"
 #include "hw/machines/machine.h"
-#include "hw/multi_processor/division.h"
 #include "hw/multi_processor/node_state.h"
+#include "hw/multi_processor/subsegment_names.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::multi_processor {
@@ -30,7 +29,7 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
  public:
   sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
 
-  Collector(sc_core::sc_module_name name, const machines::Machine& machine, const Division& division);
+  Collector(sc_core::sc_module_name name, const machines::Machine& machine, const SubsegmentNames& names);
 
   [[nodiscard]] kernel::Keep keeps_after(const isa::Region& region, std::uint32_t index) override;
   void after_instruction(std::uint32_t node, NodeState state) override;
@@ -41,7 +40,7 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
   void tell(const isa::Region& region);
 
   const isa::ArrayShape nodes_;
-  const Division& division_;
+  const SubsegmentNames& names_;
   std::vector<std::vector<NodeState>> steps_;  ///< by instruction, by node
   std::vector<std::uint32_t> told_;            ///< instructions, by node
   std::vector<NodeState> ends_;                ///< by node

@@ -1,6 +1,10 @@
 #include "hw/multi_processor/display_processor.h"
 
+#include "hw/division/division_check.h"
+#include "hw/division/encoding.h"
+#include "hw/multi_processor/model_host.h"
 #include "hw/multi_processor/regions.h"
+#include "hw/multi_processor/test_clocks.h"
 
 namespace csgsim::multi_processor {
 
@@ -11,36 +15,64 @@ DisplayProcessor::DisplayProcessor(sc_core::sc_module_name name, const machines:
       nodes_(machine.array),
       bus_width_(machine.link.width) {
   SC_HAS_PROCESS(DisplayProcessor);
+  SC_METHOD(on_host_word);
+  dont_initialize();
+  sensitive << host;
   SC_THREAD(work);
 }
 
-void DisplayProcessor::begin(const std::vector<isa::Region>& segments, const isa::ModelFacts& model) {
-  segments_ = segments;
-  primitives_ = model.primitives;
-  halfspaces_ = model.halfspaces;
+void DisplayProcessor::begin() {
+  bits_taken_ = 0;
+  model_bytes_ = 0;
+  memory_.clear();
+  divider_.reset();
   first_word_ = words_;
+  model_words_ = 0;
+  segments_drawn_ = 0;
   active_segments_ = 0;
   box_tests_ = 0;
   halfspace_tests_ = 0;
+  cell_tests_ = 0;
   sent_primitives_ = 0;
   sent_halfspaces_ = 0;
   stages_ = {};
-  stays_.begin(DisplayActivity::waiting_for_nodes, time_.now());
+  stays_.begin(DisplayActivity::receiving, time_.now());
   start_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void DisplayProcessor::tell(FrameAccount& counted) const {
-  counted.segments = segments_.size();
+  counted.segment_count = segments_drawn_;
   counted.active_segments = active_segments_;
   counted.first_box_tests = box_tests_;
   counted.first_halfspace_tests = halfspace_tests_;
+  counted.first_cell_tests = cell_tests_;
+  counted.model_words = model_words_;
   counted.broadcast_primitives = sent_primitives_;
   counted.broadcast_halfspaces = sent_halfspaces_;
   counted.broadcast_words = words_ - first_word_;
+  counted.stages.reception = stages_.reception;
   counted.stages.transformation = stages_.transformation;
   counted.stages.first_pruning = stages_.first_pruning;
   counted.stages.broadcasting = stages_.broadcasting;
   counted.display = account();
+}
+
+/// The length, then the bytes.
+void DisplayProcessor::on_host_word() {
+  constexpr unsigned byte_bits = 8;
+  const isa::LinkWord& word = host.read().word;
+  ++model_words_;
+  for (unsigned i = 0; i < figures_.host.width; ++i, ++bits_taken_) {
+    if (bits_taken_ < length_bits) {
+      model_bytes_ |= word.number(i, 1) << bits_taken_;
+      continue;
+    }
+    const std::uint64_t place = bits_taken_ - length_bits;
+    if (place >= byte_bits * model_bytes_) break;
+    if (place % byte_bits == 0) memory_.push_back(0);
+    memory_.back() = static_cast<std::uint8_t>(memory_.back() | word.number(i, 1) << place % byte_bits);
+  }
+  if (bits_taken_ >= length_bits + byte_bits * model_bytes_) model_received_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void DisplayProcessor::work() {
@@ -52,16 +84,22 @@ void DisplayProcessor::work() {
 }
 
 void DisplayProcessor::draw() {
-  spend(DisplayActivity::transforming, halfspaces_ * figures_.transform_clocks);
-  for (const isa::Region& segment : segments_) {
-    const std::vector<isa::Region> parts = parts_of(segment, nodes_.width, nodes_.height);
-    if (!figures_.divides_ahead) wait_for_nodes();
-    const DividedSegment divided = divide(parts);
-    wait_for_nodes();
-    broadcast(segment, divided);
-    barriers_ += divided.primitives > 0 ? 1 + parts.size() : 1;
+  receive_model();
+  const division::DisplayModel& model = divider_->model();
+  spend(DisplayActivity::transforming, model.planes.size() * figures_.transform_clocks);
+  broadcast_frame();
+  for (const isa::Region& segment : picture_segments({model.width, model.height}, figures_.levels)) {
+    draw_segment(segment);
   }
   wait_for_nodes();
+}
+
+void DisplayProcessor::receive_model() {
+  const std::uint64_t begun = time_.now();
+  wait(model_received_);
+  divider_.emplace(division::display_model_of(memory_));
+  stages_.reception = time_.now() - begun;
+  stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 
 void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
@@ -72,27 +110,51 @@ void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
   (activity == DisplayActivity::dividing ? stages_.first_pruning : stages_.transformation) += time_.now() - begun;
 }
 
-DividedSegment DisplayProcessor::divide(const std::vector<isa::Region>& parts) {
-  const DividedSegment divided = division->segment(parts);
-  box_tests_ += primitives_;
-  halfspace_tests_ += divided.halfspace_tests;
-  if (divided.primitives > 0) ++active_segments_;
-  spend(DisplayActivity::dividing,
-        primitives_ * figures_.display_tests.primitive + divided.halfspace_tests * figures_.display_tests.halfspace);
-  return divided;
+void DisplayProcessor::draw_segment(const isa::Region& segment) {
+  if (!figures_.divides_ahead) wait_for_nodes();
+  const division::Candidates left = prune(segment);
+  const std::size_t parts = parts_of(segment, nodes_.width, nodes_.height).size();
+  // A picture that is one subsegment has a list whatever is left.
+  const division::DisplayModel& model = divider_->model();
+  const bool is_picture = parts == 1 && segment == isa::Region{0, 0, model.width, model.height};
+  const bool is_active = !left.primitives.empty() || is_picture;
+  wait_for_nodes();
+  broadcast(segment, left, is_active);
+  ++segments_drawn_;
+  if (is_active) ++active_segments_;
+  barriers_ += is_active ? 1 + parts : 1;
 }
 
-void DisplayProcessor::broadcast(const isa::Region& segment, const DividedSegment& divided) {
-  const auto words = [this](std::uint32_t bits) { return (bits + bus_width_ - 1) / bus_width_; };
-  const std::uint64_t begun = time_.now();
-  stays_.change(DisplayActivity::broadcasting, begun);
+division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
+  division::Counts counts;
+  division::Candidates left = divider_->survivors(segment, counts);
+  box_tests_ += counts.boxes;
+  halfspace_tests_ += counts.halfspaces;
+  cell_tests_ += counts.cells;
+  spend(DisplayActivity::dividing, clocks_of(counts, figures_.display_tests));
+  return left;
+}
+
+void DisplayProcessor::broadcast_frame() {
+  begin_broadcast();
+  send(frame_records(divider_->model()), WordKind::frame, true);
+  end_broadcast();
+}
+
+void DisplayProcessor::broadcast(const isa::Region& segment, const division::Candidates& left, bool is_active) {
+  begin_broadcast();
   send(isa::SegmentStart{segment}, false);
-  send_data(WordKind::primitive, divided.primitives * words(figures_.primitive_bits));
-  send_data(WordKind::halfspace, divided.halfspaces * words(figures_.halfspace_bits));
+  if (is_active) send(segment_records(divider_->model(), left), WordKind::segment, false);
   send(isa::SegmentEnd{}, true);
-  sent_primitives_ += divided.primitives;
-  sent_halfspaces_ += divided.halfspaces;
-  stages_.broadcasting += time_.now() - begun;
+  end_broadcast();
+  sent_primitives_ += left.primitives.size();
+  sent_halfspaces_ += left.entries() - left.primitives.size();
+}
+
+void DisplayProcessor::begin_broadcast() { stays_.change(DisplayActivity::broadcasting, time_.now()); }
+
+void DisplayProcessor::end_broadcast() {
+  stages_.broadcasting += stays_.since(time_.now());
   stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 
@@ -104,8 +166,14 @@ void DisplayProcessor::send(const isa::Command& command, bool last) {
   }
 }
 
-void DisplayProcessor::send_data(WordKind kind, std::uint64_t words) {
-  for (std::uint64_t i = 0; i < words; ++i) send({.number = 0, .kind = kind, .last = false, .word = {}});
+void DisplayProcessor::send(const Records& records, WordKind kind, bool last) {
+  for (std::size_t record = 0; record < records.size(); ++record) {
+    const std::vector<isa::LinkWord> words = division::to_link(records[record], bus_width_);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const bool is_last = last && record + 1 == records.size() && i + 1 == words.size();
+      send({.number = 0, .kind = kind, .last = is_last, .word = words[i]});
+    }
+  }
 }
 
 /// Returns when the word has gone.

@@ -1,48 +1,55 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <systemc>
 #include <vector>
 
-#include "hw/isa/program.h"
+#include "hw/division/divide.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/machine.h"
 #include "hw/multi_processor/account.h"
 #include "hw/multi_processor/bus_word.h"
-#include "hw/multi_processor/division.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/records.h"
 #include "hw/multi_processor/time_base.h"
 
 namespace csgsim::multi_processor {
 
-/// Transforms the half-spaces of the model, then for each segment holds all primitives against it, and the half-spaces
-/// of those that touch it; waits until the nodes have done with the segment before, and broadcasts what is left. It
-/// does not divide while the nodes work, unless it divides ahead.
+/// Takes the model into its memory, transforms its planes and broadcasts its tree. Then for each segment it holds all
+/// primitives against it, and the half-spaces of those that touch it; waits until the nodes have done with the segment
+/// before, and broadcasts what is left. It does not divide while the nodes work, unless it divides ahead.
 class DisplayProcessor final : public sc_core::sc_module {
  public:
+  sc_core::sc_in<HostWord> host{"host"};
   sc_core::sc_in<BusLines> bus{"bus"};
   sc_core::sc_out<BusRequest> request{"request"};
   sc_core::sc_in<std::uint64_t> released{"released"};  ///< barriers
-  sc_core::sc_port<DivisionPort> division{"division"};
-  sc_core::sc_out<std::uint64_t> frames{"frames"};  ///< that are drawn
+  sc_core::sc_out<std::uint64_t> frames{"frames"};     ///< that are drawn
 
   DisplayProcessor(sc_core::sc_module_name name, const machines::Machine& machine);
 
-  /// Draws a frame of the model from the next delta on.
-  void begin(const std::vector<isa::Region>& segments, const isa::ModelFacts& model);
+  /// Draws a frame of the model that comes from the host from the next delta on.
+  void begin();
 
   [[nodiscard]] DisplayClocks account() const { return stays_.clocks(time_.now()); }
   /// Adds what it has done.
   void tell(FrameAccount& counted) const;
 
  private:
+  void on_host_word();
   void work();
   void draw();
+  void receive_model();
   void spend(DisplayActivity activity, std::uint64_t clocks);
-  DividedSegment divide(const std::vector<isa::Region>& parts);
-  void broadcast(const isa::Region& segment, const DividedSegment& divided);
+  division::Candidates prune(const isa::Region& segment);
+  void draw_segment(const isa::Region& segment);
+  void broadcast_frame();
+  void broadcast(const isa::Region& segment, const division::Candidates& left, bool is_active);
+  void begin_broadcast();
+  void end_broadcast();
   void send(const isa::Command& command, bool last);
-  void send_data(WordKind kind, std::uint64_t words);
+  void send(const Records& records, WordKind kind, bool last);
   void send(const BusRequest& word);
   void wait_for_nodes();
 
@@ -50,18 +57,23 @@ class DisplayProcessor final : public sc_core::sc_module {
   const Figures figures_;
   const isa::ArrayShape nodes_;
   const std::uint32_t bus_width_;
-  std::vector<isa::Region> segments_;
-  std::uint64_t primitives_ = 0;  ///< of the model
-  std::uint64_t halfspaces_ = 0;
-  std::uint64_t words_ = 0;     ///< sent, of all frames
-  std::uint64_t barriers_ = 0;  ///< that the nodes come to with what they have been sent, of all frames
+  std::uint64_t bits_taken_ = 0;              ///< from the host
+  std::uint64_t model_bytes_ = 0;             ///< as the host says
+  std::vector<std::uint8_t> memory_;          ///< the model's bytes that have come
+  std::optional<division::Divider> divider_;  ///< once the model is in
+  std::uint64_t words_ = 0;                   ///< sent, of all frames
+  std::uint64_t barriers_ = 0;                ///< that the nodes come to with what they have been sent, of all frames
   std::uint64_t drawn_ = 0;
   sc_core::sc_event start_{"start"};
+  sc_core::sc_event model_received_{"model_received"};
 
   std::uint64_t first_word_ = 0;  ///< sent before the frame
+  std::uint64_t model_words_ = 0;
+  std::uint64_t segments_drawn_ = 0;
   std::uint64_t active_segments_ = 0;
   std::uint64_t box_tests_ = 0;
   std::uint64_t halfspace_tests_ = 0;
+  std::uint64_t cell_tests_ = 0;
   std::uint64_t sent_primitives_ = 0;
   std::uint64_t sent_halfspaces_ = 0;
   StageClocks stages_;

@@ -36,12 +36,24 @@ struct LoopClocks {
   constexpr bool operator==(const LoopClocks&) const = default;
 };
 
-/// Clocks of a processor that divides.
+/// Clocks of a processor that divides. The display processor does nothing but the first three.
 struct TestClocks {
-  std::uint32_t primitive = 0;  ///< to hold the bounds of a primitive against a part of the picture
-  std::uint32_t halfspace = 0;  ///< to hold a half-space against the corners of one
+  std::uint32_t primitive = 0;    ///< to hold the bounds of a primitive against a part of the picture
+  std::uint32_t halfspace = 0;    ///< to hold a half-space against the corners of one
+  std::uint32_t cell = 0;         ///< to hold a half-space of a side against the leaders of a cell
+  std::uint32_t tree_node = 0;    ///< to look at a node of the tree
+  std::uint32_t instruction = 0;  ///< to put an instruction into the list
 
   constexpr bool operator==(const TestClocks&) const = default;
+};
+
+/// How the model comes from the host into the display processor's memory.
+struct HostLink {
+  std::uint32_t width = 1;        ///< bits of a word
+  std::uint32_t word_clocks = 1;  ///< from one word to the next
+  std::uint32_t latency = 0;      ///< clocks from the frame's beginning to the first word
+
+  constexpr bool operator==(const HostLink&) const = default;
 };
 
 /// What only this kind of machine has. The nodes are machine.array: `width` columns, `height` rows.
@@ -49,16 +61,16 @@ struct Figures {
   std::uint32_t levels = 0;  ///< of binary subdivision of the picture, into segments
   RenderingOrder order = RenderingOrder::segment;
   std::uint32_t word_bits = 16;    ///< of a node
-  std::uint32_t memory_words = 0;  ///< of a node, for a segment's half-spaces and lists
+  std::uint32_t memory_words = 0;  ///< of a node, for the frame's tree, a segment's half-spaces and lists
   OperationClocks operations;
   LoopClocks loop;
   TestClocks node_tests;
   TestClocks display_tests;
-  std::uint32_t transform_clocks = 0;  ///< of the display processor, a half-space of the model
-  bool divides_ahead = false;          ///< the display processor divides the next segment while the nodes work
-  std::uint32_t primitive_bits = 1;    ///< of an active primitive's data on the bus
-  std::uint32_t halfspace_bits = 1;    ///< of a half-space's
-  std::uint32_t barrier_clocks = 0;    ///< from the last node's arrival until all go on
+  HostLink host;
+  std::uint32_t display_memory_words = 0;  ///< of the display processor, for the model and what a segment leaves of it
+  std::uint32_t transform_clocks = 0;      ///< of the display processor, a plane of the model
+  bool divides_ahead = false;              ///< the display processor divides the next segment while the nodes work
+  std::uint32_t barrier_clocks = 0;        ///< from the last node's arrival until all go on
 
   constexpr bool operator==(const Figures&) const = default;
 };

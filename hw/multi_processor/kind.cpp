@@ -22,15 +22,16 @@ namespace shared = machines::shared;
 
 constexpr std::int64_t most_nodes_a_side = 16;
 constexpr std::int64_t most_levels = 20;
-constexpr std::int64_t most_data_bits = 65536;
+constexpr std::int64_t most_memory_words = std::int64_t{1} << 31U;
 
 /// A figure in a member of a part of the kind's own figures.
 template <auto part, auto member>
-constexpr FigureSchema part_figure(std::string_view key, std::string_view meaning) {
+constexpr FigureSchema part_figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
+                                   std::string_view meaning) {
   return {key,
-          "clocks",
-          0,
-          most_clocks,
+          unit,
+          least,
+          most,
           meaning,
           [](Machine& machine, std::int64_t value) {
             machines::own<Figures>(machine).*part.*member = static_cast<std::uint32_t>(value);
@@ -38,12 +39,9 @@ constexpr FigureSchema part_figure(std::string_view key, std::string_view meanin
           [](const Machine& machine) { return std::int64_t{machines::own<Figures>(machine).*part.*member}; }};
 }
 
-constexpr auto ideal_only = std::to_array<std::string_view>({machines::ideal_value});
-
-constexpr FigureSchema division_result() {
-  FigureSchema figure = machines::built_in_figure("division.result", "", 0, "what the processors that divide find");
-  figure.names = ideal_only;
-  return figure;
+template <auto part, auto member>
+constexpr FigureSchema part_clocks(std::string_view key, std::string_view meaning) {
+  return part_figure<part, member>(key, "clocks", 0, most_clocks, meaning);
 }
 
 constexpr auto schema = std::to_array<FigureSchema>({
@@ -60,44 +58,60 @@ constexpr auto schema = std::to_array<FigureSchema>({
                                           "of the picture, into segments"),
     own_figure<Figures, &Figures::order>("rendering.order", "", 0, 2,
                                          "in which a node goes over pixels and instructions", rendering_order_names),
-    division_result(),
+    part_figure<&Figures::host, &HostLink::width>("host.link_width", "bits", 1, isa::LinkWord::most_bits,
+                                                  "a word of the host's link"),
+    part_figure<&Figures::host, &HostLink::word_clocks>("host.link_word_clocks", "clocks", 1, most_clocks,
+                                                        "from one word of the host's link to the next"),
+    part_clocks<&Figures::host, &HostLink::latency>("host.link_latency",
+                                                    "from the frame's beginning to its first word"),
+    own_figure<Figures, &Figures::display_memory_words>("display.memory_words", "words", 1, most_memory_words,
+                                                        "for the model and what a segment leaves of it"),
     own_figure<Figures, &Figures::transform_clocks>("display.transform_clocks", "clocks", 0, most_clocks,
-                                                    "to transform a half-space of the model"),
-    part_figure<&Figures::display_tests, &TestClocks::primitive>("display.primitive_clocks",
+                                                    "to transform a plane of the model"),
+    part_clocks<&Figures::display_tests, &TestClocks::primitive>("display.primitive_clocks",
                                                                  "to hold the bounds of a primitive against a segment"),
-    part_figure<&Figures::display_tests, &TestClocks::halfspace>(
+    part_clocks<&Figures::display_tests, &TestClocks::halfspace>(
         "display.halfspace_clocks", "to hold a half-space against the corners of a segment"),
+    part_clocks<&Figures::display_tests, &TestClocks::cell>(
+        "display.cell_clocks", "to hold a half-space of a side against the leaders of a cell"),
     own_figure<Figures, &Figures::divides_ahead>("display.divides_ahead", "segments", 0, 1,
                                                  "that are divided while the nodes work on the one before"),
     shared::link_width,
     shared::link_word_clocks,
     shared::link_latency,
-    own_figure<Figures, &Figures::primitive_bits>("bus.primitive_bits", "bits", 1, most_data_bits,
-                                                  "of an active primitive's data"),
-    own_figure<Figures, &Figures::halfspace_bits>("bus.halfspace_bits", "bits", 1, most_data_bits,
-                                                  "of a half-space's data"),
     own_figure<Figures, &Figures::barrier_clocks>("barrier.clocks", "clocks", 0, most_clocks,
                                                   "from the last node's arrival until all go on"),
     own_figure<Figures, &Figures::word_bits>("node.word_bits", "bits", 1, 64, "of a word"),
-    own_figure<Figures, &Figures::memory_words>("node.memory_words", "words", 1, std::int64_t{1} << 31U,
-                                                "for a segment's half-spaces and lists"),
-    part_figure<&Figures::operations, &OperationClocks::read>("node.read_clocks", "to read a word of memory"),
-    part_figure<&Figures::operations, &OperationClocks::write>("node.write_clocks", "to write a word of memory"),
-    part_figure<&Figures::operations, &OperationClocks::add>("node.add_clocks", "to add a word"),
-    part_figure<&Figures::operations, &OperationClocks::compare>("node.compare_clocks", "to compare a word"),
-    part_figure<&Figures::operations, &OperationClocks::logic>("node.logic_clocks", "to combine or shift a word"),
-    part_figure<&Figures::operations, &OperationClocks::multiply>("node.multiply_clocks", "to multiply two words"),
-    part_figure<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks", "of the loop over the pixels of a row"),
-    part_figure<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "of the loop over rows"),
-    part_figure<&Figures::loop, &LoopClocks::instruction>("node.instruction_loop_clocks",
+    own_figure<Figures, &Figures::memory_words>("node.memory_words", "words", 1, most_memory_words,
+                                                "for the tree, a segment's half-spaces and lists"),
+    part_clocks<&Figures::operations, &OperationClocks::read>("node.read_clocks", "to read a word of memory"),
+    part_clocks<&Figures::operations, &OperationClocks::write>("node.write_clocks", "to write a word of memory"),
+    part_clocks<&Figures::operations, &OperationClocks::add>("node.add_clocks", "to add a word"),
+    part_clocks<&Figures::operations, &OperationClocks::compare>("node.compare_clocks", "to compare a word"),
+    part_clocks<&Figures::operations, &OperationClocks::logic>("node.logic_clocks", "to combine or shift a word"),
+    part_clocks<&Figures::operations, &OperationClocks::multiply>("node.multiply_clocks", "to multiply two words"),
+    part_clocks<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks", "of the loop over the pixels of a row"),
+    part_clocks<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "of the loop over rows"),
+    part_clocks<&Figures::loop, &LoopClocks::instruction>("node.instruction_loop_clocks",
                                                           "of the loop over instructions, besides reading one"),
-    part_figure<&Figures::node_tests, &TestClocks::primitive>("node.primitive_clocks",
+    part_clocks<&Figures::node_tests, &TestClocks::primitive>("node.primitive_clocks",
                                                               "to hold the bounds of a primitive against a subsegment"),
-    part_figure<&Figures::node_tests, &TestClocks::halfspace>(
+    part_clocks<&Figures::node_tests, &TestClocks::halfspace>(
         "node.halfspace_clocks", "to hold a half-space against the corners of a subsegment"),
+    part_clocks<&Figures::node_tests, &TestClocks::cell>(
+        "node.cell_clocks", "to hold a half-space of a side against the leaders of a cell"),
+    part_clocks<&Figures::node_tests, &TestClocks::tree_node>("node.tree_clocks", "to look at a node of the tree"),
+    part_clocks<&Figures::node_tests, &TestClocks::instruction>("node.list_clocks",
+                                                                "to put an instruction into the list"),
 });
 
 std::any own() { return Figures{}; }
+
+/// A segment's subsegments are divided from whatever the segment leaves.
+std::optional<machines::Division> division(const Machine& machine) {
+  return machines::Division{.list_entries = ~std::uint64_t{0},
+                            .groups = picture_segments(machine.picture, machines::own<Figures>(machine).levels)};
+}
 
 void check(const isa::Program& program, const Machine& machine) {
   machines::check_parts(program, machine);
@@ -118,7 +132,8 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& he
   const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
   const std::uint64_t node_bits =
       std::uint64_t{figures.memory_words} * figures.word_bits + working_pixels * (machine.array.memory_bits + 1);
-  return {nodes, nodes * node_bits + pixels * header.colour.width};
+  const std::uint64_t display_bits = std::uint64_t{figures.display_memory_words} * figures.word_bits;
+  return {nodes, display_bits + nodes * node_bits + pixels * header.colour.width};
 }
 
 }  // namespace
@@ -128,6 +143,7 @@ const machines::Kind kind{
     .schema = schema,
     .own = own,
     .regions = regions,
+    .division = division,
     .check = check,
     .clocks = pixel_clocks,
     .time = time_frame,

@@ -4,8 +4,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "hw/division/division_check.h"
 #include "hw/multi_processor/make.h"
-#include "hw/multi_processor/regions.h"
 
 namespace csgsim::multi_processor {
 
@@ -21,6 +21,7 @@ MultiProcessor::MultiProcessor(sc_core::sc_module_name name, const machines::Mac
       time_(machine),
       requests_("requests", nodes_of(machine) + 1),
       arrivals_("arrivals", nodes_of(machine)),
+      host_("host", machine),
       display_("display_processor", machine),
       bus_("control_bus", machine, nodes_of(machine) + 1),
       barrier_("barrier", machine),
@@ -29,7 +30,7 @@ MultiProcessor::MultiProcessor(sc_core::sc_module_name name, const machines::Mac
                return new Node(node, machine, static_cast<std::uint32_t>(number));
              }),
       watch_("stage_watch", machine),
-      collector_("collector", machine, division_) {
+      collector_("collector", machine, names_) {
   SC_HAS_PROCESS(MultiProcessor);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
@@ -52,10 +53,11 @@ MultiProcessor::MultiProcessor(sc_core::sc_module_name name, const machines::Mac
 }
 
 void MultiProcessor::bind_masters() {
+  host_.word(host_word_);
+  display_.host(host_word_);
   display_.bus(lines_);
   display_.request(requests_[display_master]);
   display_.released(released_);
-  display_.division(division_);
   display_.frames(frames_);
 
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
@@ -63,7 +65,6 @@ void MultiProcessor::bind_masters() {
     nodes_[i].request(requests_[master_of(i)]);
     nodes_[i].arrival(arrivals_[i]);
     nodes_[i].released(released_);
-    nodes_[i].division(division_);
     nodes_[i].collector(collector_);
   }
 }
@@ -73,6 +74,7 @@ void MultiProcessor::on_done() { sc_core::sc_pause(); }
 
 kernel::RunReport MultiProcessor::run(const isa::Program& program, kernel::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  division::check_division(program);
   const std::uint64_t begun = time_.now();
   const std::uint64_t before = frames_.read();
   begin(program, listener);
@@ -86,14 +88,13 @@ kernel::RunReport MultiProcessor::run(const isa::Program& program, kernel::RunLi
 }
 
 void MultiProcessor::begin(const isa::Program& program, kernel::RunListener& listener) {
-  machines::Machine drawing = machine_;
-  drawing.picture = {program.shape.width, program.shape.height};
   retirement_.begin(listener);
-  division_.begin(program);
+  names_.begin(program.segments);
   bus_.begin();
   watch_.begin();
-  std::for_each(nodes_.begin(), nodes_.end(), [&](Node& node) { node.begin(isa::frame_header(program)); });
-  display_.begin(segments(drawing), program.facts.model);
+  std::for_each(nodes_.begin(), nodes_.end(), [](Node& node) { node.begin(); });
+  host_.begin(program.display_model);
+  display_.begin();
 }
 
 FrameAccount MultiProcessor::counted() const {

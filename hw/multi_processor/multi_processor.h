@@ -12,9 +12,10 @@
 #include "hw/multi_processor/collector.h"
 #include "hw/multi_processor/control_bus.h"
 #include "hw/multi_processor/display_processor.h"
-#include "hw/multi_processor/division.h"
+#include "hw/multi_processor/model_host.h"
 #include "hw/multi_processor/node.h"
 #include "hw/multi_processor/stage_watch.h"
+#include "hw/multi_processor/subsegment_names.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
 
@@ -22,9 +23,9 @@ namespace csgsim::multi_processor {
 
 /// The whole machine (thesis fig. 7.6 without the high-speed channel):
 ///
-///     display processor ─── control bus ─┬─ node 0,0   node 0,1  ...─┐
-///                                        ├─ node 1,0   node 1,1  ...─┤ barrier
-///                                        └─ ...                     ─┘
+///     host ─── display processor ─── control bus ─┬─ node 0,0   node 0,1  ...─┐
+///                                                 ├─ node 1,0   node 1,1  ...─┤ barrier
+///                                                 └─ ...                     ─┘
 class MultiProcessor final : public sc_core::sc_module, public kernel::ClockedMachine {
  public:
   MultiProcessor(sc_core::sc_module_name name, const machines::Machine& machine);
@@ -41,6 +42,7 @@ class MultiProcessor final : public sc_core::sc_module, public kernel::ClockedMa
 
   const machines::Machine machine_;
   TimeBase time_;
+  sc_core::sc_signal<HostWord> host_word_{"host_word"};
   sc_core::sc_vector<sc_core::sc_signal<BusRequest>> requests_;
   sc_core::sc_signal<BusLines> lines_{"lines"};
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> arrivals_;
@@ -48,7 +50,8 @@ class MultiProcessor final : public sc_core::sc_module, public kernel::ClockedMa
   sc_core::sc_signal<std::uint64_t> released_{"released"};
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
-  Division division_{"division"};
+  SubsegmentNames names_;
+  ModelHost host_;
   DisplayProcessor display_;
   ControlBus bus_;
   Barrier barrier_;

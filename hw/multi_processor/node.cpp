@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "hw/multi_processor/list_renderer.h"
+#include "hw/multi_processor/test_clocks.h"
 
 namespace csgsim::multi_processor {
 
@@ -17,7 +18,8 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
       number_(number),
       bus_width_(machine.link.width),
       bus_word_clocks_(machine.link.word_clocks),
-      decoder_(machine.link.width) {
+      decoder_(machine.link.width),
+      records_(machine.link.width) {
   SC_HAS_PROCESS(Node);
   SC_METHOD(on_word);
   dont_initialize();
@@ -25,21 +27,17 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
   SC_THREAD(work);
 }
 
-void Node::begin(const isa::FrameHeader& frame) {
-  frame_ = frame;
-  const isa::Region picture{0, 0, frame.shape.width, frame.shape.height};
-  image_columns_ = pixels_of(picture, nodes_, 0, 0).columns;
-  const std::uint32_t image_rows = pixels_of(picture, nodes_, 0, 0).rows;
-  image_.assign(std::size_t{image_columns_} * image_rows, 0);
+void Node::begin() {
   first_word_ = words_;
-  box_tests_ = 0;
-  halfspace_tests_ = 0;
+  tests_ = {};
   stays_.begin(NodeActivity::waiting, time_.now());
 }
 
 void Node::tell(FrameAccount& counted) const {
-  counted.second_box_tests += box_tests_;
-  counted.second_halfspace_tests += halfspace_tests_;
+  counted.second_box_tests += tests_.boxes;
+  counted.second_halfspace_tests += tests_.halfspaces;
+  counted.second_cell_tests += tests_.cells;
+  counted.second_tree_nodes += tests_.nodes;
   counted.shared_words += words_ - first_word_;
   counted.nodes.push_back(account());
 }
@@ -47,18 +45,30 @@ void Node::tell(FrameAccount& counted) const {
 /// Every word takes the node the time that it is on the bus.
 void Node::on_word() {
   const BusLines& lines = bus.read();
-  if (lines.master == display_master && !receiving_) {
-    receiving_ = true;
-    primitive_words_ = 0;
-    halfspace_words_ = 0;
-    stays_.change(NodeActivity::receiving, time_.now() - bus_word_clocks_);
-  }
-  switch (lines.sent.kind) {
-    case WordKind::primitive: ++primitive_words_; return;
-    case WordKind::halfspace: ++halfspace_words_; return;
-    case WordKind::command: break;
-  }
+  if (lines.master == display_master && !receiving_) begin_receiving();
+  if (lines.sent.kind != WordKind::command) return take_record(lines.sent);
   if (const std::optional<isa::Command> command = decoder_.take(lines.sent.word)) take(*command);
+}
+
+void Node::begin_receiving() {
+  receiving_ = true;
+  is_active_ = false;
+  if (bus.read().sent.kind == WordKind::frame) records_.begin_frame();
+  stays_.change(NodeActivity::receiving, time_.now() - bus_word_clocks_);
+}
+
+void Node::take_record(const BusRequest& sent) {
+  if (sent.kind == WordKind::segment && !std::exchange(is_active_, true)) records_.begin_segment();
+  records_.take(sent.word);
+  if (sent.kind == WordKind::frame && sent.last) begin_frame();
+}
+
+void Node::begin_frame() {
+  receiving_ = false;
+  stays_.change(NodeActivity::waiting, time_.now());
+  const NodePixels most = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
+  image_columns_ = most.columns;
+  image_.assign(std::size_t{most.columns} * most.rows, 0);
 }
 
 void Node::take(const isa::Command& command) {
@@ -85,7 +95,7 @@ void Node::take(const isa::Command& command) {
 void Node::work() {
   while (true) {
     wait(segment_received_);
-    if (primitive_words_ == 0) {
+    if (!is_active_) {
       clear_segment();
       continue;
     }
@@ -107,17 +117,12 @@ void Node::wait_for_others() {
   while (released.read() < arrivals_) wait(released.value_changed_event());
 }
 
-/// The primitives of the segment, and then the half-spaces of those that touch the node's own subsegment.
+/// Makes the list of the node's own subsegment of what has come.
 void Node::prune(const std::vector<isa::Region>& parts) {
-  const auto words = [this](std::uint32_t bits) { return (bits + bus_width_ - 1) / bus_width_; };
   if (number_ < parts.size()) {
-    const std::uint64_t primitives = primitive_words_ / words(figures_.primitive_bits);
-    const std::uint64_t halfspaces =
-        std::min(halfspace_words_ / words(figures_.halfspace_bits), division->subsegment(parts[number_]).halfspaces);
-    box_tests_ += primitives;
-    halfspace_tests_ += halfspaces;
-    spend(NodeActivity::pruning,
-          primitives * figures_.node_tests.primitive + halfspaces * figures_.node_tests.halfspace);
+    divided_ = division::Divider(records_.model()).divide(parts[number_], records_.left());
+    tests_ += divided_.counts;
+    spend(NodeActivity::pruning, clocks_of(divided_.counts, figures_.node_tests));
   }
   wait_for_others();
 }
@@ -127,15 +132,15 @@ void Node::share(const std::vector<isa::Region>& parts) {
   stays_.change(NodeActivity::sharing, time_.now());
   while (lists_received_ < parts.size()) {
     const std::size_t turn = lists_received_;
-    if (turn == number_) send(parts[turn], division->subsegment(parts[turn]).list);
+    if (turn == number_) send_list(parts[turn]);
     while (lists_received_ == turn) wait(list_received_);
   }
   stays_.change(NodeActivity::waiting, time_.now());
 }
 
-void Node::send(const isa::Region& part, std::span<const isa::Instruction> list) {
+void Node::send_list(const isa::Region& part) {
   send(isa::SegmentStart{part}, false);
-  for (const isa::Instruction& instruction : list) send(instruction, false);
+  for (const isa::Instruction& instruction : divided_.instructions) send(instruction, false);
   send(isa::SegmentEnd{}, true);
 }
 
@@ -152,37 +157,45 @@ void Node::send(const isa::Command& command, bool last) {
 }
 
 void Node::render(const List& list) {
+  if (list.instructions.empty()) {
+    clear(list.region);
+    collector->after_subsegment(number_, list.region, {});
+    return wait_for_others();
+  }
   std::vector<kernel::Keep> keeps;
   for (std::uint32_t index = 0; index < list.instructions.size(); ++index) {
     keeps.push_back(collector->keeps_after(list.region, index));
   }
-  const NodePixels own = pixels_of(list.region, nodes_, number_ / nodes_.width, number_ % nodes_.width);
-  if (list.instructions.empty()) {
-    spend(NodeActivity::rendering, background_clocks(figures_, own, frame_.colour));
-    store(list.region, own, std::vector<std::uint32_t>(own.count(), frame_.background));
-    collector->after_subsegment(number_, list.region, {});
-    return wait_for_others();
-  }
+  const NodePixels own = own_pixels(list.region);
   ListRenderer renderer(figures_, nodes_, list.instructions, keeps, own);
   renderer.render();
-  const std::vector<std::uint32_t> colours = renderer.store_colours(frame_.colour);
+  const std::vector<std::uint32_t> colours = renderer.store_colours(records_.model().fields.colour);
   spend(NodeActivity::rendering, renderer.clocks());
-  if (frame_.colour.width > 0) store(list.region, own, colours);
+  store(list.region, own, colours);
   for (NodeState& step : renderer.steps()) collector->after_instruction(number_, std::move(step));
   collector->after_subsegment(number_, list.region, {.pixels = std::move(renderer.memory())});
   wait_for_others();
 }
 
+NodePixels Node::own_pixels(const isa::Region& region) const {
+  return pixels_of(region, nodes_, number_ / nodes_.width, number_ % nodes_.width);
+}
+
+void Node::clear(const isa::Region& region) {
+  const NodePixels own = own_pixels(region);
+  const division::DisplayModel& model = records_.model();
+  spend(NodeActivity::rendering, background_clocks(figures_, own, model.fields.colour));
+  store(region, own, std::vector<std::uint32_t>(own.count(), model.background));
+}
+
 /// Nothing touches it.
 void Node::clear_segment() {
-  const NodePixels own = pixels_of(segment_, nodes_, number_ / nodes_.width, number_ % nodes_.width);
-  spend(NodeActivity::rendering, background_clocks(figures_, own, frame_.colour));
-  store(segment_, own, std::vector<std::uint32_t>(own.count(), frame_.background));
+  clear(segment_);
   collector->after_clear(segment_);
   wait_for_others();
 }
 
-void Node::store(const isa::Region& region, const NodePixels& own, std::span<const std::uint32_t> colours) {
+void Node::store(const isa::Region& region, const NodePixels& own, const std::vector<std::uint32_t>& colours) {
   for (std::uint32_t row = 0; row < own.rows; ++row) {
     const std::size_t y = (region.y + own.first_y) / nodes_.height + row;
     const std::size_t x = (region.x + own.first_x) / nodes_.width;

@@ -36,14 +36,13 @@ std::vector<isa::Region> parts_of(const isa::Region& region, std::uint32_t colum
   return parts;
 }
 
-std::vector<isa::Region> segments(const machines::Machine& machine) {
-  const std::uint32_t levels = machines::own<Figures>(machine).levels;
-  return parts_of({0, 0, machine.picture.width, machine.picture.height}, 1U << (levels + 1) / 2, 1U << levels / 2);
+std::vector<isa::Region> picture_segments(machines::Size picture, std::uint32_t levels) {
+  return parts_of({0, 0, picture.width, picture.height}, 1U << (levels + 1) / 2, 1U << levels / 2);
 }
 
 std::vector<isa::Region> regions(const machines::Machine& machine) {
   std::vector<isa::Region> all;
-  for (const isa::Region& segment : segments(machine)) {
+  for (const isa::Region& segment : picture_segments(machine.picture, machines::own<Figures>(machine).levels)) {
     const std::vector<isa::Region> parts = parts_of(segment, machine.array.width, machine.array.height);
     all.insert(all.end(), parts.begin(), parts.end());
   }

@@ -11,8 +11,8 @@ namespace csgsim::multi_processor {
 /// there, row by row. There are fewer parts where the region has too few pixels.
 std::vector<isa::Region> parts_of(const isa::Region& region, std::uint32_t columns, std::uint32_t rows);
 
-/// The segments of the machine's picture, row by row: `levels` halvings, the first across its columns, then in turn.
-std::vector<isa::Region> segments(const machines::Machine& machine);
+/// The segments of a picture, row by row: `levels` halvings, the first across its columns, then in turn.
+std::vector<isa::Region> picture_segments(machines::Size picture, std::uint32_t levels);
 
 /// Subsegments, segment by segment: as many of each as there are nodes.
 std::vector<isa::Region> regions(const machines::Machine& machine);

@@ -25,7 +25,7 @@ std::uint64_t StageWatch::passed() {
 
 void StageWatch::on_word() {
   const BusLines& lines = bus.read();
-  if (lines.sent.kind == WordKind::primitive) prunes_ = true;
+  if (lines.sent.kind == WordKind::segment) prunes_ = true;
   if (!lines.sent.last) return;
   const std::uint64_t clocks = passed();
   if (lines.master != display_master) stages_.sharing += clocks;

@@ -44,6 +44,9 @@ class Stays {
     since_ = now;
   }
 
+  /// How long it has done what it does.
+  [[nodiscard]] std::uint64_t since(std::uint64_t now) const { return now - since_; }
+
   /// Until `now`.
   [[nodiscard]] std::array<std::uint64_t, activities> clocks(std::uint64_t now) const {
     std::array<std::uint64_t, activities> all = clocks_;

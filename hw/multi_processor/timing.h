@@ -7,8 +7,8 @@
 
 namespace csgsim::multi_processor {
 
-/// Throws InputError where a segment's half-spaces and lists do not fit the memory of a node, or a frame takes longer
-/// than is simulated.
+/// Throws InputError for a Program without a display model, where that, a segment's half-spaces and its lists do not
+/// fit the memory of the display processor or of a node, and where a frame takes longer than is simulated.
 void check_fits(const isa::Program& program, const machines::Machine& machine);
 
 struct FrameClocks {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "hw/pixel_square/division_check.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/make.h"
+#include "hw/pixel_square/storage_check.h"
 #include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {

@@ -72,12 +72,13 @@ StageSeconds seconds_of(const machines::FrameTiming& timing, const PixelClocks& 
     return static_cast<double>(clocks) / static_cast<double>(machine.clock_hz);
   };
   const auto stage = [&](const char* name) { return seconds(timing.account.count(name)); };
-  StageSeconds stages{.transformation = stage("transformation_clocks"),
-                      .first_pruning = stage("first_pruning_clocks"),
-                      .second_pruning = stage("second_pruning_clocks"),
-                      .communication = stage("broadcasting_clocks") + stage("sharing_clocks"),
-                      .rendering = stage("rendering_clocks"),
-                      .total = seconds(timing.clocks)};
+  StageSeconds stages{
+      .transformation = stage("transformation_clocks"),
+      .first_pruning = stage("first_pruning_clocks"),
+      .second_pruning = stage("second_pruning_clocks"),
+      .communication = stage("reception_clocks") + stage("broadcasting_clocks") + stage("sharing_clocks"),
+      .rendering = stage("rendering_clocks"),
+      .total = seconds(timing.clocks)};
   stages.scan_conversion = stages.rendering * pixels.render / pixels.all;
   stages.classification = stages.rendering * pixels.classify / pixels.all;
   stages.depth_sort = stages.rendering * pixels.merge / pixels.all;

@@ -29,7 +29,7 @@ struct StageSeconds {
   double transformation = 0;  ///< of half-spaces
   double first_pruning = 0;
   double second_pruning = 0;
-  double communication = 0;  ///< broadcasting and sharing
+  double communication = 0;  ///< the model from the host, broadcasting and sharing
   double rendering = 0;      ///< of it what follows, in proportion to the nodes' clocks at pixels
   double scan_conversion = 0;
   double classification = 0;

@@ -1,7 +1,12 @@
-# The multi-processor. Each row: the seed of a machine's figures, and a number of Programs.
-add_executable(lockstep_multi_processor multi_processor.cpp parts.cpp row.cpp)
+# The multi-processor. Each row: the seed of a machine's figures, and a number of models.
+add_executable(lockstep_multi_processor multi_processor.cpp parts.cpp row.cpp divided_program.cpp)
 target_link_libraries(lockstep_multi_processor PRIVATE
-  csgsim_lockstep csgsim_random_program csgsim::reference csgsim::functional csgsim::cycle fmt::fmt csgsim_flags)
+  csgsim_lockstep csgsim_random_program csgsim_oracle csgsim::read csgsim::emit csgsim::reference csgsim::functional csgsim::cycle fmt::fmt csgsim_flags)
 foreach(seed RANGE 1 24)
   csgsim_lockstep_row(lockstep_multi_processor "multi-processor ${seed}" "${seed} 25")
 endforeach()
+
+csgsim_test(multi_processor
+  SOURCES test_multi_processor.cpp
+  LINK csgsim::read csgsim::emit csgsim::cycle csgsim::functional csgsim::kinds
+  LABELS lockstep)

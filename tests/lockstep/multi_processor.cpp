@@ -1,4 +1,4 @@
-// lockstep_multi_processor SEED PROGRAMS: draws random Programs on a clocked multi-processor whose figures the seed
+// lockstep_multi_processor SEED PROGRAMS: draws random models on a clocked multi-processor whose figures the seed
 // makes up, and holds them against what is worked out. One machine a process, as SystemC elaborates once.
 
 #include <fmt/format.h>
@@ -11,15 +11,13 @@
 
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
+#include "tests/lockstep/divided_program.h"
 #include "tests/lockstep/parts.h"
 #include "tests/lockstep/row.h"
-#include "tests/support/random_program.h"
 
 namespace csgsim::test {
 
 namespace {
-
-constexpr unsigned most_instructions = 12;  ///< of a subsegment
 
 /// Figures of small machines, some of them 0 and some beyond what they meet.
 class Choice {
@@ -38,7 +36,7 @@ machines::Machine random_machine(std::uint32_t seed) {
   Choice choice(seed);
   machines::Machine machine = machines::blank(multi_processor::kind);
   machine.name = "random";
-  machine.array = {choice.between(1, 4), choice.between(1, 4), choice.between(8, 100)};
+  machine.array = {choice.between(1, 4), choice.between(1, 4), 200};
   machine.picture = {choice.between(1, 40), choice.between(1, 40)};
   machine.clock_hz = 8'000'000;
   machine.link = {.width = choice.between(1, 80),
@@ -53,12 +51,13 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.operations = {choice.between(0, 20), choice.between(0, 20), choice.between(0, 20),
                         choice.between(0, 20), choice.between(0, 20), choice.between(0, 90)};
   figures.loop = {choice.between(0, 20), choice.between(0, 40), choice.between(0, 60)};
-  figures.node_tests = {choice.between(0, 50), choice.between(0, 500)};
-  figures.display_tests = {choice.between(0, 50), choice.between(0, 500)};
+  figures.node_tests = {choice.between(0, 50), choice.between(0, 500), choice.between(0, 90), choice.between(0, 70),
+                        choice.between(0, 300)};
+  figures.display_tests = {.primitive = choice.between(0, 50), .halfspace = choice.between(0, 500)};
+  figures.host = {choice.between(1, 80), choice.between(1, 30), choice.between(0, 3) * 13};
+  figures.display_memory_words = 1U << 31U;
   figures.transform_clocks = choice.between(0, 5000);
   figures.divides_ahead = seed % 2 == 1;
-  figures.primitive_bits = choice.between(1, 100);
-  figures.halfspace_bits = choice.between(1, 200);
   figures.barrier_clocks = choice.between(0, 2) * 17;
   return machine;
 }
@@ -76,7 +75,7 @@ int main(int argc, char** argv) {
     return csgsim::test::exit_code_of(programs, [&] {
       return csgsim::test::agree_in_parts(
           "the clocked multi-processor leaves the bits, picture, clocks and account worked out", machine,
-          [&] { return *csgsim::test::arbitrary_program_in_parts(machine, csgsim::test::most_instructions); });
+          [&] { return csgsim::test::any_divided_program(machine); });
     });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -9,12 +9,13 @@
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
+#include "hw/division/division_check.h"
 #include "hw/isa/binary.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/runs_on.h"
-#include "hw/pixel_square/division_check.h"
 #include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/storage_check.h"
 
 using namespace csgsim;
 
@@ -62,7 +63,7 @@ TEST_CASE("a Program for a machine that divides has the model that is divided in
     const machines::Machine machine = machine_with(levels);
     const isa::Program program = divided(machine);
     CHECK_NOTHROW(machines::check_runs_on(program, machine));
-    CHECK_NOTHROW(pixel_square::check_division(program, machine));
+    CHECK_NOTHROW(division::check_division(program));
     // Two primitives have two boxes, for each of 24 squares or 6 groups.
     std::uint64_t boxes = 0;
     std::uint64_t group_boxes = 0;
@@ -89,7 +90,7 @@ TEST_CASE("a Program whose instructions are not those of its model is refused") 
   for (isa::Segment& segment : program.segments) {
     if (!segment.instructions.empty()) segment.instructions.pop_back();
   }
-  CHECK(error_of([&] { pixel_square::check_division(program, machine); }).find("is not what its display model") !=
+  CHECK(error_of([&] { division::check_division(program); }).find("is not what its display model") !=
         std::string::npos);
 }
 

@@ -46,9 +46,9 @@ TEST_CASE("subsegments cover every pixel of the picture once, whatever the level
 TEST_CASE("subsegments come segment by segment, as many as there are nodes") {
   const machines::Machine machine = machine_of({4, 3, 8}, {256, 256}, 5);
   const std::vector<isa::Region> all = machines::regions(machine);
-  REQUIRE(multi_processor::segments(machine).size() == 32);
+  REQUIRE(multi_processor::picture_segments({256, 256}, 5).size() == 32);
   REQUIRE(all.size() == 32 * 12);
-  CHECK(multi_processor::segments(machine)[1] == isa::Region{32, 0, 32, 64});
+  CHECK(multi_processor::picture_segments({256, 256}, 5)[1] == isa::Region{32, 0, 32, 64});
   CHECK(all[0] == isa::Region{0, 0, 8, 22});
   CHECK(all[11] == isa::Region{24, 44, 8, 20});
   CHECK(all[12] == isa::Region{32, 0, 8, 22});

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/division/encoding.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
@@ -35,38 +37,67 @@ Machine machine_4x4() {
   machine.picture = {4, 4};
   machine.clock_hz = 8'000'000;
   machine.link = {.width = 32, .word_clocks = 10, .fifo_depth = 1, .latency = 4};
-  machine.own = Figures{.levels = 0,
-                        .order = RenderingOrder::segment,
-                        .word_bits = 16,
-                        .memory_words = 1000,
-                        .operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 13},
-                        .loop = {.pixel = 17, .row = 19, .instruction = 23},
-                        .node_tests = {.primitive = 29, .halfspace = 31},
-                        .display_tests = {.primitive = 37, .halfspace = 41},
-                        .transform_clocks = 43,
-                        .divides_ahead = false,
-                        .primitive_bits = 20,
-                        .halfspace_bits = 40,
-                        .barrier_clocks = 6};
+  machine.own =
+      Figures{.levels = 0,
+              .order = RenderingOrder::segment,
+              .word_bits = 16,
+              .memory_words = 1000,
+              .operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 13},
+              .loop = {.pixel = 17, .row = 19, .instruction = 23},
+              .node_tests = {.primitive = 29, .halfspace = 31, .cell = 47, .tree_node = 53, .instruction = 59},
+              .display_tests = {.primitive = 37, .halfspace = 41, .cell = 61},
+              .host = {.width = 16, .word_clocks = 3, .latency = 5},
+              .display_memory_words = 1000,
+              .transform_clocks = 43,
+              .divides_ahead = false,
+              .barrier_clocks = 6};
   return machine;
 }
 
 Figures& figures(Machine& machine) { return machines::own<Figures>(machine); }
 
-/// Two primitives of five half-spaces, of which one, of three, touches the first subsegment and leaves one there.
+/// Two primitives of five half-spaces on three planes: 264 bits of header, 3 planes of 8, 2 primitives of 77, 5
+/// half-spaces of 3 bits, of which 3 have a colour of 3 bits, and nodes of 1, 1 and 4 bits: 59 bytes.
+std::vector<std::uint8_t> model_bytes() {
+  division::DisplayModel model;
+  model.width = 4;
+  model.height = 4;
+  model.z_bits = 4;
+  model.colour_bits = 3;
+  model.fields = {.depth = {0, 4}, .candidate = {4, 4}, .colour = {8, 3}, .candidate_colour = {}, .mask = {11, 1}};
+  model.planes = {{false, 1, 0, 3}, {false, 0, 1, 3}, {false, 1, 1, 3}};
+  const division::Box box{{0, 0, 3, 3}, 0, 15};
+  model.primitives = {{box, false, false, 1, {{0, true, 1}, {1, true, 2}, {2, false, 0}}},
+                      {box, false, false, 1, {{0, true, 3}, {1, false, 0}}}};
+  model.nodes = {{}, {}, {2, division::Operator::unite}};
+  const division::Bits bits = division::encode(model);
+  std::vector<std::uint8_t> bytes((bits.count + 7) / 8);
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<std::uint8_t>(bits.words[i / 8] >> (i % 8 * 8) & 0xffU);
+  return bytes;
+}
+
+/// Of which one primitive is left for the segment, with three half-spaces; two instructions come of it in the first
+/// subsegment.
 isa::Program program_for(const Machine& machine) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 16};
   program.facts.fields.push_back({"colour", {0, 8}, isa::FieldRole::colour});
-  program.facts.model.primitives = 2;
-  program.facts.model.halfspaces = 5;
+  program.display_model = model_bytes();
   for (const isa::Region& region : machines::regions(machine)) program.segments.push_back({region, {}});
   isa::Segment& first = program.segments.front();
   first.instructions.push_back({.opcode = Opcode::enable_all});
   first.instructions.push_back(
       {.opcode = Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}});
-  first.facts.primitives = 1;
-  first.facts.halfspaces = 3;
+  for (isa::Segment& segment : program.segments) segment.facts.division.boxes = 1;
+  first.facts.division = {.boxes = 1,
+                          .halfspaces = 3,
+                          .cells = 1,
+                          .nodes = 2,
+                          .group_boxes = 2,
+                          .group_halfspaces = 3,
+                          .group_cells = 2,
+                          .group_entries = 1 + 3};
   return program;
 }
 
@@ -96,8 +127,24 @@ Machine random_machine() {
   figures(machine).order = static_cast<RenderingOrder>(below(3));
   figures(machine).word_bits = 1 + below(64);
   figures(machine).display_tests = {below(60), below(600)};
+  figures(machine).display_memory_words = 1U << 30U;
+  figures(machine).host = {1 + below(70), 1 + below(9), below(20)};
   figures(machine).barrier_clocks = below(50);
   return machine;
+}
+
+/// Instructions and counts are what they may be, not what anything is divided into.
+isa::Program any_program(const Machine& machine) {
+  const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
+  isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
+  program.display_model = model_bytes();
+  for (isa::Segment& segment : program.segments)
+    segment.facts.division = {below(3), below(20), below(20), below(5), below(3), below(9), below(30)};
+  return program;
+}
+
+std::uint64_t whole(std::span<const std::uint64_t> clocks) {
+  return std::accumulate(clocks.begin(), clocks.end(), std::uint64_t{0});
 }
 
 }  // namespace
@@ -105,13 +152,17 @@ Machine random_machine() {
 TEST_CASE("each stage of a frame takes what a hand calculation says") {
   const Machine machine = machine_4x4();
   const FrameAccount account = account_of(program_for(machine), machine);
-  CHECK(account.stages.transformation == 5 * 43);
-  CHECK(account.stages.first_pruning == 2 * 37 + 3 * 41);
-  // 70 bits begin the segment and 6 end it; a primitive of 20 bits and a half-space of 40: 3 + 1 + 1 + 2 words.
-  CHECK(account.broadcast_words == 7);
-  CHECK(account.stages.broadcasting == 4 + 7 * 10);
-  CHECK(account.stages.second_pruning == 29 + 31);
-  CHECK(spent(account, NodeActivity::pruning) == 29 + 31 + 3 * 29);
+  CHECK(program_for(machine).display_model.size() == 59);
+  CHECK(account.model_words == 32);
+  CHECK(account.stages.reception == 5 + 32 * 3);
+  CHECK(account.stages.transformation == 3 * 43);
+  CHECK(account.stages.first_pruning == 2 * 37 + 3 * 41 + 2 * 61);
+  // A header of 256 bits, two primitives of 75 and three nodes of 4; then 70 bits begin the segment and 6 end it, with
+  // 2 bits that say how many are left, 3 for the primitive, 12 for each half-space.
+  CHECK(account.broadcast_words == 8 + 2 * 3 + 3 + 3 + 1 + 1 + 1 + 3);
+  CHECK(account.stages.broadcasting == 4 + 17 * 10 + 4 + 9 * 10);
+  CHECK(account.stages.second_pruning == 29 + 3 * 31 + 47 + 2 * 53 + 2 * 59);
+  CHECK(spent(account, NodeActivity::pruning) == account.stages.second_pruning + 3 * 29);
   // An instruction of 6 bits and one of 6 + 18 + 12 + 60.
   CHECK(account.shared_words == 4 * (3 + 1) + 1 + 3);
   CHECK(account.stages.sharing == 4 * 4 + 20 * 10);
@@ -124,36 +175,26 @@ TEST_CASE("each stage of a frame takes what a hand calculation says") {
   const std::uint64_t store = 2 + 3 + 17 + 19;
   const std::uint64_t background = 3 + 17 + 19;
   CHECK(account.stages.rendering == clear + enable + load + store + 3 * background);
-  CHECK(clocks_of(program_for(machine), machine) == 1339);
+  CHECK(clocks_of(program_for(machine), machine) == 1881);
 }
 
 TEST_CASE("the order of rendering changes what goes round the pixels: hand calculations") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).order = RenderingOrder::scan_line;
-  CHECK(clocks_of(program, machine) == 1284);
+  CHECK(clocks_of(program, machine) == 1826);
   figures(machine).order = RenderingOrder::pixel;
-  CHECK(clocks_of(program, machine) == 1231);
+  CHECK(clocks_of(program, machine) == 1773);
 }
 
-TEST_CASE("a half-space that several lists name is broadcast once, wherever they count their pixels from") {
-  const Machine machine = machine_4x4();
-  isa::Program program = program_for(machine);
-  isa::Instruction moved = program.segments[0].instructions[1];
-  moved.linear.c += moved.linear.a * 2 + moved.linear.b * 2;  // at 2,2 what it was at 0,0
-  program.segments[3].instructions = {moved};
-  CHECK(account_of(program, machine).broadcast_halfspaces == 1);
-  program.segments[3].instructions[0].linear.c += 1;
-  CHECK(account_of(program, machine).broadcast_halfspaces == 2);
-}
-
-TEST_CASE("a segment without lists is neither pruned by the nodes nor shared, only set to the background") {
+TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor shared, only set to the background") {
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   program.segments[0].instructions.clear();
+  for (isa::Segment& segment : program.segments) segment.facts.division = {.group_boxes = 2};
   const FrameAccount account = account_of(program, machine);
   CHECK(account.active_segments == 0);
-  CHECK(account.broadcast_words == 4);
+  CHECK(account.broadcast_words == 17 + 4);
   CHECK(account.shared_words == 0);
   CHECK(account.stages.rendering == 4 * (3 + 17) + 2 * 19);
   CHECK(account.stages.barriers == 6);
@@ -176,7 +217,7 @@ TEST_CASE("all nodes wait for the one with the most pixels") {
 TEST_CASE("no frame takes less than its shares of the work, nor more than all of it one after the other") {
   CHECK(rc::check([] {
     const Machine machine = random_machine();
-    const isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
+    const isa::Program program = any_program(machine);
     const multi_processor::FrameClocks frame = multi_processor::time_stages(program, machine);
     const FrameAccount& account = frame.account;
     const multi_processor::StageClocks& stages = account.stages;
@@ -188,36 +229,69 @@ TEST_CASE("no frame takes less than its shares of the work, nor more than all of
     const std::uint64_t rendered = spent(account, NodeActivity::rendering);
     const std::uint64_t bus = stages.broadcasting + stages.sharing;
     RC_ASSERT(rendered >= at_pixels);
-    RC_ASSERT(frame.clocks >= stages.transformation + stages.first_pruning + bus + at_pixels / account.nodes.size());
-    RC_ASSERT(frame.clocks <= stages.transformation + stages.first_pruning + bus +
-                                  spent(account, NodeActivity::pruning) + rendered + stages.barriers);
+    const std::uint64_t alone = stages.reception + stages.transformation + stages.first_pruning + bus;
+    RC_ASSERT(frame.clocks >= alone + at_pixels / account.nodes.size());
+    RC_ASSERT(frame.clocks <= alone + spent(account, NodeActivity::pruning) + rendered + stages.barriers);
+    RC_ASSERT(whole(account.display) == frame.clocks);
+    RC_ASSERT(whole(account.bus) == frame.clocks);
+    for (const NodeClocks& node : account.nodes) RC_ASSERT(whole(node) == frame.clocks);
     RC_ASSERT(bus >= (account.broadcast_words + account.shared_words) * machine.link.word_clocks);
+  }));
+}
+
+TEST_CASE("a wider link, of the host or of the bus, never costs clocks") {
+  CHECK(rc::check([] {
+    Machine machine = random_machine();
+    const isa::Program program = any_program(machine);
+    const std::uint64_t narrow = clocks_of(program, machine);
+    machine.link.width += *rc::gen::inRange<std::uint32_t>(1, 100);
+    const std::uint64_t wide = clocks_of(program, machine);
+    figures(machine).host.width += *rc::gen::inRange<std::uint32_t>(1, 100);
+    RC_ASSERT(wide <= narrow);
+    RC_ASSERT(clocks_of(program, machine) <= wide);
   }));
 }
 
 TEST_CASE("dividing ahead saves no more than the first pruning of all segments but the first") {
   CHECK(rc::check([] {
     Machine machine = random_machine();
-    const isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
+    const isa::Program program = any_program(machine);
     const std::uint64_t behind = clocks_of(program, machine);
     figures(machine).divides_ahead = true;
     const std::uint64_t ahead = clocks_of(program, machine);
     RC_ASSERT(ahead <= behind);
     RC_ASSERT(ahead + account_of(program, machine).stages.first_pruning >= behind);
-    if (account_of(program, machine).segments == 1) RC_ASSERT(ahead == behind);
+    if (account_of(program, machine).segment_count == 1) RC_ASSERT(ahead == behind);
   }));
 }
 
 TEST_CASE("a segment that does not fit the memory of a node is refused, with what to do") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
-  // In words of 16 bits: 2 + 3 of data; four lists begin with 5 and end with 1; instructions of 1 and 6.
-  figures(machine).memory_words = 2 + 3 + 4 * 6 + 1 + 6;
+  // In words of 16 bits: the frame's 16 + 2 * 5 + 3, the segment's 1 + 1 + 3; four lists begin with 5 and end with 1;
+  // instructions of 1 and 6.
+  figures(machine).memory_words = 29 + 5 + 4 * 6 + 1 + 6;
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   --figures(machine).memory_words;
   CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "the segment at 0,0 asks for 36 words of a node, and the nodes of four have 35; take a machine "
+                       "the segment at 0,0 asks for 65 words of a node, and the nodes of four have 64; take a machine "
                        "file with more node.memory_words or subdivision.levels",
+                       InputError);
+}
+
+TEST_CASE("a model that does not fit the memory of the display processor is refused, with what to do") {
+  Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  figures(machine).display_memory_words = 32 + 5;
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  --figures(machine).display_memory_words;
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the model and what the segment at 0,0 leaves of it are 37 words, and the display processor of "
+                       "four has 36; take a machine file with more display.memory_words, or give the model fewer faces",
+                       InputError);
+  program.display_model.clear();
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the Program has no display model, which four divides; compile the model for this machine",
                        InputError);
 }
 
@@ -227,7 +301,7 @@ TEST_CASE("a frame that is longer than SystemC's time is refused") {
   machine.clock_hz = 1;
   figures(machine).transform_clocks = 1'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
-  program.facts.model.halfspaces = ~0ULL;
+  program.segments[0].facts.division.cells = ~0ULL;
   machine.clock_hz = 1'000'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
 }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <systemc>
+
+#include "hw/isa/link_word.h"
+#include "hw/machines/machine.h"
+#include "hw/multi_processor/bus_word.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/time_base.h"
+
+namespace csgsim::multi_processor {
+
+/// Bits in which the host says how many bytes of the model follow.
+inline constexpr unsigned length_bits = 32;
+
+/// The host: sends the length of the display model and then its bytes, once a frame, a word every
+/// `host.link_word_clocks` after `host.link_latency`.
+class ModelHost final : public sc_core::sc_module {
+ public:
+  sc_core::sc_out<HostWord> word{"word"};
+
+  ModelHost(sc_core::sc_module_name name, const machines::Machine& machine);
+
+  /// Starts at the next delta. The bytes have to live until the frame is drawn.
+  void begin(std::span<const std::uint8_t> model);
+
+ private:
+  void work();
+  [[nodiscard]] isa::LinkWord word_from(std::uint64_t first) const;
+  [[nodiscard]] std::uint64_t bits() const { return length_bits + 8 * std::uint64_t{model_.size()}; }
+
+  TimeBase time_;
+  const HostLink link_;
+  std::span<const std::uint8_t> model_;
+  std::uint64_t words_ = 0;  ///< sent, of all frames
+  sc_core::sc_event start_{"start"};
+};
+
+}  // namespace csgsim::multi_processor

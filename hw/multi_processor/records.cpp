@@ -1,0 +1,289 @@
+#include "hw/multi_processor/records.h"
+
+#include <algorithm>
+#include <bit>
+#include <initializer_list>
+
+#include "hw/base/error.h"
+#include "hw/division/encoding.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+using division::BitReader;
+using division::BitWriter;
+using division::DisplayModel;
+using division::Primitive;
+using division::Widths;
+
+constexpr unsigned background_bits = 32;
+constexpr unsigned most_bits = 64;  ///< of a number
+
+/// Widths of a sound model are never more, nor is that of a coefficient 0.
+void put(BitWriter& out, std::uint64_t value, unsigned width) { out.put(value, std::min(width, most_bits)); }
+void put_signed(BitWriter& out, std::int64_t value, unsigned width) {
+  out.put_signed(value, std::clamp(width, 1U, most_bits));
+}
+
+/// What follows from the model's own widths and the number of its primitives.
+RecordFormat format_of(const Widths& widths, std::uint64_t primitives) {
+  const std::uint64_t last = primitives == 0 ? 0 : primitives - 1;
+  return {.depth = widths.depth,
+          .colour = widths.colour,
+          .slope = widths.slope,
+          .constant = widths.constant,
+          .halfspaces = widths.halfspaces,
+          .operands = widths.operands,
+          .index = std::max(1U, static_cast<unsigned>(std::bit_width(last))),
+          .primitives = std::max(1U, static_cast<unsigned>(std::bit_width(primitives)))};
+}
+
+RecordFormat format_of(const DisplayModel& model) { return format_of(widths_of(model), model.primitives.size()); }
+
+division::Bits header_record(const DisplayModel& model, const RecordFormat& format) {
+  BitWriter out;
+  out.put(model.primitives.size(), Widths::count);
+  out.put(model.nodes.size(), Widths::count);
+  out.put(model.width, Widths::side);
+  out.put(model.height, Widths::side);
+  for (const unsigned bits : {model.z_bits, model.fraction_bits, model.colour_bits}) out.put(bits, Widths::bits);
+  for (const unsigned width : {format.slope, format.constant, format.halfspaces}) out.put(width, Widths::width);
+  out.put(format.operands, Widths::bits);
+  const division::Fields& fields = model.fields;
+  for (const isa::Field field : {fields.depth, fields.candidate, fields.colour, fields.candidate_colour, fields.mask})
+    out.put(field.base, Widths::place);
+  out.put(fields.candidate_colour.width > 0 ? 1 : 0, 1);
+  out.put(fields.stack_base, Widths::place);
+  out.put(fields.stack_bits, Widths::place);
+  out.put(model.background, background_bits);
+  return out.take();
+}
+
+division::Bits primitive_record(const Primitive& one, const RecordFormat& format) {
+  BitWriter out;
+  const division::Rectangle& pixels = one.box.pixels;
+  for (const std::int32_t side : {pixels.x0, pixels.y0, pixels.x1 + 1, pixels.y1 + 1})
+    out.put(static_cast<std::uint64_t>(side), Widths::side);
+  put(out, static_cast<std::uint64_t>(one.box.z_low), format.depth);
+  put(out, static_cast<std::uint64_t>(one.box.z_high + 1), format.depth);
+  out.put(one.complemented ? 1 : 0, 1);
+  out.put(one.joined ? 1 : 0, 1);
+  put(out, one.near_colour, format.colour);
+  return out.take();
+}
+
+division::Bits node_record(const division::Node& node, const RecordFormat& format) {
+  BitWriter out;
+  out.put(node.operands == 0 ? 0 : 1, 1);
+  out.put(node.op == division::Operator::intersect ? 1 : 0, 1);
+  put(out, node.operands, format.operands);
+  return out.take();
+}
+
+division::Bits halfspace_record(const DisplayModel& model, const division::Halfspace& one, const RecordFormat& format) {
+  BitWriter out;
+  const division::Plane& plane = model.planes[one.plane];
+  out.put(plane.is_edge ? 1 : 0, 1);
+  out.put(one.forward ? 1 : 0, 1);
+  put_signed(out, plane.a, format.slope);
+  put_signed(out, plane.b, format.slope);
+  put_signed(out, plane.c, format.constant);
+  put(out, one.colour, format.colour);
+  return out.take();
+}
+
+/// Numbers in a record of their own.
+struct Number {
+  std::uint64_t value = 0;
+  unsigned width = 0;
+};
+
+division::Bits numbers_record(std::initializer_list<Number> numbers) {
+  BitWriter out;
+  for (const Number& one : numbers) put(out, one.value, one.width);
+  return out.take();
+}
+
+std::int32_t take_side(BitReader& in) { return static_cast<std::int32_t>(in.take(Widths::side)); }
+
+isa::Field take_field(BitReader& in, unsigned width) {
+  return {static_cast<std::uint16_t>(in.take(Widths::place)), static_cast<std::uint16_t>(width)};
+}
+
+void require(bool holds, const char* what) {
+  if (!holds) throw InputError(std::string("the records on the bus: ") + what);
+}
+
+}  // namespace
+
+unsigned RecordFormat::primitive_record() const { return 4 * Widths::side + 2 * depth + 2 + colour; }
+
+Records frame_records(const DisplayModel& model) {
+  const RecordFormat format = format_of(model);
+  Records records{header_record(model, format)};
+  for (const Primitive& one : model.primitives) records.push_back(primitive_record(one, format));
+  for (const division::Node& node : model.nodes) records.push_back(node_record(node, format));
+  return records;
+}
+
+Records segment_records(const DisplayModel& model, const division::Candidates& left) {
+  const RecordFormat format = format_of(model);
+  Records records{numbers_record({{left.primitives.size(), format.primitives}})};
+  for (const std::uint32_t index : left.primitives) {
+    const std::vector<division::Halfspace>& own = left.halfspaces[index];
+    records.push_back(numbers_record({{index, format.index}, {own.size(), format.halfspaces}}));
+    for (const division::Halfspace& one : own) records.push_back(halfspace_record(model, one, format));
+  }
+  return records;
+}
+
+void RecordReader::begin_frame() {
+  model_ = {};
+  await(Record::header);
+}
+
+void RecordReader::begin_segment() {
+  model_.planes.clear();
+  left_ = {};
+  left_.halfspaces.resize(model_.primitives.size());
+  left_.listed.assign(model_.primitives.size(), false);
+  await(Record::count);
+}
+
+void RecordReader::take(const isa::LinkWord& word) {
+  require(!whole(), "a word after the last");
+  for (unsigned at = 0; at < word_bits_ && wanted_ > 0;) {
+    const unsigned count = std::min({64U, word_bits_ - at, wanted_});
+    gathered_.put(word.number(at, count), count);
+    at += count;
+    wanted_ -= count;
+  }
+  if (wanted_ > 0) return;
+  const division::Bits bits = gathered_.take();
+  BitReader in(bits);
+  read(in);
+  await_next();
+}
+
+void RecordReader::await(Record record) {
+  next_ = record;
+  gathered_ = {};
+  wanted_ = bits_of(record);
+}
+
+/// After a record comes the first kind of which any are to come.
+void RecordReader::await_next() {
+  const bool of_frame = next_ == Record::header || next_ == Record::primitive || next_ == Record::node;
+  if (of_frame) {
+    if (model_.primitives.size() < primitives_) return await(Record::primitive);
+    if (model_.nodes.size() < nodes_) return await(Record::node);
+  } else {
+    if (own_ > 0) return await(Record::halfspace);
+    if (to_come_ > 0) return await(Record::left);
+  }
+  await(Record::none);
+  division::validate(model_);
+}
+
+unsigned RecordReader::bits_of(Record record) const {
+  switch (record) {
+    case Record::none: return 0;
+    case Record::header: return RecordFormat::header;
+    case Record::primitive: return format_.primitive_record();
+    case Record::node: return format_.node_record();
+    case Record::count: return format_.count_record();
+    case Record::left: return format_.left_record();
+    case Record::halfspace: return format_.halfspace_record();
+  }
+  return 0;
+}
+
+void RecordReader::read(BitReader& in) {
+  switch (next_) {
+    case Record::none: return;
+    case Record::header: return read_header(in);
+    case Record::primitive: return read_primitive(in);
+    case Record::node: return read_node(in);
+    case Record::count: to_come_ = in.take(format_.primitives); return;
+    case Record::left: return read_left(in);
+    case Record::halfspace: return read_halfspace(in);
+  }
+}
+
+void RecordReader::read_header(BitReader& in) {
+  primitives_ = in.take(Widths::count);
+  nodes_ = in.take(Widths::count);
+  model_.width = static_cast<std::uint32_t>(in.take(Widths::side));
+  model_.height = static_cast<std::uint32_t>(in.take(Widths::side));
+  model_.z_bits = static_cast<unsigned>(in.take(Widths::bits));
+  model_.fraction_bits = static_cast<unsigned>(in.take(Widths::bits));
+  model_.colour_bits = static_cast<unsigned>(in.take(Widths::bits));
+  Widths widths;
+  widths.slope = static_cast<unsigned>(in.take(Widths::width));
+  widths.constant = static_cast<unsigned>(in.take(Widths::width));
+  widths.halfspaces = static_cast<unsigned>(in.take(Widths::width));
+  widths.operands = static_cast<unsigned>(in.take(Widths::bits));
+  widths.depth = model_.z_bits + 1;
+  widths.colour = model_.colour_bits;
+  format_ = format_of(widths, primitives_);
+  division::Fields& fields = model_.fields;
+  fields.depth = take_field(in, model_.z_bits);
+  fields.candidate = take_field(in, model_.z_bits);
+  fields.colour = take_field(in, model_.colour_bits);
+  fields.candidate_colour = take_field(in, 0);
+  fields.mask = take_field(in, 1);
+  if (in.take(1) != 0) fields.candidate_colour.width = fields.colour.width;
+  fields.stack_base = static_cast<std::uint32_t>(in.take(Widths::place));
+  fields.stack_bits = static_cast<std::uint32_t>(in.take(Widths::place));
+  model_.background = static_cast<std::uint32_t>(in.take(background_bits));
+}
+
+void RecordReader::read_primitive(BitReader& in) {
+  Primitive one;
+  division::Rectangle& pixels = one.box.pixels;
+  pixels.x0 = take_side(in);
+  pixels.y0 = take_side(in);
+  pixels.x1 = take_side(in) - 1;
+  pixels.y1 = take_side(in) - 1;
+  one.box.z_low = static_cast<std::int64_t>(in.take(format_.depth));
+  one.box.z_high = static_cast<std::int64_t>(in.take(format_.depth)) - 1;
+  one.complemented = in.take(1) != 0;
+  one.joined = in.take(1) != 0;
+  one.near_colour = static_cast<std::uint32_t>(in.take(format_.colour));
+  model_.primitives.push_back(std::move(one));
+}
+
+void RecordReader::read_node(BitReader& in) {
+  const bool is_operator = in.take(1) != 0;
+  const auto op = in.take(1) != 0 ? division::Operator::intersect : division::Operator::unite;
+  const auto operands = static_cast<std::uint32_t>(in.take(format_.operands));
+  require(is_operator == (operands > 0), "a leaf with operands");
+  model_.nodes.push_back({operands, op});
+}
+
+void RecordReader::read_left(BitReader& in) {
+  const auto index = static_cast<std::uint32_t>(in.take(format_.index));
+  own_ = in.take(format_.halfspaces);
+  --to_come_;
+  require(index < model_.primitives.size() && (left_.primitives.empty() || index > left_.primitives.back()),
+          "a primitive out of order");
+  left_.primitives.push_back(index);
+  left_.listed[index] = true;
+}
+
+void RecordReader::read_halfspace(BitReader& in) {
+  --own_;
+  division::Plane plane;
+  plane.is_edge = in.take(1) != 0;
+  const bool forward = in.take(1) != 0;
+  plane.a = in.take_signed(format_.slope);
+  plane.b = in.take_signed(format_.slope);
+  plane.c = in.take_signed(format_.constant);
+  const auto colour = static_cast<std::uint32_t>(in.take(format_.colour));
+  const auto number = static_cast<std::uint32_t>(model_.planes.size());
+  model_.planes.push_back(plane);
+  left_.halfspaces[left_.primitives.back()].push_back({number, forward, colour});
+}
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/division/bit_stream.h"
+#include "hw/division/candidates.h"
+#include "hw/division/display_model.h"
+#include "hw/isa/link_word.h"
+
+/// How the model travels on the control bus: records, of which each begins at a new word. Once a frame the header, then
+/// all primitives without their half-spaces, then the nodes of the tree. Once a segment where anything is left the
+/// number of primitives that are left; then each, followed by its half-spaces. Least significant bits come first.
+namespace csgsim::multi_processor {
+
+/// Widths in bits of the numbers in a frame's records; the header says those that depend on the model.
+struct RecordFormat {
+  static constexpr unsigned header = 256;
+
+  unsigned depth = 0;  ///< a depth step or the end of the range
+  unsigned colour = 0;
+  unsigned slope = 0;       ///< A and B, two's complement
+  unsigned constant = 0;    ///< C, two's complement
+  unsigned halfspaces = 0;  ///< the number of a primitive's half-spaces
+  unsigned operands = 0;    ///< the number of an operator's operands
+  unsigned index = 0;       ///< of a primitive
+  unsigned primitives = 0;  ///< the number of those that are left
+
+  [[nodiscard]] unsigned primitive_record() const;
+  [[nodiscard]] unsigned node_record() const { return 2 + operands; }
+  [[nodiscard]] unsigned count_record() const { return primitives; }
+  [[nodiscard]] unsigned left_record() const { return index + halfspaces; }
+  [[nodiscard]] unsigned halfspace_record() const { return 2 + 2 * slope + constant + colour; }
+};
+
+using Records = std::vector<division::Bits>;
+
+/// Of a sound model.
+Records frame_records(const division::DisplayModel& model);
+Records segment_records(const division::DisplayModel& model, const division::Candidates& left);
+
+/// The receiving end: gathers words into records, and these into the model and what a segment leaves of it.
+class RecordReader {
+ public:
+  explicit RecordReader(unsigned word_bits) : word_bits_(word_bits) {}
+
+  /// The words to come are of a frame, or of a segment of the frame that has come.
+  void begin_frame();
+  void begin_segment();
+
+  /// Throws InputError for a word after the last record, and where they do not make a sound model.
+  void take(const isa::LinkWord& word);
+
+  /// The frame, or the segment, has come as a whole.
+  [[nodiscard]] bool whole() const { return next_ == Record::none; }
+
+  /// The frame's model: primitives have no half-spaces; the planes are those of the segment.
+  [[nodiscard]] const division::DisplayModel& model() const { return model_; }
+  /// What the segment leaves.
+  [[nodiscard]] const division::Candidates& left() const { return left_; }
+
+ private:
+  enum class Record : std::uint8_t { none, header, primitive, node, count, left, halfspace };
+
+  void await(Record record);
+  void await_next();
+  void read(division::BitReader& in);
+  void read_header(division::BitReader& in);
+  void read_primitive(division::BitReader& in);
+  void read_node(division::BitReader& in);
+  void read_left(division::BitReader& in);
+  void read_halfspace(division::BitReader& in);
+  [[nodiscard]] unsigned bits_of(Record record) const;
+
+  unsigned word_bits_;
+  Record next_ = Record::none;
+  division::BitWriter gathered_;
+  unsigned wanted_ = 0;  ///< bits of the record at hand that have not come
+  RecordFormat format_;
+  division::DisplayModel model_;
+  division::Candidates left_;
+  std::uint64_t primitives_ = 0;  ///< of the frame
+  std::uint64_t nodes_ = 0;       ///< of the frame
+  std::uint64_t to_come_ = 0;     ///< primitives of the segment
+  std::uint64_t own_ = 0;         ///< half-spaces to come of the primitive at hand
+};
+
+}  // namespace csgsim::multi_processor

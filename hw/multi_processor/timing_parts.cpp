@@ -1,0 +1,53 @@
+#include "hw/multi_processor/timing_parts.h"
+
+#include <algorithm>
+
+#include "hw/isa/wire.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/regions.h"
+#include "hw/multi_processor/timing_model.h"
+
+namespace csgsim::multi_processor {
+
+std::vector<Subsegments> by_segment(const isa::Program& program, const machines::Machine& machine) {
+  const std::uint32_t levels = machines::own<Figures>(machine).levels;
+  std::vector<Subsegments> all;
+  Subsegments left = program.segments;
+  for (const isa::Region& segment : picture_segments({program.shape.width, program.shape.height}, levels)) {
+    const auto outside = [&](const isa::Segment& part) {
+      return part.region.x < segment.x || part.region.x >= segment.x + segment.width || part.region.y < segment.y ||
+             part.region.y >= segment.y + segment.height;
+    };
+    const auto count = std::find_if(left.begin(), left.end(), outside) - left.begin();
+    all.push_back(left.first(static_cast<std::size_t>(count)));
+    left = left.subspan(static_cast<std::size_t>(count));
+  }
+  return all;
+}
+
+/// Each subsegment meets all primitives that the segment leaves.
+SegmentDivision division_of(Subsegments parts) {
+  const isa::DivisionFacts& facts = parts.front().facts.division;
+  const bool draws =
+      std::any_of(parts.begin(), parts.end(), [](const isa::Segment& part) { return !part.instructions.empty(); });
+  return {.active = draws || facts.boxes > 0,
+          .boxes = facts.group_boxes,
+          .halfspace_tests = facts.group_halfspaces,
+          .cell_tests = facts.group_cells,
+          .primitives = facts.boxes,
+          .halfspaces = facts.group_entries - std::min(facts.boxes, facts.group_entries)};
+}
+
+std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits) {
+  std::uint64_t words =
+      words_of(isa::wire_bits(isa::SegmentStart{}), word_bits) + words_of(isa::wire_bits(isa::SegmentEnd{}), word_bits);
+  for (const isa::Instruction& one : part.instructions) words += words_of(isa::wire_bits(one), word_bits);
+  return words;
+}
+
+std::uint64_t host_words(const isa::Program& program, std::uint32_t word_bits) {
+  constexpr std::uint64_t length = 32;
+  return words_of(length + 8 * std::uint64_t{program.display_model.size()}, word_bits);
+}
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,117 @@
+// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "host/emit/compile.h"
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/projection.h"
+#include "hw/base/error.h"
+#include "hw/division/divide.h"
+#include "hw/division/division_check.h"
+#include "hw/division/encoding.h"
+#include "hw/kinds/load.h"
+#include "sim/engine/engine.h"
+
+namespace {
+
+using namespace csgsim;
+
+machines::Machine machine_32x32() {
+  machines::Machine machine = kinds::load("multi-processor");
+  machines::set_picture_size(machine, {32, 32});
+  return machine;
+}
+
+/// A cube with a notch in the middle of the picture.
+isa::Program program_for(const machines::Machine& machine) {
+  const model::Tree tree = read::read_csg_text(
+      "difference() { cube(size = [4, 4, 4], center = false);"
+      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]]) {"
+      "cube(size = [4, 4, 4], center = false); } }",
+      "cubes");
+  const facet::Scene scene = facet::make_scene(tree);
+  view::Sampling sampling;
+  sampling.width = machine.picture.width;
+  sampling.height = machine.picture.height;
+  const view::View view =
+      view::make_view(scene, tree, {{20, -30, 25}, {2, 2, 2}, view::Projection::orthographic}, sampling);
+  return emit::compile(tree, scene, view, machine, {});
+}
+
+std::vector<std::uint8_t> bytes_of(const division::DisplayModel& model) {
+  const division::Bits bits = division::encode(model);
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>((bits.count + 7) / 8));
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<std::uint8_t>(bits.words[i / 8] >> (i % 8 * 8) & 0xffU);
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("the picture is that of the display model: a facet of another colour there is one in the picture") {
+  const machines::Machine machine = machine_32x32();
+  const auto engine = sim::make_cycle_engine(machine);
+  isa::Program program = program_for(machine);
+  const std::vector<std::uint32_t> before = engine->run(program, {}).scanned_out;
+  division::DisplayModel model = division::display_model_of(program.display_model);
+  std::vector<division::Halfspace>& facets = model.primitives.front().halfspaces;
+  const std::uint32_t old = *std::find_if(before.begin(), before.end(), [&](std::uint32_t colour) {
+    return std::any_of(facets.begin(), facets.end(), [&](const auto& one) { return one.colour == colour; });
+  });
+  constexpr std::uint32_t other = 0x123456;
+  for (division::Halfspace& facet : facets) {
+    if (facet.colour == old) facet.colour = other;
+  }
+  program.display_model = bytes_of(model);
+  CHECK_THROWS_AS(engine->run(program, {}), InputError);
+  const division::Divider divider(model);
+  for (isa::Segment& segment : program.segments) segment.instructions = divider.divide(segment.region).instructions;
+  const std::vector<std::uint32_t> after = engine->run(program, {}).scanned_out;
+  REQUIRE(after.size() == before.size());
+  CHECK(std::count(after.begin(), after.end(), other) > 0);
+  for (std::size_t i = 0; i < after.size(); ++i)
+    CHECK((after[i] == before[i] || (before[i] == old && after[i] == other)));
+}
+
+TEST_CASE("a display model with a bit of another value is refused, or makes the same picture") {
+  const machines::Machine machine = machine_32x32();
+  const auto engine = sim::make_cycle_engine(machine);
+  const isa::Program program = program_for(machine);
+  std::size_t refused = 0;
+  std::size_t tried = 0;
+  // Bits that no list depends on make the same picture.
+  const std::vector<std::uint32_t> picture = engine->run(program, {}).scanned_out;
+  for (std::size_t bit = 0; bit < 8 * program.display_model.size(); bit += 37, ++tried) {
+    isa::Program changed = program;
+    changed.display_model[bit / 8] = static_cast<std::uint8_t>(changed.display_model[bit / 8] ^ 1U << bit % 8);
+    try {
+      const std::vector<std::uint32_t> drawn = engine->run(changed, {}).scanned_out;
+      CHECK(drawn == picture);
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  CHECK(2 * refused > tried);
+}
+
+TEST_CASE("the machine counts its own tests: what a Program says of them changes nothing") {
+  const machines::Machine machine = machine_32x32();
+  const auto engine = sim::make_cycle_engine(machine);
+  isa::Program program = program_for(machine);
+  const sim::RunResult before = engine->run(program, {});
+  CHECK(before.clocks == sim::make_functional_engine(machine)->run(program, {}).clocks);
+  for (isa::Segment& segment : program.segments) {
+    segment.facts.division.halfspaces += 3;
+    segment.facts.division.nodes += 2;
+    segment.facts.division.group_boxes += 1;
+  }
+  program.facts.model = {};
+  const sim::RunResult after = engine->run(program, {});
+  CHECK(after.clocks == before.clocks);
+  CHECK(after.account == before.account);
+  CHECK(sim::make_functional_engine(machine)->run(program, {}).clocks > before.clocks);
+}

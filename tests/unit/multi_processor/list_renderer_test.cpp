@@ -1,0 +1,89 @@
+#include "hw/multi_processor/list_renderer.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+#include "hw/multi_processor/clocks.h"
+#include "hw/multi_processor/kind.h"
+#include "sim/reference/reference_array.h"
+#include "tests/support/random_program.h"
+
+using namespace csgsim;
+using multi_processor::Figures;
+using multi_processor::NodePixels;
+
+namespace {
+
+constexpr unsigned slice_bits = 32;
+
+std::uint32_t below(std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); }
+
+machines::Machine any_machine() {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  machine.array = {1 + below(4), 1 + below(4), 8 + below(92)};
+  auto& figures = machines::own<Figures>(machine);
+  figures.order = static_cast<multi_processor::RenderingOrder>(below(3));
+  figures.word_bits = 1 + below(64);
+  figures.operations = {below(20), below(20), below(20), below(20), below(20), below(90)};
+  figures.loop = {below(20), below(40), below(60)};
+  return machine;
+}
+
+std::vector<isa::Instruction> any_list(const isa::Region& region, std::uint32_t memory_bits) {
+  const isa::ArrayShape shape{region.width, region.height, memory_bits};
+  std::vector<isa::Instruction> list;
+  const std::uint32_t count = below(15);
+  while (list.size() < count) {
+    const isa::Instruction one = *test::arbitrary_instruction(shape, memory_bits, 0);
+    if (!isa::is_question(one.opcode)) list.push_back(one);
+    if (below(4) == 0) list.push_back(isa::Instruction{.opcode = isa::Opcode::enable_all});
+  }
+  return list;
+}
+
+/// Compares the node's pixels with the reference's.
+void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& own, const isa::ArrayShape& nodes,
+                  const sim::ReferenceArray& reference) {
+  for (std::size_t pixel = 0; pixel < own.count(); ++pixel) {
+    const auto x = own.first_x + static_cast<std::uint32_t>(pixel % own.columns) * nodes.width;
+    const auto y = own.first_y + static_cast<std::uint32_t>(pixel / own.columns) * nodes.height;
+    RC_ASSERT(memory.enabled(pixel) == reference.enabled(x, y));
+    for (std::uint32_t base = 0; base < nodes.memory_bits; base += slice_bits) {
+      const isa::Field slice{static_cast<std::uint16_t>(base),
+                             static_cast<std::uint16_t>(std::min(slice_bits, nodes.memory_bits - base))};
+      RC_ASSERT(memory.read(pixel, slice) == reference.read(slice, x, y));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("nodes leave the reference's bits after every instruction of any list, in the clocks worked out") {
+  CHECK(rc::check([] {
+    const machines::Machine machine = any_machine();
+    const isa::Region region{below(9), below(9), 1 + below(10), 1 + below(10)};
+    const std::vector<isa::Instruction> list = any_list(region, machine.array.memory_bits);
+    if (list.empty()) return;
+    const std::vector<kernel::Keep> keeps(list.size(), kernel::Keep::all);
+    const isa::Field colour{0, static_cast<std::uint16_t>(1 + below(8))};
+    for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
+      const NodePixels own =
+          multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
+      multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own);
+      renderer.render();
+      sim::ReferenceArray reference(region, machine.array.memory_bits);
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        reference.execute(list[i]);
+        check_pixels(renderer.steps()[i].pixels, own, machine.array, reference);
+        if (own.count() > 0) RC_ASSERT(renderer.steps()[i].clocks == multi_processor::pixel_clocks(list[i], machine));
+      }
+      RC_ASSERT(renderer.store_colours(colour).size() == own.count());
+      RC_ASSERT(renderer.clocks() == multi_processor::rendering_clocks(list, own, colour, machine));
+    }
+  }));
+}

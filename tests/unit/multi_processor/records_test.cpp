@@ -1,0 +1,198 @@
+#include "hw/multi_processor/records.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/division/divide.h"
+#include "hw/division/division_check.h"
+#include "hw/division/encoding.h"
+#include "hw/isa/wire.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/kind.h"
+#include "hw/multi_processor/regions.h"
+#include "hw/multi_processor/timing_model.h"
+#include "hw/multi_processor/timing_parts.h"
+#include "tests/lockstep/divided_program.h"
+
+using namespace csgsim;
+using multi_processor::by_segment;
+using multi_processor::frame_records;
+using multi_processor::frame_words;
+using multi_processor::RecordReader;
+using multi_processor::Records;
+using multi_processor::segment_records;
+using multi_processor::segment_words;
+
+namespace {
+
+using Words = std::vector<isa::LinkWord>;
+
+machines::Machine any_machine() {
+  const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  machine.array = {1 + below(4), 1 + below(4), 200};
+  machine.picture = {1 + below(60), 1 + below(60)};
+  machine.link.width = 1 + below(80);
+  machines::own<multi_processor::Figures>(machine).levels = below(5);
+  return machine;
+}
+
+Words words_of(const Records& records, unsigned width) {
+  Words words;
+  for (const division::Bits& record : records) {
+    const Words own = division::to_link(record, width);
+    words.insert(words.end(), own.begin(), own.end());
+  }
+  return words;
+}
+
+void take_all(RecordReader& reader, const Words& words) {
+  for (const isa::LinkWord& word : words) reader.take(word);
+}
+
+/// What a node makes of its subsegment, of the words that come over the bus.
+division::Divided divided_by_node(const RecordReader& reader, const isa::Region& part) {
+  return division::Divider(reader.model()).divide(part, reader.left());
+}
+
+/// A display processor with a model, and the subsegments of a segment that it divides.
+struct Display {
+  isa::Program program;
+  machines::Machine machine;
+  division::Divider divider;
+
+  explicit Display(const machines::Machine& described)
+      : program(test::any_divided_program(described)),
+        machine(described),
+        divider(division::display_model_of(program.display_model)) {}
+
+  [[nodiscard]] Words frame() const { return words_of(frame_records(divider.model()), machine.link.width); }
+
+  [[nodiscard]] Words segment(const isa::Region& region) const {
+    division::Counts counts;
+    return words_of(segment_records(divider.model(), divider.survivors(region, counts)), machine.link.width);
+  }
+
+  [[nodiscard]] isa::Region whole_of(multi_processor::Subsegments parts) const {
+    const isa::Region& first = parts.front().region;
+    const isa::Region& last = parts.back().region;
+    return {first.x, first.y, last.x + last.width - first.x, last.y + last.height - first.y};
+  }
+};
+
+bool alike(const isa::Instruction& one, const isa::Instruction& other) {
+  return isa::as_received(one) == isa::as_received(other);
+}
+
+void check_list(const division::Divided& divided, const isa::Segment& expected) {
+  RC_ASSERT(std::equal(divided.instructions.begin(), divided.instructions.end(), expected.instructions.begin(),
+                       expected.instructions.end(), alike));
+  const isa::DivisionFacts& facts = expected.facts.division;
+  RC_ASSERT(divided.counts.boxes == facts.boxes);
+  RC_ASSERT(divided.counts.halfspaces == facts.halfspaces);
+  RC_ASSERT(divided.counts.cells == facts.cells);
+  RC_ASSERT(divided.counts.nodes == facts.nodes);
+}
+
+void flip(Words& words, std::uint64_t bit, unsigned width) {
+  words[static_cast<std::size_t>(bit / width)].bits[bit % width / 64] ^= std::uint64_t{1} << bit % width % 64;
+}
+
+}  // namespace
+
+TEST_CASE("what a node divides from the bus is the host's list of its subsegment, word for word, and its counts") {
+  CHECK(rc::check([] {
+    const Display display(any_machine());
+    RecordReader reader(display.machine.link.width);
+    reader.begin_frame();
+    take_all(reader, display.frame());
+    RC_ASSERT(reader.whole());
+    for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
+      reader.begin_segment();
+      take_all(reader, display.segment(display.whole_of(parts)));
+      RC_ASSERT(reader.whole());
+      for (const isa::Segment& part : parts) check_list(divided_by_node(reader, part.region), part);
+    }
+  }));
+}
+
+TEST_CASE("records take the words that are worked out for them, on the bus and in memory") {
+  CHECK(rc::check([] {
+    const Display display(any_machine());
+    const std::uint32_t width = display.machine.link.width;
+    const multi_processor::ModelSizes sizes = multi_processor::sizes_of(display.program.display_model);
+    RC_ASSERT(sizes.planes == display.divider.model().planes.size());
+    RC_ASSERT(display.frame().size() == frame_words(sizes, width));
+    for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
+      const multi_processor::SegmentDivision division = multi_processor::division_of(parts);
+      RC_ASSERT(display.segment(display.whole_of(parts)).size() ==
+                segment_words(sizes, division.primitives, division.halfspaces, width));
+    }
+  }));
+}
+
+TEST_CASE("a bit that changes on the bus is refused, or is in what the node has; or it fills up a word") {
+  std::uint64_t refused = 0;
+  std::uint64_t another = 0;
+  CHECK(rc::check([&] {
+    const Display display(any_machine());
+    const unsigned width = display.machine.link.width;
+    const isa::Region whole{0, 0, display.program.shape.width, display.program.shape.height};
+    const Words frame = display.frame();
+    Words words = display.segment(whole);
+    RecordReader expected(width);
+    expected.begin_frame();
+    take_all(expected, frame);
+    RecordReader actual = expected;
+    expected.begin_segment();
+    take_all(expected, words);
+    flip(words, *rc::gen::inRange<std::uint64_t>(0, words.size() * width), width);
+    try {
+      actual.begin_segment();
+      take_all(actual, words);
+    } catch (const InputError&) {
+      ++refused;
+      return;
+    }
+    const bool differs = !(actual.model() == expected.model()) ||
+                         actual.left().primitives != expected.left().primitives ||
+                         actual.left().halfspaces != expected.left().halfspaces || !actual.whole();
+    another += differs ? 1 : 0;
+  }));
+  CHECK(refused > 0);
+  CHECK(another > 0);
+}
+
+TEST_CASE("a coefficient that changes on the bus changes the list") {
+  division::DisplayModel model;
+  model.width = 8;
+  model.height = 8;
+  model.z_bits = 6;
+  model.colour_bits = 3;
+  model.fields = {.depth = {0, 6}, .candidate = {6, 6}, .colour = {12, 3}, .candidate_colour = {}, .mask = {15, 1}};
+  model.planes = {{false, 1, 0, 20}};
+  model.primitives = {{{{0, 0, 7, 7}, 20, 40}, false, false, 1, {{0, true, 2}}}};
+  model.nodes = {{}};
+  const division::Divider divider(model);
+  division::Counts counts;
+  Words words = words_of(segment_records(model, divider.survivors({0, 0, 8, 8}, counts)), 256);
+  const auto list_of = [&] {
+    RecordReader reader(256);
+    reader.begin_frame();
+    take_all(reader, words_of(frame_records(model), 256));
+    reader.begin_segment();
+    take_all(reader, words);
+    return divided_by_node(reader, {0, 0, 8, 8}).instructions;
+  };
+  const std::vector<isa::Instruction> before = list_of();
+  CHECK(before == divider.divide({0, 0, 8, 8}).instructions);
+  // The half-space is the third record: two flags, A, B, then C, whose lowest bit was 0.
+  const division::Widths widths = division::widths_of(model);
+  flip(words, 2 * 256 + 2 + 2 * std::uint64_t{widths.slope}, 256);
+  CHECK_FALSE(list_of() == before);
+}
