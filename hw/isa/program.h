@@ -25,10 +25,13 @@ struct Region {
 struct DivisionFacts {
   std::uint64_t boxes = 0;
   std::uint64_t halfspaces = 0;
-  std::uint64_t pairs = 0;
+  std::uint64_t cells = 0;
   std::uint64_t nodes = 0;
   std::uint64_t group_boxes = 0;       ///< before the first region of a group
   std::uint64_t group_halfspaces = 0;  ///< the same
+  std::uint64_t group_cells = 0;       ///< the same
+  std::uint64_t most_halfspaces = 0;   ///< for one surface
+  std::uint64_t most_nodes = 0;        ///< the same
 
   constexpr bool operator==(const DivisionFacts&) const = default;
 };

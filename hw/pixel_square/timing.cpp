@@ -224,7 +224,7 @@ class FrameModel {
     if (figures_.divider == DividerKind::host) return 0;
     return (tests.boxes + tests.group_boxes) * figures_.box_clocks +
            (tests.halfspaces + tests.group_halfspaces) * figures_.halfspace_clocks +
-           tests.pairs * figures_.pair_clocks + tests.nodes * figures_.node_clocks;
+           (tests.cells + tests.group_cells) * figures_.cell_clocks + tests.nodes * figures_.node_clocks;
   }
 
   /// Clocks from a word of a square to the next.
@@ -503,7 +503,8 @@ void check_countable(const isa::Program& program, const Machine& machine) {
                                                            {tests.group_boxes, figures.box_clocks},
                                                            {tests.halfspaces, figures.halfspace_clocks},
                                                            {tests.group_halfspaces, figures.halfspace_clocks},
-                                                           {tests.pairs, figures.pair_clocks},
+                                                           {tests.cells, figures.cell_clocks},
+                                                           {tests.group_cells, figures.cell_clocks},
                                                            {tests.nodes, figures.node_clocks}};
     for (const auto& [count, each] : all) {
       clocks += std::min(count, most_tests) * each;

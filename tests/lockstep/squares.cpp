@@ -46,6 +46,9 @@ Settings read_settings(int count, char** arguments) {
   machine.link = {.width = 32, .word_clocks = 1, .fifo_depth = 64, .latency = 0};
   auto& figures = machines::own<pixel_square::Figures>(machine);
   figures.model_bits = 10'000'000;
+  figures.halfspaces = 1'000'000;
+  figures.nodes = 1'000'000;
+  figures.store_words = 10'000'000;
   std::uint32_t order = 0;
   std::uint32_t divider = 0;
   const std::map<std::string, std::uint32_t*> known{{"picture_width", &machine.picture.width},
@@ -71,7 +74,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"list", &figures.list_entries},
                                                     {"box", &figures.box_clocks},
                                                     {"halfspace", &figures.halfspace_clocks},
-                                                    {"pair", &figures.pair_clocks},
+                                                    {"cell", &figures.cell_clocks},
                                                     {"node", &figures.node_clocks},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
