@@ -124,6 +124,8 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
       {"pixel_square/pixel_square.cpp", "hands the Program to what stands for the host"},
       {"pixel_square/pixel_square.h", "as above"},
       {"pixel_square/square_names.h", "an observer: which segment of the Program a square is"},
+      {"pixel_square/storage_check.cpp", "checks the Program before a run: what its division takes fits the divider"},
+      {"pixel_square/storage_check.h", "as above"},
       {"scan_line/active_list.cpp", "the host's own memory: which primitives are on which lines"},
       {"scan_line/active_list.h", "as above"},
       {"scan_line/chain_link.cpp", "the host's end of a chain's link: the host's own memory"},

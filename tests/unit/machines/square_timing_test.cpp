@@ -389,8 +389,7 @@ TEST_CASE("with a divider a frame takes at least what its busiest part has to do
     const Work work = work_of(program, sending);
     const std::uint64_t divider = model + test_clocks(program, machine) + work.host;
     const Timing timing = time(program, machine);
-    const auto working = static_cast<std::size_t>(pixel_square::SquareActivity::working);
-    RC_ASSERT(timing.account.divider.value()[working] == divider);
+    RC_ASSERT(timing.account.divider.value().of(pixel_square::SquareActivity::working) == divider);
     RC_ASSERT(timing.clocks > std::max({host, divider, work.frame_buffer}));
     RC_ASSERT(timing.clocks <= 2 * host + divider + work.host + work.renderers + 2 * work.frame_buffer +
                                    4 * program.segments.size() + 4);
