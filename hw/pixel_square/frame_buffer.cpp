@@ -24,7 +24,8 @@ void FrameBuffer::begin(const FrameContents& contents) {
 }
 
 void FrameBuffer::end_of_elaboration() {
-  for (const auto& port : colours) words_written_ |= port.data_written_event();
+  // Its iterators compare ambiguously in C++20.
+  for (std::size_t port = 0; port < colours.size(); ++port) words_written_ |= colours[port].data_written_event();
   words_written_ |= clears.data_written_event();
 }
 
