@@ -36,6 +36,8 @@ DisplayModel display_model_of(std::span<const std::uint8_t> bytes) {
   return from_link(words, byte_bits);
 }
 
+void check_division(const isa::Program& program) { check_division(program, {}, 0, {}); }
+
 void check_division(const isa::Program& program, std::span<const Group> groups, std::uint64_t list_entries,
                     const SquareCheck& check) {
   const Divider divider(display_model_of(program.display_model));

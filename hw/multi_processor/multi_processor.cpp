@@ -6,6 +6,7 @@
 
 #include "hw/division/division_check.h"
 #include "hw/multi_processor/make.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::multi_processor {
 
@@ -73,12 +74,16 @@ void MultiProcessor::bind_masters() {
 void MultiProcessor::on_done() { sc_core::sc_pause(); }
 
 kernel::RunReport MultiProcessor::run(const isa::Program& program, kernel::RunListener& listener) {
-  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) {
+    sc_core::sc_start(sc_core::SC_ZERO_TIME);
+    kernel::back_on_main_stack();
+  }
   division::check_division(program);
   const std::uint64_t begun = time_.now();
   const std::uint64_t before = frames_.read();
   begin(program, listener);
   sc_core::sc_start();
+  kernel::back_on_main_stack();
   retirement_.rethrow();
   if (frames_.read() == before) throw std::logic_error("the multi-processor stands still in the middle of a frame");
   return {.clocks = time_.now() - begun,
