@@ -8,9 +8,9 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
-#include "hw/pixel_square/storage_check.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/regions.h"
+#include "hw/pixel_square/storage_check.h"
 #include "hw/pixel_square/timing.h"
 #include "hw/pixel_square/timing_division.h"
 
