@@ -24,8 +24,8 @@ void FrameBuffer::begin(const FrameContents& contents) {
 }
 
 void FrameBuffer::end_of_elaboration() {
-  // Its iterators compare ambiguously in C++20.
-  for (std::size_t port = 0; port < colours.size(); ++port) words_written_ |= colours[port].data_written_event();
+  // No range-based loop: to clang the iterators compare ambiguously in C++20.
+  std::for_each(colours.begin(), colours.end(), [&](const auto& port) { words_written_ |= port.data_written_event(); });
   words_written_ |= clears.data_written_event();
 }
 
