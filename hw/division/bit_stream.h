@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
 
 namespace csgsim::division {
 
@@ -17,9 +18,7 @@ struct Bits {
 };
 
 /// Words of so many bits that the stream takes on a link; the last is filled up.
-constexpr std::uint64_t link_words(std::uint64_t bits, std::uint32_t word_bits) {
-  return bits / word_bits + (bits % word_bits == 0 ? 0 : 1);
-}
+constexpr std::uint64_t link_words(std::uint64_t bits, std::uint32_t word_bits) { return quotient_up(bits, word_bits); }
 
 class BitWriter {
  public:

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hw/base/error.h"
+#include "hw/division/stream_parts.h"
 
 namespace csgsim::division {
 
@@ -26,44 +27,22 @@ struct Header {
   Widths widths;
 };
 
-void put_field(BitWriter& out, isa::Field field) { out.put(field.base, Widths::place); }
-
 void put_header(BitWriter& out, const DisplayModel& model, const Widths& widths) {
   out.put(model.planes.size(), Widths::count);
   out.put(model.primitives.size(), Widths::count);
   out.put(model.nodes.size(), Widths::count);
-  out.put(model.width, Widths::side);
-  out.put(model.height, Widths::side);
-  out.put(model.z_bits, Widths::bits);
-  out.put(model.fraction_bits, Widths::bits);
-  out.put(model.colour_bits, Widths::bits);
+  put_sampling(out, model);
   out.put(widths.slope, Widths::width);
   out.put(widths.constant, Widths::width);
   out.put(widths.halfspaces, Widths::width);
   out.put(widths.operands, Widths::bits);
   out.put(widths.plane, Widths::bits);
-  const Fields& fields = model.fields;
-  for (const isa::Field field : {fields.depth, fields.candidate, fields.colour, fields.candidate_colour, fields.mask}) {
-    put_field(out, field);
-  }
-  out.put(fields.candidate_colour.width > 0 ? 1 : 0, 1);
-  out.put(fields.stack_base, Widths::place);
-  out.put(fields.stack_bits, Widths::place);
+  put_fields(out, model.fields);
   out.put(model.background, widths.colour);
 }
 
-void put_box(BitWriter& out, const Box& box, const Widths& widths) {
-  // An end is one more than the last.
-  const bool empty = box.pixels.empty();
-  for (const std::int32_t side : {box.pixels.x0, box.pixels.y0, box.pixels.x1 + 1, box.pixels.y1 + 1}) {
-    out.put(empty ? 0 : static_cast<std::uint64_t>(side), Widths::side);
-  }
-  out.put(static_cast<std::uint64_t>(box.z_low), widths.depth);
-  out.put(static_cast<std::uint64_t>(box.z_high + 1), widths.depth);
-}
-
 void put_primitive(BitWriter& out, const DisplayModel& model, const Primitive& one, const Widths& widths) {
-  put_box(out, one.box, widths);
+  put_box(out, one.box, widths.depth);
   out.put(one.complemented ? 1 : 0, 1);
   out.put(one.joined ? 1 : 0, 1);
   if (!one.complemented) out.put(one.near_colour, widths.colour);
@@ -83,20 +62,12 @@ void put_node(BitWriter& out, const Node& node, const Widths& widths) {
   out.put(node.operands, widths.operands);
 }
 
-isa::Field take_field(BitReader& in, unsigned width) {
-  return {static_cast<std::uint16_t>(in.take(Widths::place)), static_cast<std::uint16_t>(width)};
-}
-
 Header take_header(BitReader& in, DisplayModel& model) {
   Header header;
   header.planes = static_cast<std::uint32_t>(in.take(Widths::count));
   header.primitives = static_cast<std::uint32_t>(in.take(Widths::count));
   header.nodes = static_cast<std::uint32_t>(in.take(Widths::count));
-  model.width = static_cast<std::uint32_t>(in.take(Widths::side));
-  model.height = static_cast<std::uint32_t>(in.take(Widths::side));
-  model.z_bits = static_cast<unsigned>(in.take(Widths::bits));
-  model.fraction_bits = static_cast<unsigned>(in.take(Widths::bits));
-  model.colour_bits = static_cast<unsigned>(in.take(Widths::bits));
+  take_sampling(in, model);
   Widths& widths = header.widths;
   widths.slope = static_cast<unsigned>(in.take(Widths::width));
   widths.constant = static_cast<unsigned>(in.take(Widths::width));
@@ -105,15 +76,7 @@ Header take_header(BitReader& in, DisplayModel& model) {
   widths.plane = static_cast<unsigned>(in.take(Widths::bits));
   widths.depth = model.z_bits + 1;
   widths.colour = model.colour_bits;
-  Fields& fields = model.fields;
-  fields.depth = take_field(in, model.z_bits);
-  fields.candidate = take_field(in, model.z_bits);
-  fields.colour = take_field(in, model.colour_bits);
-  fields.candidate_colour = take_field(in, 0);
-  fields.mask = take_field(in, 1);
-  if (in.take(1) != 0) fields.candidate_colour.width = fields.colour.width;
-  fields.stack_base = static_cast<std::uint32_t>(in.take(Widths::place));
-  fields.stack_bits = static_cast<std::uint32_t>(in.take(Widths::place));
+  model.fields = take_fields(in, model.z_bits, model.colour_bits);
   model.background = static_cast<std::uint32_t>(in.take(widths.colour));
   return header;
 }
@@ -124,20 +87,9 @@ void require_room(const BitReader& in, std::uint64_t records, unsigned bits) {
   if (records > in.left() / bits) throw InputError("the display model: the stream ends too soon");
 }
 
-Box take_box(BitReader& in, const Widths& widths) {
-  Box box;
-  box.pixels.x0 = static_cast<std::int32_t>(in.take(Widths::side));
-  box.pixels.y0 = static_cast<std::int32_t>(in.take(Widths::side));
-  box.pixels.x1 = static_cast<std::int32_t>(in.take(Widths::side)) - 1;
-  box.pixels.y1 = static_cast<std::int32_t>(in.take(Widths::side)) - 1;
-  box.z_low = static_cast<std::int64_t>(in.take(widths.depth));
-  box.z_high = static_cast<std::int64_t>(in.take(widths.depth)) - 1;
-  return box;
-}
-
 Primitive take_primitive(BitReader& in, const DisplayModel& model, const Widths& widths) {
   Primitive one;
-  one.box = take_box(in, widths);
+  one.box = take_box(in, widths.depth);
   one.complemented = in.take(1) != 0;
   one.joined = in.take(1) != 0;
   if (!one.complemented) one.near_colour = static_cast<std::uint32_t>(in.take(widths.colour));

@@ -93,11 +93,14 @@ std::uint64_t clocks(const isa::Program& program, const Machine& machine) {
   return time_frame(program, machine).clocks;
 }
 
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) {
-  FrameTiming timing = machine.kind->time(program, machine, skips);
+FrameTiming with_pace(FrameTiming timing) {
   timing.shown_clocks = std::max(timing.shown_clocks, timing.clocks);
   if (timing.interval_clocks == 0) timing.interval_clocks = timing.shown_clocks;
   return timing;
+}
+
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) {
+  return with_pace(machine.kind->time(program, machine, skips));
 }
 
 }  // namespace csgsim::machines

@@ -50,8 +50,8 @@ constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::
           [](const Machine& machine) { return static_cast<std::int64_t>((machine.*....*members)); }};
 }
 
-/// A figure that only one kind has, a member of its Figures.
-template <class Figures, auto member>
+/// A figure that only one kind has, a member of its Figures, or of one of their parts.
+template <class Figures, auto... members>
 constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                                   std::string_view meaning, std::span<const std::string_view> names = {}) {
   return {key,
@@ -60,10 +60,10 @@ constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, s
           most,
           meaning,
           [](Machine& machine, std::int64_t value) {
-            auto& stored = own<Figures>(machine).*member;
+            auto& stored = (own<Figures>(machine).*....*members);
             stored = static_cast<std::remove_reference_t<decltype(stored)>>(value);
           },
-          [](const Machine& machine) { return static_cast<std::int64_t>(own<Figures>(machine).*member); },
+          [](const Machine& machine) { return static_cast<std::int64_t>((own<Figures>(machine).*....*members)); },
           names};
 }
 

@@ -28,8 +28,11 @@ struct FrameTiming {
   bool operator==(const FrameTiming&) const = default;
 };
 
-/// Of any kind; one that does not tell when a frame is shown, or the interval, shows it when it is drawn, and then
-/// begins the next. `skips`: in program order, what the run skipped, which only the run tells.
+/// A timing that does not tell when the frame is shown, or the interval (both 0), shows it when it is drawn, and then
+/// begins the next.
+FrameTiming with_pace(FrameTiming timing);
+
+/// Of any kind, with_pace. `skips`: in program order, what the run skipped, which only the run tells.
 FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Skip> skips = {});
 
 }  // namespace csgsim::machines

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hw/base/quotient.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/systemc/clear_view.h"
 
@@ -31,7 +32,7 @@ class MergedView final : public kernel::PixelView {
 
   void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override {
     constexpr std::uint32_t word_bits = 64;
-    const std::size_t row_words = (width + word_bits - 1) / word_bits;
+    const std::size_t row_words = quotient_up(width, word_bits);
     std::fill(words.begin(), words.end(), 0U);
     for (std::uint32_t y = 0; y < height; ++y) {
       for (std::uint32_t x = 0; x < width; ++x) {

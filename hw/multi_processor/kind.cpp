@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "hw/base/quotient.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
 #include "hw/multi_processor/clocks.h"
@@ -24,24 +25,9 @@ constexpr std::int64_t most_nodes_a_side = 16;
 constexpr std::int64_t most_levels = 20;
 constexpr std::int64_t most_memory_words = std::int64_t{1} << 31U;
 
-/// A figure in a member of a part of the kind's own figures.
-template <auto part, auto member>
-constexpr FigureSchema part_figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
-                                   std::string_view meaning) {
-  return {key,
-          unit,
-          least,
-          most,
-          meaning,
-          [](Machine& machine, std::int64_t value) {
-            machines::own<Figures>(machine).*part.*member = static_cast<std::uint32_t>(value);
-          },
-          [](const Machine& machine) { return std::int64_t{machines::own<Figures>(machine).*part.*member}; }};
-}
-
 template <auto part, auto member>
 constexpr FigureSchema part_clocks(std::string_view key, std::string_view meaning) {
-  return part_figure<part, member>(key, "clocks", 0, most_clocks, meaning);
+  return own_figure<Figures, part, member>(key, "clocks", 0, most_clocks, meaning);
 }
 
 constexpr auto schema = std::to_array<FigureSchema>({
@@ -58,10 +44,10 @@ constexpr auto schema = std::to_array<FigureSchema>({
                                           "of the picture, into segments"),
     own_figure<Figures, &Figures::order>("rendering.order", "", 0, 2,
                                          "in which a node goes over pixels and instructions", rendering_order_names),
-    part_figure<&Figures::host, &HostLink::width>("host.link_width", "bits", 1, isa::LinkWord::most_bits,
-                                                  "a word of the host's link"),
-    part_figure<&Figures::host, &HostLink::word_clocks>("host.link_word_clocks", "clocks", 1, most_clocks,
-                                                        "from one word of the host's link to the next"),
+    own_figure<Figures, &Figures::host, &HostLink::width>("host.link_width", "bits", 1, isa::LinkWord::most_bits,
+                                                          "a word of the host's link"),
+    own_figure<Figures, &Figures::host, &HostLink::word_clocks>("host.link_word_clocks", "clocks", 1, most_clocks,
+                                                                "from one word of the host's link to the next"),
     part_clocks<&Figures::host, &HostLink::latency>("host.link_latency",
                                                     "from the frame's beginning to its first word"),
     own_figure<Figures, &Figures::display_memory_words>("display.memory_words", "words", 1, most_memory_words,
@@ -125,8 +111,8 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& he
   Machine drawing = machine;
   drawing.picture = {header.shape.width, header.shape.height};
   for (const isa::Region& part : multi_processor::regions(drawing)) {
-    const std::uint64_t columns = (part.width + machine.array.width - 1) / machine.array.width;
-    const std::uint64_t rows = (part.height + machine.array.height - 1) / machine.array.height;
+    const std::uint64_t columns = quotient_up(part.width, machine.array.width);
+    const std::uint64_t rows = quotient_up(part.height, machine.array.height);
     working_pixels = std::max(working_pixels, columns * rows);
   }
   const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/instruction.h"
 
 namespace csgsim::multi_processor {
@@ -14,7 +15,7 @@ class PixelMemory {
   PixelMemory() = default;
   /// All 0.
   PixelMemory(std::uint64_t pixels, std::uint32_t memory_bits)
-      : pixel_words_((memory_bits + word_bits - 1) / word_bits), memory_(pixels * pixel_words_), enable_(pixels) {}
+      : pixel_words_(quotient_up(memory_bits, word_bits)), memory_(pixels * pixel_words_), enable_(pixels) {}
 
   [[nodiscard]] std::size_t pixels() const { return enable_.size(); }
 

@@ -6,6 +6,7 @@
 
 #include "hw/base/error.h"
 #include "hw/division/encoding.h"
+#include "hw/division/stream_parts.h"
 
 namespace csgsim::multi_processor {
 
@@ -45,28 +46,17 @@ division::Bits header_record(const DisplayModel& model, const RecordFormat& form
   BitWriter out;
   out.put(model.primitives.size(), Widths::count);
   out.put(model.nodes.size(), Widths::count);
-  out.put(model.width, Widths::side);
-  out.put(model.height, Widths::side);
-  for (const unsigned bits : {model.z_bits, model.fraction_bits, model.colour_bits}) out.put(bits, Widths::bits);
+  put_sampling(out, model);
   for (const unsigned width : {format.slope, format.constant, format.halfspaces}) out.put(width, Widths::width);
   out.put(format.operands, Widths::bits);
-  const division::Fields& fields = model.fields;
-  for (const isa::Field field : {fields.depth, fields.candidate, fields.colour, fields.candidate_colour, fields.mask})
-    out.put(field.base, Widths::place);
-  out.put(fields.candidate_colour.width > 0 ? 1 : 0, 1);
-  out.put(fields.stack_base, Widths::place);
-  out.put(fields.stack_bits, Widths::place);
+  put_fields(out, model.fields);
   out.put(model.background, background_bits);
   return out.take();
 }
 
 division::Bits primitive_record(const Primitive& one, const RecordFormat& format) {
   BitWriter out;
-  const division::Rectangle& pixels = one.box.pixels;
-  for (const std::int32_t side : {pixels.x0, pixels.y0, pixels.x1 + 1, pixels.y1 + 1})
-    out.put(static_cast<std::uint64_t>(side), Widths::side);
-  put(out, static_cast<std::uint64_t>(one.box.z_low), format.depth);
-  put(out, static_cast<std::uint64_t>(one.box.z_high + 1), format.depth);
+  put_box(out, one.box, format.depth);
   out.put(one.complemented ? 1 : 0, 1);
   out.put(one.joined ? 1 : 0, 1);
   put(out, one.near_colour, format.colour);
@@ -103,12 +93,6 @@ division::Bits numbers_record(std::initializer_list<Number> numbers) {
   BitWriter out;
   for (const Number& one : numbers) put(out, one.value, one.width);
   return out.take();
-}
-
-std::int32_t take_side(BitReader& in) { return static_cast<std::int32_t>(in.take(Widths::side)); }
-
-isa::Field take_field(BitReader& in, unsigned width) {
-  return {static_cast<std::uint16_t>(in.take(Widths::place)), static_cast<std::uint16_t>(width)};
 }
 
 void require(bool holds, const char* what) {
@@ -214,11 +198,7 @@ void RecordReader::read(BitReader& in) {
 void RecordReader::read_header(BitReader& in) {
   primitives_ = in.take(Widths::count);
   nodes_ = in.take(Widths::count);
-  model_.width = static_cast<std::uint32_t>(in.take(Widths::side));
-  model_.height = static_cast<std::uint32_t>(in.take(Widths::side));
-  model_.z_bits = static_cast<unsigned>(in.take(Widths::bits));
-  model_.fraction_bits = static_cast<unsigned>(in.take(Widths::bits));
-  model_.colour_bits = static_cast<unsigned>(in.take(Widths::bits));
+  take_sampling(in, model_);
   Widths widths;
   widths.slope = static_cast<unsigned>(in.take(Widths::width));
   widths.constant = static_cast<unsigned>(in.take(Widths::width));
@@ -227,27 +207,13 @@ void RecordReader::read_header(BitReader& in) {
   widths.depth = model_.z_bits + 1;
   widths.colour = model_.colour_bits;
   format_ = format_of(widths, primitives_);
-  division::Fields& fields = model_.fields;
-  fields.depth = take_field(in, model_.z_bits);
-  fields.candidate = take_field(in, model_.z_bits);
-  fields.colour = take_field(in, model_.colour_bits);
-  fields.candidate_colour = take_field(in, 0);
-  fields.mask = take_field(in, 1);
-  if (in.take(1) != 0) fields.candidate_colour.width = fields.colour.width;
-  fields.stack_base = static_cast<std::uint32_t>(in.take(Widths::place));
-  fields.stack_bits = static_cast<std::uint32_t>(in.take(Widths::place));
+  model_.fields = division::take_fields(in, model_.z_bits, model_.colour_bits);
   model_.background = static_cast<std::uint32_t>(in.take(background_bits));
 }
 
 void RecordReader::read_primitive(BitReader& in) {
   Primitive one;
-  division::Rectangle& pixels = one.box.pixels;
-  pixels.x0 = take_side(in);
-  pixels.y0 = take_side(in);
-  pixels.x1 = take_side(in) - 1;
-  pixels.y1 = take_side(in) - 1;
-  one.box.z_low = static_cast<std::int64_t>(in.take(format_.depth));
-  one.box.z_high = static_cast<std::int64_t>(in.take(format_.depth)) - 1;
+  one.box = division::take_box(in, format_.depth);
   one.complemented = in.take(1) != 0;
   one.joined = in.take(1) != 0;
   one.near_colour = static_cast<std::uint32_t>(in.take(format_.colour));

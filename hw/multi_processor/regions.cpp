@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/quotient.h"
 #include "hw/multi_processor/figures.h"
 
 namespace csgsim::multi_processor {
@@ -16,10 +17,10 @@ struct Places {
 
 Places places_of(std::uint32_t begin, std::uint32_t length, std::uint32_t step, std::uint32_t rest) {
   const std::uint32_t first = (rest + step - begin % step) % step;
-  return {first, first < length ? (length - first + step - 1) / step : 0};
+  return {first, first < length ? quotient_up(length - first, step) : 0};
 }
 
-std::uint32_t part_length(std::uint32_t length, std::uint32_t parts) { return length / parts + (length % parts > 0); }
+std::uint32_t part_length(std::uint32_t length, std::uint32_t parts) { return quotient_up(length, parts); }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
@@ -97,7 +98,7 @@ class FrameModel {
   void broadcast_segment(const SegmentDivision& division) {
     const std::uint32_t width = machine_.link.width;
     const std::uint64_t commands =
-        words_of(isa::wire_bits(isa::SegmentStart{}), width) + words_of(isa::wire_bits(isa::SegmentEnd{}), width);
+        quotient_up(isa::wire_bits(isa::SegmentStart{}), width) + quotient_up(isa::wire_bits(isa::SegmentEnd{}), width);
     counted_.broadcast_primitives += division.primitives;
     counted_.broadcast_halfspaces += division.halfspaces;
     broadcast(commands +

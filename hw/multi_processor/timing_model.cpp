@@ -1,5 +1,7 @@
 #include "hw/multi_processor/timing_model.h"
 
+#include "hw/base/quotient.h"
+
 namespace csgsim::multi_processor {
 
 namespace {
@@ -50,8 +52,8 @@ std::uint64_t frame_words(const ModelSizes& sizes, std::uint32_t word_bits) {
   constexpr std::uint64_t header = 256;
   const std::uint64_t primitive = 4 * 15 + 2 * (sizes.depth + 1) + 2 + sizes.colour;
   const std::uint64_t node = 2 + sizes.operands;
-  return words_of(header, word_bits) + sizes.primitives * words_of(primitive, word_bits) +
-         sizes.nodes * words_of(node, word_bits);
+  return quotient_up(header, word_bits) + sizes.primitives * quotient_up(primitive, word_bits) +
+         sizes.nodes * quotient_up(node, word_bits);
 }
 
 std::uint64_t segment_words(const ModelSizes& sizes, std::uint64_t primitives, std::uint64_t halfspaces,
@@ -59,8 +61,8 @@ std::uint64_t segment_words(const ModelSizes& sizes, std::uint64_t primitives, s
   const std::uint64_t last = sizes.primitives == 0 ? 0 : sizes.primitives - 1;
   const std::uint64_t left = bits_to_tell(last) + sizes.halfspaces;
   const std::uint64_t halfspace = 2 + 2 * std::uint64_t{sizes.slope} + sizes.constant + sizes.colour;
-  return words_of(bits_to_tell(sizes.primitives), word_bits) + primitives * words_of(left, word_bits) +
-         halfspaces * words_of(halfspace, word_bits);
+  return quotient_up(bits_to_tell(sizes.primitives), word_bits) + primitives * quotient_up(left, word_bits) +
+         halfspaces * quotient_up(halfspace, word_bits);
 }
 
 }  // namespace csgsim::multi_processor

@@ -26,8 +26,4 @@ std::uint64_t frame_words(const ModelSizes& sizes, std::uint32_t word_bits);
 std::uint64_t segment_words(const ModelSizes& sizes, std::uint64_t primitives, std::uint64_t halfspaces,
                             std::uint32_t word_bits);
 
-constexpr std::uint64_t words_of(std::uint64_t bits, std::uint32_t word_bits) {
-  return bits / word_bits + (bits % word_bits > 0 ? 1 : 0);
-}
-
 }  // namespace csgsim::multi_processor

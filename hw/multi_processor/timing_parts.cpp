@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/regions.h"
@@ -39,15 +40,15 @@ SegmentDivision division_of(Subsegments parts) {
 }
 
 std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits) {
-  std::uint64_t words =
-      words_of(isa::wire_bits(isa::SegmentStart{}), word_bits) + words_of(isa::wire_bits(isa::SegmentEnd{}), word_bits);
-  for (const isa::Instruction& one : part.instructions) words += words_of(isa::wire_bits(one), word_bits);
+  std::uint64_t words = quotient_up(isa::wire_bits(isa::SegmentStart{}), word_bits) +
+                        quotient_up(isa::wire_bits(isa::SegmentEnd{}), word_bits);
+  for (const isa::Instruction& one : part.instructions) words += quotient_up(isa::wire_bits(one), word_bits);
   return words;
 }
 
 std::uint64_t host_words(const isa::Program& program, std::uint32_t word_bits) {
   constexpr std::uint64_t length = 32;
-  return words_of(length + 8 * std::uint64_t{program.display_model.size()}, word_bits);
+  return quotient_up(length + 8 * std::uint64_t{program.display_model.size()}, word_bits);
 }
 
 }  // namespace csgsim::multi_processor

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/instruction.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/pixel_memory.h"
@@ -49,7 +50,7 @@ class WordProcessor {
   void store_colour(isa::Field colour) { write_words(colour.width); }
 
  private:
-  [[nodiscard]] std::uint64_t words(unsigned bits) const { return (bits + word_bits_ - 1) / word_bits_; }
+  [[nodiscard]] std::uint64_t words(unsigned bits) const { return quotient_up(bits, word_bits_); }
   void read_words(unsigned bits) { clocks_ += words(bits) * operations_.read; }
   void write_words(unsigned bits) { clocks_ += words(bits) * operations_.write; }
   void add_words(unsigned bits) { clocks_ += words(bits) * operations_.add; }

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <bit>
 
+#include "hw/base/quotient.h"
+
 namespace csgsim::pixel_planes {
 
 GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in)
     : sc_core::sc_module(name), shape_(shape), fan_in_(fan_in) {
   std::size_t lines = fan_in == 0 ? 1 : std::size_t{shape.width} * shape.height;
   while (lines > 1) {
-    lines = (lines + fan_in - 1) / fan_in;
+    lines = quotient_up(lines, fan_in);
     levels_.push_back({.asked = false, .bits = std::vector<bool>(lines)});
   }
   SC_HAS_PROCESS(GlobalOr);

@@ -202,8 +202,10 @@ isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& mo
                              const machines::Machine& machine) {
   const view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
   warn_of_coarse_depth(view);
-  return emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
-                       [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+  return with_memory_for("the Program of " + options.model, [&] {
+    return emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
+                         [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+  });
 }
 
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {

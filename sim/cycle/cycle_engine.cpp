@@ -26,16 +26,17 @@ kernel::ClockedMachine& hardware_of(const machines::Machine& machine) {
 }
 
 RunResult result_of(kernel::RunReport&& report, const Relay& relay) {
-  const std::uint64_t shown = std::max(report.shown_clocks, report.clocks);
-  return {.clocks = report.clocks,
-          .latency_clocks = report.latency_clocks,
-          .shown_clocks = shown,
-          .interval_clocks = report.interval_clocks == 0 ? shown : report.interval_clocks,
-          .overflows = relay.overflows(),
-          .skipped = report.skipped,
-          .answers = std::move(report.answers),
-          .scanned_out = std::move(report.picture),
-          .account = std::move(report.account)};
+  RunResult result{.overflows = relay.overflows(),
+                   .skipped = report.skipped,
+                   .answers = std::move(report.answers),
+                   .scanned_out = std::move(report.picture)};
+  put(machines::with_pace({.clocks = report.clocks,
+                           .shown_clocks = report.shown_clocks,
+                           .interval_clocks = report.interval_clocks,
+                           .latency_clocks = report.latency_clocks,
+                           .account = std::move(report.account)}),
+      result);
+  return result;
 }
 
 /// The Program has to be one for the machine.

@@ -4,11 +4,13 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hw/isa/program.h"
 #include "hw/machines/accounts.h"
 #include "hw/machines/machine.h"
+#include "hw/machines/timing.h"
 
 namespace csgsim::sim {
 
@@ -62,6 +64,15 @@ struct RunResult {
   std::vector<std::uint32_t> scanned_out{};
   machines::Account account{};  ///< what the machine's kind tells of the frame
 };
+
+/// What a frame took, into what its run tells.
+inline void put(machines::FrameTiming timing, RunResult& result) {
+  result.clocks = timing.clocks;
+  result.shown_clocks = timing.shown_clocks;
+  result.interval_clocks = timing.interval_clocks;
+  result.latency_clocks = timing.latency_clocks;
+  result.account = std::move(timing.account);
+}
 
 /// Runs Programs at one level of fidelity. All levels leave the same bits in memory and enable at every instruction
 /// boundary and take the same clocks. Memory and enable are 0 when a segment begins.

@@ -53,12 +53,7 @@ class FunctionalEngine final : public Engine {
       run_segment(program.segments[s].instructions, s, bands, observers, result, skips);
       for (Observer* const observer : observers) observer->after_segment(s, bands);
     }
-    machines::FrameTiming timing = machines::time_frame(program, machine_, skips);
-    result.clocks = timing.clocks;
-    result.shown_clocks = timing.shown_clocks;
-    result.interval_clocks = timing.interval_clocks;
-    result.latency_clocks = timing.latency_clocks;
-    result.account = std::move(timing.account);
+    put(machines::time_frame(program, machine_, skips), result);
     return result;
   }
 

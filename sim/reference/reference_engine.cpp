@@ -22,12 +22,7 @@ class ReferenceEngine final : public Engine {
     RunResult result;
     std::vector<machines::Skip> skips;
     for (std::size_t s = 0; s < program.segments.size(); ++s) run_segment(program, s, observers, result, skips);
-    machines::FrameTiming timing = machines::time_frame(program, machine_, skips);
-    result.clocks = timing.clocks;
-    result.shown_clocks = timing.shown_clocks;
-    result.interval_clocks = timing.interval_clocks;
-    result.latency_clocks = timing.latency_clocks;
-    result.account = std::move(timing.account);
+    put(machines::time_frame(program, machine_, skips), result);
     return result;
   }
 

@@ -15,6 +15,7 @@
 #include "hw/division/encoding.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
+#include "tests/support/two_cubes.h"
 
 namespace {
 
@@ -27,20 +28,7 @@ machines::Machine machine_32x32() {
 }
 
 /// A cube with a notch in the middle of the picture.
-isa::Program program_for(const machines::Machine& machine) {
-  const model::Tree tree = read::read_csg_text(
-      "difference() { cube(size = [4, 4, 4], center = false);"
-      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]]) {"
-      "cube(size = [4, 4, 4], center = false); } }",
-      "cubes");
-  const facet::Scene scene = facet::make_scene(tree);
-  view::Sampling sampling;
-  sampling.width = machine.picture.width;
-  sampling.height = machine.picture.height;
-  const view::View view =
-      view::make_view(scene, tree, {{20, -30, 25}, {2, 2, 2}, view::Projection::orthographic}, sampling);
-  return emit::compile(tree, scene, view, machine, {});
-}
+isa::Program program_for(const machines::Machine& machine) { return testing::two_cubes(machine, {2, 2, 2}); }
 
 std::vector<std::uint8_t> bytes_of(const division::DisplayModel& model) {
   const division::Bits bits = division::encode(model);

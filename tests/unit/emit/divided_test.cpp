@@ -16,25 +16,18 @@
 #include "hw/machines/runs_on.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/storage_check.h"
+#include "tests/support/error_of.h"
+#include "tests/support/two_cubes.h"
 
 using namespace csgsim;
+
+using testing::error_of;
 
 namespace {
 
 /// Two cubes in the middle of a picture of 3 x 2 groups of 2 x 2 squares; nothing in some of them.
 isa::Program divided(const machines::Machine& machine, const emit::Options& options = {}) {
-  const model::Tree tree = read::read_csg_text(
-      "difference() { cube(size = [4, 4, 4], center = false);"
-      "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]]) {"
-      "cube(size = [4, 4, 4], center = false); } }",
-      "cubes");
-  const facet::Scene scene = facet::make_scene(tree);
-  view::Sampling sampling;
-  sampling.width = machine.picture.width;
-  sampling.height = machine.picture.height;
-  const view::View view =
-      view::make_view(scene, tree, {{20, -30, 25}, {0, 0, 0}, view::Projection::orthographic}, sampling);
-  return emit::compile(tree, scene, view, machine, options);
+  return testing::two_cubes(machine, {0, 0, 0}, options);
 }
 
 machines::Machine machine_with(std::uint32_t levels) {
@@ -44,16 +37,6 @@ machines::Machine machine_with(std::uint32_t levels) {
   figures.levels = levels;
   figures.group_side = 2;
   return machine;
-}
-
-template <class Run>
-std::string error_of(Run run) {
-  try {
-    run();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "hw/pixel_square/kind.h"
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
+#include "tests/support/coverage.h"
 
 using namespace csgsim;
 using pixel_square::SquareOrder;
@@ -65,17 +66,7 @@ TEST_CASE("the regions of any machine cover every pixel of its picture once") {
     const auto order = static_cast<SquareOrder>(*rc::gen::inRange(0, 3));
     const machines::Machine machine = *rc::gen::element(
         squares_of(side(), side(), picture, order), lines_of(picture, *rc::gen::arbitrary<bool>()), whole_of(picture));
-    std::vector<int> covered(std::size_t{picture.width} * picture.height);
-    for (const isa::Region& region : machines::regions(machine)) {
-      RC_ASSERT(region.width > 0U && region.height > 0U);
-      for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
-        for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
-          RC_ASSERT(x < picture.width && y < picture.height);
-          ++covered[std::size_t{y} * picture.width + x];
-        }
-      }
-    }
-    RC_ASSERT(covered == std::vector<int>(covered.size(), 1));
+    testing::assert_covered_once(machines::regions(machine), picture);
   }));
 }
 

@@ -18,6 +18,7 @@
 #include "hw/pixel_square/timing.h"
 #include "hw/pixel_square/timing_division.h"
 #include "hw/scan_line/kind.h"
+#include "tests/support/error_of.h"
 #include "tests/support/random_program.h"
 
 using namespace csgsim;
@@ -28,6 +29,8 @@ using machines::Machine;
 using pixel_square::Figures;
 using pixel_square::SquareClocks;
 using Timing = pixel_square::SquareTiming;
+
+using testing::error_of;
 
 namespace {
 
@@ -65,20 +68,6 @@ isa::Segment square(std::uint32_t side, std::vector<Instruction> instructions) {
 
 Timing time(const isa::Program& program, const Machine& machine) {
   return pixel_square::time_squares(program, machine);
-}
-
-std::uint64_t sum(const SquareClocks& clocks) {
-  return std::accumulate(clocks.clocks.begin(), clocks.clocks.end(), std::uint64_t{0});
-}
-
-template <class Run>
-std::string error_of(Run run) {
-  try {
-    run();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -338,6 +327,24 @@ Work work_of(const isa::Program& program, const Machine& machine) {
 
 }  // namespace
 
+namespace {
+
+/// No square is cleared.
+void draw_everywhere(isa::Program& program) {
+  for (isa::Segment& one : program.segments) {
+    if (one.instructions.empty()) one.instructions.push_back(enable);
+  }
+}
+
+/// Of the machine with other figures.
+template <class Change>
+std::uint64_t clocks_with(const Change& change, const isa::Program& program, Machine machine) {
+  change(machine, machines::own<Figures>(machine));
+  return time(program, machine).clocks;
+}
+
+}  // namespace
+
 TEST_CASE("a frame takes at least what its busiest part has to do, and at most what all have to do one by one") {
   CHECK(rc::check([] {
     const Machine machine = any_machine();
@@ -357,15 +364,9 @@ TEST_CASE("with one renderer, and no square cleared, no faster part and no deepe
     Machine machine = any_machine();
     machines::own<Figures>(machine).renderers = 1;
     isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
-    for (isa::Segment& one : program.segments) {
-      if (one.instructions.empty()) one.instructions.push_back(enable);
-    }
+    draw_everywhere(program);
     const std::uint64_t clocks = time(program, machine).clocks;
-    const auto with = [&](const auto& change) {
-      Machine faster = machine;
-      change(faster, machines::own<Figures>(faster));
-      return time(program, faster).clocks;
-    };
+    const auto with = [&](const auto& change) { return clocks_with(change, program, machine); };
     RC_ASSERT(with([](Machine& one, Figures&) { ++one.link.fifo_depth; }) <= clocks);
     RC_ASSERT(with([](Machine& one, Figures&) { one.link.width = std::min(2 * one.link.width, 256U); }) <= clocks);
     RC_ASSERT(with([](Machine& one, Figures&) { one.link.word_clocks = 1; }) <= clocks);
@@ -394,7 +395,7 @@ TEST_CASE("with a divider a frame takes at least what its busiest part has to do
     RC_ASSERT(timing.clocks <= 2 * host + divider + work.host + work.renderers + 2 * work.frame_buffer +
                                    4 * program.segments.size() + 4);
     for (const SquareClocks& part : {timing.account.host, timing.account.divider.value(), timing.account.frame_buffer})
-      RC_ASSERT(sum(part) == timing.clocks);
+      RC_ASSERT(part.total() == timing.clocks);
   }));
 }
 
@@ -403,15 +404,9 @@ TEST_CASE("with a divider and one renderer, and no square cleared, no faster tes
     Machine machine = any_dividing_machine();
     machines::own<Figures>(machine).renderers = 1;
     isa::Program program = any_divided_program(machine);
-    for (isa::Segment& one : program.segments) {
-      if (one.instructions.empty()) one.instructions.push_back(enable);
-    }
+    draw_everywhere(program);
     const std::uint64_t clocks = time(program, machine).clocks;
-    const auto with = [&](const auto& change) {
-      Machine faster = machine;
-      change(faster, machines::own<Figures>(faster));
-      return time(program, faster).clocks;
-    };
+    const auto with = [&](const auto& change) { return clocks_with(change, program, machine); };
     RC_ASSERT(with([](Machine&, Figures& own) { own.box_clocks = 0; }) <= clocks);
     RC_ASSERT(with([](Machine&, Figures& own) { own.halfspace_clocks /= 2; }) <= clocks);
     RC_ASSERT(with([](Machine&, Figures& own) { own.cell_clocks = 0; }) <= clocks);
@@ -435,9 +430,7 @@ TEST_CASE("where the divider waits for no room, more renderers take no more cloc
     machine.link.fifo_depth = 1000;
     machines::own<Figures>(machine).port_fifo_depth = 1000;
     isa::Program program = any_divided_program(machine);
-    for (isa::Segment& one : program.segments) {
-      if (one.instructions.empty()) one.instructions.push_back(enable);
-    }
+    draw_everywhere(program);
     Machine alone = machine;
     machines::own<Figures>(alone).renderers = 1;
     RC_ASSERT(time(program, machine).clocks <= time(program, alone).clocks);
@@ -455,7 +448,7 @@ TEST_CASE("all squares are drawn and every clock is accounted for, whatever the 
     RC_ASSERT(timing.account.squares_drawn + timing.account.squares_skipped == program.segments.size());
     std::vector<SquareClocks> parts = timing.account.renderers;
     parts.insert(parts.end(), {timing.account.host, timing.account.frame_buffer});
-    for (const SquareClocks& part : parts) RC_ASSERT(sum(part) == timing.clocks);
+    for (const SquareClocks& part : parts) RC_ASSERT(part.total() == timing.clocks);
   }));
 }
 

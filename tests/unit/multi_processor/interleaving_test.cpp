@@ -8,6 +8,7 @@
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
 #include "hw/multi_processor/regions.h"
+#include "tests/support/coverage.h"
 
 using namespace csgsim;
 
@@ -29,17 +30,7 @@ TEST_CASE("subsegments cover every pixel of the picture once, whatever the level
     const machines::Size picture{side(50), side(50)};
     const machines::Machine machine =
         machine_of({side(6), side(6), 8}, picture, *rc::gen::inRange<std::uint32_t>(0, 13));
-    std::vector<int> covered(std::size_t{picture.width} * picture.height);
-    for (const isa::Region& region : machines::regions(machine)) {
-      RC_ASSERT(region.width > 0U && region.height > 0U);
-      for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
-        for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
-          RC_ASSERT(x < picture.width && y < picture.height);
-          ++covered[std::size_t{y} * picture.width + x];
-        }
-      }
-    }
-    RC_ASSERT(covered == std::vector<int>(covered.size(), 1));
+    testing::assert_covered_once(machines::regions(machine), picture);
   }));
 }
 
