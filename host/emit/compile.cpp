@@ -98,8 +98,9 @@ isa::Program compile_as(const Input& input, const Options& options) {
   const view::Sampling& sampling = input.view.sampling;
   const ClassificationBits classification = classification_bits(input.tree, input.plan, options);
   const std::uint32_t memory_bits = input.machine.array.memory_bits;
-  const Layout layout = plan_layout(
-      {sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, classification}, memory_bits);
+  const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, options.colouring == Colouring::field,
+                                     classification, machines::second_buffer(options.colour_bits, input.machine)},
+                                    memory_bits);
   isa::Program program;
   program.shape = {sampling.width, sampling.height, memory_bits};
   program.facts.primitives = primitive_names(input.tree);

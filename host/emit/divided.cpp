@@ -22,12 +22,15 @@ std::vector<std::uint8_t> bytes_of(const division::Bits& bits) {
   return bytes;
 }
 
-void put(const division::Counts& counts, isa::Segment& segment) {
+void put(const SquareCounts& square, isa::Segment& segment) {
+  const division::Counts& counts = square.counts;
   isa::DivisionFacts& facts = segment.facts.division;
   facts.boxes = counts.boxes;
   facts.halfspaces = counts.halfspaces;
-  facts.pairs = counts.pairs;
+  facts.cells = counts.cells;
   facts.nodes = counts.nodes;
+  facts.most_halfspaces = square.at_hand.halfspaces;
+  facts.most_nodes = square.at_hand.nodes;
 }
 
 std::vector<isa::Region> regions_of(std::span<const isa::Segment> segments) {
@@ -88,6 +91,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
     for (std::size_t i = 0; i < squares.size(); ++i) put(of_squares[i], squares[i]);
     squares.front().facts.division.group_boxes = counts.group.boxes;
     squares.front().facts.division.group_halfspaces = counts.group.halfspaces;
+    squares.front().facts.division.group_cells = counts.group.cells;
   }
 }
 

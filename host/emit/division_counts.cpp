@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/csg/locate.h"
+#include "host/emit/cell_tests.h"
 #include "host/emit/context.h"
 #include "host/emit/display_model.h"
 #include "host/emit/halfspaces.h"
@@ -30,8 +31,8 @@ class Counter {
         view_(view),
         options_(divider_options(options)),
         positive_(csg::make_positive(tree)) {
-    // Pairs are what leaders leave; the counts are made from these.
-    options_.pruning.pairs = false;
+    // A group leaves what its leaders leave.
+    options_.pruning.pixels = false;
     boxes_.resize(positive_.nodes.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i] = box_of(positive_.nodes[i]);
   }
@@ -67,6 +68,7 @@ class Counter {
       for (const view::Side side : {view::Side::front, view::Side::back}) {
         for (const Facet& facet : deciding(context, {&i, 1}, side, column).facets)
           listed.halfspaces[i].push_back(facet.halfspace);
+        if (!nothing) counts.cells += cells(context, undecided(context, {&i, 1}, side, column).facets, pixels, false);
       }
       listed.primitives[i] = !nothing;
       if (nothing) listed.halfspaces[i].clear();
@@ -74,9 +76,9 @@ class Counter {
     return listed;
   }
 
-  std::vector<division::Counts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
+  std::vector<SquareCounts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
     const Plan plan = make_plan(tree_, scene_, view_, {squares.begin(), squares.end()}, options_.pruning);
-    std::vector<division::Counts> counts;
+    std::vector<SquareCounts> counts;
     for (const SegmentPlan& segment : plan.segments) counts.push_back(square(segment, listed));
     return counts;
   }
@@ -134,24 +136,29 @@ class Counter {
     return count;
   }
 
-  [[nodiscard]] division::Counts square(const SegmentPlan& segment, const Listed& listed) const {
-    division::Counts counts;
+  [[nodiscard]] SquareCounts square(const SegmentPlan& segment, const Listed& listed) const {
+    SquareCounts square;
+    division::Counts& counts = square.counts;
     counts.boxes = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
     const csg::Pruner pruner(scene_, view_, positive_, options_.pruning);
     for (const csg::ConvexSet& set : csg::convex_sets(positive_, true)) {
       const bool is_listed = std::all_of(set.begin(), set.end(), [&](auto one) { return listed.primitives[one]; });
       if (!is_listed || !has_box(set, segment)) continue;
-      counts.halfspaces += halfspaces_of(set, listed);
+      division::Counts surface;
+      surface.halfspaces = halfspaces_of(set, listed);
       const csg::Block block = pruner.block_of(set, segment.pixels());
-      if (!block.pixels.empty()) look_at_tree(set, block, listed, counts);
+      if (!block.pixels.empty()) look_at_tree(set, block, listed, surface);
+      counts += surface;
+      square.at_hand.halfspaces = std::max(square.at_hand.halfspaces, surface.halfspaces);
+      square.at_hand.nodes = std::max(square.at_hand.nodes, surface.nodes);
     }
     const Context context = context_of(segment);
     for (const PlannedSurface& planned : segment.surfaces) {
       const bool is_listed =
           std::all_of(planned.set.begin(), planned.set.end(), [&](auto one) { return listed.primitives[one]; });
-      if (is_listed) hold_pairs(context, planned, listed, counts);
+      if (is_listed) thin_out(context, planned, listed, counts);
     }
-    return counts;
+    return square;
   }
 
   /// The nodes above the set's first leaf, the other operands of the intersections among them, and whatever is below
@@ -180,21 +187,32 @@ class Counter {
     }
   }
 
-  /// Pairs of a side's half-spaces that the leaders leave.
-  [[nodiscard]] std::uint64_t pairs(const Context& context, std::span<const std::uint32_t> set, view::Side side,
-                                    const csg::Block& block, const Listed& listed) const {
-    const Deciding left = deciding(context, set, side, block);
-    if (left.nothing) return 0;
-    const auto count = static_cast<std::uint64_t>(
-        std::count_if(left.facets.begin(), left.facets.end(), [&](const Facet& facet) { return listed.has(facet); }));
-    return count == 0 ? 0 : count * (count - 1) / 2;
+  /// Cell tests of half-spaces of one side.
+  [[nodiscard]] std::uint64_t cells(const Context& context, std::span<const Facet> facets,
+                                    const view::PixelRect& pixels, bool quarters) const {
+    if (facets.empty()) return 0;
+    std::vector<view::FixedLinear> planes;
+    for (const Facet& facet : facets) planes.push_back(context.linear_of(facet.halfspace));
+    const facet::Halfspace& first = facets.front().halfspace;
+    const bool is_front = view::side_of(view_.planes[first.plane], first) == view::Side::front;
+    return count_cell_tests(planes, is_front ? 1 : -1, std::int64_t{1} << view_.sampling.fraction_bits, pixels,
+                            quarters);
   }
 
-  void hold_pairs(const Context& context, const PlannedSurface& planned, const Listed& listed,
-                  division::Counts& counts) const {
+  /// Those of a side that are listed and do not hold the whole block.
+  [[nodiscard]] std::uint64_t cells(const Context& context, std::span<const std::uint32_t> set, view::Side side,
+                                    const csg::Block& block, const Listed& listed) const {
+    Deciding left = undecided(context, set, side, block);
+    if (left.nothing) return 0;
+    std::erase_if(left.facets, [&](const Facet& facet) { return !listed.has(facet); });
+    return cells(context, left.facets, block.pixels, true);
+  }
+
+  void thin_out(const Context& context, const PlannedSurface& planned, const Listed& listed,
+                division::Counts& counts) const {
     const csg::Block column{planned.block.pixels, 0, context.farthest()};
-    counts.pairs += pairs(context, planned.set, view::Side::front, column, listed) +
-                    pairs(context, planned.set, view::Side::back, column, listed);
+    counts.cells += cells(context, planned.set, view::Side::front, column, listed) +
+                    cells(context, planned.set, view::Side::back, column, listed);
     const Sides sides = deciding_sides(context, planned);
     const bool no_surface = context.complemented(planned.primitive()) && sides.backs.facets.empty();
     if (sides.fronts.nothing || sides.backs.nothing || no_surface) return;
@@ -210,7 +228,7 @@ class Counter {
         const csg::Block part{common(planned.block.pixels, view_.extents[primitive].pixels), planned.block.z_low,
                               planned.block.z_high};
         for (const view::Side side : {view::Side::front, view::Side::back})
-          counts.pairs += pairs(context, {&primitive, 1}, side, part, listed);
+          counts.cells += cells(context, {&primitive, 1}, side, part, listed);
       }
     }
   }
@@ -228,8 +246,8 @@ class Counter {
 
 }  // namespace
 
-std::vector<division::Counts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                                             const Options& options, std::span<const isa::Region> squares) {
+std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                                         const Options& options, std::span<const isa::Region> squares) {
   const Counter counter(tree, scene, view, options);
   return counter.squares(squares, counter.everything());
 }

@@ -16,15 +16,21 @@ namespace csgsim::emit {
 
 // What the divider does, counted by the host's own means and by the rules of docs/division.md alone.
 
-/// Instructions apart, which a compiled Program has: for each square from the whole model.
-std::vector<division::Counts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                                             const Options& options, std::span<const isa::Region> squares);
+/// Instructions apart, which a compiled Program has.
+struct SquareCounts {
+  division::Counts counts;
+  division::AtHand at_hand;
+};
+
+/// For each square from the whole model.
+std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                                         const Options& options, std::span<const isa::Region> squares);
 
 /// The same for the squares of one group, from what the group leaves.
 struct GroupCounts {
   division::Counts group;
   std::uint64_t entries = 0;  ///< primitives and half-spaces that are left
-  std::vector<division::Counts> squares;
+  std::vector<SquareCounts> squares;
 };
 
 GroupCounts count_group(const model::Tree& tree, const facet::Scene& scene, const view::View& view,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 #include "hw/base/error.h"
@@ -35,6 +36,12 @@ bool is_edge_test(const Context& context, facet::Halfspace halfspace, const csg:
          known_of(context, halfspace, block) != csg::Known::in;
 }
 
+template <class Item>
+void keep(std::vector<Item>& items, const std::vector<bool>& kept) {
+  std::size_t index = 0;
+  std::erase_if(items, [&](const Item&) { return !kept[index++]; });
+}
+
 using Corners = std::array<std::int64_t, 4>;
 
 Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels) {
@@ -42,45 +49,75 @@ Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels
   return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
 }
 
-/// Drops half-spaces that never make the extreme of their side: at every corner another one is beyond them by a whole
-/// depth step at least, hence at every pixel between. Another one is an extreme at a corner, or any that is left by
-/// these.
-void drop_dominated(const Context& context, std::vector<Facet>& facets, Side side, const view::PixelRect& pixels) {
-  const std::int64_t sign = side == Side::front ? 1 : -1;
-  const std::int64_t step = std::int64_t{1} << context.view.sampling.fraction_bits;
+bool is_before(const Corners& one, const Corners& other, std::int64_t step) {
+  return std::equal(one.begin(), one.end(), other.begin(),
+                    [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
+}
+
+/// Drops half-spaces that an extreme at a corner stands before at every corner, hence at every pixel between.
+void drop_before_leaders(std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
+                         const view::PixelRect& pixels) {
   std::vector<Corners> values;
-  for (const Facet& facet : facets) {
-    Corners corners = at_corners(context.linear_of(facet.halfspace), pixels);
-    for (std::int64_t& value : corners) value *= sign;
-    values.push_back(corners);
-  }
-  // Who is the extreme at a corner is who can outdo others.
+  values.reserve(ranks.size());
+  for (const view::FixedLinear& rank : ranks) values.push_back(at_corners(rank, pixels));
   std::array<Corners, 4> leaders{};
   for (std::size_t corner = 0; corner < leaders.size(); ++corner) {
     leaders[corner] = *std::max_element(values.begin(), values.end(),
                                         [&](const Corners& a, const Corners& b) { return a[corner] < b[corner]; });
   }
-  const auto erase_dominated_by = [&](const auto& others) {
-    std::vector<bool> dominated;
-    dominated.reserve(values.size());
-    for (const Corners& one : values) {
-      dominated.push_back(std::any_of(others.begin(), others.end(), [&](const Corners& other) {
-        return std::equal(one.begin(), one.end(), other.begin(),
-                          [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
-      }));
+  std::vector<bool> kept;
+  kept.reserve(values.size());
+  for (const Corners& one : values) {
+    kept.push_back(std::none_of(leaders.begin(), leaders.end(),
+                                [&](const Corners& leader) { return is_before(one, leader, step); }));
+  }
+  keep(ranks, kept);
+  keep(facets, kept);
+}
+
+/// Drops half-spaces that at no pixel come as near as a depth step to the extreme there.
+void drop_before_all(const std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
+                     const view::PixelRect& pixels) {
+  std::vector<bool> kept(ranks.size(), false);
+  std::vector<std::int64_t> extremes(static_cast<std::size_t>(pixels.x1 - pixels.x0 + 1));
+  const auto along = [&](const view::FixedLinear& rank, std::int64_t y, const auto& visit) {
+    std::int64_t value = rank.a * pixels.x0 + rank.b * y + rank.c;
+    for (std::int64_t& extreme : extremes) {
+      visit(value, extreme);
+      value += rank.a;
     }
-    std::size_t facet = 0;
-    std::erase_if(facets, [&](const Facet&) { return dominated[facet++]; });
-    std::size_t value = 0;
-    std::erase_if(values, [&](const Corners&) { return dominated[value++]; });
   };
-  erase_dominated_by(leaders);
-  if (context.options.pruning.pairs) erase_dominated_by(std::vector<Corners>(values));
+  for (std::int64_t y = pixels.y0; y <= pixels.y1; ++y) {
+    extremes.assign(extremes.size(), std::numeric_limits<std::int64_t>::min());
+    for (const view::FixedLinear& rank : ranks)
+      along(rank, y, [](std::int64_t value, std::int64_t& extreme) { extreme = std::max(extreme, value); });
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
+      if (kept[i]) continue;
+      bool near = false;
+      along(ranks[i], y, [&](std::int64_t value, std::int64_t extreme) { near = near || value + step > extreme; });
+      kept[i] = near;
+    }
+  }
+  keep(facets, kept);
+}
+
+/// Drops half-spaces that never make the extreme of their side: at each pixel another one is beyond them by a whole
+/// depth step at least.
+void drop_dominated(const Context& context, std::vector<Facet>& facets, Side side, const view::PixelRect& pixels) {
+  const std::int64_t sign = side == Side::front ? 1 : -1;
+  const std::int64_t step = std::int64_t{1} << context.view.sampling.fraction_bits;
+  std::vector<view::FixedLinear> ranks;
+  for (const Facet& facet : facets) {
+    const view::FixedLinear& plane = context.linear_of(facet.halfspace);
+    ranks.push_back({sign * plane.a, sign * plane.b, sign * plane.c});
+  }
+  drop_before_leaders(ranks, facets, step, pixels);
+  if (context.options.pruning.pixels && facets.size() > 1) drop_before_all(ranks, facets, step, pixels);
 }
 
 }  // namespace
 
-Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
+Deciding undecided(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
   Deciding result;
   for (const std::uint32_t primitive : set) {
     for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
@@ -92,6 +129,11 @@ Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Si
       result.facets.push_back({primitive, halfspace});
     }
   }
+  return result;
+}
+
+Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
+  Deciding result = undecided(context, set, side, block);
   if (context.options.pruning.halfspaces && !result.nothing && result.facets.size() > 1) {
     drop_dominated(context, result.facets, side, block.pixels);
   }

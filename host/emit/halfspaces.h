@@ -27,9 +27,13 @@ struct Deciding {
   bool nothing = false;       ///< one of them holds nothing of the block
 };
 
-/// Leaves out half-spaces that hold the whole block, and those that another one of the side stands before at every
-/// corner of the block's pixels (thesis 7.3.3), if such pruning is asked for. Throws InputError, naming the primitive,
-/// where the coefficients of one that decides do not fit the machine.
+/// Leaves out half-spaces that hold the whole block, if such pruning is asked for. Throws InputError, naming the
+/// primitive, where the coefficients of one that decides do not fit the machine.
+Deciding undecided(const Context& context, std::span<const std::uint32_t> set, view::Side side,
+                   const csg::Block& block);
+
+/// Leaves out those as well that others of the side stand before, at every corner of the block's pixels (thesis 7.3.3)
+/// or at every pixel, whichever is asked for. Throws as undecided does.
 Deciding deciding(const Context& context, std::span<const std::uint32_t> set, view::Side side, const csg::Block& block);
 
 /// What has to be broadcast to draw a solid's surface in a block's pixels. Half-spaces decide over the whole depth

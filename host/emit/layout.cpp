@@ -20,7 +20,12 @@ std::string parts(const Needs& needs) {
   add(needs.classification.stack, "stack");
   add(needs.classification.product, "product");
   add(needs.classification.label, "label");
+  add(needs.shown.width, "colour that is shown");
   return text;
+}
+
+unsigned colour_fields(const Needs& needs) {
+  return 1U + (needs.second_colour ? 1 : 0) + (needs.shown.width > 0 ? 1 : 0);
 }
 
 /// Options that would make it fit, the least painful first.
@@ -31,17 +36,18 @@ std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
   if (needs.classification.total() >= missing) text += "work with fewer bits by --strategy list or auto, or ";
   const unsigned z_bits = needs.z_bits - std::min(needs.z_bits, (missing + 1) / 2);
   if (z_bits >= view::fewest_z_bits) text += "give up depth with --z-bits " + std::to_string(z_bits) + ", or ";
-  const unsigned colours = needs.second_colour ? 2 : 1;
+  const unsigned colours = colour_fields(needs);
   const unsigned colour_bits = needs.colour_bits - std::min(needs.colour_bits, (missing + colours - 1) / colours);
   if (colour_bits >= isa::fewest_colour_bits)
     text += "colours with --colour-bits " + std::to_string(colour_bits) + ", or ";
+  if (needs.shown.width >= missing) text += "take a machine whose scan_out.buffers is 1, or ";
   return text + "take --memory-bits " + std::to_string(total_bits(needs));
 }
 
 }  // namespace
 
 unsigned total_bits(const Needs& needs) {
-  return 2 * needs.z_bits + (needs.second_colour ? 2 : 1) * needs.colour_bits + 1 + needs.classification.total();
+  return 2 * needs.z_bits + colour_fields(needs) * needs.colour_bits + 1 + needs.classification.total();
 }
 
 Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
@@ -65,6 +71,7 @@ Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
   layout.product = take(needs.classification.product);
   layout.label = take(needs.classification.label);
   for (unsigned i = 0; i < needs.classification.stack; ++i) layout.stack.push_back(take(1));
+  layout.shown = needs.shown;
   return layout;
 }
 
@@ -83,6 +90,7 @@ std::vector<isa::NamedField> named_fields(const Layout& layout) {
   for (std::size_t i = 0; i < layout.stack.size(); ++i) {
     add("stack" + std::to_string(i), layout.stack[i], isa::FieldRole::stack);
   }
+  add("shown", layout.shown, isa::FieldRole::shown);
   return fields;
 }
 

@@ -22,6 +22,7 @@ struct Needs {
   unsigned colour_bits = 0;
   bool second_colour = false;  ///< beside Z1
   ClassificationBits classification;
+  isa::Field shown{};  ///< the machine's second buffer, which ends where the memory does; of width 0 if it has none
 };
 
 /// Which bits of pixel memory hold what. Fields that are not needed have no width.
@@ -34,6 +35,7 @@ struct Layout {
   isa::Field product;             ///< 1 where Z1 is in the product so far
   isa::Field label;               ///< the leaf that a pixel waits for
   std::vector<isa::Field> stack;  ///< results of the classification, one bit each
+  isa::Field shown;               ///< the picture before, which no instruction meets
 };
 
 unsigned total_bits(const Needs& needs);

@@ -17,7 +17,7 @@ LinearEvaluator::LinearEvaluator(PlaneShape shape)
       b_(less_one(columns_.levels() + rows_.levels())) {}
 
 bool LinearEvaluator::clock(const RootBits& root, std::span<std::uint64_t> leaves) {
-  if (!root.token.active() && !columns_.any_active() && !rows_.any_active()) return false;
+  if (!root.token.active() && !any_active()) return false;
   const bool a = a_.out(root.a);
   const bool b = b_.out(root.b);
   a_.shift(root.a);

@@ -42,6 +42,9 @@ class LinearEvaluator {
   /// Clocks from the roots to the pixels: ceil(log2 width) + ceil(log2 height).
   [[nodiscard]] unsigned levels() const { return columns_.levels() + rows_.levels(); }
 
+  /// Is a bit on its way to the pixels?
+  [[nodiscard]] bool any_active() const { return columns_.any_active() || rows_.any_active(); }
+
   /// One clock. `leaves` (shape.words() words) are the registers at the pixels; they are written in clocks in which a
   /// bit reaches them, and hold otherwise. Returns whether one did. Bits beyond the row's width are undefined. With no
   /// level at all `leaves` are wires: they show `root` at once.

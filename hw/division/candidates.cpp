@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/division/cells.h"
 #include "hw/division/corners.h"
 
 namespace csgsim::division {
@@ -13,7 +14,8 @@ void append(std::vector<Halfspace>& into, const std::vector<Tested>& from) {
 }
 
 /// The half-spaces that are left, in their order; false if nothing of the primitive is in the rectangle.
-bool leave(const DisplayModel& model, std::uint32_t index, const Rectangle& pixels, std::vector<Halfspace>& left) {
+bool leave(const DisplayModel& model, std::uint32_t index, const Rectangle& pixels, std::vector<Halfspace>& left,
+           Counts& counts) {
   std::vector<Tested> open;
   bool nothing = false;
   for (const Halfspace& halfspace : model.primitives[index].halfspaces) {
@@ -23,12 +25,11 @@ bool leave(const DisplayModel& model, std::uint32_t index, const Rectangle& pixe
     if (known == Known::depends) open.push_back(tested);
   }
   if (nothing) return false;
-  const std::int64_t step = std::int64_t{1} << model.fraction_bits;
   const auto extremes_of = [&](Side side) {
     std::vector<Tested> on_side;
     std::copy_if(open.begin(), open.end(), std::back_inserter(on_side),
                  [&](const Tested& one) { return one.side == side; });
-    if (side == Side::front || side == Side::back) keep_by_leaders(on_side, step);
+    counts.cells += keep_by_leaders(model, on_side, pixels);
     return on_side;
   };
   // Sides follow each other; within one the order stays, and no rule looks at the order between sides but that of
@@ -67,7 +68,7 @@ Candidates survivors(const DisplayModel& model, const Rectangle& group, Counts& 
     const Rectangle shared = overlap(model.primitives[i].box.pixels, group);
     if (model.primitives[i].box.empty() || shared.empty()) continue;
     counts.halfspaces += model.primitives[i].halfspaces.size();
-    left.listed[i] = leave(model, i, shared, left.halfspaces[i]);
+    left.listed[i] = leave(model, i, shared, left.halfspaces[i], counts);
     if (left.listed[i])
       left.primitives.push_back(i);
     else

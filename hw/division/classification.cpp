@@ -53,13 +53,13 @@ class Classifier {
 
   /// E := E and "Z1 is in the primitive".
   void compare(const Comparison& with) {
-    const Box& box = surface_.box;
+    const Box box{with.pixels, surface_.box.z_low, surface_.box.z_high};
     out_.origin = {Purpose::classify, surface_.first, with.primitive};
-    out_.clip(with.pixels, box.pixels);
+    out_.clip(with.pixels, surface_.box.pixels);
     out_.edges(with.tested, with.pixels);
     for (const Side side : {Side::front, Side::back}) {
       const Opcode opcode = side == Side::front ? Opcode::linear_le : Opcode::linear_gt;
-      for (const Tested& one : extremes_of(model_, with.tested, side, box.z_low, box.z_high, counts_).facets) {
+      for (const Tested& one : extremes_of(model_, with.tested, side, box, counts_).facets) {
         out_.depth(opcode, model_.fields.candidate, out_.plane_of(one), with.pixels);
       }
     }

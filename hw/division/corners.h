@@ -33,16 +33,4 @@ Tested test_corners(const DisplayModel& model, std::uint32_t primitive, const Ha
 /// Whether every point, or none, of the rectangle that was tested and of the depths is in the half-space.
 Known known_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high);
 
-// What the half-spaces of one side of a convex solid leave of each other, by the rules of thesis table 7.1 and figure
-// 7.5: the front of an intersection is where its planes are farthest (convex-max), its back where they are nearest
-// (concave-min). A half-space that another one is beyond at all four corners, by `step`, that is a whole depth step, is
-// beyond nowhere between them, and makes no part of the surface. All of a side have to be fronts, or all backs.
-
-/// Keeps those that none of the four leaders is beyond: the extreme at each corner, the first of equals.
-void keep_by_leaders(std::vector<Tested>& side, std::int64_t step);
-
-/// Then keeps those of them that no other one is beyond. Returns the pairs that are held against each other:
-/// k (k - 1) / 2 for k that the leaders leave.
-std::uint64_t keep_extremes(std::vector<Tested>& side, std::int64_t step);
-
 }  // namespace csgsim::division

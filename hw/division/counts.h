@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace csgsim::division {
@@ -8,19 +9,32 @@ namespace csgsim::division {
 struct Counts {
   std::uint64_t boxes = 0;         ///< rectangles of primitives held against the square's or the group's
   std::uint64_t halfspaces = 0;    ///< corner tests: a half-space at the four corners of a rectangle
-  std::uint64_t pairs = 0;         ///< half-spaces of a side held against each other
+  std::uint64_t cells = 0;         ///< cell tests: a half-space of a side held against the leaders of a cell
   std::uint64_t nodes = 0;         ///< of the tree, looked at
   std::uint64_t instructions = 0;  ///< emitted
 
   Counts& operator+=(const Counts& more) {
     boxes += more.boxes;
     halfspaces += more.halfspaces;
-    pairs += more.pairs;
+    cells += more.cells;
     nodes += more.nodes;
     instructions += more.instructions;
     return *this;
   }
   bool operator==(const Counts&) const = default;
+};
+
+/// What the divider has to keep at a time, the most for any surface of a square: whatever it looks at for one.
+struct AtHand {
+  std::uint64_t halfspaces = 0;  ///< tested at corners
+  std::uint64_t nodes = 0;       ///< of the tree
+
+  /// A surface that takes so much more.
+  void take(const Counts& surface) {
+    halfspaces = std::max(halfspaces, surface.halfspaces);
+    nodes = std::max(nodes, surface.nodes);
+  }
+  bool operator==(const AtHand&) const = default;
 };
 
 }  // namespace csgsim::division

@@ -1,5 +1,6 @@
 #include "hw/division/divide.h"
 
+#include <optional>
 #include <utility>
 
 #include "hw/division/active_tree.h"
@@ -47,9 +48,16 @@ Divided Divider::divide(const isa::Region& square, const Candidates& from) const
   Writer out(model_, square);
   write_setup(out, model_);
   const std::size_t setup = out.written().size();
-  for (const Surface& surface : surfaces_in(model_, from, pixels, divided.counts)) {
-    const ActiveTree active = active_tree_of(model_, tree_, from, surface, divided.counts);
-    if (!active.nothing) write_visible(out, model_, surface, active, pixels, divided.counts);
+  divided.counts.boxes = from.primitives.size();
+  for (std::uint32_t first = 0, count = 0; first < model_.primitives.size(); first += count) {
+    count = joined_from(model_, first);
+    Counts counts;
+    if (const std::optional<Surface> surface = surface_in(model_, from, first, count, pixels, counts)) {
+      const ActiveTree active = active_tree_of(model_, tree_, from, *surface, counts);
+      if (!active.nothing) write_visible(out, model_, *surface, active, pixels, counts);
+    }
+    divided.at_hand.take(counts);
+    divided.counts += counts;
   }
   if (out.written().size() > setup || is_picture) divided.instructions = out.take();
   divided.counts.instructions = divided.instructions.size();

@@ -16,6 +16,7 @@ namespace csgsim::division {
 struct Divided {
   std::vector<isa::Instruction> instructions;  ///< none, if the square shows the background and is not the picture
   Counts counts;
+  AtHand at_hand;
 };
 
 /// The divider of the pixel-square machine, without its clocks: a model comes once, then squares are divided from it.

@@ -13,8 +13,9 @@ using isa::Purpose;
 
 Rendering::Rendering(const DisplayModel& model, const Surface& surface, Counts& counts)
     : model_(model), surface_(surface), complemented_(model.primitives[surface.first].complemented) {
-  Extremes fronts = extremes_of(model, surface.tested, Side::front, 0, model.farthest(), counts);
-  Extremes backs = extremes_of(model, surface.tested, Side::back, 0, model.farthest(), counts);
+  const Box column{surface.box.pixels, 0, model.farthest()};
+  Extremes fronts = extremes_of(model, surface.tested, Side::front, column, counts);
+  Extremes backs = extremes_of(model, surface.tested, Side::back, column, counts);
   const Extremes& own = complemented_ ? backs : fronts;
   nothing_ = fronts.nothing || backs.nothing || (complemented_ && own.facets.empty());
   // One front that is behind depth 0 at all corners keeps the surface from it: then the box begins behind it.

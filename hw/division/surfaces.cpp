@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hw/division/cells.h"
+
 namespace csgsim::division {
 
 namespace {
@@ -37,39 +39,38 @@ void narrow(Box& box, const std::vector<Tested>& tested) {
 
 }  // namespace
 
-std::vector<Surface> surfaces_in(const DisplayModel& model, const Candidates& candidates, const Rectangle& square,
-                                 Counts& counts) {
-  counts.boxes += candidates.primitives.size();
-  std::vector<Surface> surfaces;
-  const auto primitives = static_cast<std::uint32_t>(model.primitives.size());
-  for (std::uint32_t first = 0, next = 0; first < primitives; first = next) {
-    next = first + 1;
-    while (next < primitives && model.primitives[next].joined) ++next;
-    Surface surface{first, next - first, common_box(model, candidates, first, next - first, square), {}};
-    if (surface.box.empty()) continue;
-    for (std::uint32_t i = first; i < next; ++i) {
-      for (const Halfspace& halfspace : candidates.halfspaces[i]) {
-        surface.tested.push_back(test_corners(model, i, halfspace, surface.box.pixels));
-      }
-    }
-    counts.halfspaces += surface.tested.size();
-    narrow(surface.box, surface.tested);
-    if (!surface.box.empty()) surfaces.push_back(std::move(surface));
-  }
-  return surfaces;
+std::uint32_t joined_from(const DisplayModel& model, std::uint32_t first) {
+  std::uint32_t next = first + 1;
+  while (next < model.primitives.size() && model.primitives[next].joined) ++next;
+  return next - first;
 }
 
-Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, std::int64_t z_low,
-                     std::int64_t z_high, Counts& counts) {
+std::optional<Surface> surface_in(const DisplayModel& model, const Candidates& candidates, std::uint32_t first,
+                                  std::uint32_t count, const Rectangle& square, Counts& counts) {
+  Surface surface{first, count, common_box(model, candidates, first, count, square), {}};
+  if (surface.box.empty()) return std::nullopt;
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    for (const Halfspace& halfspace : candidates.halfspaces[i]) {
+      surface.tested.push_back(test_corners(model, i, halfspace, surface.box.pixels));
+    }
+  }
+  counts.halfspaces += surface.tested.size();
+  narrow(surface.box, surface.tested);
+  if (surface.box.empty()) return std::nullopt;
+  return surface;
+}
+
+Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, const Box& box,
+                     Counts& counts) {
   Extremes result;
   for (const Tested& one : tested) {
     if (one.side != side) continue;
-    const Known known = known_between(one, z_low, z_high);
+    const Known known = known_between(one, box.z_low, box.z_high);
     if (known == Known::in) continue;
     result.nothing = result.nothing || known == Known::out;
     result.facets.push_back(one);
   }
-  if (!result.nothing) counts.pairs += keep_extremes(result.facets, std::int64_t{1} << model.fraction_bits);
+  if (!result.nothing) counts.cells += keep_extremes(model, result.facets, box.pixels);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hw/division/candidates.h"
@@ -20,10 +21,13 @@ struct Surface {
   [[nodiscard]] bool holds(std::uint32_t primitive) const { return primitive >= first && primitive - first < count; }
 };
 
-/// The surfaces that can be in the square, in order: the boxes of the primitives have something in common with it and
+/// How many primitives are joined from `first` on, itself included.
+std::uint32_t joined_from(const DisplayModel& model, std::uint32_t first);
+
+/// The surface of those `count` primitives if it can be in the square: their boxes have something in common with it and
 /// each other, and their half-spaces leave some depth at the corners (fronts the least, backs the greatest).
-std::vector<Surface> surfaces_in(const DisplayModel& model, const Candidates& candidates, const Rectangle& square,
-                                 Counts& counts);
+std::optional<Surface> surface_in(const DisplayModel& model, const Candidates& candidates, std::uint32_t first,
+                                  std::uint32_t count, const Rectangle& square, Counts& counts);
 
 /// Those of one side that make the surface over all depths.
 struct Extremes {
@@ -31,8 +35,9 @@ struct Extremes {
   bool nothing = false;  ///< one of them holds nothing
 };
 
-/// Of a surface over all depths, or of a primitive between those of a surface that it is compared with.
-Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, std::int64_t z_low,
-                     std::int64_t z_high, Counts& counts);
+/// Of a surface over all depths, or of a primitive between those of a surface that it is compared with. The half-spaces
+/// have been tested at the corners of the box's pixels.
+Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, const Box& box,
+                     Counts& counts);
 
 }  // namespace csgsim::division

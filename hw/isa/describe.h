@@ -77,10 +77,13 @@ template <Any<DivisionFacts> T, class Visit>
 void describe(T& division, Visit&& visit) {
   visit("boxes", division.boxes);
   visit("tests", division.halfspaces);
-  visit("pairs", division.pairs);
+  visit("cells", division.cells);
   visit("nodes", division.nodes);
   visit("group_boxes", division.group_boxes);
   visit("group_tests", division.group_halfspaces);
+  visit("group_cells", division.group_cells);
+  visit("most_tests", division.most_halfspaces);
+  visit("most_nodes", division.most_nodes);
 }
 
 /// A segment but for its instructions, with what its division takes.

@@ -173,9 +173,11 @@ void put_link(std::string& page) {
       "and "
       "the instructions to come are theirs |\n"
       "| {} | end of segment | {} | the pixels of the segment are finished |\n"
-      "| {} | end of frame | {} | the picture is finished |\n\n",
+      "| {} | end of frame | {} | base and width of the colour field, {} and {} bits: the picture is finished, and "
+      "what "
+      "stands there is to be shown, or nothing if the width is 0 |\n\n",
       SegmentStart::number, wire_bits(SegmentStart{}), wire_region_bits, SegmentEnd::number, wire_bits(SegmentEnd{}),
-      FrameEnd::number, wire_bits(FrameEnd{}));
+      FrameEnd::number, wire_bits(FrameEnd{}), wire_base_bits, wire_field_width_bits);
   put(page,
       "Example: `set_constant [16+:8], 0xa5` is 18 in {} bits, 16 in {}, 8 in {} and 0xa5 in 8, {} bits in all: one "
       "word "

@@ -25,10 +25,13 @@ struct Region {
 struct DivisionFacts {
   std::uint64_t boxes = 0;
   std::uint64_t halfspaces = 0;
-  std::uint64_t pairs = 0;
+  std::uint64_t cells = 0;
   std::uint64_t nodes = 0;
   std::uint64_t group_boxes = 0;       ///< before the first region of a group
   std::uint64_t group_halfspaces = 0;  ///< the same
+  std::uint64_t group_cells = 0;       ///< the same
+  std::uint64_t most_halfspaces = 0;   ///< for one surface
+  std::uint64_t most_nodes = 0;        ///< the same
 
   constexpr bool operator==(const DivisionFacts&) const = default;
 };
@@ -57,7 +60,7 @@ struct Segment {
 
 /// What a field of pixel memory holds, for pictures, stats and waves.
 #define CSGSIM_FIELD_ROLES(R) \
-  R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label)
+  R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label) R(shown)
 
 enum class FieldRole : std::uint8_t {
 #define CSGSIM_FIELD_ROLE_ENUMERATOR(name) name,

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
 #include "hw/isa/describe.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/validate.h"
@@ -79,7 +80,9 @@ template <class Stream, Any<SegmentEnd> T>
 constexpr void pass(Stream& /*stream*/, T& /*end*/) {}
 
 template <class Stream, Any<FrameEnd> T>
-constexpr void pass(Stream& /*stream*/, T& /*end*/) {}
+constexpr void pass(Stream& stream, T& end) {
+  pass(stream, end.colour);
+}
 
 struct Measure {
   unsigned bits = opcode_bits;
@@ -183,7 +186,13 @@ Command command_of(std::uint8_t number) {
 void check(const Instruction& instruction) { validate(instruction, max_memory_bits); }
 void check(const SegmentStart& start) { validate_region(start.region, {max_array_side, max_array_side, 0}); }
 void check(const SegmentEnd& /*end*/) {}
-void check(const FrameEnd& /*end*/) {}
+void check(const FrameEnd& end) {
+  if (end.colour.width > max_field_width || end.colour.end() > max_memory_bits)
+    throw InputError(
+        fmt::format("the frame ends with a colour of {} bits from bit {} on; a field has at most {} bits, "
+                    "of the {} of a pixel",
+                    end.colour.width, end.colour.base, max_field_width, max_memory_bits));
+}
 
 }  // namespace
 
@@ -207,7 +216,7 @@ unsigned wire_bits(const Command& command) {
 
 unsigned wire_words(const Command& command, unsigned link_width) {
   check_link_width(link_width);
-  return (wire_bits(command) + link_width - 1) / link_width;
+  return quotient_up(wire_bits(command), link_width);
 }
 
 LinkWord packed(const Command& command) {

@@ -43,6 +43,7 @@ struct SegmentEnd {
 /// The picture is finished.
 struct FrameEnd {
   static constexpr std::uint8_t number = 63;
+  Field colour;  ///< of pixel memory, which is to be shown; of width 0 where nothing is
 
   constexpr bool operator==(const FrameEnd&) const = default;
 };

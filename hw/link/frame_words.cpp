@@ -27,7 +27,7 @@ FrameWords frame_words(const isa::Program& program, unsigned link_width) {
       frame.begins.push_back(frame.words.size());
     }
   }
-  send(isa::FrameEnd{});
+  send(isa::FrameEnd{isa::frame_header(program).colour});
   return frame;
 }
 

@@ -15,13 +15,10 @@ LinkSource::LinkSource(sc_core::sc_module_name name, const machines::Link& link)
 void LinkSource::load(FrameWords frame) {
   frame_ = std::move(frame);
   state_ = State::waiting;
-  counting_ = false;
-  account_ = {};
 }
 
 void LinkSource::on_clock() {
-  if (counting_) count();
-  counting_ = true;
+  count();
   if (std::uint64_t instruction = 0; requests.nb_read(instruction)) return go_on_from(instruction);
   go_on();
 }
@@ -38,6 +35,7 @@ void LinkSource::count() {
 }
 
 void LinkSource::go_on_from(std::uint64_t instruction) {
+  if (instruction == 0) account_ = {.waiting = 1};
   next_ = frame_.begins.at(instruction);
   state_ = State::latent;
   left_ = link_.latency;

@@ -24,10 +24,11 @@ class LinkSource final : public sc_core::sc_module {
 
   LinkSource(sc_core::sc_module_name name, const machines::Link& link);
 
-  /// Puts a frame into the host's memory. Nothing of it is sent before a request. The account begins at the next edge.
+  /// Puts a frame into the host's memory. Nothing of it is sent before a request. The account begins with the clock in
+  /// which that for the frame's beginning is on its way.
   void load(FrameWords frame);
 
-  /// Of the clocks since load that are over.
+  /// Of the frame's clocks that are over.
   [[nodiscard]] const machines::LinkAccount& account() const { return account_; }
 
  private:
@@ -43,7 +44,6 @@ class LinkSource final : public sc_core::sc_module {
   const machines::Link link_;
   FrameWords frame_;
   State state_ = State::waiting;
-  bool counting_ = false;   ///< there has been an edge since load
   std::size_t next_ = 0;    ///< the word on the link, or that will be
   std::uint32_t left_ = 0;  ///< clocks of the latency, or of the word on the link
   machines::LinkAccount account_;

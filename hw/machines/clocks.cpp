@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::machines {
@@ -15,7 +16,7 @@ std::uint32_t tree_levels(std::uint32_t leaves) {
 
 /// Clocks in which every bit of the widest memory operand has passed the ALU.
 std::uint64_t field_clocks(const isa::Instruction& instruction, const Machine& machine) {
-  return (field_width(instruction) + machine.alu_bits - 1) / machine.alu_bits;
+  return quotient_up(field_width(instruction), machine.alu_bits);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ class Reader {
 
   void complete(const toml::table& root) {
     try {
-      machine_.kind->complete(machine_);
+      machines::complete(machine_);
       set_picture_size(machine_, machine_.picture);
     } catch (const InputError& error) {
       const toml::node* const picture = root.get("picture");

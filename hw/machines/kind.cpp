@@ -16,8 +16,12 @@ Machine blank(const Kind& kind) {
   return machine;
 }
 
+void complete(Machine& machine) {
+  if (machine.kind->complete != nullptr) machine.kind->complete(machine);
+}
+
 void set_picture_size(Machine& machine, Size size) {
-  machine.kind->set_picture(machine, size);
+  if (machine.kind->set_picture != nullptr) machine.kind->set_picture(machine, size);
   machine.picture = size;
 }
 
@@ -42,7 +46,7 @@ void idealise(Machine& machine, std::string_view key) {
   for (Figure& figure : machine.figures) {
     if (figure.key == key) figure.value = ideal_value;
   }
-  machine.kind->complete(machine);
+  complete(machine);
 }
 
 std::vector<std::string> idealisations(const Machine& machine) {
@@ -61,7 +65,13 @@ bool same_hardware(const Machine& one, const Machine& other) {
          std::all_of(one.kind->schema.begin(), one.kind->schema.end(), same);
 }
 
-bool has_global_or(const Machine& machine) { return machine.kind->has_global_or(machine); }
+isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine) {
+  return machine.kind->second_buffer == nullptr ? isa::Field{} : machine.kind->second_buffer(colour_bits, machine);
+}
+
+bool has_global_or(const Machine& machine) {
+  return machine.kind->has_global_or != nullptr && machine.kind->has_global_or(machine);
+}
 
 std::optional<Division> division(const Machine& machine) {
   return machine.kind->division == nullptr ? std::nullopt : machine.kind->division(machine);

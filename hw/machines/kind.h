@@ -22,29 +22,31 @@ struct Resources {
 };
 
 /// A kind of machine: all that is known of its machines without building them. Each has a room, hw/KIND, and a row in
-/// hw/kinds.
+/// hw/kinds. Where a function may be null, there is nothing to do.
 struct Kind {
   std::string_view name;  ///< as descriptions give it
-  std::string_view over;  ///< what its processors are spread over at a time
 
   /// Every figure that a description has to give, besides its `name`, `description` and `kind`.
   std::span<const FigureSchema> schema;
   /// Its own figures before a description is read.
   std::any (*own)();
   /// Works out what follows from the figures. Throws InputError where they do not fit each other.
-  void (*complete)(Machine& machine);
+  void (*complete)(Machine& machine) = nullptr;
   /// Throws InputError where the machine cannot draw such a picture.
-  void (*set_picture)(Machine& machine, Size size);
+  void (*set_picture)(Machine& machine, Size size) = nullptr;
 
-  /// Whether the controller learns if any pixel is enabled.
-  bool (*has_global_or)(const Machine& machine);
+  /// The field of pixel memory from which so many bits of colour are shown, where that is not the one in which they
+  /// are drawn; else one of width 0. Null for a kind that has no such field.
+  isa::Field (*second_buffer)(std::uint32_t colour_bits, const Machine& machine) = nullptr;
+  /// Whether the controller learns if any pixel is enabled; null for a kind whose controllers never do.
+  bool (*has_global_or)(const Machine& machine) = nullptr;
   /// Of the picture, in the order in which the machine draws them.
   std::vector<isa::Region> (*regions)(const Machine& machine);
   /// Whether and how it divides the model itself; null for a kind that never does.
   std::optional<Division> (*division)(const Machine& machine) = nullptr;
   /// Throws InputError, which says what to do, where the machine cannot run the Program; what holds of all kinds has
   /// been checked.
-  void (*check)(const isa::Program& program, const Machine& machine);
+  void (*check)(const isa::Program& program, const Machine& machine) = nullptr;
 
   /// Clocks that a pixel's processor, or a chain's entry, spends on an instruction.
   std::uint64_t (*clocks)(const isa::Instruction& instruction, const Machine& machine);

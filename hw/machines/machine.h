@@ -75,6 +75,9 @@ Machine blank(const Kind& kind);
 /// InputError where its lines are longer than a chain of cells.
 void set_picture_size(Machine& machine, Size size);
 
+/// Works out what follows from the figures. Throws InputError where they do not fit each other.
+void complete(Machine& machine);
+
 /// Makes the machine draw the Program's picture with its memory. Throws as set_picture_size does.
 void adopt(Machine& machine, const isa::Program& program);
 

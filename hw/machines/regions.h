@@ -25,6 +25,10 @@ struct Division {
 /// None, if the host divides the model.
 std::optional<Division> division(const Machine& machine);
 
+/// The field of pixel memory into which a finished picture of so many bits of colour is copied, to be shown while the
+/// next is drawn; of width 0, if it is shown from where it was drawn.
+isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine);
+
 /// Whether the controller learns if any pixel is enabled.
 bool has_global_or(const Machine& machine);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/figures.h"
@@ -21,9 +22,7 @@ struct Work {
   std::uint64_t combines = 0;
 };
 
-std::uint64_t words_of(std::uint64_t bits, const Figures& figures) {
-  return (bits + figures.word_bits - 1) / figures.word_bits;
-}
+std::uint64_t words_of(std::uint64_t bits, const Figures& figures) { return quotient_up(bits, figures.word_bits); }
 
 Work work_of(const isa::Instruction& instruction, const Figures& figures) {
   const std::uint64_t field = words_of(instruction.fields[0].width, figures);

@@ -99,12 +99,6 @@ constexpr auto schema = std::to_array<FigureSchema>({
 
 std::any own() { return Figures{}; }
 
-void complete(Machine& /*machine*/) {}
-
-void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
-
-bool has_global_or(const Machine& /*machine*/) { return false; }
-
 void check(const isa::Program& program, const Machine& machine) {
   machines::check_parts(program, machine);
   check_fits(program, machine);
@@ -131,12 +125,8 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& he
 
 const machines::Kind kind{
     .name = "multi-processor",
-    .over = "a subsegment of the picture",
     .schema = schema,
     .own = own,
-    .complete = complete,
-    .set_picture = set_picture,
-    .has_global_or = has_global_or,
     .regions = regions,
     .check = check,
     .clocks = pixel_clocks,

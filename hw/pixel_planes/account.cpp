@@ -1,25 +1,34 @@
 #include "hw/pixel_planes/account.h"
 
+#include "hw/pixel_planes/figures.h"
+
 namespace csgsim::pixel_planes {
 
 machines::Account account(const ControllerAccount& controller, const machines::LinkAccount& link,
-                          const machines::Link& figures, std::uint64_t instructions) {
-  const std::uint64_t working = controller.issuing + controller.clearing;
-  const std::uint64_t clocks =
-      working + controller.starved + controller.answering + controller.jumping + controller.draining;
-  const std::uint64_t bits = link.words * figures.width;
-  return {.counts = {{"link_words", link.words}, {"link_bits", bits}},
-          .shares = {{"link_bits_an_instruction", bits, instructions},
-                     {"controller_busy", working, clocks},
-                     {"link_busy", link.sending, clocks}},
-          .parts = {{"controller",
-                     {{"issuing", controller.issuing},
-                      {"clearing", controller.clearing},
-                      {"starved", controller.starved},
-                      {"answering", controller.answering},
-                      {"jumping", controller.jumping},
-                      {"draining", controller.draining}}},
-                    machines::part_of(link, "host link")}};
+                          const machines::Machine& machine, std::uint64_t instructions) {
+  const std::uint64_t working = controller.issuing + controller.clearing + controller.copying;
+  const std::uint64_t clocks = working + controller.starved + controller.answering + controller.jumping +
+                               controller.draining + controller.refreshing + controller.holding;
+  const std::uint64_t bits = link.words * machine.link.width;
+  machines::Account told{.counts = {{"link_words", link.words}, {"link_bits", bits}},
+                         .shares = {{"link_bits_an_instruction", bits, instructions},
+                                    {"controller_busy", working, clocks},
+                                    {"link_busy", link.sending, clocks}},
+                         .parts = {{"controller",
+                                    {{"issuing", controller.issuing},
+                                     {"clearing", controller.clearing},
+                                     {"starved", controller.starved},
+                                     {"answering", controller.answering},
+                                     {"jumping", controller.jumping},
+                                     {"draining", controller.draining}}},
+                                   machines::part_of(link, "host link")}};
+  if (machines::own<Figures>(machine).scan_out_buffers < 2) return told;
+  told.counts.push_back({"refresh_waits", controller.refresh_waits});
+  std::vector<machines::ActivityClocks>& activities = told.parts.front().clocks;
+  activities.push_back({"refreshing", controller.refreshing});
+  activities.push_back({"holding", controller.holding});
+  activities.push_back({"copying", controller.copying});
+  return told;
 }
 
 }  // namespace csgsim::pixel_planes

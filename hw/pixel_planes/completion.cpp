@@ -15,6 +15,7 @@ void Completion::begin(std::span<const isa::Segment> segments) {
   segments_ = segments;
   segments_begun_ = 0;
   skipped_ = 0;
+  skips_.clear();
   answers_.clear();
 }
 
@@ -41,6 +42,7 @@ void Completion::tell(const Account& account) {
                                  .enabled_pixels = enabled_,
                                  .skipped = account.skipped},
                                 kernel::ArrayView(enable->pixels()));
+  if (account.skipped > 0) skips_.push_back({segments_begun_ - 1, index_});
   skipped_ += account.skipped;
   index_ += static_cast<std::uint32_t>(1 + account.skipped);
 }

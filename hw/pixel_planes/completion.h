@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/isa/program.h"
+#include "hw/machines/timing.h"
 #include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/pixel_processors.h"
 #include "hw/systemc/retirement.h"
@@ -30,8 +31,9 @@ class Completion final : public sc_core::sc_module {
   /// Answers to the host's questions, in order, since begin.
   [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
 
-  /// Instructions that were not carried out, since begin.
+  /// Instructions that were not carried out, since begin, and the questions before them.
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
+  [[nodiscard]] const std::vector<machines::Skip>& skips() const { return skips_; }
 
  private:
   void complete();
@@ -44,6 +46,7 @@ class Completion final : public sc_core::sc_module {
   std::uint32_t index_ = 0;
   std::uint64_t enabled_ = 0;
   std::uint64_t skipped_ = 0;
+  std::vector<machines::Skip> skips_;
   std::vector<bool> answers_;
 };
 

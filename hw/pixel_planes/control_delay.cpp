@@ -4,7 +4,7 @@ namespace csgsim::pixel_planes {
 
 /// The output is a register too: the last of the `length`.
 ControlDelay::ControlDelay(sc_core::sc_module_name name, unsigned length)
-    : sc_core::sc_module(name), registers_(length == 0 ? 0 : length - 1) {
+    : sc_core::sc_module(name), length_(length), registers_(length == 0 ? 0 : length - 1) {
   SC_HAS_PROCESS(ControlDelay);
   SC_METHOD(shift);
   dont_initialize();
@@ -15,11 +15,20 @@ ControlDelay::ControlDelay(sc_core::sc_module_name name, unsigned length)
   }
 }
 
+/// Sleeps while words without a step follow each other in all registers.
 void ControlDelay::shift() {
-  if (registers_.empty()) return send(in.read());
-  send(registers_[oldest_]);
-  registers_[oldest_] = in.read();
-  oldest_ = oldest_ + 1 == registers_.size() ? 0 : oldest_ + 1;
+  const ControlWord& word = in.read();
+  if (length_ == 0) return send(word);
+  if (!clock.posedge()) return;
+  if (registers_.empty()) {
+    send(word);
+  } else {
+    send(registers_[oldest_]);
+    registers_[oldest_] = word;
+    oldest_ = oldest_ + 1 == registers_.size() ? 0 : oldest_ + 1;
+  }
+  empty_ = word == ControlWord{} ? empty_ + 1 : 0;
+  if (empty_ >= length_) next_trigger(in.value_changed_event());
 }
 
 void ControlDelay::send(const ControlWord& word) {

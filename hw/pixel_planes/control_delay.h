@@ -23,8 +23,10 @@ class ControlDelay final : public sc_core::sc_module {
   void shift();
   void send(const ControlWord& word);
 
+  const unsigned length_;
   std::vector<ControlWord> registers_;  ///< a ring
   std::size_t oldest_ = 0;
+  unsigned empty_ = 0;  ///< words without a step that have come in one after another
 };
 
 }  // namespace csgsim::pixel_planes

@@ -19,6 +19,10 @@ std::ostream& operator<<(std::ostream& stream, const RefreshStep& step) {
   return stream << "bit " << step.address << " of row " << step.row;
 }
 
+std::ostream& operator<<(std::ostream& stream, const FinishedPicture& picture) {
+  return stream << picture.colour.width << " bits from " << picture.colour.base;
+}
+
 std::ostream& operator<<(std::ostream& stream, const Account& account) { return stream << account.clocks << " clocks"; }
 
 void sc_trace(sc_core::sc_trace_file* file, const RootWord& word, const std::string& name) {

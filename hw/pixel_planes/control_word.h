@@ -51,6 +51,11 @@ struct ControlWord {
   constexpr bool operator==(const ControlWord&) const = default;
 };
 
+/// Controller to the scan-out: these bits of every pixel hold a finished picture.
+struct FinishedPicture {
+  isa::Field colour;
+};
+
 /// The wired OR of the enable bits, back to the controller.
 struct Answer {
   bool valid = false;
@@ -72,6 +77,7 @@ std::ostream& operator<<(std::ostream& stream, const RootWord& word);
 std::ostream& operator<<(std::ostream& stream, const ControlWord& word);
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 std::ostream& operator<<(std::ostream& stream, const RefreshStep& step);
+std::ostream& operator<<(std::ostream& stream, const FinishedPicture& picture);
 std::ostream& operator<<(std::ostream& stream, const Account& account);
 
 void sc_trace(sc_core::sc_trace_file* file, const RootWord& word, const std::string& name);

@@ -5,6 +5,7 @@
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
+#include "hw/pixel_planes/clear_step.h"
 
 namespace csgsim::pixel_planes {
 
@@ -17,7 +18,20 @@ Controller::Controller(sc_core::sc_module_name name, const array::Sequencer& seq
   sensitive << clock.pos();
 }
 
-void Controller::begin() {
+void Controller::on_clock() {
+  if (bool token = false; latched.nb_read(token)) unlatched_ = false;
+  if (state_ == State::idle) begin_frame();
+  if (state_ == State::waiting) take_answer();
+  refreshed_ = !has_control_wires() && refresh();
+  if (state_ == State::ready && !refreshed_ && receiver_.holds()) begin_command();
+  if (state_ == State::holding && !unlatched_) begin_copy();
+  put_control_word();
+  if (state_ != State::idle) receive();
+}
+
+void Controller::begin_frame() {
+  bool token = false;
+  if ((unlatched_ && !figures_.two_buffers) || !frames.nb_read(token)) return;
   state_ = State::asking;
   status_ = {};
   account_ = {};
@@ -25,26 +39,34 @@ void Controller::begin() {
   instructions_ = 0;
 }
 
-void Controller::on_clock() {
-  if (state_ == State::idle) {
-    if (!refresh()) rest();
-    return;
-  }
-  if (state_ == State::waiting) take_answer();
-  if (state_ == State::ready && receiver_.holds()) begin_command();
-  put_control_word();
-  receive();
+/// With steps of its own, which no refresh word interrupts.
+bool Controller::has_control_wires() const {
+  return state_ == State::issuing || state_ == State::clearing || state_ == State::copying;
+}
+
+/// Puts a refresh word on the wires if the scan-out has asked for one.
+bool Controller::refresh() {
+  RefreshStep step;
+  if (!refreshes.nb_read(step)) return false;
+  root.write({});
+  ControlWord word;
+  word.refreshes = true;
+  word.refresh = step;
+  control.write(word);
+  return true;
 }
 
 /// For the clock period that begins now.
 void Controller::put_control_word() {
+  if (!refreshed_ && refreshes.num_available() > 0) ++account_.refresh_waits;
   switch (state_) {
-    case State::idle: return;
+    case State::idle:
+      if (!refreshed_) rest();
+      return;
     case State::asking: ask(); [[fallthrough]];
     case State::ready:
-      rest();
       status_.busy = false;
-      ++(jumped_ ? account_.jumping : account_.starved);
+      await(jumped_ ? account_.jumping : account_.starved);
       break;
     case State::issuing:
       issue();
@@ -55,13 +77,27 @@ void Controller::put_control_word() {
       ++account_.clearing;
       break;
     case State::waiting:
-      rest();
+      await(account_.answering);
       ++instruction_clocks_;
-      ++account_.answering;
       break;
-    case State::draining: return drain();
+    case State::holding: await(account_.holding); break;
+    case State::copying:
+      copy();
+      ++account_.copying;
+      break;
+    case State::draining:
+      if (drained_ == figures_.latency) return finish();
+      ++drained_;
+      await(account_.draining);
+      break;
   }
   ++status_.clocks;
+}
+
+/// A clock without a step of the controller's own.
+void Controller::await(std::uint64_t& waiting_for) {
+  if (!refreshed_) rest();
+  ++(refreshed_ ? account_.refreshing : waiting_for);
 }
 
 void Controller::ask() {
@@ -94,10 +130,11 @@ void Controller::begin(const isa::SegmentStart& start) {
 /// Nothing is to be done: where a segment ends the next begins.
 void Controller::begin(const isa::SegmentEnd& /*end*/) {}
 
-void Controller::begin(const isa::FrameEnd& /*end*/) {
-  state_ = State::draining;
+void Controller::begin(const isa::FrameEnd& end) {
+  colour_ = end.colour;
   drained_ = 0;
   status_.busy = false;
+  state_ = figures_.two_buffers && colour_.width > 0 ? State::holding : State::draining;
 }
 
 void Controller::issue() {
@@ -119,22 +156,17 @@ void Controller::issue() {
   }
 }
 
-/// The memory's bits are spread evenly over the clocks.
+/// A picture that is being shown stays.
 void Controller::clear() {
-  const std::uint64_t clocks = std::max(figures_.clear_clocks, 1U);
-  const auto up_to = [&](std::uint64_t elapsed) {
-    return static_cast<std::uint16_t>(elapsed * figures_.memory_bits / clocks);
-  };
-  const std::uint16_t address = up_to(cleared_);
+  const std::uint32_t clocks = std::max(figures_.clear_clocks, 1U);
+  const std::uint32_t end = unlatched_ ? shown_.base : figures_.memory_bits;
+  const ClearStep step = clear_step(region_, figures_.memory_bits, cleared_, clocks, end);
   ++cleared_;
   const bool last = cleared_ == clocks;
   root.write({});
   ControlWord word;
   word.clears = true;
-  word.clear = {.address = address,
-                .bits = static_cast<std::uint16_t>(up_to(cleared_) - address),
-                .width = static_cast<std::uint16_t>(region_.width),
-                .height = static_cast<std::uint16_t>(region_.height)};
+  word.clear = step;
   word.last = last;
   word.ordinal = next_ordinal_;
   control.write(word);
@@ -143,21 +175,42 @@ void Controller::clear() {
   state_ = State::ready;
 }
 
+/// With the steps of enable_all and copy, so that every pixel of the picture takes part.
+void Controller::begin_copy() {
+  state_ = State::copying;
+  shown_ = {static_cast<std::uint16_t>(figures_.memory_bits - colour_.width), colour_.width};
+  sequencer_.begin({.opcode = isa::Opcode::enable_all});
+}
+
+void Controller::copy() {
+  const array::BitStep step = sequencer_.issue();
+  root.write({});
+  ControlWord word;
+  word.step = step.pixels;
+  word.ordinal = next_ordinal_;
+  control.write(word);
+  if (!step.last) return;
+  if (sequencer_.instruction().opcode == isa::Opcode::copy) {
+    state_ = State::draining;
+  } else {
+    sequencer_.begin({.opcode = isa::Opcode::copy, .fields = {shown_, colour_}});
+  }
+}
+
+/// The frame's last step has been carried out.
+void Controller::finish() {
+  if (!refreshed_) rest();
+  state_ = State::idle;
+  programs.write(++programs_done_);
+  if (colour_.width == 0) return;
+  if (!figures_.two_buffers) shown_ = colour_;
+  unlatched_ = true;
+  pictures.nb_write({shown_});
+}
+
 void Controller::rest() {
   root.write({});
   control.write({});
-}
-
-/// Puts a refresh word on the wires if the scan-out has asked for one.
-bool Controller::refresh() {
-  RefreshStep step;
-  if (!refreshes.nb_read(step)) return false;
-  root.write({});
-  ControlWord word;
-  word.refreshes = true;
-  word.refresh = step;
-  control.write(word);
-  return true;
 }
 
 void Controller::take_answer() {
@@ -180,18 +233,6 @@ void Controller::jump(std::uint64_t skipped) {
   receiver_.drop(link);
   edges_to_drop_ = 2;
   jumped_ = true;
-}
-
-void Controller::drain() {
-  rest();
-  if (drained_ == figures_.latency) {
-    state_ = State::idle;
-    programs.write(++programs_done_);
-    return;
-  }
-  ++drained_;
-  ++account_.draining;
-  ++status_.clocks;
 }
 
 void Controller::receive() {

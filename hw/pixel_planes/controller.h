@@ -27,20 +27,26 @@ struct ControllerFigures {
   std::uint32_t latency = 0;       ///< clocks from the roots of the multiplier trees to the pixels
   std::uint32_t memory_bits = 1;   ///< of a pixel
   std::uint32_t clear_clocks = 0;  ///< in which these become 0; at least one is taken
+  bool two_buffers = false;        ///< a picture is copied into the topmost bits, and shown from there
 };
 
 /// Takes commands from the link and puts a control word on the wires at each rising edge. A frame begins with the clock
-/// in which the controller asks the host for it. An instruction's clocks are those in which one of its steps is on the
+/// in which the controller asks the host for it: when the host has one, and, with one buffer, the last row of the
+/// picture before has been latched. An instruction's clocks are those in which one of its steps is on the
 /// wires, and, for a question, those until the answer has come. If instructions are to be skipped then, it drops what
 /// the link holds and asks the host to go on from another place. After the frame's last command it waits `latency`
-/// clocks for the last step to reach the pixels. Between two frames it sends the refresh words that the scan-out asks
-/// for.
+/// clocks for the last step to reach the pixels, and tells the scan-out what to show. With two buffers it first copies
+/// the picture, as soon as the last row of the one before has been latched. The refresh words that the scan-out asks
+/// for go before the next command, and wherever the controller waits for something.
 class Controller final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
-  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};  ///< the instructions that the host has to go on from
-  sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};   ///< that the scan-out asks for
+  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};    ///< the instructions that the host has to go on from
+  sc_core::sc_fifo_in<bool> frames{"frames"};                  ///< for each frame that lies in the host's memory, one
+  sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};     ///< that the scan-out asks for
+  sc_core::sc_fifo_in<bool> latched{"latched"};                ///< one when it has latched a picture's last row
+  sc_core::sc_fifo_out<FinishedPicture> pictures{"pictures"};  ///< for the scan-out, one at a time
   sc_core::sc_in<Answer> answer{"answer"};
   sc_core::sc_out<RootWord> root{"root"};
   sc_core::sc_out<ControlWord> control{"control"};
@@ -48,9 +54,6 @@ class Controller final : public sc_core::sc_module {
   sc_core::sc_out<std::uint64_t> programs{"programs"};  ///< carried out to their end
 
   Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, const ControllerFigures& figures);
-
-  /// The next clock is the first of a frame.
-  void begin();
 
   /// Clocks counted for the frame that is being drawn or was drawn last, the final latency included.
   [[nodiscard]] std::uint64_t clocks() const { return status_.clocks; }
@@ -60,23 +63,28 @@ class Controller final : public sc_core::sc_module {
   [[nodiscard]] const ControllerStatus& status() const { return status_; }
 
  private:
-  enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, draining };
+  enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, holding, copying, draining };
 
   void on_clock();
+  void begin_frame();
   void ask();
   void begin_command();
   void begin(const isa::Instruction& instruction);
   void begin(const isa::SegmentStart& start);
   void begin(const isa::SegmentEnd& end);
   void begin(const isa::FrameEnd& end);
+  [[nodiscard]] bool has_control_wires() const;
+  bool refresh();
   void put_control_word();
+  void await(std::uint64_t& waiting_for);
   void issue();
   void clear();
+  void begin_copy();
+  void copy();
+  void finish();
   void rest();
-  bool refresh();
   void take_answer();
   void jump(std::uint64_t skipped);
-  void drain();
   void receive();
 
   const ControllerFigures figures_;
@@ -92,6 +100,10 @@ class Controller final : public sc_core::sc_module {
   unsigned edges_to_drop_ = 0;  ///< at which what the link holds has to be dropped
   isa::Region region_;          ///< that is being cleared
   std::uint32_t cleared_ = 0;   ///< clocks of that
+  isa::Field colour_;           ///< that the frame's end named
+  isa::Field shown_;            ///< that the scan-out was told of last
+  bool unlatched_ = false;      ///< rows of it are still to be latched
+  bool refreshed_ = false;      ///< a refresh word is on the wires
   std::uint32_t drained_ = 0;
   std::uint64_t programs_done_ = 0;
 };

@@ -20,6 +20,9 @@ struct Figures {
   std::uint32_t or_fan_in = 0;  ///< inputs of a gate of that OR; 0: one gate has all, and settles within the clock
   std::uint32_t scan_out_pixels = 1;  ///< shown a clock
   ScanOutPort scan_out_port = ScanOutPort::own;
+  /// Pictures that a pixel's memory holds: with 2, a finished one is copied into the topmost bits, and shown from there
+  /// while the next is drawn.
+  std::uint32_t scan_out_buffers = 1;
 };
 
 }  // namespace csgsim::pixel_planes

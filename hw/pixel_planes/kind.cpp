@@ -1,7 +1,13 @@
 #include "hw/pixel_planes/kind.h"
 
-#include <array>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/shared_figures.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/timing.h"
@@ -31,6 +37,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                              "that leave the video port in a clock"),
     machines::own_figure<Figures, &Figures::scan_out_port>("scan_out.port", "", 0, 1,
                                                            "where a row's colour bits are read", scan_out_port_names),
+    machines::own_figure<Figures, &Figures::scan_out_buffers>(
+        "scan_out.buffers", "pictures", 1, 2,
+        "in pixel memory; with 2, a finished one is copied, and shown while the next is drawn"),
     shared::level_latency,
     shared::clear_clocks,
     shared::link_width,
@@ -52,8 +61,37 @@ bool has_global_or(const Machine& machine) { return machines::own<Figures>(machi
 
 std::vector<isa::Region> regions(const Machine& machine) { return {{0, 0, machine.array.width, machine.array.height}}; }
 
+isa::Field topmost_bits(std::uint32_t colour_bits, const Machine& machine) {
+  if (machines::own<Figures>(machine).scan_out_buffers < 2) return {};
+  const std::uint32_t width = std::min(colour_bits, machine.array.memory_bits);
+  return {static_cast<std::uint16_t>(machine.array.memory_bits - width), static_cast<std::uint16_t>(width)};
+}
+
+bool meets(const isa::Instruction& instruction, const isa::Field& shown) {
+  return std::ranges::any_of(instruction.fields, [&](const isa::Field& field) { return field.overlaps(shown); });
+}
+
+[[noreturn]] void refuse(std::string_view what, const isa::Field& shown, const Machine& machine) {
+  throw InputError(
+      fmt::format("{} meets the {} bits from bit {} on, from which {} shows a picture while the next is "
+                  "drawn; compile the model for this machine, or take one whose scan_out.buffers is 1",
+                  what, shown.width, shown.base, machine.name));
+}
+
 /// Any segments will do: each is drawn in the array's corner.
-void check(const isa::Program& /*program*/, const Machine& /*machine*/) {}
+void check(const isa::Program& program, const Machine& machine) {
+  const isa::Field colour = isa::frame_header(program).colour;
+  const isa::Field shown = topmost_bits(colour.width, machine);
+  if (shown.width == 0) return;
+  if (colour.overlaps(shown)) refuse("the colour field", shown, machine);
+  for (std::size_t s = 0; s < program.segments.size(); ++s) {
+    const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
+    const auto found = std::ranges::find_if(instructions, [&](const auto& one) { return meets(one, shown); });
+    if (found == instructions.end()) continue;
+    refuse(fmt::format("segment {}, instruction {}: {}", s, found - instructions.begin(), isa::name_of(found->opcode)),
+           shown, machine);
+  }
+}
 
 machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) {
   const std::uint64_t processors = std::uint64_t{machine.array.width} * machine.array.height;
@@ -64,11 +102,11 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*
 
 const machines::Kind kind{
     .name = "frame-buffer",
-    .over = "the whole picture",
     .schema = schema,
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
+    .second_buffer = topmost_bits,
     .has_global_or = has_global_or,
     .regions = regions,
     .check = check,

@@ -15,8 +15,12 @@ LinearExpressionEvaluator::LinearExpressionEvaluator(sc_core::sc_module_name nam
   }
 }
 
+/// Sleeps while no bit is on its way.
 void LinearExpressionEvaluator::step() {
-  if (trees_.clock(root.read().bits, leaves->next())) leaves->pass();
+  if (trees_.levels() > 0 && !clock.posedge()) return;
+  const array::RootBits& bits = root.read().bits;
+  if (trees_.clock(bits, leaves->next())) leaves->pass();
+  if (!bits.token.active() && !trees_.any_active()) next_trigger(root.value_changed_event());
 }
 
 }  // namespace csgsim::pixel_planes

@@ -2,14 +2,15 @@
 
 #include <sysc/tracing/sc_tracing_ids.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "hw/base/error.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/timing.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/make.h"
-#include "hw/pixel_planes/timing.h"
 #include "hw/systemc/fit.h"
 #include "hw/systemc/kernel.h"
 
@@ -23,7 +24,8 @@ ControllerFigures controller_figures(const machines::Machine& machine) {
   return {.link_width = machine.link.width,
           .latency = machines::evaluator_latency(machine.array),
           .memory_bits = machine.array.memory_bits,
-          .clear_clocks = machine.clear_clocks};
+          .clear_clocks = machine.clear_clocks,
+          .two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2};
 }
 
 /// The array holds the whole picture when the program is through.
@@ -50,7 +52,10 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       scan_out_("scan_out", plane_shape(machine), machines::own<Figures>(machine).scan_out_pixels,
                 machines::own<Figures>(machine).scan_out_port),
-      wave_("wave", {clock_, controller_, processors_, root_, control_at_pixels_, answer_}, machine.alu_bits) {
+      wave_("wave",
+            {clock_, controller_, processors_, root_, control_at_pixels_, answer_, refreshes_, pictures_, latched_,
+             video_},
+            machine.alu_bits) {
   SC_HAS_PROCESS(PixelPlanes);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
@@ -61,7 +66,10 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
   controller_.clock(clock_);
   controller_.link(link_);
   controller_.requests(requests_);
+  controller_.frames(waiting_frames_);
   controller_.refreshes(refreshes_);
+  controller_.latched(latched_);
+  controller_.pictures(pictures_);
   controller_.answer(answer_);
   controller_.root(root_);
   controller_.control(control_);
@@ -93,6 +101,7 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
   completion_.retirement(retirement_);
 
   scan_out_.clock(clock_);
+  scan_out_.pictures(pictures_);
   scan_out_.refresh(processors_.refresh);
   scan_out_.control(control_at_pixels_);
   scan_out_.refreshes(refreshes_);
@@ -102,7 +111,7 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
 
   SC_METHOD(on_done);
   dont_initialize();
-  sensitive << programs_ << latched_ << frames_;
+  sensitive << programs_ << frames_;
 }
 
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
@@ -115,9 +124,32 @@ void PixelPlanes::elaborate() {
 /// Clock edges since the machine was built.
 std::uint64_t PixelPlanes::edges() const { return sc_core::sc_time_stamp().value() / clock_.period().value(); }
 
-template <class Condition>
-void PixelPlanes::run_until(const Condition& holds) {
-  while (!holds()) sc_core::sc_start();
+/// What the scan-out has come to the end of belongs to the oldest frame that is being shown.
+void PixelPlanes::collect() {
+  if (std::exchange(shown_, frames_.read()) == frames_.read()) return;
+  const Showing& one = showing_.front();
+  one.report->shown_clocks = edges() - one.begun;
+  if (one.fills_array) one.report->picture = scan_out_.picture();
+  showing_.pop_front();
+}
+
+void PixelPlanes::run_until_shown() {
+  while (!showing_.empty()) {
+    sc_core::sc_start();
+    collect();
+  }
+}
+
+void PixelPlanes::check(std::span<const isa::Program> programs) const {
+  const array::PlaneShape shape = processors_.pixels().shape();
+  const isa::Field first = isa::frame_header(programs.front()).colour;
+  for (const isa::Program& program : programs) {
+    kernel::check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
+    const isa::Field colour = isa::frame_header(program).colour;
+    if (machines::own<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
+    throw InputError("frames with colours of " + std::to_string(first.width) + " and " + std::to_string(colour.width) +
+                     " bits follow each other on a machine of two buffers; compile all with the same --colour-bits");
+  }
 }
 
 kernel::RunReport PixelPlanes::run(const isa::Program& program, kernel::RunListener& listener) {
@@ -127,83 +159,61 @@ kernel::RunReport PixelPlanes::run(const isa::Program& program, kernel::RunListe
 
 std::vector<kernel::RunReport> PixelPlanes::run_sequence(std::span<const isa::Program> programs,
                                                          std::span<kernel::RunListener* const> listeners) {
-  const array::PlaneShape shape = processors_.pixels().shape();
-  for (const isa::Program& program : programs)
-    kernel::check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
+  std::vector<kernel::RunReport> reports(programs.size());
+  if (programs.empty()) return reports;
+  check(programs);
   elaborate();
-  std::vector<kernel::RunReport> reports;
-  std::uint64_t begun = 0;
-  const isa::Program* on_screen = nullptr;  // whose picture is being shown, if one is
-  for (std::size_t i = 0; i < programs.size(); ++i) {
-    const std::uint64_t now = edges();
-    if (i > 0) reports.back().interval_clocks = now - begun;
-    begun = now;
-    reports.push_back(draw(programs[i], *listeners[i]));
-    run_until([this] { return !scan_out_.busy(); });
-    if (on_screen != nullptr) show(*on_screen, reports[i - 1]);
-    const isa::Field colour = isa::field_of(programs[i], isa::FieldRole::colour);
-    on_screen = colour.width > 0 ? &programs[i] : nullptr;
-    if (on_screen == nullptr) continue;
-    scan_out_.begin(colour);
-    run_until([this] { return scan_out_.has_latched(); });
-  }
-  run_until([this] { return !scan_out_.busy(); });
-  if (on_screen != nullptr) {
-    kernel::RunReport& last = reports.back();
-    show(*on_screen, last);
-    last.interval_clocks = interval_clocks(last.clocks, scan_out_.clocks(), scan_out_.latch_clocks());
-  }
-  return reports;
-}
-
-kernel::RunReport PixelPlanes::draw(const isa::Program& program, kernel::RunListener& listener) {
   const std::optional<WaveRequest> wave = std::exchange(wave_request_, std::nullopt);
-  retirement_.begin(listener);
-  completion_.begin(program.segments);
-  host_.load(link::frame_words(program, machine_.link.width));
-  controller_.begin();
-  if (wave) wave_.arm(*wave, program.segments);
-  const bool recorded = clock_program(wave);
-  retirement_.rethrow();
-  kernel::RunReport report{
-      .clocks = controller_.clocks(),
-      .latency_clocks = latency_,
-      .skipped = completion_.skipped(),
-      .answers = completion_.answers(),
-      .account = account(controller_.account(), host_.account(), machine_.link, controller_.instructions())};
-  report.recorded = recorded;
-  return report;
-}
-
-/// What the scan-out has shown of that Program.
-void PixelPlanes::show(const isa::Program& program, kernel::RunReport& report) {
-  report.shown_clocks = report.clocks + scan_out_.clocks();
-  if (fills_array(program, processors_.pixels().shape())) report.picture = scan_out_.picture();
-}
-
-/// Says whether the window that is to be recorded has been reached.
-bool PixelPlanes::clock_program(const std::optional<WaveRequest>& wave) {
+  if (wave) wave_.arm(*wave, programs.front().segments);
   try {
-    run_until([this] { return controller_.idle(); });
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      const std::uint64_t begun = begun_;
+      draw(programs[i], *listeners[i], reports[i]);
+      if (i > 0) reports[i - 1].interval_clocks = begun_ - begun;
+      if (i + 1 < programs.size()) reports[i].recorded = wave_.finish();
+    }
+    run_until_shown();
   } catch (const sc_core::sc_report& report) {
     if (!wave || std::string_view(report.get_msg_type()) != sc_core::SC_ID_TRACING_FOPEN_FAILED_) throw;
     throw InputError(wave->file.native() +
                      ": SystemC cannot open it for the waveform; allow more open files (ulimit -n), or check " +
                      "the folder's permissions");
   }
-  return wave_.finish();
+  reports.back().recorded = wave_.finish();
+  reports.back().interval_clocks = machines::time_frame(programs.back(), machine_, completion_.skips()).interval_clocks;
+  return reports;
+}
+
+void PixelPlanes::draw(const isa::Program& program, kernel::RunListener& listener, kernel::RunReport& report) {
+  retirement_.begin(listener);
+  completion_.begin(program.segments);
+  host_.load(link::frame_words(program, machine_.link.width));
+  waiting_frames_.nb_write(true);
+  while (drawn_ == programs_.read()) {
+    sc_core::sc_start();
+    collect();
+  }
+  drawn_ = programs_.read();
+  begun_ = edges() - controller_.clocks();
+  report.clocks = controller_.clocks();
+  report.latency_clocks = latency_;
+  report.skipped = completion_.skipped();
+  report.answers = completion_.answers();
+  report.account = account(controller_.account(), host_.account(), machine_, controller_.instructions());
+  if (isa::frame_header(program).colour.width > 0)
+    showing_.push_back({begun_, fills_array(program, processors_.pixels().shape()), &report});
+  try {
+    retirement_.rethrow();
+  } catch (...) {
+    run_until_shown();
+    wave_.finish();
+    throw;
+  }
 }
 
 void PixelPlanes::record(const WaveRequest& request) {
-  check(request, processors_.pixels());
+  pixel_planes::check(request, processors_.pixels());
   wave_request_ = request;
-}
-
-ShownFrame PixelPlanes::scan_out(isa::Field colour) {
-  elaborate();
-  scan_out_.begin(colour);
-  run_until([this] { return !scan_out_.busy(); });
-  return {.clocks = scan_out_.clocks(), .latch_clocks = scan_out_.latch_clocks(), .colours = scan_out_.picture()};
 }
 
 std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
+#include <span>
 #include <systemc>
 #include <vector>
 
@@ -23,12 +25,6 @@
 
 namespace csgsim::pixel_planes {
 
-struct ShownFrame {
-  std::uint64_t clocks = 0;
-  std::uint64_t latch_clocks = 0;      ///< of these, until pixel memory may change
-  std::vector<std::uint32_t> colours;  ///< in row order, the array's width a row
-};
-
 /// The whole Pixel-planes machine.
 class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachine {
  public:
@@ -38,15 +34,14 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   /// out; then a Program with colours is scanned out.
   kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
 
-  /// The next frame begins when the last row of the one before it has been latched, and is drawn while that is shown.
+  /// With one buffer the next frame begins when the last row of the one before it has been latched; with two, when the
+  /// one before it has been copied, and is drawn while that is shown. Of the last the interval is worked out, as no
+  /// frame follows it. Throws InputError too if, with two buffers, the frames' colours are not equally wide.
   std::vector<kernel::RunReport> run_sequence(std::span<const isa::Program> programs,
                                               std::span<kernel::RunListener* const> listeners) override;
 
   [[nodiscard]] bool can_record() const override { return true; }
   void record(const WaveRequest& request) override;
-
-  /// Scans the field out of the memory that the last program left.
-  ShownFrame scan_out(isa::Field colour);
 
   [[nodiscard]] const PixelProcessors& processors() const { return processors_; }
   [[nodiscard]] const Controller& controller() const { return controller_; }
@@ -54,12 +49,18 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   [[nodiscard]] sc_core::sc_time period() const { return clock_.period(); }
 
  private:
+  /// A frame whose picture the scan-out has not shown to its end.
+  struct Showing {
+    std::uint64_t begun;  ///< edge
+    bool fills_array;     ///< the array holds the whole picture
+    kernel::RunReport* report;
+  };
+
   void elaborate();
-  kernel::RunReport draw(const isa::Program& program, kernel::RunListener& listener);
-  bool clock_program(const std::optional<WaveRequest>& wave);
-  void show(const isa::Program& program, kernel::RunReport& report);
-  template <class Condition>
-  void run_until(const Condition& holds);
+  void check(std::span<const isa::Program> programs) const;
+  void draw(const isa::Program& program, kernel::RunListener& listener, kernel::RunReport& report);
+  void collect();
+  void run_until_shown();
   [[nodiscard]] std::uint64_t edges() const;
   void on_done();
 
@@ -69,7 +70,10 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   sc_core::sc_clock clock_;
   sc_core::sc_fifo<isa::LinkWord> link_;
   sc_core::sc_fifo<std::uint64_t> requests_{"requests", 1};
+  sc_core::sc_fifo<bool> waiting_frames_{"waiting_frames", 1};
   sc_core::sc_fifo<RefreshStep> refreshes_{"refreshes", 2};  ///< two, so that one goes through in each clock
+  sc_core::sc_fifo<FinishedPicture> pictures_{"pictures", 1};
+  sc_core::sc_fifo<bool> latched_{"latched", 1};
   sc_core::sc_signal<RootWord> root_{"root_bits"};
   sc_core::sc_signal<ControlWord> control_{"control"};
   sc_core::sc_signal<ControlWord> control_at_pixels_{"control_at_pixels"};
@@ -80,7 +84,6 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   sc_core::sc_fifo<Account> accounts_;
   sc_core::sc_signal<std::uint64_t> programs_{"programs"};
   sc_core::sc_signal<std::uint32_t> video_{"video"};
-  sc_core::sc_signal<std::uint64_t> latched_{"latched"};
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
   link::LinkSource host_;
@@ -94,6 +97,10 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   ScanOut scan_out_;
   WaveRecorder wave_;
   std::optional<WaveRequest> wave_request_;
+  std::deque<Showing> showing_;  ///< the oldest first
+  std::uint64_t begun_ = 0;      ///< edge at which the frame that was drawn last began
+  std::uint64_t drawn_ = 0;      ///< programs that are known to have been drawn
+  std::uint64_t shown_ = 0;      ///< pictures that are known to have been shown
 };
 
 }  // namespace csgsim::pixel_planes

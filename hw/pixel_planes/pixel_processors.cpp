@@ -12,7 +12,9 @@ PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayS
   sensitive << clock.pos();
 }
 
+/// Sleeps while there is nothing to do.
 void PixelProcessors::step() {
+  if (!clock.posedge()) return;
   const ControlWord& word = control.read();
   if (word.clears) {
     pixels_.clear_memory(word.clear.address, word.clear.bits);
@@ -21,6 +23,7 @@ void PixelProcessors::step() {
     pixels_.step(word.step, tree->current());
   }
   if (word.last) retired.write(++retired_count_);
+  if (word == ControlWord{}) next_trigger(control.value_changed_event());
 }
 
 }  // namespace csgsim::pixel_planes

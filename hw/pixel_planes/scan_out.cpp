@@ -16,37 +16,43 @@ ScanOut::ScanOut(sc_core::sc_module_name name, array::PlaneShape shape, std::uin
   SC_HAS_PROCESS(ScanOut);
   SC_METHOD(on_clock);
   dont_initialize();
-  sensitive << start_;
-}
-
-void ScanOut::begin(isa::Field colour) {
-  colour_ = colour;
-  row_ = 0;
-  asked_ = 0;
-  latched_ = 0;
-  shifted_ = shape_.width;
-  clocks_ = 0;
-  latch_clocks_ = 0;
-  busy_ = true;
-  picture_.clear();
-  picture_.reserve(std::size_t{shape_.width} * shape_.height);
-  std::fill(latch_row_.begin(), latch_row_.end(), 0U);
-  start_.notify(sc_core::SC_ZERO_TIME);
+  sensitive << pictures.data_written();
 }
 
 void ScanOut::on_clock() {
-  if (start_.triggered()) return next_trigger(clock.posedge_event());
-  ++clocks_;
+  if (state_ == State::asleep) return wake();
+  if (state_ == State::awake && !begin()) {
+    state_ = State::asleep;
+    return;
+  }
   transfer();
   shift();
   latch();
   const bool finished = row_ == shape_.height && latched_ == 0 && shifted_ == shape_.width;
-  if (finished) {
-    busy_ = false;
-    frames.write(++frames_done_);
-    return;
-  }
+  if (finished) frames.write(++frames_done_);
+  state_ = finished ? State::awake : State::showing;
   next_trigger(clock.posedge_event());
+}
+
+/// A picture has come between two edges.
+void ScanOut::wake() {
+  state_ = State::awake;
+  next_trigger(clock.posedge_event());
+}
+
+/// Takes the next picture, if there is one.
+bool ScanOut::begin() {
+  FinishedPicture next;
+  if (!pictures.nb_read(next)) return false;
+  colour_ = next.colour;
+  row_ = 0;
+  asked_ = 0;
+  latched_ = 0;
+  shifted_ = shape_.width;
+  picture_.clear();
+  picture_.reserve(std::size_t{shape_.width} * shape_.height);
+  std::fill(latch_row_.begin(), latch_row_.end(), 0U);
+  return true;
 }
 
 /// A latched row goes into the shift register as soon as that is empty.
@@ -92,9 +98,7 @@ void ScanOut::latch_bit(RefreshStep step) {
     latch_row_[x] |= bit << place;
   }
   ++latched_;
-  if (latched_ != colour_.width || row_ + 1 != shape_.height) return;
-  latch_clocks_ = clocks_;
-  latched.write(++frames_latched_);
+  if (latched_ == colour_.width && row_ + 1 == shape_.height) latched.nb_write(true);
 }
 
 }  // namespace csgsim::pixel_planes

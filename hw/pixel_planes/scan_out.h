@@ -12,40 +12,32 @@
 
 namespace csgsim::pixel_planes {
 
-/// Shows the picture that stands in pixel memory. A row's colour bits are latched, one bit of all its pixels at a time;
-/// then the row is shifted out, `pixels` a clock, while the next is latched. At a port of its own a bit is latched in
-/// each clock. At a shared port it asks the controller for each bit, one a clock; the bit is latched in the clock in
-/// which the refresh word is at the pixels.
+/// Shows each picture that the controller has finished, once. A row's colour bits are latched, one bit of all its
+/// pixels at a time; then the row is shifted out, `pixels` a clock, while the next is latched. At a port of its own a
+/// bit is latched in each clock. At a shared port it asks the controller for each bit, one a clock; the bit is latched
+/// in the clock in which the refresh word is at the pixels.
 class ScanOut final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_fifo_in<FinishedPicture> pictures{"pictures"};
   sc_core::sc_port<RefreshPort> refresh{"refresh"};
   sc_core::sc_in<ControlWord> control{"control"};            ///< at the pixels
   sc_core::sc_fifo_out<RefreshStep> refreshes{"refreshes"};  ///< to the controller
   sc_core::sc_out<std::uint32_t> video{"video"};             ///< the last of the pixels shown in a clock
-  sc_core::sc_out<std::uint64_t> latched{"latched"};         ///< pictures whose last row has been latched
+  sc_core::sc_fifo_out<bool> latched{"latched"};             ///< to the controller: one when a last row is latched
   sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< scanned out
 
   ScanOut(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t pixels, ScanOutPort port);
 
-  /// Starts with the next clock.
-  void begin(isa::Field colour);
-
-  /// Is the last row latched, so that pixel memory may change? Are there pixels that have not been shown?
-  [[nodiscard]] bool has_latched() const { return latch_clocks_ != 0; }
-  [[nodiscard]] bool busy() const { return busy_; }
-
-  /// From begin until the last pixel was shown.
-  [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
-
-  /// From begin until the last row had been latched: from then on pixel memory may change.
-  [[nodiscard]] std::uint64_t latch_clocks() const { return latch_clocks_; }
-
-  /// The colours shifted out since begin, in row order.
+  /// Of the picture that is being shown, or was last: the colours shifted out, in row order.
   [[nodiscard]] const std::vector<std::uint32_t>& picture() const { return picture_; }
 
  private:
+  enum class State : std::uint8_t { asleep, awake, showing };
+
   void on_clock();
+  void wake();
+  bool begin();
   void transfer();
   void shift();
   void latch();
@@ -62,13 +54,9 @@ class ScanOut final : public sc_core::sc_module {
   std::vector<std::uint32_t> latch_row_;  ///< a colour a pixel
   std::vector<std::uint32_t> shift_row_;  ///< a colour a pixel
   std::uint32_t shifted_;                 ///< pixels of it
-  std::uint64_t clocks_ = 0;
-  std::uint64_t latch_clocks_ = 0;
-  std::uint64_t frames_latched_ = 0;
   std::uint64_t frames_done_ = 0;
-  bool busy_ = false;
+  State state_ = State::asleep;  ///< asleep until a picture comes; awake, it looks for one at the next edge
   std::vector<std::uint32_t> picture_;
-  sc_core::sc_event start_{"start"};
 };
 
 }  // namespace csgsim::pixel_planes

@@ -1,18 +1,24 @@
 #include "hw/pixel_planes/timing.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/link_timing.h"
+#include "hw/machines/regions.h"
 #include "hw/pixel_planes/account.h"
 #include "hw/pixel_planes/figures.h"
+#include "hw/pixel_planes/scan_out_timing.h"
 
 namespace csgsim::pixel_planes {
 
 namespace {
+
+constexpr unsigned most_frames_tried = 8;
 
 /// What the link and the controller have to do for a command.
 struct Task {
@@ -23,10 +29,6 @@ struct Task {
   std::uint64_t clocks = 0;      ///< of the controller, until the next command can begin
   std::uint64_t jumps_over = 0;  ///< tasks after it that are left out
 };
-
-bool is_question(const isa::Instruction& instruction) {
-  return isa::info(instruction.opcode).clock_class == isa::ClockClass::answer;
-}
 
 std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine& machine,
                            std::span<const machines::Skip> skips) {
@@ -39,7 +41,7 @@ std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine&
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
       Task& task = tasks.emplace_back();
-      task.kind = is_question(instruction) ? Task::Kind::question : Task::Kind::instruction;
+      task.kind = isa::is_question(instruction.opcode) ? Task::Kind::question : Task::Kind::instruction;
       task.words = words(instruction);
       task.clocks = instruction_clocks(instruction, machine);
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
@@ -51,12 +53,28 @@ std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine&
   return tasks;
 }
 
+/// Clocks in which a finished picture of that colour is copied: the steps of enable_all and of copy.
+std::uint64_t copy_clocks(std::uint32_t colour_bits, const machines::Machine& machine) {
+  if (machines::second_buffer(colour_bits, machine).width == 0) return 0;
+  const auto width = static_cast<std::uint16_t>(colour_bits);
+  return machines::bit_serial_clocks({.opcode = isa::Opcode::enable_all}, machine) +
+         machines::bit_serial_clocks({.opcode = isa::Opcode::copy, .fields = {{{0, width}, {0, width}}}}, machine);
+}
+
 /// Edges are numbered from the frame's first. A word read at an edge that completes a command lets the command begin at
 /// the next; the edge at which a command begins is the first at which a word of the one after it is read.
 class FrameModel {
  public:
-  FrameModel(const machines::Machine& machine, std::vector<Task> tasks)
-      : machine_(machine), link_(machine.link), tasks_(std::move(tasks)) {}
+  /// `shown`: how the picture before is scanned out; null, if none is. By its numbers the frame's first edge is
+  /// `first`.
+  FrameModel(const machines::Machine& machine, const std::vector<Task>& tasks, std::uint64_t copy_clocks,
+             ScanOutTiming* shown, std::uint64_t first)
+      : machine_(machine),
+        link_(machine.link),
+        tasks_(tasks),
+        copy_clocks_(copy_clocks),
+        shown_(shown),
+        first_(first) {}
 
   machines::FrameTiming time() {
     link_.request(1);
@@ -67,8 +85,8 @@ class FrameModel {
     }
     link_.stop(free_, false);
     return {.clocks = free_,
-            .latency_clocks = account_.draining,
-            .account = account(account_, link_.account(), machine_.link, instructions_)};
+            .latency_clocks = machines::evaluator_latency(machine_.array),
+            .account = account(account_, link_.account(), machine_, instructions_)};
   }
 
  private:
@@ -81,8 +99,7 @@ class FrameModel {
   }
 
   void begin(const Task& task) {
-    begun_ = std::max(read_ + 1, free_);
-    (jumped_ ? account_.jumping : account_.starved) += begun_ - free_;
+    begin_after_refreshing();
     jumped_ = false;
     free_ = begun_ + task.clocks;
     switch (task.kind) {
@@ -93,14 +110,58 @@ class FrameModel {
         break;
       case Task::Kind::question:
         ++account_.issuing;
-        account_.answering += task.clocks - 1;
+        account_.answering += waited(begun_ + 1, free_);
         ++instructions_;
         break;
-      case Task::Kind::end:
-        account_.draining = machines::evaluator_latency(machine_.array);
-        free_ += account_.draining;
-        break;
+      case Task::Kind::end: end(); break;
     }
+  }
+
+  /// The command begins when it has come and the one before it is over, and at the edge no refresh word is asked for.
+  void begin_after_refreshing() {
+    const std::uint64_t ready = std::max(read_ + 1, free_);
+    std::uint64_t& waiting = jumped_ ? account_.jumping : account_.starved;
+    waiting += waited(free_, ready);
+    for (begun_ = ready; refresh_at(begun_, begun_ + 1) != none; ++begun_) continue;
+  }
+
+  /// The picture is copied when the one before it has been latched; then its last step travels to the pixels.
+  void end() {
+    if (copy_clocks_ > 0) {
+      const std::uint64_t latched = shown_ == nullptr ? free_ : latched_after(free_);
+      account_.holding += waited(free_, latched);
+      account_.copying += copy_clocks_;
+      free_ = latched + copy_clocks_;
+    }
+    const std::uint64_t latency = machines::evaluator_latency(machine_.array);
+    account_.draining += waited(free_, free_ + latency);
+    free_ += latency;
+  }
+
+  /// The first edge from that one on at which the picture before is known to be latched, if every refresh word that is
+  /// asked for until then is sent.
+  [[nodiscard]] std::uint64_t latched_after(std::uint64_t edge) const {
+    ScanOutTiming shown = *shown_;
+    shown.send_all(first_ + edge);
+    return std::max(shown.latched(), first_ + edge) - first_;
+  }
+
+  /// Sends the refresh words that are asked for from one edge on and before another. Returns the clocks that were none.
+  std::uint64_t waited(std::uint64_t from, std::uint64_t to) {
+    std::uint64_t clocks = to - from;
+    for (std::uint64_t edge = from; (edge = refresh_at(edge, to)) != none; ++edge) --clocks;
+    return clocks;
+  }
+
+  /// Sends the first refresh word that is asked for from one edge on and before another. Returns the edge, or none.
+  std::uint64_t refresh_at(std::uint64_t from, std::uint64_t before) {
+    if (shown_ == nullptr || shown_->request() == none) return none;
+    const std::uint64_t edge = std::max(first_ + from, shown_->request());
+    if (edge >= first_ + before) return none;
+    account_.refresh_waits += edge - shown_->request();
+    ++account_.refreshing;
+    shown_->send(edge);
+    return edge - first_;
   }
 
   /// The answer is there at the edge free_, and the host knows of it at the next. Until then it has gone on sending,
@@ -124,9 +185,14 @@ class FrameModel {
     jumped_ = true;
   }
 
+  static constexpr std::uint64_t none = ScanOutTiming::never;
+
   const machines::Machine& machine_;
   machines::LinkTiming link_;
-  std::vector<Task> tasks_;
+  const std::vector<Task>& tasks_;
+  std::uint64_t copy_clocks_;
+  ScanOutTiming* shown_;
+  std::uint64_t first_;
   std::uint64_t read_ = 0;   ///< edge at which the last word was read
   std::uint64_t begun_ = 0;  ///< edge at which the last command began
   std::uint64_t free_ = 0;   ///< edge at which the next can begin
@@ -135,21 +201,85 @@ class FrameModel {
   ControllerAccount account_;
 };
 
-struct ScanOutClocks {
-  std::uint64_t shown = 0;    ///< until the last pixel has been shown
-  std::uint64_t latched = 0;  ///< until the last row has been latched
+/// Frames that follow each other. Edges are numbered from the first frame's first.
+class SequenceModel {
+ public:
+  explicit SequenceModel(const machines::Machine& machine)
+      : machine_(machine), two_buffers_(machines::own<Figures>(machine).scan_out_buffers >= 2) {}
+
+  void draw(const std::vector<Task>& tasks, std::uint32_t colour_bits) {
+    FrameModel frame(machine_, tasks, copy_clocks(colour_bits, machine_), shown_ ? &*shown_ : nullptr, begin_);
+    add(frame.time(), colour_bits);
+  }
+
+  /// The next frame, of which it is known how it is drawn.
+  void add(machines::FrameTiming frame, std::uint32_t colour_bits) {
+    timings_.push_back(std::move(frame));
+    const std::uint64_t drawn = begin_ + timings_.back().clocks;
+    if (shown_ && shown_->request() <= drawn) shown_->send(drawn);
+    std::uint64_t next = drawn + 1;
+    if (colour_bits > 0) {
+      show(drawn + 1, colour_bits);
+      if (!two_buffers_) {
+        shown_->send_all(drawn);
+        next = shown_->latched();
+      }
+    }
+    timings_.back().interval_clocks = next - begin_;
+    begin_ = next;
+  }
+
+  /// Clocks from the beginning of the frame to come until the picture before is scanned out.
+  [[nodiscard]] std::uint64_t scan_out_after() const { return std::max(scan_out_begin_, begin_) - begin_; }
+
+  /// Of the frames drawn, the last of which is shown to its end.
+  std::vector<machines::FrameTiming> finish() {
+    if (shown_) shown_->send_all(begin_);
+    end_picture();
+    return std::move(timings_);
+  }
+
+ private:
+  /// The picture before, if there is one, has been latched.
+  void show(std::uint64_t from, std::uint32_t colour_bits) {
+    end_picture();
+    scan_out_begin_ = shown_ ? std::max(from, shown_->over()) : from;
+    shown_.emplace(machine_, colour_bits, scan_out_begin_);
+    shown_frame_ = timings_.size() - 1;
+    shown_begin_ = begin_;
+  }
+
+  void end_picture() {
+    if (shown_) timings_[shown_frame_].shown_clocks = shown_->over() - 1 - shown_begin_;
+  }
+
+  const machines::Machine& machine_;
+  bool two_buffers_;
+  std::vector<machines::FrameTiming> timings_;
+  std::uint64_t begin_ = 0;  ///< of the frame to come
+  std::optional<ScanOutTiming> shown_;
+  std::size_t shown_frame_ = 0;       ///< whose picture that is
+  std::uint64_t shown_begin_ = 0;     ///< where that frame began
+  std::uint64_t scan_out_begin_ = 0;  ///< of its picture
 };
 
-/// A row is latched while the one before it is shown, but for the first; whichever takes longer sets the pace. At a
-/// shared port a row's first bit is there when the request has reached the controller and its word the pixels.
-ScanOutClocks scan_out_clocks(const machines::Machine& machine, std::uint64_t colour_bits) {
-  const auto& figures = machines::own<Figures>(machine);
-  const std::uint64_t way = machines::evaluator_latency(machine.array) + 2;
-  const std::uint64_t latch = colour_bits + (figures.scan_out_port == ScanOutPort::shared ? way : 0);
-  const std::uint64_t show = (machine.array.width + figures.scan_out_pixels - 1) / figures.scan_out_pixels;
-  const std::uint64_t rows = machine.array.height;
-  const std::uint64_t pace = std::max(latch, show);
-  return {.shown = latch + (rows - 1) * pace + show, .latched = rows == 1 ? latch : 2 * latch + (rows - 2) * pace};
+/// Frames of the same Program until the scan-out begins as long after a frame's beginning as it did the time before,
+/// but no more than most_frames_tried. `alone`: of the Program. With one buffer no picture is scanned out beside the
+/// drawing, and all are drawn alike.
+std::uint64_t steady_interval(const machines::FrameTiming& alone, const std::vector<Task>& tasks,
+                              std::uint32_t colour_bits, const machines::Machine& machine) {
+  const bool two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2;
+  SequenceModel model(machine);
+  model.add(alone, colour_bits);
+  std::uint64_t before = ScanOutTiming::never;
+  for (unsigned i = 1; i < most_frames_tried && model.scan_out_after() != before; ++i) {
+    before = model.scan_out_after();
+    if (two_buffers)
+      model.draw(tasks, colour_bits);
+    else
+      model.add(alone, colour_bits);
+  }
+  return model.finish().back().interval_clocks;
 }
 
 }  // namespace
@@ -161,26 +291,30 @@ std::uint32_t or_levels(std::uint64_t lines, std::uint32_t fan_in) {
   return levels;
 }
 
-std::uint64_t interval_clocks(std::uint64_t drawing, std::uint64_t shown, std::uint64_t latched) {
-  return std::max(latched + 1 + drawing, shown);
-}
-
 std::uint64_t instruction_clocks(const isa::Instruction& instruction, const machines::Machine& machine) {
   const std::uint64_t clocks = machines::bit_serial_clocks(instruction, machine);
-  if (!is_question(instruction)) return clocks;
+  if (!isa::is_question(instruction.opcode)) return clocks;
   return clocks + or_levels(std::uint64_t{machine.array.width} * machine.array.height,
                             machines::own<Figures>(machine).or_fan_in);
 }
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  std::span<const machines::Skip> skips) {
-  machines::FrameTiming timing = FrameModel(machine, tasks_of(program, machine, skips)).time();
+  const std::vector<Task> tasks = tasks_of(program, machine, skips);
   const std::uint32_t colour_bits = isa::field_of(program, isa::FieldRole::colour).width;
-  if (colour_bits == 0) return timing;
-  const ScanOutClocks scan_out = scan_out_clocks(machine, colour_bits);
-  timing.shown_clocks = timing.clocks + scan_out.shown;
-  timing.interval_clocks = interval_clocks(timing.clocks, scan_out.shown, scan_out.latched);
+  SequenceModel model(machine);
+  model.draw(tasks, colour_bits);
+  machines::FrameTiming timing = model.finish().front();
+  timing.interval_clocks = steady_interval(timing, tasks, colour_bits, machine);
   return timing;
+}
+
+std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {
+  SequenceModel model(machine);
+  for (const DrawnFrame& frame : frames)
+    model.draw(tasks_of(*frame.program, machine, frame.skips),
+               isa::field_of(*frame.program, isa::FieldRole::colour).width);
+  return model.finish();
 }
 
 }  // namespace csgsim::pixel_planes

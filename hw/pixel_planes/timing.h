@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "hw/machines/timing.h"
 
@@ -10,11 +11,6 @@ namespace csgsim::pixel_planes {
 /// Levels of registers of a tree of ORs with that fan-in over so many lines; 0 where the fan-in is 0.
 std::uint32_t or_levels(std::uint64_t lines, std::uint32_t fan_in);
 
-/// Clocks from one frame to the next with one buffer, where drawing takes so many, and so many pass in the scan-out
-/// until the last pixel has been shown and until the last row has been latched. The next frame begins in the clock
-/// after that; its scan-out waits until the row has been shown.
-std::uint64_t interval_clocks(std::uint64_t drawing, std::uint64_t shown, std::uint64_t latched);
-
 /// As bit_serial_clocks; a question waits for the levels of the global OR too.
 std::uint64_t instruction_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
 
@@ -22,5 +18,16 @@ std::uint64_t instruction_clocks(const isa::Instruction& instruction, const mach
 /// count the same).
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  std::span<const machines::Skip> skips);
+
+/// A frame of a sequence, and what it skips.
+struct DrawnFrame {
+  const isa::Program* program = nullptr;
+  std::span<const machines::Skip> skips{};
+};
+
+/// Frames that follow each other, the first as above. The interval of each is that to the next, which begins, with two
+/// buffers, in the clock after the one in which the frame's picture has been copied, and with one in the clock after
+/// the last row has been latched; that of the last is what it would be if another followed.
+std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine);
 
 }  // namespace csgsim::pixel_planes

@@ -130,6 +130,10 @@ void WaveRecorder::trace_controller() {
   sc_trace(file_, arriving_, "pixels");
   sc_trace(file_, function_text_.bits(), "pixels.function_text");
   sc_trace(file_, taps_.answer, "answer");
+  sc_trace(file_, refreshes_asked_, "scan_out.refreshes_asked");
+  sc_trace(file_, picture_finished_, "scan_out.picture_finished");
+  sc_trace(file_, picture_latched_, "scan_out.picture_latched");
+  sc_trace(file_, taps_.video, "scan_out.video");
 }
 
 void WaveRecorder::trace_pixel(const WaveProbe& probe, const Pixel& pixel) {
@@ -165,6 +169,9 @@ void WaveRecorder::sample() {
   purpose_text_.set(status_.busy ? isa::info(status_.instruction.origin.purpose).name : "");
   executed_ = std::exchange(arriving_, taps_.control_at_pixels.read());
   function_text_.set(array::info(arriving_.step.function).name);
+  refreshes_asked_ = static_cast<unsigned char>(taps_.refreshes.num_available());
+  picture_finished_ = taps_.pictures.num_available() > 0;
+  picture_latched_ = taps_.latched.num_available() > 0;
   if (pixels_.size() != request_.probes.size()) {
     for (std::size_t i = 0; i < request_.probes.size(); ++i) {
       Pixel& pixel = pixels_.emplace_back(alu_bits_);

@@ -30,6 +30,10 @@ struct WaveTaps {
   const sc_core::sc_signal<RootWord>& root;
   const sc_core::sc_signal<ControlWord>& control_at_pixels;
   const sc_core::sc_signal<Answer>& answer;
+  const sc_core::sc_fifo<RefreshStep>& refreshes;
+  const sc_core::sc_fifo<FinishedPicture>& pictures;
+  const sc_core::sc_fifo<bool>& latched;
+  const sc_core::sc_signal<std::uint32_t>& video;
 };
 
 /// A text as a bus, eight bits a character, the first character highest; wave viewers show it as ASCII.
@@ -100,8 +104,11 @@ class WaveRecorder final : public sc_core::sc_module {
   TextBus opcode_text_;
   TextBus purpose_text_;
   TextBus function_text_;
-  ControlWord executed_;  ///< the word that the pixels carried out last
-  ControlWord arriving_;  ///< the word that they carry out at the next edge
+  ControlWord executed_;               ///< the word that the pixels carried out last
+  ControlWord arriving_;               ///< the word that they carry out at the next edge
+  unsigned char refreshes_asked_ = 0;  ///< refresh words that the scan-out waits for
+  bool picture_finished_ = false;      ///< the controller tells the scan-out of a picture
+  bool picture_latched_ = false;       ///< the scan-out tells the controller that it has latched the last row
   std::deque<Pixel> pixels_;
   sc_core::sc_event start_{"start"};
 };

@@ -1,6 +1,5 @@
 #include "hw/pixel_square/account.h"
 
-#include <numeric>
 #include <string>
 
 namespace csgsim::pixel_square {
@@ -9,7 +8,8 @@ namespace {
 
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
   machines::PartAccount account{std::move(name), {}};
-  for (std::size_t i = 0; i < clocks.size(); ++i) account.clocks.push_back({square_activities[i].name, clocks[i]});
+  for (std::size_t i = 0; i < square_activities.size(); ++i)
+    account.clocks.push_back({square_activities[i].name, clocks.clocks[i]});
   return account;
 }
 
@@ -17,13 +17,18 @@ machines::PartAccount part(std::string name, const SquareClocks& clocks) {
 machines::Share utilisation(const SquareAccount& counted) {
   machines::Share share{.name = "renderer_utilisation"};
   for (const SquareClocks& renderer : counted.renderers) {
-    share.part += renderer[static_cast<std::size_t>(SquareActivity::working)];
-    share.whole += std::accumulate(renderer.begin(), renderer.end(), std::uint64_t{0});
+    share.part += renderer.of(SquareActivity::working);
+    share.whole += renderer.total();
   }
   return share;
 }
 
 }  // namespace
+
+SquareClocks whole(SquareClocks counted, SquareActivity rest, std::uint64_t clocks) {
+  counted.add(rest, clocks - counted.total());
+  return counted;
+}
 
 machines::Account account(const SquareAccount& counted) {
   machines::Account account{

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/machines/accounts.h"
+#include "hw/machines/clock_tally.h"
 
 namespace csgsim::pixel_square {
 
@@ -37,7 +38,10 @@ inline constexpr auto square_activities = std::to_array<SquareActivityInfo>({
 });
 
 /// Clocks of one part by activity; they add up to the frame's.
-using SquareClocks = std::array<std::uint64_t, square_activities.size()>;
+using SquareClocks = machines::ClockTally<SquareActivity, square_activities.size()>;
+
+/// The clocks of a frame of so many: in those that are not accounted for a part was at `rest`.
+SquareClocks whole(SquareClocks counted, SquareActivity rest, std::uint64_t clocks);
 
 /// How the frame of a pixel-square machine went by.
 struct SquareAccount {

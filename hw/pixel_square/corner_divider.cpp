@@ -87,7 +87,7 @@ isa::Region CornerDivider::group_of(const isa::Region& square) const {
 std::uint64_t CornerDivider::clocks_of(const division::Counts& counts) const {
   const Figures& figures = machines::own<Figures>(machine_);
   return counts.boxes * figures.box_clocks + counts.halfspaces * figures.halfspace_clocks +
-         counts.pairs * figures.pair_clocks + counts.nodes * figures.node_clocks;
+         counts.cells * figures.cell_clocks + counts.nodes * figures.node_clocks;
 }
 
 }  // namespace csgsim::pixel_square

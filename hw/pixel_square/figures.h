@@ -41,9 +41,12 @@ struct Figures {
   std::uint32_t group_side = 1;        ///< squares of a group, along a row and down
   std::uint32_t list_entries = 1;      ///< of the list between the levels
   std::uint32_t model_bits = 1;        ///< of the memory that holds the model
+  std::uint32_t halfspaces = 1;        ///< that fit the memory of the surface at hand
+  std::uint32_t nodes = 1;             ///< of its tree that do
+  std::uint32_t store_words = 1;       ///< of the store for the commands of the square at hand, in link words
   std::uint32_t box_clocks = 1;        ///< to hold a primitive's box against a square's
   std::uint32_t halfspace_clocks = 1;  ///< to test a half-space at four corners
-  std::uint32_t pair_clocks = 1;       ///< to hold two half-spaces of a side against each other
+  std::uint32_t cell_clocks = 1;       ///< to hold a half-space of a side against the leaders of a cell
   std::uint32_t node_clocks = 1;       ///< to look at a node of the tree
 
   constexpr bool operator==(const Figures&) const = default;

@@ -20,20 +20,25 @@ void FrameBuffer::begin(const FrameContents& contents) {
   incoming_.assign(incoming_.size(), {});
   squares_ = 0;
   turn_ = 0;
-  counter_.clear();
+  clocks_ = {};
 }
 
-void FrameBuffer::on_clock() { counter_.count(act()); }
+void FrameBuffer::end_of_elaboration() {
+  for (const auto& port : colours) words_written_ |= port.data_written_event();
+  words_written_ |= clears.data_written_event();
+}
 
-SquareActivity FrameBuffer::act() {
+/// Sleeps while no port has a word.
+void FrameBuffer::on_clock() {
+  if (!clock.posedge()) return;
   const std::size_t ports = incoming_.size();
   for (std::size_t i = 0; i < ports; ++i) {
     const std::size_t port = turn_ + i < ports ? turn_ + i : turn_ + i - ports;
     if (!serve(port)) continue;
     turn_ = port + 1 == ports ? 0 : port + 1;
-    return SquareActivity::working;
+    return clocks_.add(SquareActivity::working);
   }
-  return SquareActivity::waiting_for_renderer;
+  next_trigger(words_written_);
 }
 
 bool FrameBuffer::serve(std::size_t port) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/account.h"
 #include "hw/pixel_square/port_word.h"
 
 namespace csgsim::pixel_square {
@@ -37,7 +37,11 @@ class FrameBuffer final : public sc_core::sc_module {
 
   /// Of every pixel, in row order: what was stored last; 0 if nothing was since a picture of that size was begun.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
-  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+
+  /// Of a frame of so many clocks.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
+    return whole(clocks_, SquareActivity::waiting_for_renderer, clocks);
+  }
 
  private:
   /// The square that comes through a port.
@@ -48,8 +52,8 @@ class FrameBuffer final : public sc_core::sc_module {
     std::uint64_t next_bit = 0;  ///< of its colours
   };
 
+  void end_of_elaboration() override;
   void on_clock();
-  SquareActivity act();
   bool serve(std::size_t port);
   void take(std::size_t port, const PortWord& word);
   void take_header(Incoming& square, const PortWord& word) const;
@@ -66,7 +70,8 @@ class FrameBuffer final : public sc_core::sc_module {
   std::uint64_t squares_ = 0;
   std::size_t turn_ = 0;  ///< port that is asked first
   std::uint64_t frames_done_ = 0;
-  ActivityCounter counter_;
+  SquareClocks clocks_;
+  sc_core::sc_event_or_list words_written_;  ///< at any port
 };
 
 }  // namespace csgsim::pixel_square

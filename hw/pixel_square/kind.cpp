@@ -8,9 +8,11 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
+#include "hw/pixel_square/division_check.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/regions.h"
 #include "hw/pixel_square/timing.h"
+#include "hw/pixel_square/timing_division.h"
 
 namespace csgsim::pixel_square {
 
@@ -58,23 +60,23 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::list_entries>("divider.list", "entries", 0, 1'000'000'000,
                                                 "that what a group leaves has to fit"),
     own_figure<Figures, &Figures::model_bits>("divider.memory", "bits", 1, 4'000'000'000, "for the model"),
+    own_figure<Figures, &Figures::halfspaces>("divider.halfspaces", "half-spaces", 1, 1'000'000'000,
+                                              "that all that is looked at for a surface has to fit"),
+    own_figure<Figures, &Figures::nodes>("divider.nodes", "nodes", 1, 1'000'000'000,
+                                         "of the tree, that those looked at for a surface have to fit"),
+    own_figure<Figures, &Figures::store_words>("divider.store", "words", 1, 1'000'000'000,
+                                               "of the link, that the commands of a square have to fit"),
     own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
                                               "to hold the box of a primitive against a square's"),
     own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
                                                     "to test a half-space at four corners"),
-    own_figure<Figures, &Figures::pair_clocks>("divider.pair_clocks", "clocks", 0, most_clocks,
-                                               "to hold two half-spaces of a side against each other"),
+    own_figure<Figures, &Figures::cell_clocks>("divider.cell_clocks", "clocks", 0, most_clocks,
+                                               "to hold a half-space of a side against the leaders of a cell"),
     own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
                                                "to look at a node of the tree"),
 });
 
 std::any own() { return Figures{}; }
-
-void complete(Machine& /*machine*/) {}
-
-void set_picture(Machine& /*machine*/, machines::Size /*size*/) {}
-
-bool has_global_or(const Machine& /*machine*/) { return false; }
 
 std::optional<machines::Division> division(const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
@@ -97,6 +99,10 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
                     "more, or the model fewer faces",
                     bits, figures.model_bits));
   }
+  for (const isa::Segment& segment : program.segments) {
+    const isa::DivisionFacts& facts = segment.facts.division;
+    check_storage(segment, {facts.most_halfspaces, facts.most_nodes}, machine);
+  }
   check_countable(program, machine);
 }
 
@@ -116,12 +122,8 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& he
 
 const machines::Kind kind{
     .name = "pixel-square",
-    .over = "a square of the picture",
     .schema = schema,
     .own = own,
-    .complete = complete,
-    .set_picture = set_picture,
-    .has_global_or = has_global_or,
     .regions = regions,
     .division = division,
     .check = check,

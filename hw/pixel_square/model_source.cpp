@@ -15,13 +15,17 @@ void ModelSource::begin(std::span<const std::uint8_t> model) {
   sent_ = 0;
   latency_left_ = link_.latency;
   elapsed_ = 0;
-  counter_.clear();
+  clocks_ = {};
+  begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-void ModelSource::on_clock() { counter_.count(act()); }
+/// Sleeps when it is done.
+void ModelSource::on_clock() {
+  if (done()) return next_trigger(begun_);
+  if (clock.posedge()) clocks_.add(act());
+}
 
 SquareActivity ModelSource::act() {
-  if (sent_ >= 8 * std::uint64_t{model_.size()}) return SquareActivity::done;
   if (latency_left_ > 0) {
     --latency_left_;
     return SquareActivity::waiting_for_host;

@@ -7,7 +7,7 @@
 #include "hw/isa/link_word.h"
 #include "hw/link/frame_words.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/account.h"
 
 namespace csgsim::pixel_square {
 
@@ -23,10 +23,14 @@ class ModelSource final : public sc_core::sc_module {
   /// Starts at the next edge. The bytes have to live until the frame is drawn.
   void begin(std::span<const std::uint8_t> model);
 
-  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+  /// Of a frame of so many clocks.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
+    return whole(clocks_, SquareActivity::done, clocks);
+  }
 
  private:
   void on_clock();
+  [[nodiscard]] bool done() const { return sent_ >= 8 * std::uint64_t{model_.size()}; }
   SquareActivity act();
   [[nodiscard]] isa::LinkWord next_word() const;
 
@@ -35,7 +39,8 @@ class ModelSource final : public sc_core::sc_module {
   std::uint64_t sent_ = 0;  ///< bits
   std::uint32_t latency_left_ = 0;
   std::uint32_t elapsed_ = 0;  ///< clocks spent on the word at hand
-  ActivityCounter counter_;
+  SquareClocks clocks_;
+  sc_core::sc_event begun_{"begun"};
 };
 
 }  // namespace csgsim::pixel_square

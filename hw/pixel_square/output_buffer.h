@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "hw/array/pixel_array.h"
+#include "hw/isa/program.h"
+#include "hw/pixel_planes/pixel_processors.h"
 #include "hw/pixel_square/port_word.h"
 
 namespace csgsim::pixel_square {
@@ -13,8 +14,8 @@ class OutputBuffer {
  public:
   explicit OutputBuffer(std::uint32_t port_bits) : port_bits_(port_bits) {}
 
-  /// Takes the field of every pixel of the region, which the array's corner holds.
-  void load(const array::PixelArray& pixels, isa::Field colour, const isa::Region& region);
+  /// Takes the field of every pixel of the region, which the memory's corner holds.
+  void load(const pixel_planes::RefreshPort& memory, isa::Field colour, const isa::Region& region);
 
   /// Some of the square has not left.
   [[nodiscard]] bool busy() const { return first_ < size_; }
@@ -29,8 +30,8 @@ class OutputBuffer {
   std::uint32_t port_bits_;
   std::vector<std::uint32_t> colours_;
   std::vector<std::uint64_t> bits_;
-  std::uint64_t size_ = 0;   ///< bits of header and colours
-  std::uint64_t first_ = 0;  ///< that has not left
+  std::uint64_t first_ = 0;  ///< bit of the word to leave next
+  std::uint64_t size_ = 0;   ///< bits of the square
 };
 
 }  // namespace csgsim::pixel_square

@@ -1,7 +1,6 @@
 #include "hw/pixel_square/pixel_square.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "hw/pixel_square/division_check.h"
 #include "hw/pixel_square/figures.h"
@@ -93,14 +92,12 @@ void PixelSquareMachine::on_done() { sc_core::sc_pause(); }
 kernel::RunReport PixelSquareMachine::run(const isa::Program& program, kernel::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   check_division(program, machine_);
+  const std::uint64_t begun = edges();
   begin(program, listener);
   if (!program.segments.empty()) sc_core::sc_start();
   retirement_.rethrow();
-  const SquareClocks& stored = frame_buffer_.account();
-  return {.clocks = std::accumulate(stored.begin(), stored.end(), std::uint64_t{0}),
-          .answers = {},
-          .account = account(counted()),
-          .picture = picture_of(program)};
+  const std::uint64_t clocks = edges() - begun;
+  return {.clocks = clocks, .answers = {}, .account = account(counted(clocks)), .picture = picture_of(program)};
 }
 
 std::vector<std::uint32_t> PixelSquareMachine::picture_of(const isa::Program& program) const {
@@ -121,14 +118,17 @@ void PixelSquareMachine::begin(const isa::Program& program, kernel::RunListener&
                        .background = header.background});
 }
 
-SquareAccount PixelSquareMachine::counted() const {
+/// Clock edges since the machine was built.
+std::uint64_t PixelSquareMachine::edges() const { return sc_core::sc_time_stamp().value() / clock_.period().value(); }
+
+SquareAccount PixelSquareMachine::counted(std::uint64_t clocks) const {
   SquareAccount account;
   account.squares_skipped = sender().squares_skipped();
-  account.host = front_.host ? front_.host->account() : front_.source->account();
-  if (front_.divider) account.divider = front_.divider->account();
-  account.frame_buffer = frame_buffer_.account();
+  account.host = front_.host ? front_.host->account(clocks) : front_.source->account(clocks);
+  if (front_.divider) account.divider = front_.divider->account(clocks);
+  account.frame_buffer = frame_buffer_.account(clocks);
   std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& renderer) {
-    account.renderers.push_back(renderer.account());
+    account.renderers.push_back(renderer.account(clocks));
     account.renderer_squares.push_back(renderer.squares());
     account.squares_drawn += renderer.squares();
   });

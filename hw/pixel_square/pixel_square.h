@@ -55,7 +55,8 @@ class PixelSquareMachine final : public sc_core::sc_module, public kernel::Clock
   }
   void begin(const isa::Program& program, kernel::RunListener& listener);
   void on_done();
-  [[nodiscard]] SquareAccount counted() const;
+  [[nodiscard]] std::uint64_t edges() const;
+  [[nodiscard]] SquareAccount counted(std::uint64_t clocks) const;
   [[nodiscard]] std::vector<std::uint32_t> picture_of(const isa::Program& program) const;
 
   const machines::Machine machine_;

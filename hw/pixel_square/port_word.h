@@ -26,11 +26,6 @@ static_assert(header_bits == 64);
 std::uint64_t header_of(const isa::Region& region);
 isa::Region region_of(std::uint64_t header);
 
-/// Words of so many bits in which that many bits travel.
-constexpr std::uint64_t words_for(std::uint64_t bits, std::uint32_t word_bits) {
-  return (bits + word_bits - 1) / word_bits;
-}
-
 /// Puts `count` bits (0 to 64) where only zeros are.
 void put_bits(std::vector<std::uint64_t>& into, std::uint64_t first, unsigned count, std::uint64_t value);
 

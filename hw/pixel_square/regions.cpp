@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "hw/base/quotient.h"
 #include "hw/pixel_square/figures.h"
 
 namespace csgsim::pixel_square {
@@ -50,7 +51,7 @@ std::vector<Place> places(std::uint32_t columns, std::uint32_t rows, SquareOrder
 /// Group after group of so many squares a side; those in a group in the same order.
 std::vector<Place> places_in_groups(std::uint32_t columns, std::uint32_t rows, SquareOrder order, std::uint32_t side) {
   std::vector<Place> all;
-  for (const Place& group : places((columns + side - 1) / side, (rows + side - 1) / side, order)) {
+  for (const Place& group : places(quotient_up(columns, side), quotient_up(rows, side), order)) {
     const std::uint32_t column = group.column * side;
     const std::uint32_t row = group.row * side;
     for (const Place& place : places(std::min(side, columns - column), std::min(side, rows - row), order))
@@ -65,8 +66,8 @@ std::vector<isa::Region> regions(const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const machines::Size& picture = machine.picture;
   const isa::ArrayShape& array = machine.array;
-  const std::uint32_t columns = (picture.width + array.width - 1) / array.width;
-  const std::uint32_t rows = (picture.height + array.height - 1) / array.height;
+  const std::uint32_t columns = quotient_up(picture.width, array.width);
+  const std::uint32_t rows = quotient_up(picture.height, array.height);
   const bool in_groups = figures.divider == DividerKind::corners && figures.levels == 2;
   std::vector<isa::Region> all;
   for (const Place& place : places_in_groups(columns, rows, figures.order, in_groups ? figures.group_side : 1)) {

@@ -1,5 +1,6 @@
 #include "hw/pixel_square/sender.h"
 
+#include "hw/base/quotient.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/systemc/clear_view.h"
 
@@ -23,13 +24,17 @@ void Sender::begin_frame(std::size_t squares) {
   index_ = 0;
   square_.reset();
   skipped_ = 0;
-  counter_.clear();
+  clocks_ = {};
+  begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-void Sender::on_clock() { counter_.count(act()); }
+/// Sleeps when it is done.
+void Sender::on_clock() {
+  if (index_ == squares_) return next_trigger(begun_);
+  if (clock.posedge()) clocks_.add(act());
+}
 
 SquareActivity Sender::act() {
-  if (index_ == squares_) return SquareActivity::done;
   if (!square_) {
     if (const std::optional<SquareActivity> activity = prepare(index_)) return *activity;
     begin_square();
@@ -58,7 +63,7 @@ SquareActivity Sender::send() {
   if (!send_word()) return is_clear ? SquareActivity::waiting_for_frame_buffer : SquareActivity::waiting_for_renderer;
   elapsed_ = 0;
   ++sent_;
-  if (sent_ < (is_clear ? words_for(header_bits, port_bits_) : square_->words.size())) return SquareActivity::working;
+  if (sent_ < (is_clear ? quotient_up(header_bits, port_bits_) : square_->words.size())) return SquareActivity::working;
   if (is_clear) {
     retirement->after_segment(static_cast<std::uint32_t>(index_), kernel::ClearView());
     ++skipped_;

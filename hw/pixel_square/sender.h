@@ -9,7 +9,7 @@
 #include "hw/isa/link_word.h"
 #include "hw/link/frame_words.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/activity_counter.h"
+#include "hw/pixel_square/account.h"
 #include "hw/pixel_square/port_word.h"
 #include "hw/systemc/retirement.h"
 
@@ -32,7 +32,10 @@ class Sender : public sc_core::sc_module {
   sc_core::sc_fifo_out<PortWord> clears{"clears"};
   sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
 
-  [[nodiscard]] const SquareClocks& account() const { return counter_.clocks(); }
+  /// Of a frame of so many clocks.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
+    return whole(clocks_, SquareActivity::done, clocks);
+  }
   [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
 
  protected:
@@ -65,7 +68,8 @@ class Sender : public sc_core::sc_module {
   std::uint32_t elapsed_ = 0;          ///< clocks spent on the word at hand
   std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
   std::uint64_t skipped_ = 0;
-  ActivityCounter counter_;
+  SquareClocks clocks_;
+  sc_core::sc_event begun_{"begun"};
 };
 
 }  // namespace csgsim::pixel_square

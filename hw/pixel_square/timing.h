@@ -7,9 +7,6 @@
 
 namespace csgsim::pixel_square {
 
-/// Throws InputError where the divider's tests are too many for their clocks to be counted in 64 bits.
-void check_countable(const isa::Program& program, const machines::Machine& machine);
-
 struct SquareTiming {
   std::uint64_t clocks = 0;
   SquareAccount account;

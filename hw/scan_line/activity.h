@@ -1,9 +1,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
+
+#include "hw/machines/clock_tally.h"
 
 namespace csgsim::scan_line {
 
@@ -42,16 +43,7 @@ inline constexpr auto line_activities = std::to_array<LineActivityInfo>({
 });
 
 /// Clocks of one part by activity.
-class LineClocks {
- public:
-  void add(LineActivity activity, std::uint64_t clocks = 1) { clocks_[static_cast<std::size_t>(activity)] += clocks; }
-  [[nodiscard]] std::uint64_t of(LineActivity activity) const { return clocks_[static_cast<std::size_t>(activity)]; }
-
-  bool operator==(const LineClocks&) const = default;
-
- private:
-  std::array<std::uint64_t, line_activities.size()> clocks_{};
-};
+using LineClocks = machines::ClockTally<LineActivity, line_activities.size()>;
 
 /// Counts the clocks of a part. At each edge the part says what it does until the next.
 class ActivityCounter {

@@ -68,8 +68,6 @@ void complete(Machine& machine) {
   machine.array.memory_bits = figures.words * figures.word_bits;
 }
 
-bool has_global_or(const Machine& /*machine*/) { return false; }
-
 /// Each line; of an interlaced picture the even ones first.
 std::vector<isa::Region> regions(const Machine& machine) {
   std::vector<isa::Region> all;
@@ -90,12 +88,10 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*
 
 const machines::Kind kind{
     .name = "scan-line",
-    .over = "a line of the picture",
     .schema = schema,
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
-    .has_global_or = has_global_or,
     .regions = regions,
     .check = machines::check_parts,
     .clocks = entry_clocks,

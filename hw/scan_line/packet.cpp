@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 
@@ -16,8 +17,6 @@ std::uint64_t word_of(std::int64_t coefficient, std::uint32_t number, std::uint3
   const auto shifted = static_cast<std::uint64_t>(coefficient >> std::min(low, most_word_bits - 1));
   return word_bits == most_word_bits ? shifted : shifted & ((std::uint64_t{1} << word_bits) - 1);
 }
-
-constexpr std::uint32_t whole(std::uint32_t amount, std::uint32_t a_piece) { return (amount + a_piece - 1) / a_piece; }
 
 FieldWords words_of(isa::Field field, const CellShape& cell) {
   if (field.width == 0) return {};
@@ -47,8 +46,8 @@ Accesses accesses_of(const isa::Instruction& instruction, const CellShape& cell)
 void schedule(PacketWord& packet, const CellShape& cell) {
   Accesses& accesses = packet.accesses;
   const std::uint32_t read_words = std::uint32_t{accesses.sources[0].count} + accesses.sources[1].count;
-  const std::uint32_t reads = cell.ports == 0 ? 0 : whole(read_words, cell.ports);
-  const std::uint32_t writes = cell.ports == 0 ? 0 : whole(accesses.target.count, cell.ports);
+  const std::uint32_t reads = cell.ports == 0 ? 0 : quotient_up(read_words, cell.ports);
+  const std::uint32_t writes = cell.ports == 0 ? 0 : quotient_up(accesses.target.count, cell.ports);
   const std::uint32_t last_read = reads > 0 ? reads - 1 : 0;
   accesses.result = std::max(packet.words - 1, writes > 0 ? reads : last_read);
   packet.beats = accesses.result + std::max(writes, 1U);
@@ -66,7 +65,7 @@ PacketWord instruction_packet(const isa::Instruction& instruction, const CellSha
   std::uint32_t bits = std::max<std::uint32_t>(instruction.linear.width, 1);
   for (const isa::Field& field : instruction.fields) bits = std::max<std::uint32_t>(bits, field.width);
   PacketWord packet{.kind = WordKind::instruction,
-                    .words = whole(bits, cell.word_bits),
+                    .words = quotient_up(bits, cell.word_bits),
                     .accesses = accesses_of(instruction, cell),
                     .instruction = instruction};
   schedule(packet, cell);
@@ -85,7 +84,7 @@ PacketWord mark_packet(isa::Field colour, const CellShape& cell) {
 
 PacketWord background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell) {
   PacketWord packet{.kind = WordKind::mark, .background = true};
-  packet.words = whole(std::max<std::uint32_t>(colour.width, 1), cell.word_bits);
+  packet.words = quotient_up(std::max<std::uint32_t>(colour.width, 1), cell.word_bits);
   packet.instruction.constant = background;
   schedule(packet, cell);
   return packet;

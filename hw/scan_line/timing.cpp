@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
@@ -23,8 +24,6 @@ using machines::Machine;
 
 /// Number of a clock edge, from 1.
 using Edge = std::uint64_t;
-
-std::uint64_t quotient_up(std::uint64_t amount, std::uint64_t divisor) { return (amount + divisor - 1) / divisor; }
 
 /// Words of a cell's memory that hold a bit of the field.
 std::uint64_t memory_words(isa::Field field, const Figures& figures) {

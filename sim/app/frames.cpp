@@ -53,16 +53,10 @@ view::Camera turned(view::Camera camera, double degrees) {
 std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turntable& turntable,
                                          const machines::Machine& machine) {
   CompiledModel first = compile_model(model, machine);
-  const view::Camera camera = first.camera;
   std::vector<isa::Program> programs;
   programs.push_back(std::move(first.program));
-  ModelOptions options = model;
-  options.view_all = false;
   for (std::uint32_t i = 1; i < turntable.frames; ++i) {
-    const view::Camera seen = turned(camera, i * turntable.degrees);
-    options.camera = fmt::format("{},{},{},{},{},{}", seen.eye.x, seen.eye.y, seen.eye.z, seen.centre.x, seen.centre.y,
-                                 seen.centre.z);
-    programs.push_back(compile_model(options, machine).program);
+    programs.push_back(compile_seen_by(turned(first.camera, i * turntable.degrees), first, model, machine));
   }
   return programs;
 }

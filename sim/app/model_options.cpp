@@ -233,14 +233,20 @@ namespace {
 CompiledModel compile(model::Tree tree, const ModelOptions& options, const machines::Machine& machine) {
   facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
   const view::Camera camera = camera_of(options, machine, scene);
-  const view::View view = view::make_view(scene, tree, camera, sampling_of(options, machine));
-  warn_of_coarse_depth(view);
-  isa::Program program = emit::compile(tree, scene, view, machine, emit_options_of(options),
-                                       [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
-  return {std::move(tree), std::move(scene), camera, std::move(program)};
+  CompiledModel model{std::move(tree), std::move(scene), camera, {}};
+  model.program = compile_seen_by(model.camera, model, options, machine);
+  return model;
 }
 
 }  // namespace
+
+isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
+                             const machines::Machine& machine) {
+  const view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
+  warn_of_coarse_depth(view);
+  return emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
+                       [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+}
 
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
   model::Tree tree = read_model(options);

@@ -106,4 +106,8 @@ struct CompiledModel {
 /// Throws InputError, or UsageError for options that make no sense.
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine);
 
+/// The Program of the same facets, seen by another camera. Throws as compile_model does.
+isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
+                             const machines::Machine& machine);
+
 }  // namespace csgsim::app

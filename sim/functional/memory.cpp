@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "hw/base/quotient.h"
 #include "sim/functional/word_kernels.h"
 
 namespace csgsim::sim {
 
 namespace {
 
-std::uint32_t words_for(std::uint32_t pixels) { return (pixels + word_bits - 1) / word_bits; }
+std::uint32_t words_for(std::uint32_t pixels) { return quotient_up(pixels, word_bits); }
 
 }  // namespace
 

@@ -47,8 +47,8 @@ constexpr unsigned bars_width = 640;
 
 /// What each part of memory is painted with, in the order of the key.
 constexpr std::pair<const char*, const char*> part_colours[] = {
-    {"Z2", "#4477aa"},   {"Z1", "#88bbdd"},      {"colour", "#cc8844"}, {"colour1", "#eebb88"},
-    {"mask", "#222222"}, {"product", "#aa3377"}, {"label", "#228833"},  {"stack", "#ee6677"},
+    {"Z2", "#4477aa"},      {"Z1", "#88bbdd"},    {"colour", "#cc8844"}, {"colour1", "#eebb88"}, {"mask", "#222222"},
+    {"product", "#aa3377"}, {"label", "#228833"}, {"stack", "#ee6677"},  {"shown", "#aa8855"},
 };
 
 std::string map_script(const std::vector<Bar>& bars, const std::string& model) {

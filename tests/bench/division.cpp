@@ -16,10 +16,12 @@
 #include "hw/division/divide.h"
 #include "hw/division/encoding.h"
 #include "hw/division/groups.h"
+#include "hw/isa/wire.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/regions.h"
+#include "hw/pixel_square/figures.h"
 #include "tests/support/drawing.h"
 
 // What the divider of the pixel-square machine does for the thesis's objects, at one level and two, and what the host's
@@ -29,7 +31,7 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t group_side = 4;
+constexpr std::uint32_t group_side = 2;
 constexpr std::uint64_t unlimited = ~std::uint64_t{0};
 
 struct Subject {
@@ -52,6 +54,8 @@ Subject subject(const testing::ThesisObject& object, machines::Size picture, mac
   machines::set_picture_size(machine, picture);
   machine.array.width = square.width;
   machine.array.height = square.height;
+  // So that it is compiled with other prunings than the divider's.
+  machines::own<pixel_square::Figures>(machine).divider = pixel_square::DividerKind::host;
   return {object.name, std::move(tree), std::move(scene), std::move(view), machine};
 }
 
@@ -60,18 +64,30 @@ struct Work {
   division::Counts groups;
   std::uint64_t most_entries = 0;
   std::vector<std::uint64_t> entries;
+  division::AtHand at_hand;
+  std::uint64_t most_words = 0;  ///< of the commands of a square, of 32 bits
 
-  /// Clocks of a divider that holds a box, a pair or a node in a clock and a half-space in four.
+  void take(const isa::Region& region, const division::Divided& square) {
+    squares += square.counts;
+    at_hand.halfspaces = std::max(at_hand.halfspaces, square.at_hand.halfspaces);
+    at_hand.nodes = std::max(at_hand.nodes, square.at_hand.nodes);
+    constexpr std::uint32_t width = 32;
+    std::uint64_t words = isa::wire_words(isa::SegmentStart{region}, width) + isa::wire_words(isa::SegmentEnd{}, width);
+    for (const isa::Instruction& instruction : square.instructions) words += isa::wire_words(instruction, width);
+    most_words = std::max(most_words, words);
+  }
+
+  /// Clocks of a divider that holds a box, a cell or a node in a clock and a half-space in four.
   [[nodiscard]] std::uint64_t tests() const {
     division::Counts all = squares;
     all += groups;
-    return all.boxes + 4 * all.halfspaces + all.pairs + all.nodes;
+    return all.boxes + 4 * all.halfspaces + all.cells + all.nodes;
   }
 };
 
 Work one_level(const Subject& subject, const division::Divider& divider) {
   Work work;
-  for (const isa::Region& square : machines::regions(subject.machine)) work.squares += divider.divide(square).counts;
+  for (const isa::Region& square : machines::regions(subject.machine)) work.take(square, divider.divide(square));
   return work;
 }
 
@@ -85,7 +101,7 @@ Work two_levels(const Subject& subject, const division::Divider& divider, std::u
     for (const std::size_t square : group.squares) inside.push_back(squares[square]);
     const division::DividedGroup divided = division::divide_group(divider, group.region, inside, list_entries);
     work.groups += divided.group;
-    for (const division::Divided& square : divided.squares) work.squares += square.counts;
+    for (std::size_t i = 0; i < inside.size(); ++i) work.take(inside[i], divided.squares[i]);
     work.entries.push_back(divided.entries);
     work.most_entries = std::max(work.most_entries, divided.entries);
   }
@@ -93,7 +109,7 @@ Work two_levels(const Subject& subject, const division::Divider& divider, std::u
 }
 
 void print(const char* what, const division::Counts& counts) {
-  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", what, counts.boxes, counts.halfspaces, counts.pairs,
+  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", what, counts.boxes, counts.halfspaces, counts.cells,
              counts.nodes, counts.instructions);
 }
 
@@ -130,12 +146,12 @@ void print_prunings(const Subject& subject) {
   row("with separation", changed(&csg::Pruning::separation, true));
   row("with hidden", changed(&csg::Pruning::hidden, true));
   row("with near", changed(&csg::Pruning::near, true));
-  row("without pairs", changed(&csg::Pruning::pairs, false));
+  row("without cells", changed(&csg::Pruning::pixels, false));
   row("without sets", changed(&csg::Pruning::sets, false));
   row("the host's prunings", compiled(subject, {}));
   csg::Pruning all;
-  all.pairs = true;
-  row("the host's prunings and pairs", compiled(subject, all));
+  all.pixels = true;
+  row("the host's prunings and cells", compiled(subject, all));
 }
 
 /// Primitives by the subtree of unions alone that they are leaves of, if it has several of them.
@@ -199,7 +215,7 @@ void report(const Subject& subject, bool unions) {
   fmt::print("  model: {} bits, {} words of 32; {} planes of {}, primitives of {}, half-spaces of {}\n", sent.count,
              division::link_words(sent.count, 32), model.planes.size(), widths.plane_record(),
              widths.primitive_record(), widths.halfspace_record());
-  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", "", "boxes", "half-spaces", "pairs", "nodes", "instructions");
+  fmt::print("  {:<22}{:>10}{:>12}{:>10}{:>10}{:>14}\n", "", "boxes", "half-spaces", "cells", "nodes", "instructions");
   const Work one = one_level(subject, divider);
   print("one level", one.squares);
   Work two = two_levels(subject, divider, unlimited);
@@ -207,10 +223,12 @@ void report(const Subject& subject, bool unions) {
   print("two: squares", two.squares);
   fmt::print("  tests: {} clocks at one level, {} at two, {:.3f}\n", one.tests(), two.tests(),
              static_cast<double>(two.tests()) / static_cast<double>(one.tests()));
+  fmt::print("  at hand: {} half-spaces and {} nodes at one level, {} and {} at two; {} words of commands\n",
+             one.at_hand.halfspaces, one.at_hand.nodes, two.at_hand.halfspaces, two.at_hand.nodes, one.most_words);
   std::sort(two.entries.begin(), two.entries.end());
   fmt::print("  a group's list: {} entries in the middle, {} at most\n", two.entries[two.entries.size() / 2],
              two.most_entries);
-  for (const std::uint64_t entries : {64U, 128U, 256U, 512U}) {
+  for (const std::uint64_t entries : {64U, 256U, 1024U, 4096U}) {
     fmt::print("  with a list of {}: {} clocks\n", entries, two_levels(subject, divider, entries).tests());
   }
   print_prunings(subject);
@@ -224,6 +242,9 @@ int main() {
   const std::vector<testing::ThesisObject> objects = testing::thesis_objects(view::Projection::orthographic);
   for (std::size_t i = 1; i < objects.size(); ++i) {
     report(subject(objects[i], {512, 512}, {16, 16}, std::nullopt), true);
+  }
+  for (std::size_t i = 1; i < objects.size(); ++i) {
+    report(subject(objects[i], {512, 512}, {128, 128}, std::nullopt), false);
   }
   // Table 7.3: three tolerances, 64 segments of 16 subsegments each.
   for (const double tolerance : {0.11, 0.06, 0.0278}) report(subject(objects[1], {256, 256}, {8, 8}, tolerance), false);

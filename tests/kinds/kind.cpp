@@ -30,11 +30,7 @@ void set_picture(Machine& machine, machines::Size size) {
   machine.array.height = size.height;
 }
 
-bool has_global_or(const Machine& /*machine*/) { return false; }
-
 std::vector<isa::Region> regions(const Machine& machine) { return {{0, 0, machine.array.width, machine.array.height}}; }
-
-void check(const isa::Program& /*program*/, const Machine& /*machine*/) {}
 
 std::uint64_t clocks(const isa::Instruction& /*instruction*/, const Machine& machine) {
   return std::uint64_t{machine.array.width} * machine.array.height * machines::own<Figures>(machine).pixel_clocks;
@@ -58,14 +54,11 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*
 
 const machines::Kind kind{
     .name = "raster",
-    .over = "a pixel of the picture",
     .schema = schema,
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
-    .has_global_or = has_global_or,
     .regions = regions,
-    .check = check,
     .clocks = clocks,
     .time = time,
     .resources = resources,

@@ -142,6 +142,25 @@ Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Progr
   return {std::move(expected_result), std::move(actual_result)};
 }
 
+/// Every clock of the frame is accounted for, in every part.
+bool adds_up(const sim::RunResult& result) {
+  return std::all_of(result.account.parts.begin(), result.account.parts.end(), [&](const machines::PartAccount& part) {
+    std::uint64_t sum = 0;
+    for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
+    return sum == result.clocks;
+  });
+}
+
+std::string show(const sim::RunResult& result) {
+  std::string text = fmt::format("{} clocks", result.clocks);
+  for (const machines::Count& count : result.account.counts) text += fmt::format(", {} {}", count.value, count.name);
+  for (const machines::PartAccount& part : result.account.parts) {
+    text += fmt::format("\n  {}:", part.part);
+    for (const machines::ActivityClocks& one : part.clocks) text += fmt::format(" {} {}", one.activity, one.clocks);
+  }
+  return text;
+}
+
 machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, std::uint32_t alu_bits) {
   machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.name =

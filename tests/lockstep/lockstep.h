@@ -39,6 +39,12 @@ struct Results {
 Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
                        const machines::Machine& machine);
 
+/// Every clock of the frame is accounted for, in every part.
+bool adds_up(const sim::RunResult& result);
+
+/// The clocks, and what each part spent them on.
+std::string show(const sim::RunResult& result);
+
 /// A machine with made-up figures for that array.
 machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, std::uint32_t alu_bits = 1);
 

@@ -12,6 +12,8 @@
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
 #include "tests/lockstep/parts.h"
+#include "tests/lockstep/row.h"
+#include "tests/support/random_program.h"
 
 namespace csgsim::test {
 
@@ -71,11 +73,11 @@ int main(int argc, char** argv) {
     const csgsim::machines::Machine machine =
         csgsim::test::random_machine(static_cast<std::uint32_t>(std::stoul(argv[1])));
     const auto programs = static_cast<unsigned>(std::stoul(argv[2]));
-    return csgsim::test::agree_in_parts(
-               "the clocked multi-processor leaves the bits, picture, clocks and account worked out", machine, programs,
-               csgsim::test::most_instructions)
-               ? 0
-               : 1;
+    return csgsim::test::exit_code_of(programs, [&] {
+      return csgsim::test::agree_in_parts(
+          "the clocked multi-processor leaves the bits, picture, clocks and account worked out", machine,
+          [&] { return *csgsim::test::arbitrary_program_in_parts(machine, csgsim::test::most_instructions); });
+    });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

@@ -1,15 +1,11 @@
 #include "tests/lockstep/parts.h"
 
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <vector>
 
 #include "hw/isa/validate.h"
 #include "tests/lockstep/lockstep.h"
-#include "tests/support/random_program.h"
 
 namespace csgsim::test {
 
@@ -42,35 +38,15 @@ class Picture final : public sim::Observer {
   isa::Field colour_;
 };
 
-/// Every clock of the frame is accounted for, in every part.
-bool adds_up(const sim::RunResult& result) {
-  return std::all_of(result.account.parts.begin(), result.account.parts.end(), [&](const machines::PartAccount& part) {
-    std::uint64_t sum = 0;
-    for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
-    return sum == result.clocks;
-  });
-}
-
-std::string show(const sim::RunResult& result) {
-  std::string text = fmt::format("{} clocks", result.clocks);
-  for (const machines::Count& count : result.account.counts) text += fmt::format(", {} {}", count.value, count.name);
-  for (const machines::PartAccount& part : result.account.parts) {
-    text += fmt::format("\n  {}:", part.part);
-    for (const machines::ActivityClocks& one : part.clocks) text += fmt::format(" {} {}", one.activity, one.clocks);
-  }
-  return text;
-}
-
 }  // namespace
 
-bool agree_in_parts(const std::string& what, const machines::Machine& machine, unsigned programs,
-                    unsigned instructions) {
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", programs).c_str(), 0);
+bool agree_in_parts(const std::string& what, const machines::Machine& machine,
+                    const std::function<isa::Program()>& any_program) {
   const auto reference = sim::make_reference_engine(machine);
   const auto functional = sim::make_functional_engine(machine);
   const auto cycle = sim::make_cycle_engine(machine);
   return rc::check(what, [&] {
-    const isa::Program program = *arbitrary_program_in_parts(machine, instructions);
+    const isa::Program program = any_program();
     isa::validate(program);
     const sim::RunResult counted = check_lockstep(*reference, *cycle, program, machine).engine;
     Picture picture(program);

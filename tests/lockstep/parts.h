@@ -1,15 +1,16 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
+#include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 
 namespace csgsim::test {
 
-/// Draws random Programs on a clocked machine that works on parts of the picture, and holds them against the
-/// reference's bits, the functional engine's picture, clocks and account. RC_PARAMS overrides the seed and the number
-/// of Programs.
-bool agree_in_parts(const std::string& what, const machines::Machine& machine, unsigned programs,
-                    unsigned instructions);
+/// Draws Programs on a clocked machine that works on parts of the picture, and holds them against the reference's bits,
+/// the functional engine's picture, clocks and account.
+bool agree_in_parts(const std::string& what, const machines::Machine& machine,
+                    const std::function<isa::Program()>& any_program);
 
 }  // namespace csgsim::test

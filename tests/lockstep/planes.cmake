@@ -1,6 +1,6 @@
 # The frame-buffer machine with its link. Each row are figures of one machine; those that it does not name are as in
 # planes.cpp.
-add_executable(lockstep_planes planes.cpp)
+add_executable(lockstep_planes planes.cpp row.cpp)
 target_link_libraries(lockstep_planes PRIVATE
   csgsim_lockstep csgsim_random_program csgsim::reference csgsim::cycle fmt::fmt csgsim_flags)
 foreach(row IN ITEMS
@@ -11,6 +11,12 @@ foreach(row IN ITEMS
     "link=64 depth=1 word=50 latency=50" "link=128 depth=3 latency=100 clear=100" "link=255 depth=1 clear=13"
     "link=256 depth=1 fan_in=2" "link=256 depth=2 latency=1 clear=3" "link=256 depth=65536 word=2 programs=40"
     "link=256 width=1 height=1 bits=8 depth=1 fan_in=2" "link=4 width=1 height=1 bits=8 depth=2 latency=5"
+    "buffers=2 bits=72" "buffers=2 shared=1 bits=72"
+    "buffers=2 shared=1 bits=64 width=70 height=3 pixels=2 link=32 fan_in=4 clear=20"
+    "buffers=2 shared=1 bits=64 width=1 height=1 pixels=3 link=24 word=2"
+    "buffers=2 shared=1 bits=80 width=21 height=40 pixels=4 clear=72 link=32 latency=4 fan_in=8 programs=40"
+    "buffers=2 bits=64 width=30 height=5 pixels=7 alu=4 reads=2 link=32 depth=2 instructions=5"
+    "buffers=2 shared=1 bits=64 width=64 height=2 instructions=5"
     "shared=1" "shared=1 pixels=3 width=21 height=3" "pixels=8 width=9 height=2" "shared=1 pixels=100 width=1 height=1"
     "shared=1 pixels=2 width=130 height=4 bits=64 programs=40" "pixels=2 width=50 height=1" "link=32 width=70 height=5 bits=33 fan_in=7 clear=20 depth=16 latency=4"
     "link=24 width=130 height=3 bits=64 fan_in=64 clear=9 depth=2 word=3 programs=40"

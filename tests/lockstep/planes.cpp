@@ -7,15 +7,18 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <map>
-#include <stdexcept>
 #include <string>
-#include <string_view>
+#include <vector>
 
+#include "hw/isa/opcodes.h"
+#include "hw/machines/regions.h"
 #include "hw/pixel_planes/figures.h"
+#include "hw/pixel_planes/timing.h"
+#include "sim/cycle/sequence.h"
 #include "tests/lockstep/lockstep.h"
+#include "tests/lockstep/row.h"
 #include "tests/support/random_program.h"
 
 namespace csgsim::test {
@@ -46,35 +49,84 @@ Settings read_settings(int count, char** arguments) {
                                                     {"fan_in", &figures.or_fan_in},
                                                     {"pixels", &figures.scan_out_pixels},
                                                     {"shared", &shared_port},
+                                                    {"buffers", &figures.scan_out_buffers},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
-  for (int i = 1; i < count; ++i) {
-    const std::string argument = arguments[i];
-    const std::size_t equals = argument.find('=');
-    const auto setting = known.find(argument.substr(0, equals));
-    if (equals == argument.npos || setting == known.end()) throw std::invalid_argument("what is " + argument + "?");
-    *setting->second = static_cast<std::uint32_t>(std::stoul(argument.substr(equals + 1)));
-  }
+  read_row(count, arguments, known);
   if (shared_port != 0) figures.scan_out_port = pixel_planes::ScanOutPort::shared;
   return settings;
 }
 
-std::string show(const sim::RunResult& result) {
-  std::string text = fmt::format("{} clocks", result.clocks);
-  for (const machines::Count& count : result.account.counts) text += fmt::format(", {} {}", count.value, count.name);
-  for (const machines::PartAccount& part : result.account.parts) {
-    text += fmt::format("\n  {}:", part.part);
-    for (const machines::ActivityClocks& one : part.clocks) text += fmt::format(" {} {}", one.activity, one.clocks);
-  }
-  return text;
+/// The pixels, with the bits that Programs of such colours may draw in.
+isa::ArrayShape drawn_in(const machines::Machine& machine, std::uint32_t colour_bits) {
+  isa::ArrayShape shape = machine.array;
+  shape.memory_bits -= machines::second_buffer(colour_bits, machine).width;
+  return shape;
 }
 
-/// Every clock of the frame is accounted for, in every part.
-bool adds_up(const sim::RunResult& result) {
-  return std::ranges::all_of(result.account.parts, [&](const machines::PartAccount& part) {
-    std::uint64_t sum = 0;
-    for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
-    return sum == result.clocks;
+/// What a run skips, and the picture that it draws if its last segment fills the array.
+class Drawing final : public sim::Observer {
+ public:
+  explicit Drawing(isa::Field colour) : colour_(colour) {}
+
+  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+    if (step.instruction.opcode == isa::Opcode::skip_if_none && step.enabled_pixels == 0)
+      skips.push_back({step.segment, step.index});
+  }
+  void after_segment(std::uint32_t /*segment*/, const sim::PixelState& state) override {
+    picture.resize(std::size_t{state.region().width} * state.region().height);
+    if (colour_.width > 0) state.read_field(colour_, picture);
+  }
+
+  std::vector<machines::Skip> skips;
+  std::vector<std::uint32_t> picture;
+
+ private:
+  isa::Field colour_;
+};
+
+/// Frames with equally wide colours, if not without any.
+std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, unsigned instructions) {
+  const auto widest = std::min(isa::max_field_width, machine.array.memory_bits / 2);
+  const auto width = static_cast<std::uint16_t>(*rc::gen::inRange(1U, widest + 1));
+  const bool coloured = *rc::gen::inRange(0, 4) > 0;
+  const isa::ArrayShape shape = drawn_in(machine, coloured ? width : 0);
+  std::vector<isa::Program> frames;
+  for (int i = 0; i < 4; ++i) {
+    isa::Program& frame = frames.emplace_back(*arbitrary_program(shape, *rc::gen::inRange(0U, instructions + 1)));
+    frame.facts.fields.clear();
+    const auto base = static_cast<std::uint16_t>(*rc::gen::inRange(0U, shape.memory_bits - width + 1));
+    if (coloured) frame.facts.fields = {{"colour", {base, width}, isa::FieldRole::colour}};
+  }
+  return frames;
+}
+
+bool agree_in_sequences(const Settings& settings) {
+  const machines::Machine& machine = settings.machine;
+  const auto reference = sim::make_reference_engine(machine);
+  return rc::check("frames that follow each other are drawn and shown when it is worked out", [&] {
+    const std::vector<isa::Program> programs = arbitrary_frames(machine, settings.instructions);
+    std::vector<Drawing> drawings;
+    std::vector<pixel_planes::DrawnFrame> frames;
+    std::vector<sim::Observer*> nobody;
+    drawings.reserve(programs.size());
+    sim::Observer unmoved;
+    for (const isa::Program& program : programs) {
+      sim::Observer* const drawing = &drawings.emplace_back(isa::field_of(program, isa::FieldRole::colour));
+      reference->run(program, {&drawing, 1});
+      frames.push_back({&program, drawings.back().skips});
+      nobody.push_back(&unmoved);
+    }
+    const auto counted = sim::run_sequence(machine, programs, nobody);
+    const auto expected = pixel_planes::time_sequence(frames, machine);
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (counted[i].clocks != expected[i].clocks || counted[i].account != expected[i].account)
+        RC_FAIL(fmt::format("frame {}: worked out {} clocks, counted ", i, expected[i].clocks) + show(counted[i]));
+      RC_ASSERT(adds_up(counted[i]));
+      RC_ASSERT(counted[i].shown_clocks == std::max(expected[i].shown_clocks, expected[i].clocks));
+      if (i + 1 < programs.size()) RC_ASSERT(counted[i].interval_clocks == expected[i].interval_clocks);
+      if (!counted[i].scanned_out.empty()) RC_ASSERT(counted[i].scanned_out == drawings[i].picture);
+    }
   });
 }
 
@@ -83,7 +135,7 @@ bool agree(const Settings& settings) {
   const auto reference = sim::make_reference_engine(machine);
   const auto cycle = sim::make_cycle_engine(machine);
   return rc::check("the clocked frame-buffer machine leaves the bits, clocks and account worked out", [&] {
-    const isa::Program program = *arbitrary_program(machine.array, settings.instructions);
+    const isa::Program program = *arbitrary_program(drawn_in(machine, isa::max_field_width), settings.instructions);
     const sim::RunResult expected = reference->run(program, {});
     const sim::RunResult counted = cycle->run(program, {});
     if (counted.clocks != expected.clocks || counted.account != expected.account) {
@@ -101,8 +153,8 @@ bool agree(const Settings& settings) {
 int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
-    ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", settings.programs).c_str(), 0);
-    return csgsim::test::agree(settings) ? 0 : 1;
+    return csgsim::test::exit_code_of(
+        settings.programs, [&] { return csgsim::test::agree(settings) && csgsim::test::agree_in_sequences(settings); });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

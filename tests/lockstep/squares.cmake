@@ -1,5 +1,5 @@
 # The pixel-square machine. Each row are figures of one machine; those that it does not name are as in squares.cpp.
-add_executable(lockstep_squares squares.cpp divided_program.cpp)
+add_executable(lockstep_squares squares.cpp divided_program.cpp parts.cpp row.cpp)
 target_link_libraries(lockstep_squares PRIVATE
   csgsim_lockstep csgsim_random_program csgsim_oracle csgsim::read csgsim::emit csgsim::reference csgsim::functional csgsim::cycle fmt::fmt csgsim_flags)
 foreach(row IN ITEMS
@@ -23,8 +23,8 @@ foreach(row IN ITEMS
     "divider=1 bits=200 depth=1 port=24 programs=15"
     "divider=1 bits=200 depth=40 levels=2 group=2 list=1000 port=24 renderers=2 buffers=2 move=1 clear=9 programs=15"
     "divider=1 bits=200 depth=3 levels=2 group=3 list=12 port=32 port_depth=9 link_width=9 word=2 latency=7 programs=15"
-    "divider=1 bits=200 depth=1000 levels=2 group=1 list=0 order=2 box=0 halfspace=0 pair=0 node=0 link_width=256 programs=15"
-    "divider=1 bits=200 depth=64 levels=2 group=2 list=40 order=1 box=2 halfspace=4 pair=3 node=5 link_width=1 renderers=3 programs=10"
+    "divider=1 bits=200 depth=1000 levels=2 group=1 list=0 order=2 box=0 halfspace=0 cell=0 node=0 link_width=256 programs=15"
+    "divider=1 bits=200 depth=64 levels=2 group=2 list=40 order=1 box=2 halfspace=4 cell=3 node=5 link_width=1 renderers=3 programs=10"
     "latency=300 word=7 depth=4 renderers=2 buffers=2 port=24 move=4 clear=3" "word=2 depth=1 port=24"
     "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1000 link_width=6 latency=7 clear=2 port=13 programs=200"
     "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1 link_width=6 clear=2 port=7 move=1 programs=200")

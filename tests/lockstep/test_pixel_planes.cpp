@@ -79,6 +79,12 @@ Program program_of(std::vector<Segment> segments) {
   return program;
 }
 
+/// With the colours in that field.
+Program shown(Program program, Field colour) {
+  program.facts.fields = {{"colour", colour, csgsim::isa::FieldRole::colour}};
+  return program;
+}
+
 Instruction constant(Field field, std::uint64_t value) {
   return {.opcode = Opcode::set_constant, .fields = {field}, .constant = value};
 }
@@ -99,32 +105,36 @@ csgsim::machines::Machine machine_8x8() { return csgsim::test::machine_of(shape_
 
 /// Draws frames of two kinds, one that takes longer than a row is shown and one that does not, and holds the clocks
 /// from one to the next against those worked out for an endless sequence of the same frame.
-void check_sequences(csgsim::pixel_planes::ScanOutPort port, std::uint32_t pixels) {
+void check_sequences(csgsim::pixel_planes::ScanOutPort port, std::uint32_t pixels, std::uint32_t buffers) {
   csgsim::machines::Machine figures = csgsim::test::machine_of({16, 4, 32}, 1);
   auto& own = csgsim::machines::own<csgsim::pixel_planes::Figures>(figures);
   own.scan_out_port = port;
   own.scan_out_pixels = pixels;
+  own.scan_out_buffers = buffers;
   figures.link = {.width = 32, .word_clocks = 1, .fifo_depth = 4, .latency = 2};
   PixelPlanes machine("machine", figures);
   for (const std::size_t count : {1U, 40U}) {
     std::vector<Instruction> instructions(count, {.opcode = Opcode::enable_all});
     instructions.push_back(
         {.opcode = Opcode::load_linear, .fields = {Field{3, 7}}, .linear = {.a = 1, .b = 16, .width = 8}});
-    Program program = program_of({segment_of(instructions, 16, 4)});
-    program.facts.fields = {{"colour", {3, 7}, csgsim::isa::FieldRole::colour}};
+    const Program program = shown(program_of({segment_of(instructions, 16, 4)}), {3, 7});
     RunListener nobody;
     const auto alone = machine.run(program, nobody);
-    const std::vector<Program> programs(4, program);
-    const std::vector<RunListener*> listeners(4, &nobody);
+    constexpr std::size_t frames = 6;
+    const std::vector<Program> programs(frames, program);
+    const std::vector<RunListener*> listeners(frames, &nobody);
     const auto reports = machine.run_sequence(programs, listeners);
     const auto worked_out = csgsim::machines::time_frame(program, figures);
-    REQUIRE(reports.size() == 4);
-    for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(alone.clocks == worked_out.clocks);
+    CHECK(alone.shown_clocks == worked_out.shown_clocks);
+    REQUIRE(reports.size() == frames);
+    for (std::size_t i = 0; i < frames; ++i) {
       CAPTURE(i);
-      CHECK(reports[i].clocks == worked_out.clocks);
+      // With two buffers the frames after the first are slowed by the refresh words of the one before.
+      if (i == 0 || buffers == 1) CHECK(reports[i].clocks == worked_out.clocks);
       CHECK(reports[i].picture == alone.picture);
-      // The first frame finds nothing on the screen that its scan-out has to wait for.
-      if (i > 0) CHECK(reports[i].interval_clocks == worked_out.interval_clocks);
+      // The first frame finds nothing on the screen that its scan-out has to wait for; then it takes a few to settle.
+      if (i >= (buffers == 1 ? 1 : 3)) CHECK(reports[i].interval_clocks == worked_out.interval_clocks);
     }
     CHECK(alone.picture[17] == 17);
   }
@@ -277,34 +287,44 @@ TEST_CASE("scan-out shows each pixel's colour and overlaps latching a row with s
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
   const Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})});
-  machine.run(program, nobody);
   std::vector<std::uint32_t> expected(64);
   for (std::uint32_t i = 0; i < 64; ++i) expected[i] = i;
-  const auto narrow = machine.scan_out({3, 6});
-  CHECK(narrow.colours == expected);
-  CHECK(narrow.clocks == 6 + 8 * 8);
-  const auto wide = machine.scan_out({3, 20});
-  CHECK(wide.colours == expected);
-  CHECK(wide.clocks == 20 * 8 + 8);
+  const auto narrow = machine.run(shown(program, {3, 6}), nobody);
+  CHECK(narrow.picture == expected);
+  CHECK(narrow.shown_clocks == narrow.clocks + 6 + 8 * 8);
+  const auto wide = machine.run(shown(program, {3, 20}), nobody);
+  CHECK(wide.picture == expected);
+  CHECK(wide.shown_clocks == wide.clocks + 20 * 8 + 8);
 }
 
 TEST_CASE("frames of a sequence follow each other at the pace worked out, at a port of the scan-out's own") {
-  check_sequences(csgsim::pixel_planes::ScanOutPort::own, 1);
+  check_sequences(csgsim::pixel_planes::ScanOutPort::own, 1, 1);
 }
 
 TEST_CASE("frames of a sequence follow each other at the pace worked out, at a shared port") {
-  check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2);
+  check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2, 1);
+}
+
+TEST_CASE("with two buffers frames of a sequence follow each other at the pace worked out, at an own port") {
+  check_sequences(csgsim::pixel_planes::ScanOutPort::own, 1, 2);
+}
+
+TEST_CASE("with two buffers frames of a sequence follow each other at the pace worked out, at a shared port") {
+  check_sequences(csgsim::pixel_planes::ScanOutPort::shared, 2, 2);
 }
 
 TEST_CASE("programs follow one another on cleared pixels") {
   PixelPlanes machine("machine", machine_8x8());
   RunListener nobody;
-  const Program first = program_of({segment_of({{.opcode = Opcode::enable_all}, constant({0, 8}, 0xff)})});
-  const Program second = program_of({segment_of({{.opcode = Opcode::global_or}})});
-  CHECK(machine.run(first, nobody).clocks == lead + 9 + latency_8x8);
-  CHECK(machine.scan_out({0, 8}).colours == std::vector<std::uint32_t>(64, 0xff));
-  CHECK(machine.run(second, nobody).answers == std::vector<bool>{false});
-  CHECK(machine.scan_out({0, 8}).colours == std::vector<std::uint32_t>(64, 0));
+  const Program first =
+      shown(program_of({segment_of({{.opcode = Opcode::enable_all}, constant({0, 8}, 0xff)})}), {0, 8});
+  const Program second = shown(program_of({segment_of({{.opcode = Opcode::global_or}})}), {0, 8});
+  const auto filled = machine.run(first, nobody);
+  CHECK(filled.clocks == lead + 9 + latency_8x8);
+  CHECK(filled.picture == std::vector<std::uint32_t>(64, 0xff));
+  const auto empty = machine.run(second, nobody);
+  CHECK(empty.answers == std::vector<bool>{false});
+  CHECK(empty.picture == std::vector<std::uint32_t>(64, 0));
 }
 
 TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {
@@ -405,6 +425,25 @@ TEST_CASE("a window beyond the program's end is closed with the program, and pro
   machine.record({.file = file, .begin = 5, .end = 7, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
   CHECK(machine.run(program, watch).recorded);
   CHECK(contents(file).find("opcode_text") != std::string::npos);
+}
+
+TEST_CASE("a wave goes on beyond the drawing, as long as the picture is shown") {
+  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_scan_out.vcd";
+  PixelPlanes machine("machine", machine_8x8());
+  RunListener nobody;
+  const Program program =
+      shown(program_of({segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})}), {3, 6});
+  machine.record({.file = file, .begin = 0, .end = 1000, .probes = {}, .fields = {}});
+  const auto report = machine.run(program, nobody);
+  CHECK(report.recorded);
+  const std::string text = contents(file);
+  for (const char* name : {"picture_finished", "picture_latched", "refreshes_asked", "video"}) {
+    CAPTURE(name);
+    CHECK(text.find(name) != std::string::npos);
+  }
+  CHECK(text.find("b111110 ") != std::string::npos);  // the colour of the last pixel but one, 62
+  CHECK(text.find("\n#" + std::to_string((report.shown_clocks - 1) * 100'000)) != std::string::npos);
+  CHECK(text.find("\n#" + std::to_string((report.shown_clocks + 2) * 100'000)) == std::string::npos);
 }
 
 TEST_CASE("a Program run for its wave has the result of any other run") {

@@ -46,7 +46,7 @@ std::vector<emit::Options> all_options() {
   }
   for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
                                              &csg::Pruning::halfspaces, &csg::Pruning::hidden, &csg::Pruning::sets,
-                                             &csg::Pruning::early_out, &csg::Pruning::near, &csg::Pruning::pairs}) {
+                                             &csg::Pruning::early_out, &csg::Pruning::near, &csg::Pruning::pixels}) {
     all.push_back(with_strategy(Strategy::stack));
     all.back().pruning.*switched = false;
     all.push_back(with_strategy(Strategy::stack));

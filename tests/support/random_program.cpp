@@ -289,7 +289,8 @@ void pick_division(isa::Program& program) {
   for (std::uint8_t& byte : program.display_model) byte = static_cast<std::uint8_t>(pick(0U, 255U));
   if (program.display_model.empty()) return;
   for (isa::Segment& segment : program.segments)
-    segment.facts.division = {pick(0U, 9U), pick(0U, 99U), pick(0U, 9U), pick(0U, 9U), pick(0U, 9U), pick(0U, 9U)};
+    segment.facts.division = {pick(0U, 9U), pick(0U, 99U), pick(0U, 9U), pick(0U, 9U), pick(0U, 9U),
+                              pick(0U, 9U), pick(0U, 9U),  pick(0U, 9U), pick(0U, 9U)};
 }
 
 }  // namespace

@@ -17,19 +17,26 @@ namespace csgsim::testing {
 namespace {
 
 std::string show(const division::Counts& counts) {
-  return fmt::format("{} boxes, {} half-spaces, {} pairs, {} nodes, {} instructions", counts.boxes, counts.halfspaces,
-                     counts.pairs, counts.nodes, counts.instructions);
+  return fmt::format("{} boxes, {} half-spaces, {} cells, {} nodes, {} instructions", counts.boxes, counts.halfspaces,
+                     counts.cells, counts.nodes, counts.instructions);
 }
 
-std::string difference(const division::Divided& divided, const isa::Segment& segment, division::Counts counts) {
+std::string difference(const division::Divided& divided, const isa::Segment& segment,
+                       const emit::SquareCounts& square) {
   for (std::size_t i = 0; i < std::max(divided.instructions.size(), segment.instructions.size()); ++i) {
     if (i >= divided.instructions.size()) return fmt::format("the divider stops after {} instructions", i);
     if (i >= segment.instructions.size()) return fmt::format("the host stops after {} instructions", i);
     if (!(divided.instructions[i] == segment.instructions[i])) return fmt::format("instruction {} differs", i);
   }
+  division::Counts counts = square.counts;
   counts.instructions = segment.instructions.size();
   if (!(divided.counts == counts))
     return fmt::format("the divider counts {}; the host {}", show(divided.counts), show(counts));
+  if (!(divided.at_hand == square.at_hand)) {
+    return fmt::format("the divider has {} half-spaces and {} nodes at hand; the host {} and {}",
+                       divided.at_hand.halfspaces, divided.at_hand.nodes, square.at_hand.halfspaces,
+                       square.at_hand.nodes);
+  }
   return {};
 }
 
@@ -40,7 +47,7 @@ std::string at(const isa::Region& square, const char* levels, const std::string&
 std::string one_level(const ForDivider& made, const DivisionCase& how, const division::Divider& divider,
                       const std::vector<isa::Region>& squares, division::Counts& done) {
   const Compiled& host = made.host;
-  const std::vector<division::Counts> counts =
+  const std::vector<emit::SquareCounts> counts =
       emit::count_division(host.tree, host.scene, host.view, how.setup.options, squares);
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const division::Divided divided = divider.divide(squares[i]);
@@ -73,7 +80,7 @@ std::string two_levels(const ForDivider& made, const DivisionCase& how, const di
     if (divided.fits != (counts.entries <= how.list_entries)) return at(group, "group", "the list's size differs");
     if (divided.fits && divided.entries != counts.entries)
       return at(group, "group", fmt::format("{} entries; the host {}", divided.entries, counts.entries));
-    const std::vector<division::Counts> whole =
+    const std::vector<emit::SquareCounts> whole =
         emit::count_division(host.tree, host.scene, host.view, how.setup.options, squares);
     for (std::size_t i = 0; i < squares.size(); ++i) {
       std::string what = difference(divided.squares[i], *segments[i], divided.fits ? counts.squares[i] : whole[i]);

@@ -74,6 +74,6 @@ TEST_CASE(
   }));
   // A near plane behind the model, or faces that fit no width, are refused by both. Of the others each does something.
   CHECK(refused * 4 <= drawn);
-  for (const std::uint64_t count : {all.boxes, all.halfspaces, all.pairs, all.nodes, all.instructions})
+  for (const std::uint64_t count : {all.boxes, all.halfspaces, all.cells, all.nodes, all.instructions})
     CHECK(count > drawn);
 }

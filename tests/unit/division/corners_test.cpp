@@ -27,24 +27,9 @@ std::vector<Tested> side_of(const std::vector<Plane>& planes, bool forward) {
   return side;
 }
 
-std::vector<std::uint32_t> planes_of(const std::vector<Tested>& side) {
-  std::vector<std::uint32_t> planes;
-  planes.reserve(side.size());
-  for (const Tested& one : side) planes.push_back(one.halfspace.plane);
-  return planes;
-}
-
-std::vector<std::uint32_t> extremes(const std::vector<Plane>& planes, bool forward) {
-  std::vector<Tested> side = side_of(planes, forward);
-  division::keep_extremes(side, 1);
-  return planes_of(side);
-}
-
 Known known(const Plane& plane, bool forward, std::int64_t z_low, std::int64_t z_high) {
   return division::known_between(side_of({plane}, forward)[0], z_low, z_high);
 }
-
-using Planes = std::vector<std::uint32_t>;
 
 }  // namespace
 
@@ -65,42 +50,6 @@ TEST_CASE("a corner test finds the four values, and the floors of the least and 
   CHECK(edge.low == 2);
   CHECK(edge.high == 13);
   CHECK(edge.side == division::Side::negative);
-}
-
-TEST_CASE("of two fronts the one that is nearer at all corners is not active (thesis fig. 7.5a, convex-max)") {
-  CHECK(extremes({{false, 1, 0, 2}, {false, 0, 0, 20}}, true) == Planes{1});
-}
-
-TEST_CASE("of two fronts that cross between the corners both are active (thesis fig. 7.5b)") {
-  CHECK(extremes({{false, 1, 0, 2}, {false, -1, 0, 9}}, true) == Planes{0, 1});
-}
-
-TEST_CASE("of two backs the one that is farther at all corners is not active (thesis table 7.1, concave-min)") {
-  CHECK(extremes({{false, 1, 0, 2}, {false, 0, 0, 20}}, false) == Planes{0});
-  CHECK(extremes({{false, 1, 0, 2}, {false, -1, 0, 9}}, false) == Planes{0, 1});
-}
-
-TEST_CASE("a half-space goes only if another one is beyond it by a whole depth step at every corner") {
-  std::vector<Tested> side = side_of({{false, 0, 0, 16}, {false, 0, 0, 23}, {false, 0, 0, 24}}, true);
-  division::keep_extremes(side, 8);
-  CHECK(planes_of(side) == Planes{1, 2});
-}
-
-TEST_CASE("coincident half-spaces are all active") {
-  CHECK(extremes({{false, 1, 0, 2}, {false, 1, 0, 2}}, true) == Planes{0, 1});
-}
-
-TEST_CASE("what the extremes at the corners leave is held against each other, pair by pair") {
-  // At the corners 20 and -10, -10 and 20, 8 and 8, 5 and 5: neither extreme is beyond 5 everywhere, but 8 is.
-  const std::vector<Plane> planes{{false, -3, 0, 20}, {false, 3, 0, -10}, {false, 0, 0, 8}, {false, 0, 0, 5}};
-  std::vector<Tested> by_leaders = side_of(planes, true);
-  division::keep_by_leaders(by_leaders, 1);
-  CHECK(planes_of(by_leaders) == Planes{0, 1, 2, 3});
-  std::vector<Tested> by_pairs = side_of(planes, true);
-  CHECK(division::keep_extremes(by_pairs, 1) == 6);
-  CHECK(planes_of(by_pairs) == Planes{0, 1, 2});
-  std::vector<Tested> alone = side_of({planes[0]}, true);
-  CHECK(division::keep_extremes(alone, 1) == 0);
 }
 
 TEST_CASE("a front holds depths from its own on: all if it is never farther than the nearest, none if always beyond") {

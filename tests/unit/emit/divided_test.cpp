@@ -108,6 +108,28 @@ TEST_CASE("a machine that divides refuses a Program without a model, and a model
         }).starts_with("the Program has no display model, which pixel-square divides;"));
 }
 
+TEST_CASE(
+    "a machine that divides refuses what its memories for a surface, its tree or a square's commands do not hold") {
+  machines::Machine machine = machine_with(2);
+  const isa::Program program = divided(machine);
+  auto& figures = machines::own<pixel_square::Figures>(machine);
+  const auto names = [&](const std::string& figure) {
+    for (const std::string& error : {error_of([&] { machines::check_runs_on(program, machine); }),
+                                     error_of([&] { pixel_square::check_division(program, machine); })}) {
+      CHECK(error.find("; give " + figure + " more, or the model fewer faces") != std::string::npos);
+      CHECK(error.find("and the divider keeps 1;") != std::string::npos);
+    }
+  };
+  figures.halfspaces = 1;
+  names("divider.halfspaces");
+  figures.halfspaces = 4096;
+  figures.nodes = 1;
+  names("divider.nodes");
+  figures.nodes = 1024;
+  figures.store_words = 1;
+  names("divider.store");
+}
+
 TEST_CASE("a machine that divides has prunings of its own") {
   emit::Options options;
   options.pruning = csg::Pruning::divider();

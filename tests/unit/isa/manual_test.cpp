@@ -30,7 +30,7 @@ TEST_CASE("the manual gives the bits of each command on a link") {
        {"| 0 | `enable_all` |  |  | 6 |", "| 9 | `edge_negative` | linear |  | 18 + 3w |",
         "| 18 | `set_constant` | target, constant | any | 24 + n |",
         "| 25 | `bit_xor` | target, source, source | equal | 60 |", "| 30 | `skip_if_none` | count |  | 38 |",
-        "| 61 | segment | 70 |", "| 62 | end of segment | 6 |", "| 63 | end of frame | 6 |"})
+        "| 61 | segment | 70 |", "| 62 | end of segment | 6 |", "| 63 | end of frame | 24 |"})
     CHECK(test::contains(page, std::string(row)));
 }
 

@@ -143,7 +143,7 @@ TEST_CASE("a skip carries a count of 32 bits") {
         "0000000000000000");
 }
 
-TEST_CASE("a segment's label is its region; the ends are numbers alone") {
+TEST_CASE("a segment's label is its region, its end a number alone, and a frame's end names the colours to be shown") {
   CHECK(bits_of(SegmentStart{{3, 0, 64, 16384}}, 70) ==
         "101111"
         "1100000000000000"
@@ -151,7 +151,10 @@ TEST_CASE("a segment's label is its region; the ends are numbers alone") {
         "0000001000000000"
         "0000000000000010");
   CHECK(bits_of(SegmentEnd{}, 6) == "011111");
-  CHECK(bits_of(FrameEnd{}, 6) == "111111");
+  CHECK(bits_of(FrameEnd{{41, 24}}, 24) ==
+        "111111"
+        "100101000000"
+        "000110");
 }
 
 TEST_CASE("the unused bits of a command's last word are 0") {
@@ -194,7 +197,7 @@ TEST_CASE("every width of link carries the longest and the shortest commands") {
   for (unsigned link_width = 1; link_width <= LinkWord::most_bits; ++link_width) {
     CAPTURE(link_width);
     for (const Command& command : {Command{longest}, Command{set_constant}, Command{SegmentStart{{1, 2, 3, 4}}},
-                                   Command{SegmentEnd{}}, Command{FrameEnd{}}}) {
+                                   Command{SegmentEnd{}}, Command{FrameEnd{{4064, 32}}}}) {
       CHECK(decoded(words_of(command, link_width), link_width) == command);
       CHECK(words_of(command, link_width).size() == (wire_bits(command) + link_width - 1) / link_width);
     }
@@ -229,7 +232,7 @@ TEST_CASE("commands follow each other over one link, each from a new word on") {
     const auto link_width = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1U, 257U));
     std::vector<Command> sent{SegmentStart{{0, 0, 5, 7}}};
     for (int i = *rc::gen::inRange(0, 20); i > 0; --i) sent.emplace_back(as_received(some_instruction()));
-    sent.insert(sent.end(), {SegmentEnd{}, FrameEnd{}});
+    sent.insert(sent.end(), {SegmentEnd{}, FrameEnd{{7, 24}}});
     WireDecoder decoder(link_width);
     std::vector<Command> received;
     for (const Command& command : sent)

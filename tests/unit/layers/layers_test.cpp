@@ -135,8 +135,8 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
       {"scan_line/active_list.cpp", "the host's own memory: which primitives are on which lines"},
       {"scan_line/active_list.h", "as above"},
       {"scan_line/chain_link.cpp", "the host's end of a chain's link: the host's own memory"},
-      {"scan_line/frame.h", "what the host's memory holds of a frame"},
       {"scan_line/line_host.cpp", "the host, whose own memory the lines are in"},
+      {"scan_line/picture_lines.h", "what the host's memory holds of a frame"},
       {"scan_line/scan_line_array.cpp", "hands the Program to the host"},
       {"scan_line/scan_line_array.h", "as above"},
   };

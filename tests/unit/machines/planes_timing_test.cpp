@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
@@ -18,6 +19,7 @@ using namespace csgsim;
 using isa::Instruction;
 using isa::Opcode;
 using machines::Machine;
+using pixel_planes::ScanOutPort;
 
 namespace {
 
@@ -38,6 +40,19 @@ isa::Program program_of(std::vector<Instruction> instructions) {
   program.shape = shape;
   program.segments = {{.region = {0, 0, 8, 8}, .instructions = std::move(instructions)}};
   return program;
+}
+
+/// With colours in the lowest bits.
+isa::Program coloured(isa::Program program, std::uint32_t bits) {
+  program.facts.fields = {{"colour", {0, static_cast<std::uint16_t>(bits)}, isa::FieldRole::colour}};
+  return program;
+}
+
+Machine with_buffers(Machine machine, std::uint32_t buffers, ScanOutPort port) {
+  auto& figures = machines::own<pixel_planes::Figures>(machine);
+  figures.scan_out_buffers = buffers;
+  figures.scan_out_port = port;
+  return machine;
 }
 
 std::uint64_t clocks_of(const machines::FrameTiming& timing, std::size_t part, std::string_view activity) {
@@ -157,7 +172,7 @@ TEST_CASE("a jump takes the clocks counted by hand, and what was sent in vain is
 }
 
 TEST_CASE("no frame is shorter than the work of its busiest part, none longer than all of it one after the other") {
-  rc::check("a frame lies between what its parts have to do side by side and one after the other", [] {
+  CHECK(rc::check("a frame lies between what its parts have to do side by side and one after the other", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const Machine machine =
         machine_with(arbitrary_links().worse, *rc::gen::inRange(0U, 50U), *rc::gen::element(0U, 2U, 3U, 8U, 64U));
@@ -169,11 +184,11 @@ TEST_CASE("no frame is shorter than the work of its busiest part, none longer th
     RC_ASSERT(clocks >= work.controller);
     RC_ASSERT(clocks >= link + requests);
     RC_ASSERT(clocks <= work.controller + link + requests + work.words + work.commands);
-  });
+  }));
 }
 
 TEST_CASE("a better link never costs a clock") {
-  rc::check("a link that is wider, faster, deeper or sooner there costs no clock", [] {
+  CHECK(rc::check("a link that is wider, faster, deeper or sooner there costs no clock", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const auto skips = arbitrary_skips(program);
     const Links links = arbitrary_links();
@@ -182,5 +197,111 @@ TEST_CASE("a better link never costs a clock") {
       return machines::time_frame(program, machine_with(link, clear_clocks, 8), skips).clocks;
     };
     RC_ASSERT(clocks(links.better) <= clocks(links.worse));
-  });
+  }));
+}
+
+// The frame of the first case, whose FrameEnd begins at 14. Copying 5 bits takes the steps of enable_all and 5 of copy;
+// the last is carried out 6 clocks later, at 26.
+//
+// At a port of its own the scan-out latches a row in 5 clocks while the one before it is shown in 8: it has latched the
+// last after 2 * 5 + 6 * 8 = 58 clocks from 27 on, and shown it after 5 + 8 * 8 = 69. The next frame begins at 27, too;
+// 14 clocks later its picture could be copied, 58 clocks later it is, and it ends at 70; the one after begins at 71.
+TEST_CASE("with two buffers a frame is copied when the one before it has been latched, counted by hand") {
+  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+  const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
+                                       2, ScanOutPort::own);
+  const machines::FrameTiming alone = machines::time_frame(program, machine);
+  CHECK(alone.clocks == 26);
+  CHECK(alone.latency_clocks == 6);
+  CHECK(alone.shown_clocks == 26 + 69);
+  CHECK(alone.interval_clocks == 71);
+  CHECK(clocks_of(alone, 0, "copying") == 6);
+  CHECK(clocks_of(alone, 0, "holding") == 0);
+  const std::vector<pixel_planes::DrawnFrame> frames(3, {&program});
+  const auto sequence = pixel_planes::time_sequence(frames, machine);
+  CHECK(sequence[0].interval_clocks == 27);
+  CHECK(sequence[1].clocks == 70);
+  CHECK(sequence[1].shown_clocks == 70 + 69);
+  CHECK(clocks_of(sequence[1], 0, "holding") == 44);
+  CHECK(sequence[1].interval_clocks == 71);
+}
+
+// The same at a shared port, where a row takes 5 + 8 clocks to latch. The words of the first row go at 1 to 5 of the
+// second frame, while the host is waited for. The second row begins at 13, as does enable_all; its words go at 14 to
+// 18, and FrameEnd, which could have begun at 14, at 19. A row is latched every 13 clocks from then on, the last at
+// 103; it is known at 104, copied, and carried out at 116.
+TEST_CASE("refresh words go before the next command and wherever the controller waits, counted by hand") {
+  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+  const Machine machine = with_buffers(machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 3),
+                                       2, ScanOutPort::shared);
+  const std::vector<pixel_planes::DrawnFrame> frames(3, {&program});
+  const machines::FrameTiming second = pixel_planes::time_sequence(frames, machine)[1];
+  CHECK(second.clocks == 116);
+  CHECK(second.interval_clocks == 117);
+  CHECK(machines::time_frame(program, machine).interval_clocks == 117);
+  CHECK(clocks_of(second, 0, "starved") == 5);
+  CHECK(clocks_of(second, 0, "refreshing") == 8 * 5);
+  CHECK(clocks_of(second, 0, "holding") == 104 - 19 - 6 * 5);
+  CHECK(clocks_of(second, 0, "copying") == 6);
+  CHECK(second.account.count("refresh_waits") == 0);
+}
+
+// The clear of 40 clocks begins at 10; the first row's words have gone by then, and the second row's, asked for at 13,
+// wait from 14 until 50.
+TEST_CASE("a scan-out that the drawing keeps waiting is told of") {
+  const isa::Program program = coloured(program_of({{.opcode = Opcode::enable_all}}), 5);
+  const Machine machine = with_buffers(
+      machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 16, .latency = 4}, 40), 2, ScanOutPort::shared);
+  const std::vector<pixel_planes::DrawnFrame> frames(2, {&program});
+  CHECK(pixel_planes::time_sequence(frames, machine)[1].account.count("refresh_waits") == 36);
+}
+
+TEST_CASE("a second buffer costs a frame its copy, and a sequence no more than that; mostly it gains the scan-out") {
+  unsigned faster = 0;
+  unsigned slower = 0;
+  CHECK(rc::check(
+      "two buffers keep a sequence up by a copy at most, and no part has more to do than there are clocks", [&] {
+        const auto pick = [](std::uint32_t least, std::uint32_t most) {
+          return *rc::gen::resize(100, rc::gen::inRange(least, most + 1));
+        };
+        const std::uint32_t width = pick(1, 20);
+        const isa::Program program = coloured(
+            *test::arbitrary_program({shape.width, shape.height, shape.memory_bits - width}, pick(0, 60)), width);
+        const auto skips = arbitrary_skips(program);
+        Machine machine = machine_with(arbitrary_links().worse, pick(0, 50), *rc::gen::element(0U, 2U, 8U));
+        machine.alu_bits = pick(1, 4);
+        const auto port = *rc::gen::element(ScanOutPort::own, ScanOutPort::shared);
+        machines::own<pixel_planes::Figures>(machine).scan_out_pixels = pick(1, 9);
+        const auto one = machines::time_frame(program, with_buffers(machine, 1, port), skips);
+        const auto two = machines::time_frame(program, with_buffers(machine, 2, port), skips);
+        const std::uint64_t copy = 1 + (width + machine.alu_bits - 1) / machine.alu_bits;
+        const std::uint64_t pixels = machines::own<pixel_planes::Figures>(machine).scan_out_pixels;
+        RC_ASSERT(two.clocks == one.clocks + copy);
+        RC_ASSERT(two.interval_clocks > two.clocks);
+        RC_ASSERT(two.interval_clocks >= shape.height * ((shape.width + pixels - 1) / pixels));
+        RC_ASSERT(two.interval_clocks >= std::uint64_t{shape.height} * width);
+        RC_ASSERT(two.interval_clocks <= one.interval_clocks + copy);
+        faster += two.interval_clocks < one.interval_clocks ? 1 : 0;
+        slower += two.interval_clocks > one.interval_clocks ? 1 : 0;
+      }));
+  CHECK(faster > slower);
+}
+
+TEST_CASE("a Program that draws where the picture before stands is refused") {
+  Machine machine = with_buffers(machine_with({}), 2, ScanOutPort::own);
+  machine.name = "mine";
+  const auto check = [&](const Instruction& instruction, std::uint32_t colour_bits) {
+    machine.kind->check(coloured(program_of({{.opcode = Opcode::enable_all}, instruction}), colour_bits), machine);
+  };
+  CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 12}}}}, 8));
+  CHECK_THROWS_WITH_AS(
+      check({.opcode = Opcode::set_constant, .fields = {{{20, 13}}}}, 8),
+      "segment 0, instruction 1: set_constant meets the 8 bits from bit 32 on, from which mine shows a "
+      "picture while the next is drawn; compile the model for this machine, or take one whose "
+      "scan_out.buffers is 1",
+      InputError);
+  CHECK_THROWS_WITH_AS(check({.opcode = Opcode::enable_all}, 21),
+                       doctest::Contains("the colour field meets the 21 bits from bit 19 on"), InputError);
+  machine = with_buffers(machine, 1, ScanOutPort::own);
+  CHECK_NOTHROW(check({.opcode = Opcode::set_constant, .fields = {{{20, 13}}}}, 21));
 }

@@ -16,6 +16,7 @@
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
 #include "hw/pixel_square/timing.h"
+#include "hw/pixel_square/timing_division.h"
 #include "hw/scan_line/kind.h"
 #include "tests/support/random_program.h"
 
@@ -67,7 +68,7 @@ Timing time(const isa::Program& program, const Machine& machine) {
 }
 
 std::uint64_t sum(const SquareClocks& clocks) {
-  return std::accumulate(clocks.begin(), clocks.end(), std::uint64_t{0});
+  return std::accumulate(clocks.clocks.begin(), clocks.clocks.end(), std::uint64_t{0});
 }
 
 template <class Run>
@@ -139,15 +140,15 @@ TEST_CASE("a divider takes the model, tests a square, and then sends it") {
 TEST_CASE("tests whose clocks would not fit their counter are refused") {
   isa::Program program = program_of(2, {square(1, {})});
   program.display_model.resize(1);
-  program.segments[0].facts.division.pairs = ~std::uint64_t{0};
+  program.segments[0].facts.division.cells = ~std::uint64_t{0};
   CHECK(error_of([&] {
           pixel_square::check_countable(program, machine_of(1, {}));
         }).starts_with("the divider would test for more than"));
-  program.segments[0].facts.division.pairs = std::uint64_t{1} << 36U;
+  program.segments[0].facts.division.cells = std::uint64_t{1} << 36U;
   program.segments.assign(1 << 5, program.segments[0]);
   CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(1, {})));
   CHECK(error_of([&] {
-          pixel_square::check_countable(program, machine_of(1, {.pair_clocks = 1'000'000}));
+          pixel_square::check_countable(program, machine_of(1, {.cell_clocks = 1'000'000}));
         }).starts_with("the divider would test for more than"));
 }
 
@@ -265,6 +266,46 @@ Machine any_machine() {
 
 std::uint64_t words_in(std::uint64_t bits, std::uint64_t width) { return (bits + width - 1) / width; }
 
+/// The same with a divider in the machine, which takes any clocks for its tests.
+Machine any_dividing_machine() {
+  Machine machine = any_machine();
+  auto& figures = machines::own<Figures>(machine);
+  figures.divider = pixel_square::DividerKind::corners;
+  figures.box_clocks = pick(0, 3);
+  figures.halfspace_clocks = pick(0, 5);
+  figures.cell_clocks = pick(0, 3);
+  figures.node_clocks = pick(0, 3);
+  return machine;
+}
+
+/// A Program for it, with any tests.
+isa::Program any_divided_program(const Machine& machine) {
+  isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
+  program.display_model.resize(pick(1, 40));
+  for (isa::Segment& one : program.segments) {
+    one.facts.division = {.boxes = pick(0, 9),
+                          .halfspaces = pick(0, 9),
+                          .cells = pick(0, 9),
+                          .nodes = pick(0, 9),
+                          .group_boxes = pick(0, 9),
+                          .group_halfspaces = pick(0, 9),
+                          .group_cells = pick(0, 9)};
+  }
+  return program;
+}
+
+std::uint64_t test_clocks(const isa::Program& program, const Machine& machine) {
+  const auto& figures = machines::own<Figures>(machine);
+  std::uint64_t clocks = 0;
+  for (const isa::Segment& one : program.segments) {
+    const isa::DivisionFacts& tests = one.facts.division;
+    clocks += figures.box_clocks * (tests.boxes + tests.group_boxes) +
+              figures.halfspace_clocks * (tests.halfspaces + tests.group_halfspaces) +
+              figures.cell_clocks * (tests.cells + tests.group_cells) + figures.node_clocks * tests.nodes;
+  }
+  return clocks;
+}
+
 /// What the parts of a frame have to do, apart from waiting for each other.
 struct Work {
   std::uint64_t host = 0;
@@ -332,6 +373,75 @@ TEST_CASE("with one renderer, and no square cleared, no faster part and no deepe
     RC_ASSERT(with([](Machine&, Figures& own) { own.port_bits *= 2; }) <= clocks);
     RC_ASSERT(with([](Machine&, Figures& own) { ++own.port_fifo_depth; }) <= clocks);
     RC_ASSERT(with([](Machine&, Figures& own) { own.move_bits = 0; }) <= clocks);
+  }));
+}
+
+TEST_CASE("with a divider a frame takes at least what its busiest part has to do, and at most what all have to do") {
+  CHECK(rc::check([] {
+    const Machine machine = any_dividing_machine();
+    const isa::Program program = any_divided_program(machine);
+    const std::uint64_t model = words_in(8 * program.display_model.size(), machine.link.width);
+    const std::uint64_t host = machine.link.latency + model * machine.link.word_clocks;
+    // The words of the squares leave the divider, one a clock.
+    Machine sending = machine;
+    sending.link.latency = 0;
+    sending.link.word_clocks = 1;
+    const Work work = work_of(program, sending);
+    const std::uint64_t divider = model + test_clocks(program, machine) + work.host;
+    const Timing timing = time(program, machine);
+    const auto working = static_cast<std::size_t>(pixel_square::SquareActivity::working);
+    RC_ASSERT(timing.account.divider.value()[working] == divider);
+    RC_ASSERT(timing.clocks > std::max({host, divider, work.frame_buffer}));
+    RC_ASSERT(timing.clocks <= 2 * host + divider + work.host + work.renderers + 2 * work.frame_buffer +
+                                   4 * program.segments.size() + 4);
+    for (const SquareClocks& part : {timing.account.host, timing.account.divider.value(), timing.account.frame_buffer})
+      RC_ASSERT(sum(part) == timing.clocks);
+  }));
+}
+
+TEST_CASE("with a divider and one renderer, and no square cleared, no faster test, part or link takes more clocks") {
+  CHECK(rc::check([] {
+    Machine machine = any_dividing_machine();
+    machines::own<Figures>(machine).renderers = 1;
+    isa::Program program = any_divided_program(machine);
+    for (isa::Segment& one : program.segments) {
+      if (one.instructions.empty()) one.instructions.push_back(enable);
+    }
+    const std::uint64_t clocks = time(program, machine).clocks;
+    const auto with = [&](const auto& change) {
+      Machine faster = machine;
+      change(faster, machines::own<Figures>(faster));
+      return time(program, faster).clocks;
+    };
+    RC_ASSERT(with([](Machine&, Figures& own) { own.box_clocks = 0; }) <= clocks);
+    RC_ASSERT(with([](Machine&, Figures& own) { own.halfspace_clocks /= 2; }) <= clocks);
+    RC_ASSERT(with([](Machine&, Figures& own) { own.cell_clocks = 0; }) <= clocks);
+    RC_ASSERT(with([](Machine&, Figures& own) { own.node_clocks /= 2; }) <= clocks);
+    RC_ASSERT(with([](Machine& one, Figures&) { ++one.link.fifo_depth; }) <= clocks);
+    RC_ASSERT(with([](Machine& one, Figures&) { one.link.width = std::min(2 * one.link.width, 256U); }) <= clocks);
+    RC_ASSERT(with([](Machine& one, Figures&) { one.link.word_clocks = 1; }) <= clocks);
+    RC_ASSERT(with([](Machine& one, Figures&) { one.link.latency = 0; }) <= clocks);
+    RC_ASSERT(with([](Machine& one, Figures&) { one.clear_clocks = 0; }) <= clocks);
+    RC_ASSERT(with([](Machine&, Figures& own) { own.port_bits *= 2; }) <= clocks);
+    RC_ASSERT(with([](Machine&, Figures& own) { ++own.port_fifo_depth; }) <= clocks);
+    RC_ASSERT(with([](Machine&, Figures& own) { own.move_bits = 0; }) <= clocks);
+  }));
+}
+
+// From two renderers on, one more may change who draws what: a square goes to the one with the fewest squares, not to
+// the one that is free first.
+TEST_CASE("where the divider waits for no room, more renderers take no more clocks than one") {
+  CHECK(rc::check([] {
+    Machine machine = any_dividing_machine();
+    machine.link.fifo_depth = 1000;
+    machines::own<Figures>(machine).port_fifo_depth = 1000;
+    isa::Program program = any_divided_program(machine);
+    for (isa::Segment& one : program.segments) {
+      if (one.instructions.empty()) one.instructions.push_back(enable);
+    }
+    Machine alone = machine;
+    machines::own<Figures>(alone).renderers = 1;
+    RC_ASSERT(time(program, machine).clocks <= time(program, alone).clocks);
   }));
 }
 

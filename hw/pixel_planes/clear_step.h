@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "hw/isa/program.h"
+#include "hw/pixel_planes/control_word.h"
+
+namespace csgsim::pixel_planes {
+
+/// What is cleared in clock `clock`, from 0, of the `clocks` in which the memory of the pixels of a region becomes 0:
+/// its bits are spread evenly over the clocks; those from `end` on stay.
+inline ClearStep clear_step(const isa::Region& region, std::uint32_t memory_bits, std::uint32_t clock,
+                            std::uint32_t clocks, std::uint32_t end) {
+  const auto up_to = [&](std::uint64_t elapsed) {
+    return static_cast<std::uint16_t>(std::min<std::uint64_t>(elapsed * memory_bits / clocks, end));
+  };
+  return {.address = up_to(clock),
+          .bits = static_cast<std::uint16_t>(up_to(std::uint64_t{clock} + 1) - up_to(clock)),
+          .width = static_cast<std::uint16_t>(region.width),
+          .height = static_cast<std::uint16_t>(region.height)};
+}
+
+}  // namespace csgsim::pixel_planes

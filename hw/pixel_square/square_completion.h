@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <systemc>
+
+#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_square/command_account.h"
+#include "hw/pixel_square/square_names.h"
+#include "hw/systemc/retirement.h"
+
+namespace csgsim::pixel_square {
+
+/// Tells who watches the run what a renderer's pixels have carried out, with what its controller counted for it. No
+/// part of the machine, and takes no clock: it acts between the edge that carries out a command and the next.
+class SquareCompletion final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<std::uint64_t> retired{"retired"};
+  sc_core::sc_fifo_in<CommandAccount> accounts{"accounts"};
+  sc_core::sc_port<pixel_planes::EnableLines> enable{"enable"};
+  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+
+  explicit SquareCompletion(sc_core::sc_module_name name);
+
+  /// The names have to live until the frame is drawn.
+  void begin(const SquareNames& names) { names_ = &names; }
+
+ private:
+  void complete();
+
+  const SquareNames* names_ = nullptr;
+  std::uint32_t segment_ = 0;  ///< that the square is
+  std::uint32_t index_ = 0;    ///< of the instruction that comes next
+  std::uint64_t enabled_ = 0;
+};
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,174 @@
+#include "hw/pixel_square/square_controller.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "hw/base/quotient.h"
+#include "hw/machines/clocks.h"
+#include "hw/pixel_planes/clear_step.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/port_word.h"
+#include "hw/systemc/kernel.h"
+
+namespace csgsim::pixel_square {
+
+using pixel_planes::ControlWord;
+
+SquareController::SquareController(sc_core::sc_module_name name, const machines::Machine& machine)
+    : sc_core::sc_module(name),
+      period_(kernel::period_of(machine)),
+      buffered_(machines::own<Figures>(machine).buffers >= 2),
+      clear_clocks_(std::max(machine.clear_clocks, 1U)),
+      move_bits_(machines::own<Figures>(machine).move_bits),
+      memory_bits_(machine.array.memory_bits),
+      latency_(machines::evaluator_latency(machine.array)),
+      receiver_(machine.link.width),
+      sequencer_(machine.memory_reads, machine.alu_bits) {
+  SC_HAS_PROCESS(SquareController);
+  SC_METHOD(act);
+  dont_initialize();
+  sensitive << clock.pos() << left;
+}
+
+void SquareController::begin(std::uint32_t colour_bits) {
+  move_clocks_ = move_bits_ == all_planes ? 0 : quotient_up(colour_bits, move_bits_);
+  squares_ = 0;
+  idle_from_ = edges();
+  clocks_ = {};
+}
+
+/// Since the machine was built.
+std::uint64_t SquareController::edges() const { return sc_core::sc_time_stamp().value() / period_.value(); }
+
+/// At a clock edge; and when the last word of a square has left at one, which frees the pixels without a second buffer.
+/// Sleeps without a square, until a word comes.
+void SquareController::act() {
+  const bool was_idle = state_ == State::idle;
+  if (clock.posedge()) {
+    if (!was_idle) clocks_.add(activity_);
+    receiver_.clock(link);
+    advance();
+  } else if (state_ == State::leaving) {
+    finish();
+  } else {
+    return;
+  }
+  put_control_word();
+  if (was_idle && state_ != State::idle) clocks_.add(SquareActivity::waiting_for_divider, edges() - idle_from_);
+  if (state_ != State::idle) return;
+  if (!was_idle) idle_from_ = edges();
+  if (link.num_available() == 0) next_trigger(link.data_written_event());
+}
+
+void SquareController::advance() {
+  if (state_ == State::draining && --clocks_left_ == 0) state_ = State::drawn;
+  if (state_ == State::moving && --clocks_left_ == 0) finish();
+  if (state_ == State::drawn && begun_count_ == left.read()) begin_output();
+}
+
+void SquareController::begin_output() {
+  header.write(header_of(region_));
+  begun.write(++begun_count_);
+  if (!buffered_) {
+    state_ = State::leaving;
+    return;
+  }
+  state_ = State::moving;
+  clocks_left_ = move_clocks_;
+  moving.write(clocks_left_ > 0);
+  if (clocks_left_ == 0) finish();
+}
+
+void SquareController::finish() {
+  state_ = State::idle;
+  moving.write(false);
+  ++squares_;
+  finished.write(++finished_count_);
+}
+
+/// For the clock that begins now.
+void SquareController::put_control_word() {
+  if ((state_ == State::idle || state_ == State::drawing) && !sequencer_.busy()) take_command();
+  switch (state_) {
+    case State::idle: activity_ = SquareActivity::waiting_for_divider; return rest();
+    case State::clearing: activity_ = SquareActivity::working; return clear();
+    case State::drawing:
+      activity_ = sequencer_.busy() ? SquareActivity::working : SquareActivity::waiting_for_divider;
+      return sequencer_.busy() ? issue() : rest();
+    case State::draining: activity_ = SquareActivity::working; return drain();
+    case State::moving: activity_ = SquareActivity::working; return rest();
+    case State::drawn:
+    case State::leaving: activity_ = SquareActivity::waiting_for_frame_buffer; return rest();
+  }
+}
+
+void SquareController::take_command() {
+  if (!receiver_.holds()) return;
+  const isa::Command command = receiver_.take();
+  if (const auto* start = std::get_if<isa::SegmentStart>(&command)) {
+    begin_square(start->region);
+  } else if (const auto* instruction = std::get_if<isa::Instruction>(&command)) {
+    sequencer_.begin(*instruction);
+    instruction_clocks_ = 0;
+  } else {
+    state_ = State::draining;
+    clocks_left_ = latency_ + 1;
+  }
+}
+
+void SquareController::begin_square(const isa::Region& region) {
+  region_ = region;
+  ordinal_ = 0;
+  state_ = State::clearing;
+  clocks_left_ = clear_clocks_;
+}
+
+void SquareController::clear() {
+  ControlWord word;
+  word.clears = true;
+  word.clear =
+      pixel_planes::clear_step(region_, memory_bits_, clear_clocks_ - clocks_left_, clear_clocks_, memory_bits_);
+  --clocks_left_;
+  word.last = clocks_left_ == 0;
+  put(word);
+  if (clocks_left_ > 0) return;
+  accounts.nb_write({.kind = CommandAccount::Kind::start, .region = region_});
+  state_ = State::drawing;
+}
+
+void SquareController::issue() {
+  const array::BitStep step = sequencer_.issue();
+  ControlWord word;
+  word.step = step.pixels;
+  word.last = step.last;
+  word.ordinal = ordinal_;
+  put(word, step.root);
+  ++instruction_clocks_;
+  if (!step.last) return;
+  accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_});
+  ++ordinal_;
+}
+
+/// A word without a step goes behind the last one.
+void SquareController::drain() {
+  if (clocks_left_ <= latency_) return rest();
+  ControlWord word;
+  word.last = true;
+  word.ordinal = ordinal_;
+  put(word);
+  accounts.nb_write({.kind = CommandAccount::Kind::end});
+}
+
+void SquareController::rest() {
+  if (resting_) return;
+  put({});
+  resting_ = true;
+}
+
+void SquareController::put(const ControlWord& word, const array::RootBits& bits) {
+  root.write({bits});
+  control.write(word);
+  resting_ = false;
+}
+
+}  // namespace csgsim::pixel_square

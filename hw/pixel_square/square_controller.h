@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <systemc>
+
+#include "hw/array/sequencer.h"
+#include "hw/isa/wire.h"
+#include "hw/link/receiver.h"
+#include "hw/machines/machine.h"
+#include "hw/pixel_planes/control_word.h"
+#include "hw/pixel_square/account.h"
+#include "hw/pixel_square/command_account.h"
+
+namespace csgsim::pixel_square {
+
+/// Takes commands from the link and puts a control word on the wires at each rising edge, for the clock that begins
+/// with it. SegmentStart takes the clocks that clear the memory, one at least; an instruction those in which one of its
+/// steps is on the wires; SegmentEnd one, and those in which the last step is on its way to the pixels. From the next
+/// edge on at which the output buffer is free the square moves there, so many bit planes a clock; all planes at once
+/// take no clock. Without a second buffer the pixels wait until it has left. Then the next command is taken.
+class SquareController final : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+  sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
+  sc_core::sc_in<std::uint64_t> left{"left"};  ///< squares whose last word has left for the frame buffer
+  sc_core::sc_out<pixel_planes::RootWord> root{"root"};
+  sc_core::sc_out<pixel_planes::ControlWord> control{"control"};
+  sc_core::sc_out<std::uint64_t> begun{"begun"};        ///< squares that have begun to move or to leave
+  sc_core::sc_out<std::uint64_t> header{"header"};      ///< of the last of these
+  sc_core::sc_out<bool> moving{"moving"};               ///< it is not whole in the output buffer
+  sc_core::sc_out<std::uint64_t> finished{"finished"};  ///< squares that have left, or are in the output buffer
+  sc_core::sc_fifo_out<CommandAccount> accounts{"accounts"};
+
+  SquareController(sc_core::sc_module_name name, const machines::Machine& machine);
+
+  /// A frame begins, with colours of so many bits.
+  void begin(std::uint32_t colour_bits);
+
+  /// Of a frame of so many clocks, those that are over. Those after the last square are `done`.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
+    return whole(clocks_, SquareActivity::done, clocks);
+  }
+  [[nodiscard]] std::uint64_t squares() const { return squares_; }
+
+ private:
+  enum class State : std::uint8_t {
+    idle,      ///< waits for a square
+    clearing,  ///< the pixels' memory
+    drawing,   ///< takes instructions
+    draining,  ///< the last step is on its way to the pixels
+    drawn,     ///< the output buffer is not free
+    moving,    ///< the square moves to the output buffer
+    leaving,   ///< the square leaves from the pixels' memory
+  };
+
+  void act();
+  [[nodiscard]] std::uint64_t edges() const;
+  void advance();
+  void begin_output();
+  void finish();
+  void put_control_word();
+  void take_command();
+  void begin_square(const isa::Region& region);
+  void clear();
+  void issue();
+  void drain();
+  void rest();
+  void put(const pixel_planes::ControlWord& word, const array::RootBits& bits = {});
+
+  const sc_core::sc_time period_;
+  const bool buffered_;
+  const std::uint32_t clear_clocks_;
+  const std::uint32_t move_bits_;
+  const std::uint32_t memory_bits_;
+  const std::uint32_t latency_;  ///< from the roots of the multiplier trees to the pixels
+  link::Receiver receiver_;
+  array::Sequencer sequencer_;
+  std::uint32_t move_clocks_ = 0;
+
+  State state_ = State::idle;
+  SquareActivity activity_ = SquareActivity::waiting_for_divider;  ///< in the clock that began last
+  isa::Region region_;                                             ///< of the square at hand
+  std::uint32_t clocks_left_ = 0;                                  ///< of clearing, of draining or of moving
+  std::uint64_t instruction_clocks_ = 0;                           ///< of the instruction at hand
+  std::uint64_t ordinal_ = 0;  ///< of the instruction that comes next, within the square
+  bool resting_ = true;        ///< the wires carry no step
+  std::uint64_t begun_count_ = 0;
+  std::uint64_t finished_count_ = 0;
+  std::uint64_t squares_ = 0;
+  std::uint64_t idle_from_ = 0;  ///< edge of the last square's last clock, or the frame's first
+  SquareClocks clocks_;
+};
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "hw/pixel_square/account.h"
+
+/// What the clocks of a frame are worked out with, from edge to edge at which something happens. Every part acts at
+/// edges, on what the edges before have left.
+namespace csgsim::pixel_square {
+
+/// Number of a clock edge, from 1.
+using Time = std::uint64_t;
+
+/// The numbers that the parts have in the agenda. At one edge a part comes before those with higher numbers: the pixels
+/// before their decoder, which can take a word where they take a command. The order of the others does not matter.
+struct PartNumbers {
+  std::size_t renderers = 1;
+
+  [[nodiscard]] std::size_t pixels(std::size_t renderer) const { return renderer; }
+  [[nodiscard]] std::size_t decoder(std::size_t renderer) const { return renderers + renderer; }
+  [[nodiscard]] std::size_t output(std::size_t renderer) const { return 2 * renderers + renderer; }
+  [[nodiscard]] std::size_t sender() const { return 3 * renderers; }
+  [[nodiscard]] std::size_t frame_buffer() const { return sender() + 1; }
+  [[nodiscard]] std::size_t count() const { return frame_buffer() + 1; }
+};
+
+/// When which part acts next. A part sleeps while nothing but another part can let it go on.
+class Agenda {
+ public:
+  explicit Agenda(std::size_t parts) : due_(parts, never) {}
+
+  /// Whatever stood there for the part is forgotten.
+  void put(std::size_t part, Time when) {
+    due_[part] = when;
+    entries_.emplace(when, part);
+  }
+
+  /// Has a sleeping part look again.
+  void wake(std::size_t part, Time when) {
+    if (due_[part] == never) put(part, when);
+  }
+
+  /// The part that acts next, and when.
+  std::pair<Time, std::size_t> next() {
+    Entry entry = pop();
+    while (due_[entry.second] != entry.first) entry = pop();
+    due_[entry.second] = never;
+    return entry;
+  }
+
+ private:
+  using Entry = std::pair<Time, std::size_t>;
+  static constexpr Time never = ~Time{0};
+
+  Entry pop() {
+    const Entry entry = entries_.top();
+    entries_.pop();
+    return entry;
+  }
+
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> entries_;
+  std::vector<Time> due_;  ///< of each part, or never
+};
+
+/// Between two parts: a word wakes its reader, a free place its writer.
+template <class Word>
+class Fifo {
+ public:
+  Fifo(std::size_t depth, std::size_t writer, std::size_t reader, Agenda& agenda)
+      : depth_(depth), writer_(writer), reader_(reader), agenda_(&agenda) {}
+
+  [[nodiscard]] bool has_word(Time now) const { return !words_.empty() && words_.front().second < now; }
+  [[nodiscard]] bool has_room(Time now) const { return words_.size() + (read_ == now ? 1U : 0U) < depth_; }
+
+  /// Without a word (without room) now, there is one at the next edge.
+  [[nodiscard]] bool word_follows() const { return !words_.empty(); }
+  [[nodiscard]] bool room_follows() const { return words_.size() < depth_; }
+
+  void write(Time now, Word word) {
+    words_.emplace_back(std::move(word), now);
+    agenda_->wake(reader_, now + 1);
+  }
+
+  Word read(Time now) {
+    const Word word = words_.front().first;
+    words_.pop_front();
+    read_ = now;
+    agenda_->wake(writer_, now + 1);
+    return word;
+  }
+
+ private:
+  std::size_t depth_;
+  std::size_t writer_;
+  std::size_t reader_;
+  Agenda* agenda_;
+  std::deque<std::pair<Word, Time>> words_;  ///< with the edge at which each was written
+  Time read_ = 0;                            ///< edge of the last read
+};
+
+/// The clocks of a part, accounted for in order.
+class PartClocks {
+ public:
+  void work(Time clocks) { add(SquareActivity::working, clocks); }
+
+  /// Did that in all clocks before `now` that have not been accounted for.
+  void wait(SquareActivity why, Time now) { add(why, now - next_); }
+
+  /// The frame's clocks, `end` the last.
+  [[nodiscard]] const SquareClocks& whole(Time end) {
+    wait(SquareActivity::done, end + 1);
+    return clocks_;
+  }
+
+ private:
+  void add(SquareActivity activity, Time clocks) {
+    clocks_.add(activity, clocks);
+    next_ += clocks;
+  }
+
+  SquareClocks clocks_;
+  Time next_ = 1;
+};
+
+}  // namespace csgsim::pixel_square

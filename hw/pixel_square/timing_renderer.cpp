@@ -1,0 +1,104 @@
+#include "hw/pixel_square/timing_renderer.h"
+
+#include <utility>
+
+#include "hw/base/quotient.h"
+#include "hw/machines/clocks.h"
+#include "hw/pixel_square/figures.h"
+
+namespace csgsim::pixel_square {
+
+namespace {
+
+PartNumbers numbers(const machines::Machine& machine) { return {machines::own<Figures>(machine).renderers}; }
+
+Time move_clocks(const Figures& figures, std::uint32_t colour_bits) {
+  return figures.move_bits == all_planes ? 0 : quotient_up(colour_bits, figures.move_bits);
+}
+
+}  // namespace
+
+RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t colour_bits, std::size_t renderer,
+                               Agenda& agenda)
+    : agenda_(&agenda),
+      pixels_(numbers(machine).pixels(renderer)),
+      decoder_(numbers(machine).decoder(renderer)),
+      output_(numbers(machine).output(renderer)),
+      buffered_(machines::own<Figures>(machine).buffers >= 2),
+      latency_(machines::evaluator_latency(machine.array)),
+      move_clocks_(move_clocks(machines::own<Figures>(machine), colour_bits)),
+      link_(machine.link.fifo_depth, numbers(machine).sender(), decoder_, agenda),
+      colours_(machines::own<Figures>(machine).port_fifo_depth, output_, numbers(machine).frame_buffer(), agenda) {}
+
+void RendererTiming::decode(Time now) {
+  if (command_) return;
+  if (!link_.has_word(now)) {
+    if (link_.word_follows()) agenda_->put(decoder_, now + 1);
+    return;
+  }
+  command_ = link_.read(now).whole;
+  command_ ? agenda_->wake(pixels_, now + 1) : agenda_->put(decoder_, now + 1);
+}
+
+void RendererTiming::draw(Time now) {
+  if (moving_) return finish(now);
+  if (drawn_) return move_out(now);
+  if (leaving_ || !command_) return;
+  clocks_.wait(SquareActivity::waiting_for_divider, now);
+  obey(*std::exchange(command_, std::nullopt), now);
+}
+
+void RendererTiming::obey(const TimedCommand& command, Time now) {
+  agenda_->wake(decoder_, now);
+  clocks_.work(command.clocks);
+  if (command.kind == CommandKind::end) {
+    drawn_ = command.colour_words;
+    return agenda_->put(pixels_, now + latency_);
+  }
+  agenda_->put(pixels_, now + command.clocks);
+}
+
+/// A drawn square leaves the pixels when the one before it has left at an earlier edge.
+void RendererTiming::move_out(Time now) {
+  if (words_left_ > 0) return;
+  if (left_ == now) return agenda_->put(pixels_, now + 1);
+  words_left_ = *std::exchange(drawn_, std::nullopt);
+  clocks_.wait(SquareActivity::waiting_for_frame_buffer, now + 1);
+  if (!buffered_) {
+    leaving_ = true;
+    return agenda_->put(output_, now + 1);
+  }
+  moving_ = true;
+  if (move_clocks_ == 0) return finish(now);
+  clocks_.work(move_clocks_);
+  agenda_->put(pixels_, now + move_clocks_);
+}
+
+/// The pixels are free from the next edge on.
+void RendererTiming::finish(Time now) {
+  if (leaving_) {
+    clocks_.wait(SquareActivity::waiting_for_frame_buffer, now + 1);
+  } else {
+    agenda_->put(output_, now + 1);
+  }
+  moving_ = false;
+  leaving_ = false;
+  ++finished_;
+  finished_at_ = now;
+  agenda_->put(pixels_, now + 1);
+}
+
+void RendererTiming::leave(Time now) {
+  if (words_left_ == 0 || moving_) return;
+  if (!colours_.has_room(now)) {
+    if (colours_.room_follows()) agenda_->put(output_, now + 1);
+    return;
+  }
+  colours_.write(now, {.last = words_left_ == 1});
+  if (--words_left_ > 0) return agenda_->put(output_, now + 1);
+  left_ = now;
+  if (leaving_) return finish(now);
+  if (drawn_) agenda_->wake(pixels_, now + 1);
+}
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hw/machines/machine.h"
+#include "hw/pixel_square/timing_agenda.h"
+
+namespace csgsim::pixel_square {
+
+enum class CommandKind : std::uint8_t { start, instruction, end };
+
+/// What a renderer is told.
+struct TimedCommand {
+  CommandKind kind = CommandKind::start;
+  std::uint64_t words = 0;         ///< on the link
+  std::uint64_t clocks = 0;        ///< of the pixels' controller
+  std::uint64_t colour_words = 0;  ///< with the end: that the square leaves in
+};
+
+/// Some bits of a command; the last bring the whole of it.
+struct TimedLinkWord {
+  std::optional<TimedCommand> whole;
+};
+
+struct TimedPortWord {
+  bool last = false;               ///< of the square, or of the header of one to clear
+  std::uint64_t clear_clocks = 0;  ///< with such a header
+};
+
+/// A renderer, as edges see it: the decoder of its commands, its pixels, and what their squares leave through.
+class RendererTiming {
+ public:
+  RendererTiming(const machines::Machine& machine, std::uint32_t colour_bits, std::size_t renderer, Agenda& agenda);
+
+  [[nodiscard]] Fifo<TimedLinkWord>& link() { return link_; }
+  [[nodiscard]] Fifo<TimedPortWord>& colours() { return colours_; }
+
+  // What its three parts do at an edge.
+  void decode(Time now);
+  void draw(Time now);
+  void leave(Time now);
+
+  /// It gets one more square.
+  void hand() { ++handed_; }
+
+  /// Squares that it has got and, as can be told at that edge, not finished.
+  [[nodiscard]] std::uint64_t unfinished(Time now) const { return handed_ - finished_ + (finished_at_ == now ? 1 : 0); }
+
+  [[nodiscard]] std::uint64_t finished() const { return finished_; }
+  [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.whole(end); }
+
+ private:
+  void obey(const TimedCommand& command, Time now);
+  void move_out(Time now);
+  void finish(Time now);
+
+  Agenda* agenda_;
+  std::size_t pixels_;   ///< part
+  std::size_t decoder_;  ///< part
+  std::size_t output_;   ///< part
+  bool buffered_;
+  Time latency_;      ///< from the controller to the pixels
+  Time move_clocks_;  ///< to the second buffer
+
+  Fifo<TimedLinkWord> link_;
+  Fifo<TimedPortWord> colours_;
+  PartClocks clocks_;  ///< of the pixels
+
+  std::optional<TimedCommand> command_;  ///< that the decoder holds
+  std::optional<std::uint64_t> drawn_;   ///< words of a square that is drawn and has not moved
+  bool moving_ = false;                  ///< a square, to the second buffer
+  bool leaving_ = false;                 ///< a square, from the pixels' memory
+  std::uint64_t words_left_ = 0;         ///< of the square that leaves
+  Time left_ = 0;                        ///< edge of its last word
+  std::uint64_t handed_ = 0;
+  std::uint64_t finished_ = 0;
+  Time finished_at_ = 0;
+};
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,27 @@
+#include "tests/lockstep/row.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+
+namespace csgsim::test {
+
+void read_row(int count, char** words, const std::map<std::string, std::uint32_t*>& known) {
+  for (int i = 1; i < count; ++i) {
+    const std::string word = words[i];
+    const std::size_t equals = word.find('=');
+    const auto setting = known.find(word.substr(0, equals));
+    if (equals == word.npos || setting == known.end()) throw std::invalid_argument("what is " + word + "?");
+    *setting->second = static_cast<std::uint32_t>(std::stoul(word.substr(equals + 1)));
+  }
+}
+
+int exit_code_of(unsigned programs, const std::function<bool()>& agree) {
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", programs).c_str(), 0);
+  return agree() ? 0 : 1;
+}
+
+}  // namespace csgsim::test

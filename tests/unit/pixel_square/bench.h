@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <systemc>
+#include <vector>
+
+#include "hw/link/frame_words.h"
+#include "hw/machines/kind.h"
+#include "hw/machines/machine.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/kind.h"
+#include "hw/pixel_square/port_word.h"
+#include "hw/systemc/kernel.h"
+#include "hw/systemc/retirement.h"
+
+namespace csgsim::testing {
+
+/// A machine of 2 x 2 pixels of 8 bits a square and a picture of 4 x 2, with a link of 32 bits.
+inline machines::Machine square_machine(const pixel_square::Figures& figures, const machines::Link& link = {
+                                                                                  .width = 32,
+                                                                                  .word_clocks = 1,
+                                                                                  .fifo_depth = 64,
+                                                                                  .latency = 0,
+                                                                              }) {
+  machines::Machine machine = machines::blank(pixel_square::kind);
+  machine.name = "squares";
+  machine.array = {2, 2, 8};
+  machine.picture = {4, 2};
+  machine.clock_hz = 10'000'000;
+  machine.link = link;
+  machine.own = figures;
+  return machine;
+}
+
+/// Edges of a clock, one at a time: what is written between two of them is there at the next.
+class Bench {
+ public:
+  explicit Bench(const machines::Machine& machine)
+      : clock("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)) {}
+
+  /// So many edges go by, and all that belongs to them happens.
+  void edges(std::uint64_t count) {
+    if (!begun_) sc_core::sc_start(clock.period() / 2);
+    begun_ = true;
+    for (std::uint64_t i = 0; i < count; ++i) sc_core::sc_start(clock.period());
+  }
+
+  sc_core::sc_clock clock;
+
+ private:
+  bool begun_ = false;
+};
+
+/// All that is in a FIFO.
+template <class Word>
+std::vector<Word> drained(sc_core::sc_fifo<Word>& fifo) {
+  std::vector<Word> words;
+  for (Word word; fifo.nb_read(word);) words.push_back(word);
+  return words;
+}
+
+/// The bits of words of so many bits each, in the order in which they travel.
+inline std::vector<bool> bits_of(const std::vector<pixel_square::PortWord>& words, std::uint32_t port_bits) {
+  std::vector<bool> bits;
+  for (const pixel_square::PortWord& word : words)
+    for (std::uint32_t i = 0; i < port_bits; ++i) bits.push_back((word.bits.at(i / 64) >> (i % 64) & 1U) != 0);
+  return bits;
+}
+
+/// Adds a number of so many bits, the least significant first.
+inline void add_bits(std::vector<bool>& bits, std::uint64_t value, unsigned count) {
+  for (unsigned i = 0; i < count; ++i) bits.push_back((value >> i & 1U) != 0);
+}
+
+/// A square as it travels in words of that many bits: x, y, width and height of 16 bits each, then, from a new word on,
+/// the colours of so many bits each; zeros fill the last word.
+inline std::vector<bool> travelling(const isa::Region& region, const std::vector<std::uint32_t>& colours,
+                                    unsigned colour_bits, std::uint32_t port_bits) {
+  std::vector<bool> bits;
+  const auto fill_word = [&] {
+    while (bits.size() % port_bits != 0) bits.push_back(false);
+  };
+  for (const std::uint32_t number : {region.x, region.y, region.width, region.height}) add_bits(bits, number, 16);
+  fill_word();
+  for (const std::uint32_t colour : colours) add_bits(bits, colour, colour_bits);
+  fill_word();
+  return bits;
+}
+
+/// Words of so many bits.
+inline std::vector<pixel_square::PortWord> in_words(const std::vector<bool>& bits, std::uint32_t port_bits) {
+  std::vector<pixel_square::PortWord> words;
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    const std::size_t place = i % port_bits;
+    if (place == 0) words.push_back({std::vector<std::uint64_t>((port_bits + 63) / 64)});
+    if (bits[i]) words.back().bits[place / 64] |= std::uint64_t{1} << place % 64;
+  }
+  return words;
+}
+
+}  // namespace csgsim::testing

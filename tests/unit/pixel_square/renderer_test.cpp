@@ -1,0 +1,191 @@
+// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+
+#include "hw/pixel_square/renderer.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/wire.h"
+#include "sim/reference/reference_array.h"
+#include "tests/unit/pixel_square/bench.h"
+
+using namespace csgsim;
+using isa::Field;
+using isa::Instruction;
+using isa::Opcode;
+using pixel_square::PortWord;
+using pixel_square::Renderer;
+using pixel_square::SquareActivity;
+using testing::Bench;
+
+namespace {
+
+// Every command is one word of the link, and is there before the first edge. The receiver takes SegmentStart at edge 1;
+// from 2 on five clocks clear the memory; at 7 enable_all is issued, at 8 to 13 the six bits of the linear expression;
+// SegmentEnd at 14. A tree of 4 x 2 leaves has three levels, so that it has arrived at 17.
+constexpr std::uint32_t link_width = 256;
+constexpr std::uint32_t clear_clocks = 5;
+constexpr std::uint64_t drawn_at = 17;
+
+// In words of 8 bits the header is eight, and six colours of 4 bits are three.
+constexpr std::uint32_t port_bits = 8;
+constexpr std::uint64_t square_words = 8 + 3;
+
+constexpr Field colour{2, 4};
+constexpr isa::Region square{4, 2, 3, 2};
+constexpr Instruction enable_all{.opcode = Opcode::enable_all};
+constexpr Instruction ramp{
+    .opcode = Opcode::load_linear, .fields = {colour}, .linear = {.a = 2, .b = 5, .c = 3, .width = 6}};
+
+/// Notes what it is told.
+class Listener final : public kernel::RunListener {
+ public:
+  void after_instruction(const kernel::Retired& retired, const kernel::PixelView& /*pixels*/) override {
+    instructions.push_back(retired);
+  }
+  void after_segment(std::uint32_t segment, const kernel::PixelView& /*pixels*/) override {
+    squares.push_back(segment);
+  }
+
+  std::vector<kernel::Retired> instructions;
+  std::vector<std::uint32_t> squares;
+};
+
+/// A renderer with pixels of 4 x 2, whose link holds whatever a test sends.
+struct Board {
+  Board(std::uint32_t buffers, std::uint32_t move_bits, int port_depth)
+      : machine(machine_of(buffers, move_bits)),
+        bench(machine),
+        colours("colours", port_depth),
+        renderer("renderer", machine) {
+    renderer.clock(bench.clock);
+    renderer.link(link);
+    renderer.colours(colours);
+    renderer.finished(finished);
+    renderer.retirement(retirement);
+    retirement.begin(listener);
+    names.begin(segments);
+    renderer.begin(colour, names);
+  }
+
+  static machines::Machine machine_of(std::uint32_t buffers, std::uint32_t move_bits) {
+    machines::Machine machine =
+        testing::square_machine({.buffers = buffers, .move_bits = move_bits, .port_bits = port_bits});
+    machine.array = {4, 2, 8};
+    machine.clear_clocks = clear_clocks;
+    machine.link.width = link_width;
+    return machine;
+  }
+
+  void send(const std::vector<Instruction>& instructions) {
+    const auto put = [&](const isa::LinkWord& word) { CHECK(link.nb_write(word)); };
+    isa::encode(isa::SegmentStart{square}, link_width, put);
+    for (const Instruction& one : instructions) isa::encode(one, link_width, put);
+    isa::encode(isa::SegmentEnd{}, link_width, put);
+  }
+
+  machines::Machine machine;
+  Bench bench;
+  std::vector<isa::Segment> segments{{.region = {0, 0, 4, 2}, .instructions = {}},
+                                     {.region = square, .instructions = {}}};
+  pixel_square::SquareNames names;
+  sc_core::sc_fifo<isa::LinkWord> link{"link", 100};
+  sc_core::sc_fifo<PortWord> colours;
+  sc_core::sc_signal<std::uint64_t> finished{"finished"};
+  kernel::Retirement retirement{"retirement"};
+  Listener listener;
+  Renderer renderer;
+};
+
+/// The colours of the square after these, as the reference has them.
+std::vector<std::uint32_t> reference(const std::vector<Instruction>& instructions) {
+  sim::ReferenceArray judge(isa::Region{0, 0, square.width, square.height}, 8);
+  for (const Instruction& one : instructions) judge.execute(one);
+  std::vector<std::uint32_t> values(std::size_t{square.width} * square.height);
+  judge.read_field(colour, values);
+  return values;
+}
+
+/// Nothing is seen before that edge, and the square is finished with it.
+void check_finished_at(Board& board, std::uint64_t edge) {
+  board.bench.edges(edge - 1);
+  CHECK(board.finished.read() == 0);
+  board.bench.edges(1);
+  CHECK(board.finished.read() == 1);
+}
+
+}  // namespace
+
+TEST_CASE("a square is drawn in its clocks, moves to the second buffer in none, and leaves from the next edge on") {
+  Board board(2, pixel_square::all_planes, 100);
+  board.send({enable_all, ramp});
+  check_finished_at(board, drawn_at);
+  CHECK(board.colours.num_available() == 0);
+  board.bench.edges(1);
+  CHECK(board.colours.num_available() == 1);
+  board.bench.edges(square_words - 1);
+  CHECK(testing::bits_of(testing::drained(board.colours), port_bits) ==
+        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+
+  const pixel_square::SquareClocks account = board.renderer.account(28);
+  CHECK(account.of(SquareActivity::waiting_for_divider) == 1);
+  CHECK(account.of(SquareActivity::working) == drawn_at - 1);
+  CHECK(account.of(SquareActivity::done) == 28 - drawn_at);
+
+  CHECK(board.listener.squares == std::vector<std::uint32_t>{1});
+  REQUIRE(board.listener.instructions.size() == 2);
+  CHECK(board.listener.instructions[0].clocks == 1);
+  CHECK(board.listener.instructions[0].enabled_pixels == 0);
+  CHECK(board.listener.instructions[1].clocks == 6);
+  CHECK(board.listener.instructions[1].enabled_pixels == 6);
+}
+
+TEST_CASE("four bits of colour move to the second buffer in two clocks, three bit planes in each") {
+  Board board(2, 3, 100);
+  board.send({enable_all, ramp});
+  check_finished_at(board, drawn_at + 2);
+  CHECK(board.colours.num_available() == 0);
+  board.bench.edges(1);
+  CHECK(board.colours.num_available() == 1);
+  CHECK(board.renderer.account(20).of(SquareActivity::working) == drawn_at - 1 + 2);
+}
+
+TEST_CASE("without a second buffer a square is finished when its last word has left") {
+  Board board(1, pixel_square::all_planes, 100);
+  board.send({enable_all, ramp});
+  check_finished_at(board, drawn_at + square_words);
+  CHECK(board.colours.num_available() == static_cast<int>(square_words));
+  CHECK(board.renderer.account(28).of(SquareActivity::waiting_for_frame_buffer) == square_words);
+}
+
+TEST_CASE(
+    "the next square is drawn while one leaves, and waits until the edge after that at which its last word left") {
+  Board board(2, pixel_square::all_planes, 1);
+  const Instruction two{.opcode = Opcode::set_constant, .fields = {colour}, .constant = 2};
+  board.send({enable_all, ramp});
+  board.send({enable_all, two});
+  board.bench.edges(drawn_at + 100);
+  CHECK(board.finished.read() == 1);
+  CHECK(board.renderer.pixels().memory_bit(colour.base + 1U, 2, 1));  // of the second square
+  std::vector<PortWord> words;
+  while (words.size() + 1 < square_words) {
+    CHECK(board.finished.read() == 1);
+    words.push_back(board.colours.read());
+    board.bench.edges(1);
+  }
+  board.bench.edges(1);  // the last word stands in the FIFO since the edge before
+  CHECK(board.finished.read() == 2);
+  words.push_back(board.colours.read());
+  CHECK(testing::bits_of(words, port_bits) ==
+        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+  words.clear();
+  while (words.size() < square_words) {
+    board.bench.edges(1);
+    words.push_back(board.colours.read());
+  }
+  CHECK(testing::bits_of(words, port_bits) ==
+        testing::travelling(square, reference({enable_all, two}), colour.width, port_bits));
+  CHECK(board.listener.squares == std::vector<std::uint32_t>{1, 1});
+}
