@@ -8,6 +8,7 @@
 
 #include "host/emit/context.h"
 #include "host/emit/divided.h"
+#include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/halfspaces.h"
 #include "hw/base/error.h"
@@ -45,16 +46,18 @@ isa::ModelFacts model_facts(const model::Tree& tree, const facet::Scene& scene) 
   return facts;
 }
 
-std::uint32_t background(const Options& options) {
-  const glm::dvec3& colour = effects::background_colour;
-  return isa::pack_colour({colour.r, colour.g, colour.b}, options.colour_bits);
-}
-
 void emit_setup(const Context& context, Broadcast& out) {
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
   out.plain(isa::Opcode::enable_all);
   out.plain(isa::Opcode::set_constant, context.layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
-  out.plain(isa::Opcode::set_constant, context.layout.colour, {}, background(context.options));
+  out.plain(isa::Opcode::set_constant, context.layout.colour, {},
+            packed_background(context.options.scene, context.options.colour_bits));
+}
+
+std::vector<std::string> effect_names(const Options& options) {
+  std::vector<std::string> names{"flat"};
+  for (const CalledEffect& one : options.effects) names.emplace_back(one.effect->name());
+  return names;
 }
 
 /// Everything that is compiled from.
@@ -63,6 +66,7 @@ struct Input {
   const facet::Scene& scene;
   const view::View& view;
   const Plan& plan;
+  const Look& look;
   const machines::Machine& machine;
   std::optional<machines::Division> division;  ///< of the machine
 };
@@ -103,12 +107,13 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.facts.depth_scale = input.view.depth;
   program.facts.model = model_facts(input.tree, input.scene);
   program.facts.fields = named_fields(layout);
-  program.background = background(options);
+  program.background = packed_background(options.scene, options.colour_bits);
 
   ScanConversions counts;
   for (const SegmentPlan& plan : input.plan.segments) {
     program.segments.push_back(compile_segment(
-        {input.tree, input.scene, input.view, input.plan.positive, plan, layout, options, input.machine}, counts));
+        {input.tree, input.scene, input.view, input.plan.positive, plan, layout, options, input.machine, input.look},
+        counts));
   }
   program.facts.compile = {std::string(name_of(options.strategy)),
                            std::string(name_of(options.colouring)),
@@ -120,7 +125,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
                            counts.rendered,
                            counts.classified,
                            counts.depth_tests,
-                           {"flat"}};
+                           effect_names(options)};
   return program;
 }
 
@@ -171,7 +176,8 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   // Chapter 6 multiplies the tree of primitives out as it is.
   if (options.strategy == Strategy::products) pruning.sets = false;
   const Plan plan = make_plan(tree, scene, view, machines::regions(machine), pruning);
-  const Input input{tree, scene, view, plan, machine, division};
+  const Look look = make_look(options.scene, tree, plan.positive, view.camera);
+  const Input input{tree, scene, view, plan, look, machine, division};
   const std::vector<Options> all = candidates(options, plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());
   std::optional<isa::Program> best;

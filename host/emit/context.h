@@ -2,6 +2,7 @@
 
 #include "host/emit/broadcast.h"
 #include "host/emit/layout.h"
+#include "host/emit/look.h"
 #include "host/emit/options.h"
 #include "host/emit/plan.h"
 #include "hw/machines/machine.h"
@@ -18,6 +19,7 @@ struct Context {
   const Layout& layout;
   const Options& options;
   const machines::Machine& machine;
+  const Look& look;
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {

@@ -8,7 +8,6 @@
 
 #include "host/csg/convex_sets.h"
 #include "host/csg/locate.h"
-#include "host/effects/flat_shading.h"
 #include "host/emit/context.h"
 #include "host/emit/facet_colour.h"
 #include "host/emit/near_cap.h"
@@ -147,15 +146,15 @@ division::DisplayModel make_display_model(const model::Tree& tree, const facet::
   const csg::PositiveTree positive = csg::make_positive(tree);
   const SegmentPlan segment;
   const machines::Machine machine;
-  const Context context{tree, scene, view, positive, segment, layout, options, machine};
-  const glm::dvec3& background = effects::background_colour;
+  const Look look = make_look(options.scene, tree, positive, view.camera);
+  const Context context{tree, scene, view, positive, segment, layout, options, machine, look};
   SentPlanes planes(view);
   division::DisplayModel made{sampling.width,
                               sampling.height,
                               sampling.z_bits,
                               sampling.fraction_bits,
                               options.colour_bits,
-                              isa::pack_colour({background.r, background.g, background.b}, options.colour_bits),
+                              packed_background(options.scene, options.colour_bits),
                               fields_of(layout, memory_bits),
                               {},
                               primitives_of(context, planes),

@@ -116,7 +116,7 @@ class Counter {
   }
 
   [[nodiscard]] Context context_of(const SegmentPlan& segment) const {
-    return {tree_, scene_, view_, positive_, segment, layout_, options_, machine_};
+    return {tree_, scene_, view_, positive_, segment, layout_, options_, machine_, look_};
   }
 
   /// Whether the boxes of a set's primitives, and the square, have pixels and depths in common.
@@ -240,6 +240,7 @@ class Counter {
   csg::PositiveTree positive_;
   Layout layout_;
   machines::Machine machine_;
+  Look look_;
   std::vector<Box> boxes_;  ///< of each node: holds those of its primitives that have pixels
 };
 

@@ -1,28 +1,31 @@
 #include "host/emit/facet_colour.h"
 
-#include <glm/geometric.hpp>
-
+#include "host/emit/facet_geometry.h"
 #include "hw/isa/colour_format.h"
 
 namespace csgsim::emit {
 
 namespace {
 
-/// Out of the solid that is seen, in eye space.
-glm::dvec3 outward(const Context& context, const Facet& facet) {
-  if (facet.at == At::cap) return {0, 0, -1};
-  const view::Basis axes = view::basis(context.view.camera);
-  const glm::dvec3& normal = context.scene.planes.planes()[facet.halfspace.plane].normal;
-  const double sign = facet.halfspace.positive != context.complemented(facet.primitive) ? 1.0 : -1.0;
-  return sign * glm::dvec3(glm::dot(normal, axes.right), glm::dot(normal, axes.up), glm::dot(normal, axes.forward));
+/// The mean of a facet's vertices, in the camera's axes.
+glm::dvec3 middle(const Context& context, const Facet& facet) {
+  const std::vector<glm::dvec3> vertices = vertices_of(context, facet);
+  glm::dvec3 sum{0};
+  for (const glm::dvec3& vertex : vertices) sum += vertex;
+  const glm::dvec3 place = vertices.empty() ? context.scene.solids[facet.primitive].box.centre()
+                                            : sum / static_cast<double>(vertices.size());
+  return in_camera_axes(context.view.camera, place - context.view.camera.eye);
 }
 
 }  // namespace
 
 std::uint32_t facet_colour(const Context& context, const Facet& facet) {
-  const glm::dvec3 own = context.tree.primitives[facet.primitive].colour.value_or(
-      context.complemented(facet.primitive) ? effects::default_cut_colour : effects::default_colour);
-  const glm::dvec3 colour = effects::shade(context.options.shading, own, outward(context, facet));
+  const lighting::Finish& finish = context.look.finishes[facet.primitive];
+  const lighting::Lighting& light = context.look.lighting;
+  const glm::dvec3 place = light.is_local(finish.material) ? middle(context, facet) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 normal =
+      facet.at == At::cap ? glm::dvec3(0, 0, -1) : in_camera_axes(context.view.camera, outward(context, facet));
+  const glm::dvec3 colour = lighting::lit(light, finish.material, finish.colour, {place, normal});
   return isa::pack_colour({colour.r, colour.g, colour.b}, context.options.colour_bits);
 }
 

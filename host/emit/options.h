@@ -1,11 +1,13 @@
 #pragma once
 
+#include <any>
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "host/csg/pruning.h"
-#include "host/effects/flat_shading.h"
+#include "host/scene/scene.h"
 #include "hw/isa/colour_format.h"
 
 namespace csgsim::emit {
@@ -44,13 +46,22 @@ inline constexpr unsigned fewest_stack_bits = 3;
 /// Most products that a segment of a Program is compiled for.
 inline constexpr std::uint64_t most_products = 16'384;
 
+struct Effect;
+
+/// An effect that the scene calls for.
+struct CalledEffect {
+  const Effect* effect = nullptr;
+  std::any settings;  ///< as its section of the scene says
+};
+
 struct Options {
   Strategy strategy = Strategy::stack;
   unsigned stack_bits = fewest_stack_bits;  ///< for Strategy::bits: m of thesis 6.4, fewest_stack_bits at least
   Colouring colouring = Colouring::rebroadcast;
   unsigned colour_bits = isa::most_colour_bits;
   csg::Pruning pruning;
-  effects::FlatShading shading;
+  scene::Scene scene;
+  std::vector<CalledEffect> effects;  ///< in the order of their rows
 };
 
 }  // namespace csgsim::emit

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host/emit/facet_colour.h"
+#include "host/emit/effect.h"
 #include "host/emit/halfspaces.h"
 #include "host/emit/near_cap.h"
 #include "hw/isa/opcodes.h"
@@ -106,7 +106,7 @@ class Extreme {
   void set_colour(const Facet& facet) {
     const isa::Origin origin = out_.origin;
     out_.origin = origin_of(isa::Purpose::shade, planned_, facet);
-    out_.plain(Opcode::set_constant, context_.layout.candidate_colour, {}, facet_colour(context_, facet));
+    emit_colour(context_, out_, facet, context_.layout.candidate_colour, surface_.block.pixels);
     out_.origin = origin;
   }
 
@@ -129,14 +129,16 @@ void emit_near_test(const Context& context, Broadcast& out, const Surface& surfa
 /// Finds where each facet is seen by broadcasting it again, the mask holding what is left.
 void emit_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
   const Layout& layout = context.layout;
+  const bool mask_first = has_shaders(context);
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     const Facet& facet = surface.facets[i];
     const bool is_rest = i + 1 == surface.facets.size();
     out.origin = origin_of(isa::Purpose::shade, planned, facet);
     if (i > 0) out.plain(Opcode::enable_load, layout.mask);
     if (!is_rest) out.surface(Opcode::linear_eq, layout.candidate, plane_of(context, facet), surface.block.pixels);
-    out.plain(Opcode::set_constant, layout.colour, {}, facet_colour(context, facet));
-    if (!is_rest) out.plain(Opcode::set_constant, layout.mask, {}, 0);
+    if (!is_rest && mask_first) out.plain(Opcode::set_constant, layout.mask, {}, 0);
+    emit_colour(context, out, facet, layout.colour, surface.block.pixels);
+    if (!is_rest && !mask_first) out.plain(Opcode::set_constant, layout.mask, {}, 0);
   }
 }
 

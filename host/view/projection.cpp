@@ -161,16 +161,20 @@ Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace) {
   return same ? Side::front : Side::back;
 }
 
-View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling) {
-  check(sampling);
+EyeSpace eye_space(const Camera& camera, const Sampling& sampling) {
   const bool perspective = camera.projection == Projection::perspective;
   const double half = perspective ? half_height_per_distance() : half_height(camera);
-  const EyeSpace space{basis(camera),
-                       camera.eye,
-                       perspective,
-                       2.0 * half / sampling.height,
-                       (sampling.width - 1.0) / 2.0,
-                       (sampling.height - 1.0) / 2.0};
+  return {basis(camera),
+          camera.eye,
+          perspective,
+          2.0 * half / sampling.height,
+          (sampling.width - 1.0) / 2.0,
+          (sampling.height - 1.0) / 2.0};
+}
+
+View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling) {
+  check(sampling);
+  const EyeSpace space = eye_space(camera, sampling);
   View view;
   view.camera = camera;
   view.sampling = sampling;
@@ -180,7 +184,7 @@ View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera&
   }
   for (const facet::Convex& solid : scene.solids) view.extents.push_back(make_extent(solid, space, view));
   const double far_step = (view.depth.far - view.depth.near) / isa::depth_steps(sampling.z_bits);
-  view.depth_step = perspective ? far_step * view.depth.far / view.depth.near : far_step;
+  view.depth_step = space.perspective ? far_step * view.depth.far / view.depth.near : far_step;
   return view;
 }
 

@@ -8,6 +8,7 @@
 #include "host/facet/scene.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
+#include "host/view/eye_space.h"
 #include "host/view/fixed_point.h"
 #include "hw/isa/program.h"
 
@@ -81,6 +82,9 @@ struct View {
   std::vector<Extent> extents;      ///< one a primitive
   double depth_step = 0;            ///< model units of a depth step where it is coarsest
 };
+
+/// Model space, eye space and picture of a camera. Throws InputError for a camera that cannot be.
+EyeSpace eye_space(const Camera& camera, const Sampling& sampling);
 
 /// Transforms planes and extents. Throws InputError for a camera or sampling that cannot be.
 ///

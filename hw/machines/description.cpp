@@ -1,10 +1,8 @@
 #include "hw/machines/description.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,33 +10,15 @@
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
+#include "hw/base/toml_text.h"
 #include "hw/machines/schema.h"
 
 namespace csgsim::machines {
 
 namespace {
 
-/// Parts of a dotted key are tables in tables, which toml++ destroys by recursion: each may take stack.
-constexpr std::ptrdiff_t most_dots = 50;
-
 constexpr std::string_view provenances[] = {"published", "assumed"};
 constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "source"};
-
-std::string_view type_name(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::none: return "nothing";
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "an array";
-    case toml::node_type::string: return "a string";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number with a point";
-    case toml::node_type::boolean: return "a boolean";
-    case toml::node_type::date: return "a date";
-    case toml::node_type::time: return "a time";
-    case toml::node_type::date_time: return "a date and time";
-  }
-  return "unknown";
-}
 
 class Reader {
  public:
@@ -70,8 +50,7 @@ class Reader {
   };
 
   [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
-    throw InputError(fmt::format("{}:{}:{}: {}", file_, std::max(place.line, toml::source_index{1}),
-                                 std::max(place.column, toml::source_index{1}), message));
+    throw InputError(fmt::format("{}: {}", show(place, file_), message));
   }
 
   [[nodiscard]] bool seen(const FigureSchema& schema) const {
@@ -210,32 +189,10 @@ class Reader {
   std::vector<Placed> figures_;
 };
 
-void check_dots(std::string_view text, std::string_view file) {
-  std::size_t line = 1;
-  for (std::size_t begin = 0; begin < text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view content = text.substr(begin, end - begin);
-    if (std::count(content.begin(), content.end(), '.') > most_dots)
-      throw InputError(
-          fmt::format("{}:{}:1: more than {} dots in a line; no key has so many parts, and a long text goes "
-                      "over several lines in triple quotes",
-                      file, line, most_dots));
-    begin = end + 1;
-  }
-}
-
 }  // namespace
 
 Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds) {
-  check_dots(text, file);
-  std::optional<toml::table> root;
-  try {
-    root = toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    const toml::source_position place = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: {}", file, place.line, place.column, error.description()));
-  }
-  return Reader(file, kinds).read(*root);
+  return Reader(file, kinds).read(parse_toml(text, file));
 }
 
 }  // namespace csgsim::machines

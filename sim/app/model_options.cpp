@@ -5,12 +5,15 @@
 #include <map>
 #include <vector>
 
+#include "host/effects/rows.h"
 #include "host/emit/compile.h"
 #include "host/facet/scene.h"
 #include "host/read/read.h"
 #include "host/read/source.h"
+#include "host/scene/read.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
+#include "hw/base/input_file.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 #include "hw/kinds/load.h"
@@ -62,7 +65,32 @@ void warn_of_coarse_depth(const view::View& view) {
                   view.depth_step));
 }
 
+constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
+
+view::Projection projection_of(const ModelOptions& options) {
+  if (!options.projection.empty()) return projections.at(options.projection);
+  const bool is_perspective = options.scene().camera.is_perspective.value_or(false);
+  return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
+}
+
+/// As the scene says it; an orthographic view has none.
+std::optional<double> near_of(const ModelOptions& options) {
+  return projection_of(options) == view::Projection::perspective ? options.scene().camera.near : std::nullopt;
+}
+
 }  // namespace
+
+const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
+  if (scene_ != nullptr) return *scene_;
+  LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}};
+  try {
+    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sets, effects::sections());
+  } catch (const scene::SetError& error) {
+    throw UsageError(error.what());
+  }
+  scene_ = std::make_shared<const LoadedScene>(std::move(loaded));
+  return *scene_;
+}
 
 std::vector<std::string> pruning_names() {
   std::vector<std::string> names{"all"};
@@ -101,7 +129,10 @@ void ModelOptions::add_to(Command& command) {
 void ModelOptions::add_view_to(Command& command) {
   command.option("--size", size, "Picture and array size in pixels, WxH; the machine's own if not given");
   command.option("--camera", camera, "Eye and centre as OpenSCAD takes them: ex,ey,ez,cx,cy,cz");
-  command.option("--projection", projection, "ortho or perspective").one_of(projections);
+  command.option("--projection", projection, "ortho or perspective; ortho if the scene says nothing either")
+      .one_of(projections);
+  command.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
+  command.option("--set", sets, "A key of the scene, as in lights.0.direction=0,0,-1; once for each");
   command.flag("--view-all", view_all, "Move the camera so that the whole model just fits");
   command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
   command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients");
@@ -131,6 +162,8 @@ emit::Options emit_options_of(const ModelOptions& options) {
   emit.stack_bits = options.stack_bits;
   emit.colouring = by_name(emit::colourings).at(options.colouring);
   emit.colour_bits = options.colour_bits;
+  emit.scene = options.scene();
+  emit.effects = effects::called_by(emit.scene);
   for (const std::string& name : options.without) {
     for (const NamedPruning& pruning : prunings) {
       if (name == "all" || name == pruning.name) emit.pruning.*pruning.is_done = false;
@@ -152,26 +185,34 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
 }
 
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine) {
-  if (options.near && projections.at(options.projection) != view::Projection::perspective) {
+  if (options.near && projection_of(options) != view::Projection::perspective) {
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
   const machines::Size picture = machine.picture;
-  return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, options.near};
+  const std::optional<double> near = options.near ? options.near : near_of(options);
+  return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, near};
 }
 
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene) {
   const machines::Size picture = machine.picture;
   view::Camera camera = view::default_camera(scene.box, picture.width, picture.height);
+  const scene::Camera& seen_by = options.scene().camera;
+  camera.eye = seen_by.eye.value_or(camera.eye);
+  camera.centre = seen_by.centre.value_or(camera.centre);
   if (!options.camera.empty()) {
     const auto v = numbers<double>(options.camera, ',', 6, "--camera", "ex,ey,ez,cx,cy,cz");
     camera.eye = {v[0], v[1], v[2]};
     camera.centre = {v[3], v[4], v[5]};
   }
-  camera.projection = projections.at(options.projection);
-  return options.view_all ? view::view_all(camera, scene.box, picture.width, picture.height) : camera;
+  camera.projection = projection_of(options);
+  return options.view_all || seen_by.view_all.value_or(false)
+             ? view::view_all(camera, scene.box, picture.width, picture.height)
+             : camera;
 }
 
-std::vector<std::filesystem::path> ModelOptions::inputs() const { return input_files({model}, {machine}); }
+std::vector<std::filesystem::path> ModelOptions::inputs() const {
+  return input_files(scene_file.empty() ? std::vector{model} : std::vector{model, scene_file}, {machine});
+}
 
 ModelFile read_model_file(const ModelOptions& options) {
   if (is_program(options.model))
@@ -180,6 +221,7 @@ ModelFile read_model_file(const ModelOptions& options) {
     const std::string text = read::load(options.model);
     study::Hash hash;
     hash.add(text);
+    hash.add(options.scene_text());
     return ModelFile{read::read_csg_text(text, options.model), hash.text()};
   });
 }

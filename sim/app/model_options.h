@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "host/emit/options.h"
 #include "host/facet/scene.h"
+#include "host/scene/scene.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
@@ -31,9 +33,11 @@ struct ModelOptions {
   std::string size;
   std::optional<std::uint32_t> memory_bits;
   std::string camera;
-  std::string projection = "ortho";
+  std::string projection;  ///< empty: the scene's
   bool view_all = false;
   std::optional<double> near;
+  std::string scene_file;
+  std::vector<std::string> sets;  ///< KEY=VALUE of the scene
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
   double edge_on = 1.0 / 256;
@@ -46,11 +50,25 @@ struct ModelOptions {
 
   void add_to(Command& command);
 
-  /// The files that are read: the model, and the machine if it is one.
+  /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
+  [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
+  [[nodiscard]] const std::string& scene_text() const { return loaded_scene().text; }
+
+  /// The files that are read: the model, the scene, and the machine if it is one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
 
   /// Of these only what the picture shows and how exactly: nothing that a sweep varies.
   void add_view_to(Command& command);
+
+ private:
+  struct LoadedScene {
+    std::string text;
+    scene::Scene scene;
+  };
+
+  [[nodiscard]] const LoadedScene& loaded_scene() const;
+
+  mutable std::shared_ptr<const LoadedScene> scene_;
 };
 
 /// `all`, and the names of the prunings that can be left out.
@@ -70,7 +88,7 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
 /// A model's file as it was read.
 struct ModelFile {
   model::Tree tree;
-  std::string hash;  ///< of its bytes
+  std::string hash;  ///< of its bytes and the scene's
 };
 
 /// Reads the model. Throws InputError.

@@ -62,6 +62,7 @@ TEST_CASE("fronts that are all at depth 0 at some pixel may reach the near plane
   const emit::Layout layout;
   const emit::Options options;
   const machines::Machine machine = machines::blank(pixel_planes::kind);
+  const emit::Look look;
   CHECK(rc::check([&] {
     view::View view = any.view;
     const view::PixelRect pixels{0, 0, 63, 47};
@@ -80,7 +81,7 @@ TEST_CASE("fronts that are all at depth 0 at some pixel may reach the near plane
       fronts.push_back({0, {static_cast<std::uint32_t>(view.planes.size()), true}});
       view.planes.push_back(plane);
     }
-    const emit::Context context{any.tree, any.scene, view, plan.positive, segment, layout, options, machine};
+    const emit::Context context{any.tree, any.scene, view, plan.positive, segment, layout, options, machine, look};
     RC_ASSERT(emit::may_reach_near(context, fronts, {pixels, 0, 100}));
   }));
 }

@@ -1,0 +1,218 @@
+#include "host/effects/smooth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "host/emit/facet_colour.h"
+#include "host/emit/facet_geometry.h"
+#include "host/view/projection.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+struct Settings {
+  double least_difference = 1;
+};
+
+constexpr std::array keys{scene::number_key<&Settings::least_difference>(
+    "least_difference", "levels of a channel", 0, 255, "facets whose vertices differ by less stay in one colour")};
+
+/// The cosine to the axis from which on a facet of a cylinder is one of its ends.
+constexpr double end_cosine = 1 - 1e-9;
+
+/// The unit normal of the surface that a facet stands for, at one of its vertices, both in the primitive's own axes;
+/// nothing where the facet is the surface.
+struct TrueNormal {
+  glm::dvec3 vertex;
+  glm::dvec3 of_facet;
+
+  std::optional<glm::dvec3> operator()(const model::Cube& /*cube*/) const { return std::nullopt; }
+  std::optional<glm::dvec3> operator()(const model::Polyhedron& /*polyhedron*/) const { return std::nullopt; }
+  std::optional<glm::dvec3> operator()(const model::Sphere& /*sphere*/) const {
+    return glm::length(vertex) > 0 ? std::optional(glm::normalize(vertex)) : std::nullopt;
+  }
+  std::optional<glm::dvec3> operator()(const model::Cylinder& cylinder) const {
+    if (std::abs(of_facet.z) > end_cosine) return std::nullopt;
+    // A cone's apex has no normal of its own; there it is the facet's.
+    const bool is_apex = std::hypot(vertex.x, vertex.y) <= 1e-9 * std::max(cylinder.r1, cylinder.r2);
+    const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
+    const glm::dvec2 outward = around / glm::length(around) * cylinder.height;
+    return glm::normalize(glm::dvec3(outward, cylinder.r1 - cylinder.r2));
+  }
+};
+
+/// What is to be fitted: at a place of the picture, levels of red, green and blue.
+struct Sample {
+  glm::dvec2 at;
+  glm::dvec3 levels;
+};
+
+glm::dvec3 top_levels(unsigned colour_bits) {
+  const std::array<unsigned, 3> widths = isa::channel_widths(colour_bits);
+  return {(1U << widths[0]) - 1, (1U << widths[1]) - 1, (1U << widths[2]) - 1};
+}
+
+/// The facet's vertices as the curved surface would be lit there; none if the facet is the surface, or reaches behind
+/// the eye.
+std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& facet) {
+  std::vector<Sample> samples;
+  if (facet.at != emit::At::plane) return samples;
+  const model::Primitive& primitive = context.tree.primitives[facet.primitive];
+  const glm::dmat3 linear(primitive.transform);
+  const glm::dmat4 to_own = glm::inverse(primitive.transform);
+  const double sign = context.complemented(facet.primitive) ? -1.0 : 1.0;
+  const glm::dvec3 facet_normal = glm::normalize(glm::transpose(linear) * (sign * emit::outward(context, facet)));
+  const view::EyeSpace space = view::eye_space(context.view.camera, context.view.sampling);
+  const lighting::Finish& finish = context.look.finishes[facet.primitive];
+  const glm::dvec3 top = top_levels(context.options.colour_bits);
+  for (const glm::dvec3& vertex : emit::vertices_of(context, facet)) {
+    const std::optional<glm::dvec3> own =
+        std::visit(TrueNormal{glm::dvec3(to_own * glm::dvec4(vertex, 1)), facet_normal}, primitive.shape);
+    const glm::dvec3 in_eye = space.to_eye(vertex);
+    if (!own || (space.perspective && in_eye.z <= 0)) return {};
+    const glm::dvec3 normal = sign * glm::normalize(glm::transpose(glm::dmat3(to_own)) * *own);
+    const glm::dvec3 colour = lighting::lit(context.look.lighting, finish.material, finish.colour,
+                                            {in_eye, emit::in_camera_axes(context.view.camera, normal)});
+    samples.push_back({glm::dvec2(space.to_picture(in_eye)), glm::clamp(colour, 0.0, 1.0) * top});
+  }
+  return samples;
+}
+
+/// Levels as a linear function of column and row.
+struct Fit {
+  glm::dvec2 middle;      ///< of the samples
+  glm::dvec3 at_middle;   ///< levels
+  glm::dvec3 per_column;  ///< levels
+  glm::dvec3 per_row;     ///< levels
+};
+
+/// Least squares; nothing where the places are all on a line.
+std::optional<Fit> fit(const std::vector<Sample>& samples) {
+  Fit result{glm::dvec2(0), glm::dvec3(0), glm::dvec3(0), glm::dvec3(0)};
+  const auto count = static_cast<double>(samples.size());
+  for (const Sample& one : samples) {
+    result.middle += one.at / count;
+    result.at_middle += one.levels / count;
+  }
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  glm::dvec3 x{0};
+  glm::dvec3 y{0};
+  for (const Sample& one : samples) {
+    const glm::dvec2 d = one.at - result.middle;
+    xx += d.x * d.x;
+    xy += d.x * d.y;
+    yy += d.y * d.y;
+    x += d.x * (one.levels - result.at_middle);
+    y += d.y * (one.levels - result.at_middle);
+  }
+  const double determinant = xx * yy - xy * xy;
+  if (!(determinant > 1e-6 * (xx + yy) * (xx + yy))) return std::nullopt;
+  result.per_column = (x * yy - y * xy) / determinant;
+  result.per_row = (y * xx - x * xy) / determinant;
+  return result;
+}
+
+/// The pixels of the facet's vertices and one more all around, which its pixels are among but for rounding.
+view::PixelRect box_of(const std::vector<Sample>& samples, const view::PixelRect& pixels) {
+  glm::dvec2 low = samples.front().at;
+  glm::dvec2 high = low;
+  for (const Sample& one : samples) {
+    low = glm::min(low, one.at);
+    high = glm::max(high, one.at);
+  }
+  // Within the picture, so that they fit.
+  const auto pixel = [](double place, std::int32_t least, std::int32_t most) {
+    return static_cast<std::int32_t>(std::clamp(place, static_cast<double>(least), static_cast<double>(most)));
+  };
+  return {pixel(std::floor(low.x) - 1, pixels.x0, pixels.x1), pixel(std::floor(low.y) - 1, pixels.y0, pixels.y1),
+          pixel(std::ceil(high.x) + 1, pixels.x0, pixels.x1), pixel(std::ceil(high.y) + 1, pixels.y0, pixels.y1)};
+}
+
+double greatest_difference(const std::vector<Sample>& samples) {
+  glm::dvec3 low = samples.front().levels;
+  glm::dvec3 high = low;
+  for (const Sample& one : samples) {
+    low = glm::min(low, one.levels);
+    high = glm::max(high, one.levels);
+  }
+  const glm::dvec3 difference = high - low;
+  return std::max({difference.x, difference.y, difference.z});
+}
+
+/// The expressions of red, green and blue; the pixel's level is the floor. Nothing if coefficients do not fit.
+std::optional<std::array<view::FixedLinear, 3>> channels_of(const Fit& fitted, const view::Sampling& sampling) {
+  std::array<view::FixedLinear, 3> channels;
+  const glm::dvec2 centre((sampling.width - 1.0) / 2.0, (sampling.height - 1.0) / 2.0);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const auto c = static_cast<glm::length_t>(i);
+    const double at_centre = fitted.at_middle[c] + fitted.per_column[c] * (centre.x - fitted.middle.x) +
+                             fitted.per_row[c] * (centre.y - fitted.middle.y);
+    const auto fixed = view::to_fixed({fitted.per_column[c], fitted.per_row[c], at_centre + 0.5},
+                                      sampling.fraction_bits, sampling.width, sampling.height);
+    if (!fixed) return std::nullopt;
+    channels[i] = *fixed;
+  }
+  return channels;
+}
+
+/// E stays 1 where the level is one of the channel's.
+void emit_clamp(emit::Broadcast& out, const view::FixedLinear& level, std::int64_t beyond,
+                const view::PixelRect& pixels) {
+  const view::Range range = view::range_over(level, pixels);
+  if (range.low < 0) out.edge(isa::Opcode::edge_not_negative, level, pixels);
+  if (range.high >= beyond) out.edge(isa::Opcode::edge_negative, {level.a, level.b, level.c - beyond}, pixels);
+}
+
+bool shade(const std::any& settings, const emit::Context& context, emit::Broadcast& out, const emit::Facet& facet,
+           isa::Field field, const view::PixelRect& pixels) {
+  const std::vector<Sample> samples = samples_of(context, facet);
+  if (samples.size() < 3) return false;
+  if (greatest_difference(samples) < std::any_cast<const Settings&>(settings).least_difference) return false;
+  const std::optional<Fit> fitted = fit(samples);
+  if (!fitted) return false;
+  const auto channels = channels_of(*fitted, context.view.sampling);
+  if (!channels) return false;
+  const isa::Origin origin = out.origin;
+  out.origin.purpose = isa::Purpose::effect;
+  // What the expressions leave out keeps the colour of the facet.
+  out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
+  const view::PixelRect box = box_of(samples, pixels);
+  out.clip(box, pixels);
+  const std::array<unsigned, 3> widths = isa::channel_widths(context.options.colour_bits);
+  for (std::size_t i = 0; i < channels->size(); ++i) {
+    emit_clamp(out, (*channels)[i], std::int64_t{1} << (widths[i] + context.view.sampling.fraction_bits), box);
+  }
+  unsigned base = field.base + field.width;
+  for (std::size_t i = 0; i < channels->size(); ++i) {
+    base -= widths[i];
+    const isa::Field channel{static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(widths[i])};
+    out.surface(isa::Opcode::load_linear, channel, (*channels)[i], box);
+  }
+  out.origin = origin;
+  return true;
+}
+
+}  // namespace
+
+const emit::Effect smooth{
+    .section = {"effects.smooth", "curved solids look round, however few their facets", false, keys,
+                scene::blank_section<Settings>, scene::keep_effect},
+    .technique =
+        "Gouraud, Continuous Shading of Curved Surfaces, IEEE Transactions on Computers, 1971: light is worked "
+        "out at the vertices, here with the normals of the true surface; a linear expression a channel, fitted "
+        "by least squares, is loaded as Fuchs et al., SIGGRAPH 1985, do",
+    .shade = shade};
+
+}  // namespace csgsim::effects

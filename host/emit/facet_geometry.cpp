@@ -1,0 +1,38 @@
+#include "host/emit/facet_geometry.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace csgsim::emit {
+
+namespace {
+
+/// Vertices of a facet are this close to its plane, relative to their distance from the middle of the model.
+constexpr double on_plane = 1e-6;
+
+}  // namespace
+
+glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v) {
+  const view::Basis axes = view::basis(camera);
+  return {glm::dot(v, axes.right), glm::dot(v, axes.up), glm::dot(v, axes.forward)};
+}
+
+glm::dvec3 outward(const Context& context, const Facet& facet) {
+  const glm::dvec3& normal = context.scene.planes.planes()[facet.halfspace.plane].normal;
+  return (facet.halfspace.positive != context.complemented(facet.primitive) ? 1.0 : -1.0) * normal;
+}
+
+std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet) {
+  const std::vector<glm::dvec3>& all = context.scene.solids[facet.primitive].vertices;
+  if (facet.at == At::cap) return all;
+  const facet::Plane& plane = context.scene.planes.planes()[facet.halfspace.plane];
+  std::vector<glm::dvec3> vertices;
+  for (const glm::dvec3& vertex : all) {
+    const glm::dvec3 from_centre = vertex - context.scene.planes.centre();
+    const double distance = std::abs(glm::dot(plane.normal, from_centre) + plane.offset);
+    if (distance <= on_plane * glm::length(from_centre)) vertices.push_back(vertex);
+  }
+  return vertices;
+}
+
+}  // namespace csgsim::emit

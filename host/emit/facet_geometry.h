@@ -1,0 +1,19 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/emit/halfspaces.h"
+
+namespace csgsim::emit {
+
+/// A vector in the camera's axes: right, up, forward.
+glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v);
+
+/// Out of the solid that is seen, model space, of length 1. Not of a cap, which has no half-space.
+glm::dvec3 outward(const Context& context, const Facet& facet);
+
+/// The vertices of a facet, model space, in no order; all of the solid's for a cap.
+std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet);
+
+}  // namespace csgsim::emit

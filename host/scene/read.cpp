@@ -1,0 +1,181 @@
+#include "host/scene/read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "host/scene/set.h"
+#include "hw/base/nearest.h"
+#include "hw/base/text.h"
+#include "hw/base/toml_text.h"
+
+namespace csgsim::scene {
+
+namespace {
+
+constexpr std::string_view effects_prefix = "effects.";
+constexpr std::size_t most_in_list = 1000;  ///< tables
+
+class Reader {
+ public:
+  Reader(std::string_view file, std::span<const Section> effects) : file_(file), effects_(effects) {}
+
+  Scene read(const toml::table& root) {
+    std::vector<std::string_view> known{"effects"};
+    for (const Section& section : common_sections()) known.push_back(section.name);
+    check_keys(root, known, "");
+    for (const Section& section : common_sections()) read_if_there(root, section, section.name);
+    const toml::node* const effects = root.get("effects");
+    if (effects != nullptr) read_effects(table_of(*effects, "effects"));
+    return std::move(scene_);
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::node& at, std::string_view message) const {
+    const toml::source_region& place = at.source();
+    if (place.path && place.path->starts_with(set_mark)) throw SetError(fmt::format("{}: {}", *place.path, message));
+    throw InputError(fmt::format("{}: {}", show(place.begin, file_), message));
+  }
+
+  const toml::table& table_of(const toml::node& node, std::string_view name) const {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) fail(node, fmt::format("'{0}' is {1}; make it a table [{0}]", name, type_name(node)));
+    return *table;
+  }
+
+  void check_keys(const toml::table& table, std::span<const std::string_view> known, std::string_view prefix) const {
+    for (const auto& [key, node] : table) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      const bool was_set = node.source().path && node.source().path->starts_with(set_mark);
+      const std::string message = fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix,
+                                              printable(key.str()), nearest(key.str(), known));
+      if (was_set) fail(node, message);
+      throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));
+    }
+  }
+
+  void read_effects(const toml::table& table) {
+    std::vector<std::string_view> known;
+    for (const Section& effect : effects_) known.push_back(effect.name.substr(effects_prefix.size()));
+    check_keys(table, known, effects_prefix);
+    for (const Section& effect : effects_) read_if_there(table, effect, effect.name.substr(effects_prefix.size()));
+  }
+
+  void read_if_there(const toml::table& table, const Section& section, std::string_view key) {
+    const toml::node* const node = table.get(key);
+    if (node == nullptr) return;
+    if (!section.is_list) return read_section(table_of(*node, section.name), section);
+    const toml::array* const list = node->as_array();
+    if (list == nullptr) {
+      fail(*node, fmt::format("'{0}' is {1}; make it a list of tables, [[{0}]] each", section.name, type_name(*node)));
+    }
+    if (list->size() > most_in_list) {
+      fail(*node, fmt::format("{} has more than {} tables", section.name, most_in_list));
+    }
+    for (const toml::node& one : *list) {
+      const toml::table* const entry = one.as_table();
+      if (entry == nullptr) {
+        fail(one, fmt::format("there is {1} in '{0}'; make it a table, [[{0}]]", section.name, type_name(one)));
+      }
+      read_section(*entry, section);
+    }
+  }
+
+  void read_section(const toml::table& table, const Section& section) {
+    std::vector<std::string_view> known;
+    for (const Key& key : section.keys) known.push_back(key.name);
+    check_keys(table, known, fmt::format("{}.", section.name));
+    std::any read = section.blank();
+    for (const Key& key : section.keys) {
+      const toml::node* const node = table.get(key.name);
+      if (node != nullptr) key.store(read, value_of(*node, key, fmt::format("{}.{}", section.name, key.name)));
+    }
+    try {
+      section.keep(scene_, section, std::move(read));
+    } catch (const InputError& error) {
+      fail(table, error.what());
+    }
+  }
+
+  [[nodiscard]] Value value_of(const toml::node& node, const Key& key, const std::string& name) const {
+    switch (key.kind) {
+      case ValueKind::boolean: return boolean_of(node, name);
+      case ValueKind::integer: return integer_of(node, key, name);
+      case ValueKind::number: return number_of(node, key, name);
+      case ValueKind::vector:
+      case ValueKind::colour: return vector_of(node, key, name);
+      case ValueKind::choice: break;
+    }
+    return choice_of(node, key, name);
+  }
+
+  [[nodiscard]] bool boolean_of(const toml::node& node, const std::string& name) const {
+    const toml::value<bool>* const value = node.as_boolean();
+    if (value == nullptr) fail(node, fmt::format("{} is {}; make it true or false", name, type_name(node)));
+    return value->get();
+  }
+
+  [[nodiscard]] std::int64_t integer_of(const toml::node& node, const Key& key, const std::string& name) const {
+    const toml::value<std::int64_t>* const value = node.as_integer();
+    if (value == nullptr) fail(node, fmt::format("{} is {}; make it an integer", name, type_name(node)));
+    check_range(node, static_cast<double>(value->get()), key, name);
+    return value->get();
+  }
+
+  [[nodiscard]] double number_of(const toml::node& node, const Key& key, const std::string& name) const {
+    if (!node.is_number()) fail(node, fmt::format("{} is {}; make it a number", name, type_name(node)));
+    const double value = *node.value<double>();
+    check_range(node, value, key, name);
+    return value;
+  }
+
+  [[nodiscard]] glm::dvec3 vector_of(const toml::node& node, const Key& key, const std::string& name) const {
+    const toml::array* const list = node.as_array();
+    if (list == nullptr || list->size() != 3) {
+      const std::string_view form = key.kind == ValueKind::colour ? "[red, green, blue]" : "[x, y, z]";
+      fail(node, fmt::format("{} is {}; make it {}", name,
+                             list == nullptr ? std::string(type_name(node)) : fmt::format("a list of {}", list->size()),
+                             form));
+    }
+    glm::dvec3 value;
+    for (int i = 0; i < 3; ++i) value[i] = number_of(*list->get(static_cast<std::size_t>(i)), key, name);
+    return value;
+  }
+
+  [[nodiscard]] std::int64_t choice_of(const toml::node& node, const Key& key, const std::string& name) const {
+    const toml::value<std::string>* const text = node.as_string();
+    const std::string said =
+        text == nullptr ? std::string(type_name(node)) : fmt::format("'{}'", printable(text->get()));
+    const auto found = text == nullptr ? key.names.end()
+                                       : std::find(key.names.begin(), key.names.end(), std::string_view(text->get()));
+    if (found == key.names.end()) {
+      fail(node, fmt::format("{} is {}; it takes {}", name, said, fmt::join(key.names, ", ")));
+    }
+    return found - key.names.begin();
+  }
+
+  void check_range(const toml::node& node, double value, const Key& key, const std::string& name) const {
+    if (value >= key.least && value <= key.most) return;
+    fail(node, fmt::format("{} is {}; it takes {} to {}{}{}", name, value, key.least, key.most,
+                           key.unit.empty() ? "" : " ", key.unit));
+  }
+
+  std::string_view file_;
+  std::span<const Section> effects_;
+  Scene scene_;
+};
+
+}  // namespace
+
+Scene read_scene(std::string_view text, std::string_view file, std::span<const std::string> sets,
+                 std::span<const Section> effects) {
+  toml::table root = parse_toml(text, file);
+  for (const std::string& one : sets) set(root, one);
+  return Reader(file, effects).read(root);
+}
+
+}  // namespace csgsim::scene

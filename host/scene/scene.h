@@ -1,0 +1,94 @@
+#pragma once
+
+#include <any>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What is seen of a model besides its solids: camera, lights, materials, background, effects.
+namespace csgsim::scene {
+
+/// Axes that a direction or a place is given in.
+enum class Axes : std::uint8_t {
+  model,
+  camera,  ///< right, up and forward of the eye, which is at 0
+};
+
+enum class LightKind : std::uint8_t { directional, point };
+
+struct Light {
+  LightKind kind = LightKind::directional;
+  Axes axes = Axes::model;
+  glm::dvec3 direction{0};  ///< directional: in which it shines; need not have length 1
+  glm::dvec3 position{0};   ///< point: model units
+  glm::dvec3 colour{1};     ///< red, green, blue, each from 0 to 1
+  double intensity = 0.7;   ///< what a surface that faces it gets of its colour
+
+  bool operator==(const Light&) const = default;
+};
+
+/// Light that comes from everywhere.
+struct Ambient {
+  glm::dvec3 colour{1};
+  double intensity = 0.3;
+
+  bool operator==(const Ambient&) const = default;
+};
+
+/// How a surface throws light back.
+struct Material {
+  double ambient = 1;     ///< part of the ambient light
+  double diffuse = 1;     ///< part of a light that falls on it from the front
+  double specular = 0;    ///< part of a light that is mirrored into the eye, in the light's colour
+  double shininess = 20;  ///< exponent of the highlight (Blinn): the greater, the smaller it is
+
+  bool operator==(const Material&) const = default;
+};
+
+/// A material, and the primitives that are of it: those of a colour, those of some lines of the model's file, or, where
+/// neither is said, all. The last that holds for a primitive counts.
+struct MaterialRule {
+  std::optional<glm::dvec3> of_colour;     ///< that the model says
+  std::optional<std::uint32_t> from_line;  ///< of the model's file
+  std::optional<std::uint32_t> to_line;    ///< inclusive; from_line if not given
+  std::optional<glm::dvec3> colour;        ///< instead of the model's
+  Material material;
+
+  bool operator==(const MaterialRule&) const = default;
+};
+
+struct Camera {
+  std::optional<glm::dvec3> eye;
+  std::optional<glm::dvec3> centre;
+  std::optional<bool> is_perspective;
+  std::optional<bool> view_all;
+  std::optional<double> near;  ///< distance of the near plane, model units
+
+  bool operator==(const Camera&) const = default;
+};
+
+struct Background {
+  std::optional<glm::dvec3> colour;
+
+  bool operator==(const Background&) const = default;
+};
+
+/// An effect that the scene calls for, with its own settings.
+struct CalledEffect {
+  std::string_view name;  ///< of the effect's row
+  std::any settings;
+};
+
+struct Scene {
+  Camera camera;
+  Background background;
+  Ambient ambient;
+  std::vector<Light> lights;            ///< none: the usual one (host/lighting)
+  std::vector<MaterialRule> materials;  ///< in order
+  std::vector<CalledEffect> effects;    ///< in the order of their rows
+};
+
+}  // namespace csgsim::scene
