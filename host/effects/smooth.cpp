@@ -81,7 +81,7 @@ std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& 
     const glm::dvec3 in_eye = space.to_eye(vertex);
     if (!own || (space.perspective && in_eye.z <= 0)) return {};
     const glm::dvec3 normal = sign * glm::normalize(glm::transpose(glm::dmat3(to_own)) * *own);
-    const glm::dvec3 colour = lighting::lit(context.look.lighting, finish.material, finish.colour,
+    const glm::dvec3 colour = lighting::lit(context.lighting(), finish.material, finish.colour,
                                             {in_eye, emit::in_camera_axes(context.view.camera, normal)});
     samples.push_back({glm::dvec2(space.to_picture(in_eye)), glm::clamp(colour, 0.0, 1.0) * top});
   }
@@ -175,17 +175,16 @@ void emit_clamp(emit::Broadcast& out, const view::FixedLinear& level, std::int64
   if (range.high >= beyond) out.edge(isa::Opcode::edge_negative, {level.a, level.b, level.c - beyond}, pixels);
 }
 
-bool shade(const std::any& settings, const emit::Context& context, emit::Broadcast& out, const emit::Facet& facet,
-           isa::Field field, const view::PixelRect& pixels) {
+bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
+           const view::PixelRect& pixels) {
+  const emit::Context& context = call.context;
   const std::vector<Sample> samples = samples_of(context, facet);
   if (samples.size() < 3) return false;
-  if (greatest_difference(samples) < std::any_cast<const Settings&>(settings).least_difference) return false;
+  if (greatest_difference(samples) < std::any_cast<const Settings&>(call.settings).least_difference) return false;
   const std::optional<Fit> fitted = fit(samples);
   if (!fitted) return false;
   const auto channels = channels_of(*fitted, context.view.sampling);
   if (!channels) return false;
-  const isa::Origin origin = out.origin;
-  out.origin.purpose = isa::Purpose::effect;
   // What the expressions leave out keeps the colour of the facet.
   out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
   const view::PixelRect box = box_of(samples, pixels);
@@ -200,7 +199,6 @@ bool shade(const std::any& settings, const emit::Context& context, emit::Broadca
     const isa::Field channel{static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(widths[i])};
     out.surface(isa::Opcode::load_linear, channel, (*channels)[i], box);
   }
-  out.origin = origin;
   return true;
 }
 

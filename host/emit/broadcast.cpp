@@ -93,13 +93,16 @@ void Broadcast::append(const isa::Instruction& instruction) {
       instruction.fields[0] == equal_;
   if (meets_equal) return;
   segment_.instructions.push_back(instruction);
+  segment_.instructions.back().origin.effect = effect;
   equal_ = equal_after(instruction, equal_);
 }
 
 void Broadcast::insert(std::size_t place, const isa::Instruction& instruction) {
   // A skip may end here: then E and memory are as they were at the place.
   equal_ = {};
-  segment_.instructions.insert(segment_.instructions.begin() + static_cast<std::ptrdiff_t>(place), instruction);
+  const auto inserted =
+      segment_.instructions.insert(segment_.instructions.begin() + static_cast<std::ptrdiff_t>(place), instruction);
+  inserted->origin.effect = effect;
 }
 
 void Broadcast::linear(isa::Opcode opcode, isa::Field field, view::FixedLinear plane, unsigned shift,
@@ -123,6 +126,14 @@ void Broadcast::surface(isa::Opcode opcode, isa::Field field, const view::FixedL
 void Broadcast::edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels) {
   const unsigned drop = shared_zeros(line, isa::max_linear_width);
   linear(opcode, {}, {line.a >> drop, line.b >> drop, line.c >> drop}, 0, pixels);
+}
+
+void Broadcast::equals(isa::Field field, std::uint32_t number) {
+  append({isa::Opcode::linear_eq,
+          {field, {}, {}},
+          {0, 0, number, static_cast<std::uint16_t>(field.width + 1), 0},
+          0,
+          origin});
 }
 
 void Broadcast::clip(const view::PixelRect& inner, const view::PixelRect& outer) {

@@ -11,13 +11,22 @@
 
 namespace csgsim::emit {
 
-/// Appends instructions to a segment. `origin` goes with every instruction appended. What would change nothing is left
-/// out: to load the bit that E is known to be equal to, or to store E there.
+/// Scan-conversions, as table 6.1 of the thesis counts them.
+struct ScanConversions {
+  std::uint64_t rendered = 0;     ///< surfaces into Z1
+  std::uint64_t classified = 0;   ///< primitives of active trees compared with Z1
+  std::uint64_t depth_tests = 0;  ///< Z1 compared with Z2
+};
+
+/// Appends instructions to a segment. `origin`, but for its effect, goes with every instruction appended. What would
+/// change nothing is left out: to load the bit that E is known to be equal to, or to store E there.
 class Broadcast {
  public:
   Broadcast(isa::Segment& segment, const view::Sampling& sampling);
 
   isa::Origin origin;
+  std::uint8_t effect = isa::no_effect;  ///< that instructions are billed to
+  ScanConversions counts;                ///< made so far
 
   /// An instruction without a linear expression.
   void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
@@ -45,6 +54,9 @@ class Broadcast {
   /// E stays 1 where the line is not negative (or is negative); E has to be 0 outside `pixels`.
   void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
 
+  /// E stays 1 where the field holds that number.
+  void equals(isa::Field field, std::uint32_t number);
+
   /// E stays 1 inside `inner` only; E has to be 0 outside `outer`. Sides that do not cut `outer` cost nothing.
   void clip(const view::PixelRect& inner, const view::PixelRect& outer);
 
@@ -56,6 +68,22 @@ class Broadcast {
   isa::Segment& segment_;
   unsigned fraction_bits_;
   isa::Field equal_;  ///< a bit that E is equal to at every pixel; of width 0 if none is known
+};
+
+/// While it lives, what is broadcast is billed to an effect, unless it is billed already.
+class Billing {
+ public:
+  Billing(Broadcast& out, std::size_t effect) : out_(out), before_(out.effect) {
+    // The first is flat shading, whose instructions are all that are for shading and for no other.
+    if (before_ == isa::no_effect && effect > 0) out.effect = static_cast<std::uint8_t>(effect);
+  }
+  ~Billing() { out_.effect = before_; }
+  Billing(const Billing&) = delete;
+  Billing& operator=(const Billing&) = delete;
+
+ private:
+  Broadcast& out_;
+  std::uint8_t before_;
 };
 
 }  // namespace csgsim::emit

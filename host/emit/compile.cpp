@@ -1,16 +1,21 @@
 #include "host/emit/compile.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <exception>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
 #include "host/emit/context.h"
 #include "host/emit/divided.h"
+#include "host/emit/drawing.h"
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
-#include "host/emit/halfspaces.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
@@ -30,11 +35,15 @@ struct ShapeName {
   std::string operator()(const model::Polyhedron&) const { return "polyhedron"; }
 };
 
-std::vector<std::string> primitive_names(const model::Tree& tree) {
+/// Of the drawing that has the most: an effect's drawings may have some more behind those of the model.
+std::vector<std::string> primitive_names(const std::vector<const Drawing*>& drawings) {
   std::vector<std::string> names;
-  for (const model::Primitive& primitive : tree.primitives) {
-    names.push_back(std::visit(ShapeName{}, primitive.shape) + "@" + std::to_string(primitive.location.line) + ":" +
-                    std::to_string(primitive.location.column));
+  for (const Drawing* const drawing : drawings) {
+    for (std::size_t i = names.size(); i < drawing->tree->primitives.size(); ++i) {
+      const model::Primitive& primitive = drawing->tree->primitives[i];
+      names.push_back(std::visit(ShapeName{}, primitive.shape) + "@" + std::to_string(primitive.location.line) + ":" +
+                      std::to_string(primitive.location.column));
+    }
   }
   return names;
 }
@@ -46,17 +55,9 @@ isa::ModelFacts model_facts(const model::Tree& tree, const facet::Scene& scene) 
   return facts;
 }
 
-void emit_setup(const Context& context, Broadcast& out) {
-  out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
-  out.plain(isa::Opcode::enable_all);
-  out.plain(isa::Opcode::set_constant, context.layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
-  out.plain(isa::Opcode::set_constant, context.layout.colour, {},
-            packed_background(context.options.scene, context.options.colour_bits));
-}
-
-std::vector<std::string> effect_names(const Options& options) {
-  std::vector<std::string> names{"flat"};
-  for (const CalledEffect& one : options.effects) names.emplace_back(one.effect->name());
+std::vector<std::string> effect_names(std::span<const CalledEffect> called) {
+  std::vector<std::string> names;
+  for (const CalledEffect& one : called) names.emplace_back(one.effect->name());
   return names;
 }
 
@@ -64,68 +65,97 @@ std::vector<std::string> effect_names(const Options& options) {
 struct Input {
   const model::Tree& tree;
   const facet::Scene& scene;
-  const view::View& view;
-  const Plan& plan;
-  const Look& look;
+  const Drawing& drawing;
   const machines::Machine& machine;
   std::optional<machines::Division> division;  ///< of the machine
+  std::span<const CalledEffect> called;
 };
 
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
-isa::Segment compile_segment(const Context& context, ScanConversions& counts) {
+isa::Segment compile_segment(const Context& context, std::span<const Drawing* const> drawings,
+                             ScanConversions& counts) {
   const SegmentPlan& plan = context.plan;
   isa::Segment segment{plan.region, {}, {plan.active_primitives, plan.active_halfspaces, 0, 0, 0}};
   const view::Sampling& sampling = context.view.sampling;
   const bool is_whole = plan.region == isa::Region{0, 0, sampling.width, sampling.height};
-  if (plan.surfaces.empty() && !is_whole) return segment;
-  const std::uint64_t classified_before = counts.classified;
+  const bool is_empty = std::all_of(drawings.begin(), drawings.end(), [&](const Drawing* one) {
+    return one->plan.segments[context.segment].surfaces.empty();
+  });
+  if (is_empty && !is_whole) return segment;
   Broadcast out(segment, sampling);
-  emit_setup(context, out);
-  const std::size_t setup = segment.instructions.size();
-  for (const PlannedSurface& one : plan.surfaces) {
-    const Sides sides = deciding_sides(context, one);
-    emit_primitive(context, out, one, sides, counts);
-    segment.facts.kept_primitives += static_cast<std::uint32_t>(one.set.size());
-    segment.facts.kept_halfspaces += sides.count();
-  }
-  if (segment.instructions.size() == setup && !is_whole) segment.instructions.clear();
-  segment.facts.comparisons = static_cast<std::uint32_t>(counts.classified - classified_before);
+  const Kept kept = emit_picture(context, out);
+  segment.facts.kept_primitives = kept.primitives;
+  segment.facts.kept_halfspaces = kept.halfspaces;
+  const bool draws = std::any_of(segment.instructions.begin(), segment.instructions.end(),
+                                 [](const isa::Instruction& one) { return one.origin.purpose != isa::Purpose::setup; });
+  if (!draws && !is_whole) segment.instructions.clear();
+  segment.facts.comparisons = static_cast<std::uint32_t>(out.counts.classified);
+  counts.rendered += out.counts.rendered;
+  counts.classified += out.counts.classified;
+  counts.depth_tests += out.counts.depth_tests;
   return segment;
+}
+
+/// Bits for the classifications of all drawings.
+ClassificationBits bits_of(const std::vector<const Drawing*>& drawings, const Options& options) {
+  ClassificationBits most;
+  for (const Drawing* const one : drawings) {
+    const ClassificationBits bits = classification_bits(*one->tree, one->plan, options);
+    most = {std::max(most.stack, bits.stack), std::max(most.product, bits.product), std::max(most.label, bits.label)};
+  }
+  return most;
+}
+
+/// Bits for the number of any surface of a segment.
+unsigned owner_bits(const std::vector<const Drawing*>& drawings) {
+  std::size_t most = 1;
+  for (const Drawing* const one : drawings)
+    for (const SegmentPlan& segment : one->plan.segments) most = std::max(most, segment.surfaces.size());
+  return static_cast<unsigned>(std::bit_width(most));
 }
 
 /// With a strategy and a colouring chosen.
 isa::Program compile_as(const Input& input, const Options& options) {
-  const view::Sampling& sampling = input.view.sampling;
-  const ClassificationBits classification = classification_bits(input.tree, input.plan, options);
+  const Drawing& drawing = input.drawing;
+  const view::Sampling& sampling = drawing.view.sampling;
+  const std::vector<const Drawing*> drawings = with_inner(drawing);
+  const ClassificationBits classification = bits_of(drawings, options);
   const std::uint32_t memory_bits = input.machine.array.memory_bits;
-  const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, options.colouring == Colouring::field,
-                                     classification, machines::second_buffer(options.colour_bits, input.machine)},
+  const bool has_owners = any_needs_owners(input.called);
+  const bool second_colour = options.colouring == Colouring::field && !has_owners;
+  const Workshop workshop{input.machine, options, input.called};
+  const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
+                                     machines::second_buffer(options.colour_bits, input.machine),
+                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop)},
                                     memory_bits);
   isa::Program program;
   program.shape = {sampling.width, sampling.height, memory_bits};
-  program.facts.primitives = primitive_names(input.tree);
-  program.facts.depth_scale = input.view.depth;
+  program.facts.primitives = primitive_names(drawings);
+  program.facts.depth_scale = drawing.view.depth;
   program.facts.model = model_facts(input.tree, input.scene);
   program.facts.fields = named_fields(layout);
   program.background = packed_background(options.scene, options.colour_bits);
 
   ScanConversions counts;
-  for (const SegmentPlan& plan : input.plan.segments) {
-    program.segments.push_back(compile_segment(
-        {input.tree, input.scene, input.view, input.plan.positive, plan, layout, options, input.machine, input.look},
-        counts));
+  for (std::size_t i = 0; i < drawing.plan.segments.size(); ++i) {
+    Context context{input.tree, input.scene, drawing.view,  drawing.plan.positive, drawing.plan.segments[i],
+                    layout,     options,     input.machine, drawing.look};
+    context.segment = i;
+    context.called = input.called;
+    context.states = &drawing.states;
+    program.segments.push_back(compile_segment(context, drawings, counts));
   }
   program.facts.compile = {std::string(name_of(options.strategy)),
-                           std::string(name_of(options.colouring)),
+                           has_owners ? "deferred" : std::string(name_of(options.colouring)),
                            sampling.z_bits,
                            sampling.fraction_bits,
                            sampling.edge_on_fraction,
                            classification.total() + 1,
-                           input.plan.depth(),
+                           drawing.plan.depth(),
                            counts.rendered,
                            counts.classified,
                            counts.depth_tests,
-                           effect_names(options)};
+                           effect_names(input.called)};
   return program;
 }
 
@@ -133,8 +163,23 @@ isa::Program compile_as(const Input& input, const Options& options) {
 isa::Program compile_for_machine(const Input& input, const Options& options) {
   isa::Program program = compile_as(input, options);
   if (input.division)
-    add_division(program, *input.division, input.tree, input.scene, input.view, input.machine, options);
+    add_division(program, *input.division, input.tree, input.scene, input.drawing.view, input.machine, options);
   return program;
+}
+
+/// Of what lives longer than the pointer.
+template <class Object>
+std::shared_ptr<const Object> borrowed(const Object& object) {
+  return {std::shared_ptr<const Object>(), &object};
+}
+
+void refuse_effects(std::span<const CalledEffect> called, const machines::Machine& machine) {
+  for (const CalledEffect& one : called.subspan(1)) {
+    throw InputError(fmt::format(
+        "{} divides the model itself, and its divider knows flat facets alone, not the effect {}; take a machine "
+        "for which the host divides, such as pixel-planes-4, or leave the effect out by --set effects.{}.on=false",
+        machine.name, one.effect->name(), one.effect->name()));
+  }
 }
 
 /// What there is to choose from.
@@ -172,13 +217,12 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
                      const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
   const std::optional<machines::Division> division = machines::division(machine);
   const Options options = division ? options_for(*division, wanted) : wanted;
-  csg::Pruning pruning = options.pruning;
-  // Chapter 6 multiplies the tree of primitives out as it is.
-  if (options.strategy == Strategy::products) pruning.sets = false;
-  const Plan plan = make_plan(tree, scene, view, machines::regions(machine), pruning);
-  const Look look = make_look(options.scene, tree, plan.positive, view.camera);
-  const Input input{tree, scene, view, plan, look, machine, division};
-  const std::vector<Options> all = candidates(options, plan);
+  const std::vector<CalledEffect> called =
+      called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
+  if (division) refuse_effects(called, machine);
+  const auto drawing = make_drawing(borrowed(tree), borrowed(scene), view, 0, {machine, options, called});
+  const Input input{tree, scene, *drawing, machine, division, called};
+  const std::vector<Options> all = candidates(options, drawing->plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());
   std::optional<isa::Program> best;
   std::uint64_t fewest = 0;

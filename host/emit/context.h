@@ -1,5 +1,13 @@
 #pragma once
 
+#include <any>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
 #include "host/emit/broadcast.h"
 #include "host/emit/layout.h"
 #include "host/emit/look.h"
@@ -8,6 +16,37 @@
 #include "hw/machines/machine.h"
 
 namespace csgsim::emit {
+
+struct Drawing;
+struct Effect;
+struct Facet;
+
+/// An effect that the scene or the model calls for.
+struct CalledEffect {
+  const Effect* effect = nullptr;
+  std::any settings;  ///< as its section of the scene says
+};
+
+/// What an effect prepares for a drawing.
+struct EffectState {
+  std::any own;
+  std::vector<std::shared_ptr<const Drawing>> drawings;  ///< within it, if the effect makes some
+};
+
+/// A light that is in shadow at some pixels.
+struct ShadowBit {
+  std::size_t light = 0;  ///< index into Lighting::lights
+  isa::Field bit;         ///< 1 where its light does not reach what is seen
+};
+
+/// Where lights are in shadow.
+struct Shadows {
+  std::vector<ShadowBit> bits;
+  isa::Field spare;  ///< one bit for shading to keep E in
+};
+
+/// The value of a facet, in place of its colour.
+using Paint = std::function<std::uint32_t(const Facet& facet)>;
 
 /// What every part of the emitter reads while it works on one segment.
 struct Context {
@@ -21,6 +60,17 @@ struct Context {
   const machines::Machine& machine;
   const Look& look;
 
+  std::size_t segment = 0;                           ///< number of the plan's
+  std::span<const CalledEffect> called{};            ///< effects, in the order of their rows
+  const std::vector<EffectState>* states = nullptr;  ///< one a called effect
+  std::uint32_t left_out = 0;                        ///< bit i: effect i has no part in this drawing
+  unsigned nesting = 0;                              ///< drawings that this one is within
+  isa::Field base{};                                 ///< a bit that is 1 where the drawing is made; width 0: everywhere
+  isa::Field beyond{};                               ///< only what is behind this depth is seen; width 0: all
+  const std::vector<bool>* drawn = nullptr;          ///< by primitive: whose surfaces are drawn; null: all
+  const lighting::Lighting* lights = nullptr;        ///< in place of the look's
+  const Paint* paint = nullptr;                      ///< in place of colours
+
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {
     return positive.nodes[positive.leaf_of[primitive]].complemented;
@@ -31,6 +81,7 @@ struct Context {
   [[nodiscard]] view::Range range_of(facet::Halfspace halfspace, const view::PixelRect& pixels) const {
     return csg::depth_range(view.planes[halfspace.plane], view.sampling.fraction_bits, pixels);
   }
+  [[nodiscard]] const lighting::Lighting& lighting() const { return lights != nullptr ? *lights : look.lighting; }
 };
 
 }  // namespace csgsim::emit

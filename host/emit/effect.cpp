@@ -2,22 +2,36 @@
 
 #include <algorithm>
 
-#include "host/emit/facet_colour.h"
-#include "hw/isa/opcodes.h"
+#include "hw/base/error.h"
 
 namespace csgsim::emit {
 
-bool has_shaders(const Context& context) {
-  return std::any_of(context.options.effects.begin(), context.options.effects.end(),
-                     [](const CalledEffect& one) { return one.effect->shade != nullptr; });
+std::vector<CalledEffect> called_effects(const Options& options, const Look& look) {
+  std::vector<CalledEffect> called;
+  for (const Effect* const effect : options.effects) {
+    const std::vector<scene::CalledEffect>& said = options.scene.effects;
+    const auto found = std::find_if(said.begin(), said.end(),
+                                    [&](const scene::CalledEffect& one) { return one.name == effect->section.name; });
+    if (found != said.end()) {
+      if (found->is_on) called.push_back({effect, found->settings});
+    } else if (effect->called_by != nullptr && effect->called_by(look)) {
+      called.push_back({effect, effect->section.blank()});
+    }
+  }
+  return called;
 }
 
-void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
-                 const view::PixelRect& pixels) {
-  for (const CalledEffect& one : context.options.effects) {
-    if (one.effect->shade != nullptr && one.effect->shade(one.settings, context, out, facet, field, pixels)) return;
+std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop) {
+  std::vector<EffectFields> all;
+  for (const CalledEffect& one : workshop.called) {
+    if (one.effect->fields == nullptr) continue;
+    all.push_back({one.effect->name(), one.effect->fields(one.settings, drawing)});
   }
-  out.plain(isa::Opcode::set_constant, field, {}, facet_colour(context, facet));
+  return all;
+}
+
+bool any_needs_owners(std::span<const CalledEffect> called) {
+  return std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.effect->needs_owners; });
 }
 
 }  // namespace csgsim::emit

@@ -60,12 +60,12 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
 /// number of primitives compared. The depth test comes first: where it leaves nothing, nothing has to be classified.
 template <class Classify>
 void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
-                  ScanConversions& counts, const Classify& classify) {
-  counts.rendered += planned.set.size();
-  ++counts.depth_tests;
-  emit_depth_test(context, out, planned.primitive());
+                  const Classify& classify) {
+  out.counts.rendered += planned.set.size();
+  ++out.counts.depth_tests;
+  emit_depth_test(context, out, planned);
   const std::size_t classification = out.size();
-  counts.classified += classify();
+  out.counts.classified += classify();
   const bool is_classified = out.size() > classification;
   const isa::Origin merging{isa::Purpose::merge, planned.primitive(), isa::no_node};
   out.origin = merging;
@@ -79,15 +79,13 @@ void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& 
 
 /// Renders, classifies and merges one product.
 void emit_product(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
-                  const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves,
-                  ScanConversions& counts) {
-  PlannedSurface product{planned.set, planned.block, {}};
+                  const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves) {
+  PlannedSurface product{planned.set, planned.block, {}, planned.number};
   product.active.nodes = nodes;
   product.active.operands = std::move(leaves);
   const Surface surface = emit_surface(context, out, planned, sides);
   if (surface.nothing) return;
-  emit_visible(context, out, planned, surface, counts,
-               [&] { return emit_by_levels(context, out, product, all_levels); });
+  emit_visible(context, out, planned, surface, [&] { return emit_by_levels(context, out, product, all_levels); });
 }
 
 /// A product is empty if two of its solids are disjoint (thesis 6.3.2).
@@ -107,25 +105,23 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
 }
 
 /// Thesis 6.3: the products of the restructured tree, one after another.
-void emit_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
-                   ScanConversions& counts) {
+void emit_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
   const std::vector<std::uint64_t> products = csg::count_products(rooted.nodes);
   for (std::uint64_t product = 0; product < products[rooted.root]; ++product) {
     std::vector<std::uint32_t> leaves = csg::product_leaves(rooted.nodes, products, rooted.root, product);
     if (!is_empty(context, rooted.nodes, leaves)) {
-      emit_product(context, out, planned, sides, rooted.nodes, std::move(leaves), counts);
+      emit_product(context, out, planned, sides, rooted.nodes, std::move(leaves));
     }
   }
 }
 
 /// Thesis 6.4 with three bits: the products of one traversal after another.
-void emit_traversals(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
-                     ScanConversions& counts) {
+void emit_traversals(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
   do {
-    emit_product(context, out, planned, sides, rooted.nodes, traversal.leaves(), counts);
+    emit_product(context, out, planned, sides, rooted.nodes, traversal.leaves());
   } while (traversal.next());
 }
 
@@ -153,17 +149,16 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
   return most;
 }
 
-void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
-                    ScanConversions& counts) {
+void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const Options& options = context.options;
   if (renders_each_product(options) && !planned.active.operands.empty()) {
-    options.strategy == Strategy::products ? emit_products(context, out, planned, sides, counts)
-                                           : emit_traversals(context, out, planned, sides, counts);
+    options.strategy == Strategy::products ? emit_products(context, out, planned, sides)
+                                           : emit_traversals(context, out, planned, sides);
     return;
   }
   const Surface surface = emit_surface(context, out, planned, sides);
   if (surface.nothing) return;
-  emit_visible(context, out, planned, surface, counts, [&]() -> std::uint64_t {
+  emit_visible(context, out, planned, surface, [&]() -> std::uint64_t {
     if (planned.active.operands.empty()) return 0;
     if (options.strategy == Strategy::list) return emit_list(context, out, planned);
     if (options.strategy == Strategy::parallel) return emit_parallel(context, out, planned);

@@ -21,7 +21,7 @@ glm::dvec3 middle(const Context& context, const Facet& facet) {
 
 std::uint32_t facet_colour(const Context& context, const Facet& facet) {
   const lighting::Finish& finish = context.look.finishes[facet.primitive];
-  const lighting::Lighting& light = context.look.lighting;
+  const lighting::Lighting& light = context.lighting();
   const glm::dvec3 place = light.is_local(finish.material) ? middle(context, facet) : glm::dvec3(0, 0, 1);
   const glm::dvec3 normal =
       facet.at == At::cap ? glm::dvec3(0, 0, -1) : in_camera_axes(context.view.camera, outward(context, facet));

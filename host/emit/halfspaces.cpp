@@ -157,6 +157,14 @@ Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
   return sides;
 }
 
+isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet) {
+  return {purpose, facet.primitive, planned.set.size() > 1 ? planned.primitive() : isa::no_node};
+}
+
+view::FixedLinear plane_of(const Context& context, const Facet& facet) {
+  return facet.at != At::plane ? view::FixedLinear{} : context.linear_of(facet.halfspace);
+}
+
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block) {
   for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
     if (!is_edge_test(context, halfspace, block)) continue;

@@ -21,6 +21,12 @@ struct Facet {
   At at = At::plane;
 };
 
+/// The origin of what belongs to a facet of a surface.
+isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet);
+
+/// Where the facet is: the plane of its half-space, or depth 0.
+view::FixedLinear plane_of(const Context& context, const Facet& facet);
+
 /// The half-spaces of a convex solid on one side that have to be broadcast for a block.
 struct Deciding {
   std::vector<Facet> facets;  ///< in the order of primitives and faces

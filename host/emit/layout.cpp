@@ -1,6 +1,7 @@
 #include "host/emit/layout.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include "host/view/projection.h"
@@ -11,68 +12,184 @@ namespace csgsim::emit {
 
 namespace {
 
-std::string parts(const Needs& needs) {
-  std::string text = "2 x " + std::to_string(needs.z_bits) + " depth, " + (needs.second_colour ? "2 x " : "") +
-                     std::to_string(needs.colour_bits) + " colour, 1 mask";
-  const auto add = [&](unsigned bits, const char* what) {
-    if (bits > 0) text += ", " + std::to_string(bits) + " " + what;
-  };
-  add(needs.classification.stack, "stack");
-  add(needs.classification.product, "product");
-  add(needs.classification.label, "label");
-  add(needs.shown.width, "colour that is shown");
+constexpr std::string_view fewer_bits = "work with fewer bits by --strategy list or auto";
+constexpr std::string_view one_buffer = "take a machine whose scan_out.buffers is 1";
+
+/// All that is asked for but the second buffer, which has its place. What a strategy, a colouring or an effect adds is
+/// told here and nowhere else.
+std::vector<FieldRequest> requests_of(const Needs& needs) {
+  using isa::FieldRole;
+  std::vector<FieldRequest> all{{"Z2", FieldRole::depth, needs.z_bits, "depth"},
+                                {"Z1", FieldRole::candidate_depth, needs.z_bits, "depth"},
+                                {"colour", FieldRole::colour, needs.colour_bits, "colour"},
+                                {"colour1", FieldRole::candidate_colour, needs.second_colour ? needs.colour_bits : 0,
+                                 "colour", "take --colouring rebroadcast"},
+                                {"mask", FieldRole::mask, 1, "mask"}};
+  all.push_back({"product", FieldRole::product, needs.classification.product, "product", fewer_bits});
+  all.push_back({"label", FieldRole::label, needs.classification.label, "label", fewer_bits});
+  for (unsigned i = 0; i < needs.classification.stack; ++i)
+    all.push_back({"stack" + std::to_string(i), FieldRole::stack, 1, "stack", fewer_bits});
+  all.push_back({"owner", FieldRole::owner, needs.owner_bits, "owner"});
+  for (const EffectFields& effect : needs.effects)
+    for (const FieldRequest& request : effect.requests) {
+      if (request.is_scratch) continue;
+      all.push_back(request);
+      all.back().name = std::string(effect.effect) + "." + request.name;
+    }
+  return all;
+}
+
+/// Scratch of the effects, laid over what holds nothing then.
+class ScratchPlaces {
+ public:
+  ScratchPlaces(isa::Field candidate, unsigned end) : candidate_(candidate), end_(end), most_(end) {}
+
+  void begin_effect() { in_candidate_ = 0, beyond_ = end_; }
+
+  isa::Field take(unsigned width) {
+    if (in_candidate_ + width <= candidate_.width) {
+      in_candidate_ += width;
+      return {static_cast<std::uint16_t>(candidate_.base + in_candidate_ - width), static_cast<std::uint16_t>(width)};
+    }
+    beyond_ += width;
+    most_ = std::max(most_, beyond_);
+    return {static_cast<std::uint16_t>(beyond_ - width), static_cast<std::uint16_t>(width)};
+  }
+
+  /// The first bit that no field has.
+  [[nodiscard]] unsigned end() const { return most_; }
+
+ private:
+  isa::Field candidate_;
+  unsigned end_;
+  unsigned most_;
+  unsigned in_candidate_ = 0;
+  unsigned beyond_ = 0;
+};
+
+/// What the bits are for, requests for the same thing together.
+std::string parts(const Needs& needs, unsigned scratch) {
+  std::vector<FieldRequest> left = requests_of(needs);
+  std::string text;
+  while (!left.empty()) {
+    const FieldRequest first = left.front();
+    const auto same = [&](const FieldRequest& one) { return one.what == first.what && one.width == first.width; };
+    const auto count = std::count_if(left.begin(), left.end(), same);
+    std::erase_if(left, same);
+    if (first.width == 0) continue;
+    if (!text.empty()) text += ", ";
+    if (first.width == 1) {
+      text += std::to_string(count);
+    } else {
+      text += (count > 1 ? std::to_string(count) + " x " : "") + std::to_string(first.width);
+    }
+    text += " " + std::string(first.what);
+  }
+  if (scratch > 0) text += ", " + std::to_string(scratch) + " scratch";
+  if (needs.shown.width > 0) text += ", " + std::to_string(needs.shown.width) + " colour that is shown";
   return text;
 }
 
-unsigned colour_fields(const Needs& needs) {
-  return 1U + (needs.second_colour ? 1 : 0) + (needs.shown.width > 0 ? 1 : 0);
+/// Fields as wide as a depth, or as a colour.
+unsigned fields_of_width(const Needs& needs, std::string_view what, unsigned width) {
+  unsigned count = 0;
+  for (const FieldRequest& request : requests_of(needs)) count += request.what == what && request.width == width;
+  return count;
 }
 
 /// Options that would make it fit, the least painful first.
 std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
   std::string text;
   const unsigned missing = total_bits(needs) - memory_bits;
-  if (needs.second_colour && needs.colour_bits >= missing) text += "take --colouring rebroadcast, or ";
-  if (needs.classification.total() >= missing) text += "work with fewer bits by --strategy list or auto, or ";
-  const unsigned z_bits = needs.z_bits - std::min(needs.z_bits, (missing + 1) / 2);
+  std::vector<FieldRequest> left = requests_of(needs);
+  while (!left.empty()) {
+    const std::string_view without = left.front().without;
+    unsigned saved = 0;
+    std::erase_if(left, [&](const FieldRequest& one) {
+      if (one.without != without) return false;
+      saved += one.width;
+      return true;
+    });
+    if (!without.empty() && saved >= missing) text += std::string(without) + ", or ";
+  }
+  const unsigned depths = fields_of_width(needs, "depth", needs.z_bits);
+  const unsigned z_bits = needs.z_bits - std::min(needs.z_bits, (missing + depths - 1) / depths);
   if (z_bits >= view::fewest_z_bits) text += "give up depth with --z-bits " + std::to_string(z_bits) + ", or ";
-  const unsigned colours = colour_fields(needs);
+  const unsigned colours = fields_of_width(needs, "colour", needs.colour_bits) + (needs.shown.width > 0 ? 1 : 0);
   const unsigned colour_bits = needs.colour_bits - std::min(needs.colour_bits, (missing + colours - 1) / colours);
   if (colour_bits >= isa::fewest_colour_bits)
     text += "colours with --colour-bits " + std::to_string(colour_bits) + ", or ";
-  if (needs.shown.width >= missing) text += "take a machine whose scan_out.buffers is 1, or ";
+  if (needs.shown.width >= missing) text += std::string(one_buffer) + ", or ";
   return text + "take --memory-bits " + std::to_string(total_bits(needs));
+}
+
+void put(Layout& layout, const FieldRequest& request, isa::Field field) {
+  switch (request.role) {
+    case isa::FieldRole::depth: layout.depth = field; return;
+    case isa::FieldRole::candidate_depth: layout.candidate = field; return;
+    case isa::FieldRole::colour: layout.colour = field; return;
+    case isa::FieldRole::candidate_colour: layout.candidate_colour = field; return;
+    case isa::FieldRole::mask: layout.mask = field; return;
+    case isa::FieldRole::stack: layout.stack.push_back(field); return;
+    case isa::FieldRole::product: layout.product = field; return;
+    case isa::FieldRole::label: layout.label = field; return;
+    case isa::FieldRole::owner: layout.owner = field; return;
+    case isa::FieldRole::scratch:
+    case isa::FieldRole::shown:
+    case isa::FieldRole::effect: layout.effects.push_back({request.name, field, request.role}); return;
+  }
+}
+
+struct Planned {
+  Layout layout;
+  unsigned without_scratch = 0;  ///< bits
+  unsigned bits = 0;             ///< the second buffer not among them
+};
+
+Planned plan(const Needs& needs) {
+  Planned planned;
+  unsigned next = 0;
+  for (const FieldRequest& request : requests_of(needs)) {
+    const isa::Field field{static_cast<std::uint16_t>(request.width > 0 ? next : 0),
+                           static_cast<std::uint16_t>(request.width)};
+    put(planned.layout, request, field);
+    next += request.width;
+  }
+  ScratchPlaces places(planned.layout.candidate, next);
+  for (const EffectFields& effect : needs.effects) {
+    places.begin_effect();
+    for (const FieldRequest& request : effect.requests) {
+      if (!request.is_scratch) continue;
+      planned.layout.effects.push_back(
+          {std::string(effect.effect) + "." + request.name, places.take(request.width), isa::FieldRole::scratch});
+    }
+  }
+  planned.layout.shown = needs.shown;
+  planned.without_scratch = next;
+  planned.bits = places.end();
+  return planned;
 }
 
 }  // namespace
 
-unsigned total_bits(const Needs& needs) {
-  return 2 * needs.z_bits + colour_fields(needs) * needs.colour_bits + 1 + needs.classification.total();
+isa::Field Layout::of(std::string_view effect, std::string_view name) const {
+  const std::string full = std::string(effect) + "." + std::string(name);
+  const auto found =
+      std::find_if(effects.begin(), effects.end(), [&](const isa::NamedField& one) { return one.name == full; });
+  if (found == effects.end()) throw std::logic_error("no effect asked for the field " + full);
+  return found->field;
 }
 
+unsigned total_bits(const Needs& needs) { return plan(needs).bits + needs.shown.width; }
+
 Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
+  const Planned planned = plan(needs);
   if (total_bits(needs) > memory_bits) {
     throw InputError("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
-                     parts(needs) + ") and the machine has " + std::to_string(memory_bits) + "; " +
-                     what_to_do(needs, memory_bits));
+                     parts(needs, planned.bits - planned.without_scratch) + ") and the machine has " +
+                     std::to_string(memory_bits) + "; " + what_to_do(needs, memory_bits));
   }
-  unsigned next = 0;
-  const auto take = [&next](unsigned width) {
-    const isa::Field field{static_cast<std::uint16_t>(width > 0 ? next : 0), static_cast<std::uint16_t>(width)};
-    next += width;
-    return field;
-  };
-  Layout layout;
-  layout.depth = take(needs.z_bits);
-  layout.candidate = take(needs.z_bits);
-  layout.colour = take(needs.colour_bits);
-  layout.candidate_colour = take(needs.second_colour ? needs.colour_bits : 0);
-  layout.mask = take(1);
-  layout.product = take(needs.classification.product);
-  layout.label = take(needs.classification.label);
-  for (unsigned i = 0; i < needs.classification.stack; ++i) layout.stack.push_back(take(1));
-  layout.shown = needs.shown;
-  return layout;
+  return planned.layout;
 }
 
 std::vector<isa::NamedField> named_fields(const Layout& layout) {
@@ -89,6 +206,23 @@ std::vector<isa::NamedField> named_fields(const Layout& layout) {
   add("label", layout.label, isa::FieldRole::label);
   for (std::size_t i = 0; i < layout.stack.size(); ++i) {
     add("stack" + std::to_string(i), layout.stack[i], isa::FieldRole::stack);
+  }
+  add("owner", layout.owner, isa::FieldRole::owner);
+  unsigned end = 0;
+  for (const isa::NamedField& named : fields) end = std::max(end, named.field.end());
+  for (const isa::NamedField& named : layout.effects) {
+    if (named.role != isa::FieldRole::scratch) end = std::max(end, named.field.end());
+  }
+  unsigned scratch_end = end;
+  for (const isa::NamedField& named : layout.effects) {
+    if (named.role != isa::FieldRole::scratch) add(named.name, named.field, named.role);
+    scratch_end = std::max(scratch_end, named.field.end());
+  }
+  for (unsigned i = 0; end < scratch_end; ++i) {
+    const unsigned width = std::min(isa::max_field_width, scratch_end - end);
+    add("scratch" + std::to_string(i), {static_cast<std::uint16_t>(end), static_cast<std::uint16_t>(width)},
+        isa::FieldRole::scratch);
+    end += width;
   }
   add("shown", layout.shown, isa::FieldRole::shown);
   return fields;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "hw/isa/program.h"
@@ -16,6 +18,22 @@ struct ClassificationBits {
   [[nodiscard]] unsigned total() const { return stack + product + label; }
 };
 
+/// Bits of pixel memory that somebody asks for.
+struct FieldRequest {
+  std::string name;
+  isa::FieldRole role = isa::FieldRole::scratch;
+  unsigned width = 0;          ///< 0: nothing is asked for
+  std::string_view what;       ///< it holds, for people
+  std::string_view without{};  ///< what to do where there is no room for it; may be empty
+  bool is_scratch = false;     ///< holds nothing while surfaces are drawn, so that it may lie where Z1 lies then
+};
+
+/// What an effect asks for; its scratch may lie where another effect's does.
+struct EffectFields {
+  std::string_view effect;
+  std::vector<FieldRequest> requests;
+};
+
 /// What has to fit.
 struct Needs {
   unsigned z_bits = 0;
@@ -23,19 +41,26 @@ struct Needs {
   bool second_colour = false;  ///< beside Z1
   ClassificationBits classification;
   isa::Field shown{};  ///< the machine's second buffer, which ends where the memory does; of width 0 if it has none
+  unsigned owner_bits = 0;  ///< of the number of the surface that Z2 is of; 0 where nobody asks whose it is
+  std::vector<EffectFields> effects{};
 };
 
 /// Which bits of pixel memory hold what. Fields that are not needed have no width.
 struct Layout {
-  isa::Field depth;               ///< Z2: the nearest surface so far
-  isa::Field candidate;           ///< Z1: the surface being classified
-  isa::Field colour;              ///< of Z2
-  isa::Field candidate_colour;    ///< of Z1
-  isa::Field mask;                ///< 1 where Z1 holds a surface that is still visible
-  isa::Field product;             ///< 1 where Z1 is in the product so far
-  isa::Field label;               ///< the leaf that a pixel waits for
-  std::vector<isa::Field> stack;  ///< results of the classification, one bit each
-  isa::Field shown;               ///< the picture before, which no instruction meets
+  isa::Field depth;                      ///< Z2: the nearest surface so far
+  isa::Field candidate;                  ///< Z1: the surface being classified
+  isa::Field colour;                     ///< of Z2
+  isa::Field candidate_colour;           ///< of Z1
+  isa::Field mask;                       ///< 1 where Z1 holds a surface that is still visible
+  isa::Field product;                    ///< 1 where Z1 is in the product so far
+  isa::Field label;                      ///< the leaf that a pixel waits for
+  std::vector<isa::Field> stack;         ///< results of the classification, one bit each
+  isa::Field owner;                      ///< number of the surface that Z2 is of, 0 for none
+  isa::Field shown;                      ///< the picture before, which no instruction meets
+  std::vector<isa::NamedField> effects;  ///< as `EFFECT.NAME`
+
+  /// A field that an effect asked for.
+  [[nodiscard]] isa::Field of(std::string_view effect, std::string_view name) const;
 };
 
 unsigned total_bits(const Needs& needs);

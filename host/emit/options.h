@@ -1,10 +1,9 @@
 #pragma once
 
-#include <any>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
-#include <vector>
 
 #include "host/csg/pruning.h"
 #include "host/scene/scene.h"
@@ -48,11 +47,8 @@ inline constexpr std::uint64_t most_products = 16'384;
 
 struct Effect;
 
-/// An effect that the scene calls for.
-struct CalledEffect {
-  const Effect* effect = nullptr;
-  std::any settings;  ///< as its section of the scene says
-};
+/// Flat shading and no other effect.
+std::span<const Effect* const> flat_alone();
 
 struct Options {
   Strategy strategy = Strategy::stack;
@@ -61,7 +57,7 @@ struct Options {
   unsigned colour_bits = isa::most_colour_bits;
   csg::Pruning pruning;
   scene::Scene scene;
-  std::vector<CalledEffect> effects;  ///< in the order of their rows
+  std::span<const Effect* const> effects = flat_alone();  ///< all that there are, in the order of their work
 };
 
 }  // namespace csgsim::emit

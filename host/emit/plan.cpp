@@ -18,10 +18,11 @@ bool hides(const PlannedSurface& front, const csg::Block& block, const facet::Sc
 }
 
 void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Scene& scene,
-                 const view::View& view) {
+                 const view::View& view, const std::vector<bool>& see_through) {
   // A solid that hides another may be hidden itself: what hides it hides the other too.
   std::vector<const PlannedSurface*> nearest_first;
-  for (const PlannedSurface& one : plan.surfaces) nearest_first.push_back(&one);
+  for (const PlannedSurface& one : plan.surfaces)
+    if (see_through.empty() || !see_through[one.primitive()]) nearest_first.push_back(&one);
   std::stable_sort(nearest_first.begin(), nearest_first.end(),
                    [](const PlannedSurface* a, const PlannedSurface* b) { return a->block.z_low < b->block.z_low; });
   const auto hidden = [&](const PlannedSurface& one) {
@@ -35,6 +36,21 @@ void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const fac
   for (const PlannedSurface& one : plan.surfaces) drop.push_back(one.block.z_low > 0 && hidden(one));
   std::size_t index = 0;
   std::erase_if(plan.surfaces, [&](const PlannedSurface&) { return drop[index++]; });
+}
+
+/// The sets, those that hold both primitives to see through and others each in its own.
+std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, const std::vector<bool>& see_through) {
+  if (see_through.empty()) return sets;
+  std::vector<csg::ConvexSet> result;
+  for (const csg::ConvexSet& set : sets) {
+    const auto clear = std::count_if(set.begin(), set.end(), [&](std::uint32_t one) { return see_through[one]; });
+    if (clear == 0 || clear == static_cast<std::ptrdiff_t>(set.size())) {
+      result.push_back(set);
+    } else {
+      for (const std::uint32_t one : set) result.push_back({one});
+    }
+  }
+  return result;
 }
 
 /// Counts the primitives that have pixels in the region, pruned or not.
@@ -64,10 +80,11 @@ std::uint32_t Plan::depth() const {
 }
 
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-               const std::vector<isa::Region>& regions, const csg::Pruning& pruning) {
+               const std::vector<isa::Region>& regions, const csg::Pruning& pruning,
+               const std::vector<bool>& see_through) {
   Plan plan;
   plan.positive = csg::make_positive(tree);
-  const std::vector<csg::ConvexSet> sets = csg::convex_sets(plan.positive, pruning.sets);
+  const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), see_through);
   const csg::Pruner pruner(scene, view, plan.positive, pruning);
   for (const isa::Region& region : regions) {
     SegmentPlan& segment = plan.segments.emplace_back();
@@ -77,9 +94,11 @@ Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::V
       const csg::Block block = pruner.block_of(set, segment.pixels());
       if (block.pixels.empty()) continue;
       csg::ActiveTree active = pruner.active_tree(set, block);
-      if (!active.nothing) segment.surfaces.push_back({set, block, std::move(active)});
+      if (!active.nothing) segment.surfaces.push_back({set, block, std::move(active), 0});
     }
-    if (pruning.hidden) drop_hidden(segment, plan.positive, scene, view);
+    if (pruning.hidden) drop_hidden(segment, plan.positive, scene, view, see_through);
+    std::uint32_t number = 0;
+    for (PlannedSurface& one : segment.surfaces) one.number = ++number;
   }
   return plan;
 }

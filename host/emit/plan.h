@@ -16,6 +16,7 @@ struct PlannedSurface {
   csg::ConvexSet set;
   csg::Block block;
   csg::ActiveTree active;
+  std::uint32_t number = 0;  ///< within its segment, from 1 on
 
   [[nodiscard]] std::uint32_t primitive() const { return set.front(); }
 };
@@ -39,7 +40,9 @@ struct Plan {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
+/// `see_through`, by primitive: those that hide nothing, and that no set mixes with others; empty if there are none.
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-               const std::vector<isa::Region>& regions, const csg::Pruning& pruning);
+               const std::vector<isa::Region>& regions, const csg::Pruning& pruning,
+               const std::vector<bool>& see_through = {});
 
 }  // namespace csgsim::emit

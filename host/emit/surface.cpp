@@ -5,6 +5,7 @@
 #include "host/emit/effect.h"
 #include "host/emit/halfspaces.h"
 #include "host/emit/near_cap.h"
+#include "host/emit/shading.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -12,16 +13,6 @@ namespace csgsim::emit {
 namespace {
 
 using isa::Opcode;
-
-/// The origin of what belongs to a facet.
-isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet) {
-  return {purpose, facet.primitive, planned.set.size() > 1 ? planned.primitive() : isa::no_node};
-}
-
-/// Where the facet is.
-view::FixedLinear plane_of(const Context& context, const Facet& facet) {
-  return facet.at != At::plane ? view::FixedLinear{} : context.linear_of(facet.halfspace);
-}
 
 /// Whether the facet fits Z1 wherever it is, before the other bound of the depth range too.
 bool fits(const Context& context, const Facet& facet, const csg::Block& block, bool farthest_front) {
@@ -126,43 +117,31 @@ void emit_near_test(const Context& context, Broadcast& out, const Surface& surfa
   if (reaches) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, surface.block.pixels);
 }
 
-/// Finds where each facet is seen by broadcasting it again, the mask holding what is left.
-void emit_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
-  const Layout& layout = context.layout;
-  const bool mask_first = has_shaders(context);
-  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
-    const Facet& facet = surface.facets[i];
-    const bool is_rest = i + 1 == surface.facets.size();
-    out.origin = origin_of(isa::Purpose::shade, planned, facet);
-    if (i > 0) out.plain(Opcode::enable_load, layout.mask);
-    if (!is_rest) out.surface(Opcode::linear_eq, layout.candidate, plane_of(context, facet), surface.block.pixels);
-    if (!is_rest && mask_first) out.plain(Opcode::set_constant, layout.mask, {}, 0);
-    emit_colour(context, out, facet, layout.colour, surface.block.pixels);
-    if (!is_rest && !mask_first) out.plain(Opcode::set_constant, layout.mask, {}, 0);
-  }
-}
-
 }  // namespace
+
+Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides) {
+  const csg::Block& block = planned.block;
+  const bool complemented = context.complemented(planned.primitive());
+  Surface surface{false, complemented ? sides.backs.facets : sides.fronts.facets, block};
+  surface.nothing = sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
+  if (surface.nothing) return surface;
+  if (!complemented && may_reach_near(context, sides.fronts.facets, block))
+    surface.facets.insert(surface.facets.begin(), at_near(context, planned.primitive()));
+  return surface;
+}
 
 Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::Block& block = planned.block;
   const bool complemented = context.complemented(planned.primitive());
-  const Deciding& fronts = sides.fronts;
-  const Deciding& backs = sides.backs;
-
-  Surface surface{false, complemented ? backs.facets : fronts.facets, block};
-  surface.nothing = fronts.nothing || backs.nothing || (complemented && surface.facets.empty());
+  Surface surface = surface_of(context, planned, sides);
   if (surface.nothing) return surface;
-  if (!complemented && may_reach_near(context, fronts.facets, block))
-    surface.facets.insert(surface.facets.begin(), at_near(context, planned.primitive()));
-
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
-  out.plain(Opcode::enable_all);
+  context.base.width > 0 ? out.plain(Opcode::enable_load, context.base) : out.plain(Opcode::enable_all);
   out.clip(block.pixels, context.plan.pixels());
   for (const std::uint32_t primitive : planned.set) emit_edges(context, out, primitive, sides.column);
   Extreme extreme(context, out, planned, surface);
   context.layout.candidate_colour.width > 0 ? extreme.emit_with_colours() : extreme.emit();
-  for (const Facet& other : complemented ? fronts.facets : backs.facets) {
+  for (const Facet& other : complemented ? sides.fronts.facets : sides.backs.facets) {
     out.surface(complemented ? Opcode::linear_lt : Opcode::linear_gt, context.layout.candidate,
                 context.linear_of(other.halfspace), block.pixels);
   }
@@ -170,8 +149,13 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
   return surface;
 }
 
-void emit_depth_test(const Context& context, Broadcast& out, std::uint32_t primitive) {
-  out.origin = {isa::Purpose::merge, primitive, isa::no_node};
+void emit_depth_test(const Context& context, Broadcast& out, const PlannedSurface& planned) {
+  for_effects(context, out, &Effect::admit, [&](const Effect& effect, const EffectCall& call) {
+    effect.admit(call, out, planned);
+    return false;
+  });
+  out.origin = {isa::Purpose::merge, planned.primitive(), isa::no_node};
+  if (context.beyond.width > 0) out.plain(Opcode::field_lt, context.beyond, context.layout.candidate);
   out.plain(Opcode::field_lt, context.layout.candidate, context.layout.depth);
   out.plain(Opcode::enable_store, context.layout.mask);
 }
@@ -180,11 +164,13 @@ void emit_merge(const Context& context, Broadcast& out, const PlannedSurface& pl
   const Layout& layout = context.layout;
   out.origin = {isa::Purpose::merge, planned.primitive(), planned.set.size() > 1 ? planned.primitive() : isa::no_node};
   out.plain(Opcode::copy, layout.depth, layout.candidate);
-  if (layout.candidate_colour.width > 0) {
+  if (layout.owner.width > 0) {
+    out.plain(Opcode::set_constant, layout.owner, {}, planned.number);
+  } else if (layout.candidate_colour.width > 0) {
     out.plain(Opcode::copy, layout.colour, layout.candidate_colour);
-    return;
+  } else {
+    emit_facet_colours(context, out, planned, surface, layout.candidate, {});
   }
-  emit_colours(context, out, planned, surface);
 }
 
 }  // namespace csgsim::emit

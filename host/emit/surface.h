@@ -15,13 +15,17 @@ struct Surface {
   csg::Block block;
 };
 
+/// What emit_surface would draw, without drawing it.
+Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides);
+
 /// The surface into Z1, and its colour beside it if there is a field for it. Leaves E 1 where there is one.
 Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides);
 
-/// Depth test: leaves E and the mask 1 where E is 1 and Z1 is nearer than Z2.
-void emit_depth_test(const Context& context, Broadcast& out, std::uint32_t primitive);
+/// Depth test: leaves E and the mask 1 where E is 1, effects admit the surface, and Z1 is nearer than Z2 and behind the
+/// context's `beyond`.
+void emit_depth_test(const Context& context, Broadcast& out, const PlannedSurface& planned);
 
-/// Copy of Z1 to Z2 where E is 1, and its colour. The mask has to be E.
+/// Copy of Z1 to Z2 where E is 1, and its colour or number. The mask has to be E.
 void emit_merge(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface);
 
 }  // namespace csgsim::emit

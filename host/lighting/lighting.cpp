@@ -73,11 +73,12 @@ glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const 
 }
 
 Finish finish_of(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut) {
-  Finish finish{primitive.colour.value_or(is_cut ? default_cut_colour : default_colour), {}};
+  Finish finish{primitive.colour.value_or(is_cut ? default_cut_colour : default_colour), {}, primitive.opacity};
   for (const scene::MaterialRule& rule : scene.materials) {
     if (!holds_for(rule, primitive)) continue;
     finish.material = rule.material;
     finish.colour = rule.colour.value_or(finish.colour);
+    finish.opacity = rule.opacity.value_or(finish.opacity);
   }
   return finish;
 }

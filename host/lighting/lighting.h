@@ -48,6 +48,7 @@ glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const 
 struct Finish {
   glm::dvec3 colour;
   scene::Material material;
+  double opacity = 1;  ///< from 0, clear, to 1
 };
 
 /// `is_cut`: it is the surface of what was taken away.

@@ -59,6 +59,7 @@ struct Primitive {
   glm::dmat4 transform{1};           ///< object to model space; the last row is 0 0 0 1
   std::optional<glm::dvec3> colour;  ///< red, green, blue in [0, 1], if the model says one
   Location location;
+  double opacity = 1;  ///< alpha of the colour: from 0, clear, to 1, opaque
 };
 
 enum class Operator : std::uint8_t { unite, subtract, intersect };

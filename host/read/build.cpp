@@ -58,7 +58,7 @@ void TreeBuilder::begin(const Statement& statement) {
     case NodeKind::intersect: open.op = model::Operator::intersect; break;
     case NodeKind::transform: open.transform = open.transform * read_matrix(arguments); break;
     case NodeKind::colour: {
-      const std::optional<glm::dvec3> colour = read_colour(arguments);
+      const std::optional<Colour> colour = read_colour(arguments);
       if (!open.colour) open.colour = colour;
       break;
     }
@@ -83,7 +83,11 @@ void TreeBuilder::add_solid(const NodeType& node, const Statement& statement, co
   model::Node& leaf = tree_.nodes.emplace_back();
   leaf.is_leaf = true;
   leaf.primitive = static_cast<std::uint32_t>(tree_.primitives.size());
-  tree_.primitives.push_back({std::move(*shape), open.transform, open.colour, source_.locate(statement.offset)});
+  model::Primitive& primitive = tree_.primitives.emplace_back();
+  primitive = {std::move(*shape), open.transform, {}, source_.locate(statement.offset)};
+  if (!open.colour) return;
+  primitive.colour = open.colour->rgb;
+  primitive.opacity = open.colour->opacity;
 }
 
 void TreeBuilder::end() {

@@ -10,6 +10,7 @@
 #include "host/model/tree.h"
 #include "host/read/arguments.h"
 #include "host/read/nodes.h"
+#include "host/read/placement.h"
 #include "host/read/source.h"
 #include "host/read/syntax.h"
 
@@ -35,7 +36,7 @@ class TreeBuilder : public StatementVisitor {
     bool has_operands = false;  ///< empty ones too
     std::string_view name;
     glm::dmat4 transform{1};
-    std::optional<glm::dvec3> colour;
+    std::optional<Colour> colour;
     std::size_t first_child = 0;      ///< in children_, from here on its own
     std::size_t first_node = 0;       ///< in tree_.nodes
     std::size_t first_primitive = 0;  ///< in tree_.primitives

@@ -56,7 +56,7 @@ bool empties(const glm::dmat4& matrix) {
   return std::abs(glm::dot(columns[0], glm::cross(columns[1], columns[2]))) < singular_volume;
 }
 
-std::optional<glm::dvec3> read_colour(const Arguments& arguments) {
+std::optional<Colour> read_colour(const Arguments& arguments) {
   const ValueView value = arguments.required("c", "[red, green, blue], each from 0 to 1");
   if (value.is(ValueKind::string)) {
     arguments.fail(value, "color() does not know names; write [red, green, blue], each from 0 to 1");
@@ -65,7 +65,8 @@ std::optional<glm::dvec3> read_colour(const Arguments& arguments) {
   arguments.read_numbers(value, 3, components, "the colour");
   components[3] = arguments.number("alpha").value_or(components[3]);
   if (!std::ranges::all_of(components, [](double component) { return component >= 0; })) return std::nullopt;
-  return glm::min(glm::dvec3(components[0], components[1], components[2]), glm::dvec3(1));
+  return Colour{glm::min(glm::dvec3(components[0], components[1], components[2]), glm::dvec3(1)),
+                std::min(components[3], 1.0)};
 }
 
 }  // namespace csgsim::read

@@ -15,8 +15,13 @@ glm::dmat4 read_matrix(const Arguments& arguments);
 /// Whether nothing solid is left of a solid under the matrix: it is singular or not finite.
 bool empties(const glm::dmat4& matrix);
 
-/// The colour of a `color` node, in [0, 1]; nothing if it has a negative component, which is how OpenSCAD writes that
-/// none is given.
-std::optional<glm::dvec3> read_colour(const Arguments& arguments);
+/// What a `color` node says, each in [0, 1].
+struct Colour {
+  glm::dvec3 rgb{0};
+  double opacity = 1;
+};
+
+/// Nothing if the node has a negative component, which is how OpenSCAD writes that no colour is given.
+std::optional<Colour> read_colour(const Arguments& arguments);
 
 }  // namespace csgsim::read

@@ -18,6 +18,7 @@ namespace csgsim::scene {
 namespace {
 
 constexpr std::string_view effects_prefix = "effects.";
+constexpr std::string_view on_key = "on";   ///< of every effect
 constexpr std::size_t most_in_list = 1000;  ///< tables
 
 class Reader {
@@ -65,6 +66,12 @@ class Reader {
     for (const Section& effect : effects_) read_if_there(table, effect, effect.name.substr(effects_prefix.size()));
   }
 
+  /// Whether the effect's table says that it is on, as it is where nothing is said.
+  [[nodiscard]] bool is_on(const toml::table& table, const Section& section) const {
+    const toml::node* const node = table.get(on_key);
+    return node == nullptr || boolean_of(*node, fmt::format("{}.{}", section.name, on_key));
+  }
+
   void read_if_there(const toml::table& table, const Section& section, std::string_view key) {
     const toml::node* const node = table.get(key);
     if (node == nullptr) return;
@@ -88,6 +95,8 @@ class Reader {
   void read_section(const toml::table& table, const Section& section) {
     std::vector<std::string_view> known;
     for (const Key& key : section.keys) known.push_back(key.name);
+    const bool is_effect = section.name.starts_with(effects_prefix);
+    if (is_effect) known.push_back(on_key);
     check_keys(table, known, fmt::format("{}.", section.name));
     std::any read = section.blank();
     for (const Key& key : section.keys) {
@@ -96,6 +105,7 @@ class Reader {
     }
     try {
       section.keep(scene_, section, std::move(read));
+      if (is_effect) scene_.effects.back().is_on = is_on(table, section);
     } catch (const InputError& error) {
       fail(table, error.what());
     }

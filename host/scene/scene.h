@@ -55,6 +55,7 @@ struct MaterialRule {
   std::optional<std::uint32_t> from_line;  ///< of the model's file
   std::optional<std::uint32_t> to_line;    ///< inclusive; from_line if not given
   std::optional<glm::dvec3> colour;        ///< instead of the model's
+  std::optional<double> opacity;           ///< instead of the model's alpha
   Material material;
 
   bool operator==(const MaterialRule&) const = default;
@@ -76,10 +77,11 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
-/// An effect that the scene calls for, with its own settings.
+/// An effect that the scene speaks of, with its own settings.
 struct CalledEffect {
   std::string_view name;  ///< of the effect's row
   std::any settings;
+  bool is_on = true;  ///< false: not even if the model calls for it
 };
 
 struct Scene {

@@ -41,7 +41,8 @@ constexpr std::array material_keys{
     colour_key<&MaterialRule::of_colour>("of_colour", "for the primitives that have this colour in the model"),
     integer_key<&MaterialRule::from_line>("from_line", "", 1, last_line, "for those from this line of the model on"),
     integer_key<&MaterialRule::to_line>("to_line", "", 1, last_line, "to this line; from_line if not given"),
-    colour_key<&MaterialRule::colour>("colour", "instead of the model's")};
+    colour_key<&MaterialRule::colour>("colour", "instead of the model's"),
+    number_key<&MaterialRule::opacity>("opacity", "", 0, 1, "instead of the model's alpha: 0 is clear, 1 opaque")};
 
 struct MaterialRuleKeys {
   template <double Material::*member>
@@ -64,6 +65,7 @@ constexpr std::array all_material_keys{
     material_keys[1],
     material_keys[2],
     material_keys[3],
+    material_keys[4],
     MaterialRuleKeys::number<&Material::ambient>("ambient", 0, 1, "part of the ambient light that it throws back"),
     MaterialRuleKeys::number<&Material::diffuse>("diffuse", 0, 1, "part of a light from the front"),
     MaterialRuleKeys::number<&Material::specular>("specular", 0, 1, "part of a light that is mirrored into the eye"),

@@ -21,6 +21,8 @@ constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
 constexpr std::uint8_t version = 2;
 constexpr std::size_t checksum_size = 4;
 constexpr std::uint8_t same_origin = 0x80;
+constexpr std::uint8_t has_effect = 0x80;  ///< in a purpose's byte: an effect's index follows
+static_assert(purpose_table.size() <= has_effect);
 static_assert(opcode_numbers <= same_origin);
 static_assert(no_primitive + 1 == 0 && no_node + 1 == 0);
 
@@ -31,7 +33,13 @@ std::uint32_t checksum(std::span<const std::byte> bytes) {
 }
 
 void write_origin(ByteWriter& out, const Origin& origin) {
-  out.byte(static_cast<std::uint8_t>(origin.purpose));
+  const auto purpose = static_cast<std::uint8_t>(origin.purpose);
+  if (origin.effect == no_effect) {
+    out.byte(purpose);
+  } else {
+    out.byte(purpose | has_effect);
+    out.byte(origin.effect);
+  }
   out.varint(origin.primitive + 1U);
   out.varint(origin.node + 1U);
 }
@@ -39,7 +47,9 @@ void write_origin(ByteWriter& out, const Origin& origin) {
 Origin read_origin(ByteReader& in) {
   constexpr auto most = std::numeric_limits<std::uint32_t>::max();
   Origin origin;
-  origin.purpose = static_cast<Purpose>(in.byte());
+  const std::uint8_t purpose = in.byte();
+  origin.purpose = static_cast<Purpose>(purpose & ~has_effect);
+  if ((purpose & has_effect) != 0) origin.effect = in.byte();
   origin.primitive = in.varint_to<std::uint32_t>(most) - 1U;
   origin.node = in.varint_to<std::uint32_t>(most) - 1U;
   return origin;

@@ -44,7 +44,7 @@ struct Linear {
   P(stack, "combine classifications by the operators of the tree")  \
   P(merge, "depth test against Z2, and the copy of what is nearer") \
   P(shade, "colour of the facets that were merged")                 \
-  P(effect, "effects beyond flat shading")
+  P(effect, "what an effect does that no surface asks for")
 
 enum class Purpose : std::uint8_t {
 #define CSGSIM_PURPOSE_ENUMERATOR(name, meaning) name,
@@ -67,6 +67,7 @@ constexpr const PurposeInfo& info(Purpose purpose) { return purpose_table[static
 
 inline constexpr std::uint32_t no_primitive = 0xffffffffU;
 inline constexpr std::uint32_t no_node = 0xffffffffU;
+inline constexpr std::uint8_t no_effect = 0xffU;
 
 /// Whom an instruction serves; stats and waves show it, machines ignore it.
 struct Origin {
@@ -74,6 +75,7 @@ struct Origin {
   std::uint32_t primitive = no_primitive;  ///< index into Program::primitives: whose surface is drawn
   std::uint32_t node = no_node;            ///< the primitive it is compared with while classifying; the first of
                                  ///< several that are drawn as one solid, for its merge and shading; else no_node
+  std::uint8_t effect = no_effect;  ///< index into CompileFacts::effects: what is paid for; else no_effect
 
   constexpr bool operator==(const Origin&) const = default;
 };

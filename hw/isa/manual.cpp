@@ -200,8 +200,9 @@ void put_clocks(std::string& page) {
 void put_origins(std::string& page) {
   put(page,
       "\n## Origins\n\n"
-      "Each instruction says whom it serves: a purpose, the primitive whose surface is drawn, and while classifying "
-      "the\nprimitive it is compared with. Machines ignore it; statistics and waves show it.\n\n"
+      "Each instruction says whom it serves: a purpose, the primitive whose surface is drawn, while classifying the\n"
+      "primitive it is compared with, and the effect that calls for it. Machines ignore it; statistics and waves show "
+      "it.\n\n"
       "| purpose | meaning |\n|---|---|\n");
   for (const PurposeInfo& row : purpose_table) put(page, "| `{}` | {} |\n", row.name, row.meaning);
 }
@@ -268,7 +269,7 @@ void put_text_form(std::string& page) {
       "SHIFT)`.\n"
       "- A constant or a count is decimal, or hexadecimal after `0x`.\n"
       "- After `;` stands the origin: the purpose, `pN` for a primitive, `against pN` for the one it is compared "
-      "with.\n"
+      "with,\n  `for eN` for the effect that it serves, counted from 0 in the order of `.compile`'s `effects`.\n"
       "  Primitives count from 0 in the order of the `.primitive` lines. Without `;` the purpose is `{}`.\n"
       "- In strings `\\\"` and `\\\\` stand for `\"` and `\\`, and `\\xNN` for the byte with that hexadecimal code.\n\n"
       "`.array` comes first. `.field NAME PLACE ROLE` and `.primitive \"NAME\"` stand once for each, and before the "

@@ -60,8 +60,10 @@ struct Segment {
 };
 
 /// What a field of pixel memory holds, for pictures, stats and waves.
-#define CSGSIM_FIELD_ROLES(R) \
-  R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label) R(shown)
+#define CSGSIM_FIELD_ROLES(R)                                                                                      \
+  R(scratch)                                                                                                       \
+  R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label) R(shown) R(owner) \
+      R(effect)
 
 enum class FieldRole : std::uint8_t {
 #define CSGSIM_FIELD_ROLE_ENUMERATOR(name) name,
@@ -115,13 +117,13 @@ struct CompileFacts {
   std::string colouring;
   std::uint32_t z_bits = 0;
   std::uint32_t fraction_bits = 0;
-  double edge_on_fraction = 0;    ///< of a pixel
-  std::uint32_t stack_bits = 0;   ///< bits of pixel memory that the classification uses
-  std::uint32_t tree_depth = 0;   ///< levels of the deepest active tree
-  std::uint64_t rendered = 0;     ///< scan-conversions: primitives whose surface goes into Z1
-  std::uint64_t classified = 0;   ///< scan-conversions: primitives of active trees compared with Z1
-  std::uint64_t depth_tests = 0;  ///< comparisons of Z1 with Z2
-  std::vector<std::string> effects;
+  double edge_on_fraction = 0;       ///< of a pixel
+  std::uint32_t stack_bits = 0;      ///< bits of pixel memory that the classification uses
+  std::uint32_t tree_depth = 0;      ///< levels of the deepest active tree
+  std::uint64_t rendered = 0;        ///< scan-conversions: primitives whose surface goes into Z1
+  std::uint64_t classified = 0;      ///< scan-conversions: primitives of active trees compared with Z1
+  std::uint64_t depth_tests = 0;     ///< comparisons of Z1 with Z2
+  std::vector<std::string> effects;  ///< flat shading first, then those that the scene calls for
 
   bool operator==(const CompileFacts&) const = default;
 };

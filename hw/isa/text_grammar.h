@@ -89,8 +89,11 @@ struct mnemonic : word {};
 struct purpose : word {};
 struct primitive : number {};
 struct node : number {};
+struct effect : number {};
 struct against : seq<blanks, string<'a', 'g', 'a', 'i', 'n', 's', 't'>, blanks, one<'p'>> {};
-struct origin : if_must<one<';'>, gap, purpose, opt<blanks, one<'p'>, primitive>, opt<if_must<against, node>>> {};
+struct serves : seq<blanks, string<'f', 'o', 'r'>, blanks, one<'e'>> {};
+struct origin : if_must<one<';'>, gap, purpose, opt<blanks, one<'p'>, primitive>, opt<if_must<against, node>>,
+                        opt<if_must<serves, effect>>> {};
 struct instruction : seq<mnemonic, operands, gap, opt<origin>> {};
 
 // Directives.

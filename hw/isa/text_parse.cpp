@@ -54,6 +54,7 @@ CSGSIM_WHEN(mnemonic) { reading.begin_instruction(matched); }
 CSGSIM_WHEN(purpose) { reading.set_purpose(matched); }
 CSGSIM_WHEN(primitive) { reading.instruction.origin.primitive = Reading::index(matched); }
 CSGSIM_WHEN(node) { reading.instruction.origin.node = Reading::index(matched); }
+CSGSIM_WHEN(effect) { reading.set_effect(matched); }
 
 CSGSIM_WHEN(directive_name) { reading.begin_directive(std::string(matched)); }
 CSGSIM_WHEN(key) { reading.key = matched; }

@@ -122,6 +122,7 @@ void put_origin(Buffer& out, const Origin& origin) {
   put(out, "; {}", info(origin.purpose).name);
   if (origin.primitive != no_primitive) put(out, " p{}", origin.primitive);
   if (origin.node != no_node) put(out, " against p{}", origin.node);
+  if (origin.effect != no_effect) put(out, " for e{}", origin.effect);
 }
 
 void put_instruction(Buffer& out, const Instruction& instruction, const FieldNames& names) {

@@ -186,6 +186,12 @@ void Reading::set_purpose(std::string_view name) {
   instruction.origin.purpose = static_cast<Purpose>(index_in(purpose_table, "purpose", name));
 }
 
+void Reading::set_effect(std::string_view number) {
+  const std::uint32_t named = index(number);
+  if (named >= no_effect) refuse("effect e{} is not one of the Program's; it has fewer than {}", named, no_effect);
+  instruction.origin.effect = static_cast<std::uint8_t>(named);
+}
+
 void Reading::end_term() {
   const Term term = std::exchange(term_, Term{});
   if (terms_seen_.find(term.variable) != std::string::npos)

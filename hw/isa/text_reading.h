@@ -47,6 +47,7 @@ class Reading {
   void begin_instruction(std::string_view mnemonic);
   void refer_to_field(std::string_view name);
   void set_purpose(std::string_view name);
+  void set_effect(std::string_view number);
   void end_instruction();
   /// Where the instruction stands that has just ended.
   void place_instruction(std::size_t line, std::size_t column);

@@ -144,6 +144,10 @@ void validate_placed(const Instruction& instruction, const Region& region, const
   check_range(instruction, region);
   check_index(instruction.origin.primitive, no_primitive, program, "primitive");
   check_index(instruction.origin.node, no_node, program, "node");
+  const std::size_t effects = program.facts.compile.effects.size();
+  require(instruction.origin.effect == no_effect || instruction.origin.effect < effects,
+          "the origin's effect is e{}, of {} effects; name one that .compile lists", instruction.origin.effect,
+          effects);
 }
 
 void validate_reach(const Instruction& instruction, std::size_t following) {

@@ -163,7 +163,7 @@ emit::Options emit_options_of(const ModelOptions& options) {
   emit.colouring = by_name(emit::colourings).at(options.colouring);
   emit.colour_bits = options.colour_bits;
   emit.scene = options.scene();
-  emit.effects = effects::called_by(emit.scene);
+  emit.effects = effects::all();
   for (const std::string& name : options.without) {
     for (const NamedPruning& pruning : prunings) {
       if (name == "all" || name == pruning.name) emit.pruning.*pruning.is_done = false;

@@ -15,6 +15,7 @@ StatsObserver::StatsObserver(const isa::Program& program) {
     pixels_of_segment_.push_back(static_cast<std::uint64_t>(segment.region.width) * segment.region.height);
   }
   stats_.by_primitive.resize(program.facts.primitives.size());
+  stats_.by_effect.resize(program.facts.compile.effects.size() + 1);
 }
 
 void StatsObserver::after_instruction(const Step& step, const PixelState& /*state*/) {
@@ -24,6 +25,11 @@ void StatsObserver::after_instruction(const Step& step, const PixelState& /*stat
   stats_.by_opcode[static_cast<std::size_t>(instruction.opcode)] += cost;
   stats_.by_purpose[static_cast<std::size_t>(instruction.origin.purpose)] += cost;
   if (instruction.origin.primitive != isa::no_primitive) stats_.by_primitive[instruction.origin.primitive] += cost;
+  if (instruction.origin.effect != isa::no_effect) {
+    stats_.by_effect[instruction.origin.effect] += cost;
+  } else {
+    (instruction.origin.purpose == isa::Purpose::shade ? stats_.by_effect.front() : stats_.by_effect.back()) += cost;
+  }
 }
 
 }  // namespace csgsim::sim

@@ -27,6 +27,7 @@ struct Stats {
   std::array<Cost, isa::opcode_numbers> by_opcode{};  ///< by its number
   std::array<Cost, isa::purpose_table.size()> by_purpose{};
   std::vector<Cost> by_primitive;  ///< one a primitive of the Program
+  std::vector<Cost> by_effect;  ///< one an effect of the Program, flat shading first; the last what no effect calls for
 
   bool operator==(const Stats&) const = default;
 };

@@ -81,6 +81,14 @@ Json purposes_json(const Report& report) {
   return purposes;
 }
 
+Json effects_json(const Report& report) {
+  const std::vector<std::string>& names = report.program.facts.compile.effects;
+  Json effects = Json::object();
+  effects["none"] = cost_json(report.stats.by_effect.back());
+  for (std::size_t i = 0; i < names.size(); ++i) effects[printable(names[i])] = cost_json(report.stats.by_effect[i]);
+  return effects;
+}
+
 Json primitives_json(const Report& report) {
   Json primitives = Json::array();
   for (std::size_t i = 0; i < report.program.facts.primitives.size(); ++i) {
@@ -159,6 +167,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["memory_bits"] = memory_json(report);
   json["by_purpose"] = purposes_json(report);
   json["by_primitive"] = primitives_json(report);
+  json["by_effect"] = effects_json(report);
   json["segments"] = segments_json(report.program);
   json["account"] = account_json(report.result.account);
   json["effects"] = Json::array();

@@ -44,7 +44,7 @@ TEST_CASE("fields of a layout lie beside each other without gaps, and take what 
 
 TEST_CASE("memory that is too small is told with what is missing and with each option that would do") {
   const std::string second = refusal({20, 24, true, {2, 1, 0}}, 72);
-  CHECK(says(second, "needs 92 memory bits a pixel (2 x 20 depth, 2 x 24 colour, 1 mask, 2 stack, 1 product)"));
+  CHECK(says(second, "needs 92 memory bits a pixel (2 x 20 depth, 2 x 24 colour, 1 mask, 1 product, 2 stack)"));
   CHECK(says(second, "--colouring rebroadcast"));
   CHECK(says(second, "--z-bits 10"));
   CHECK(says(second, "--colour-bits 14"));

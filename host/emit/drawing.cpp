@@ -1,0 +1,149 @@
+#include "host/emit/drawing.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "host/emit/effect.h"
+#include "host/emit/evaluation.h"
+#include "host/emit/shading.h"
+#include "hw/isa/opcodes.h"
+#include "hw/machines/regions.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+/// By primitive; empty where all hide what is behind them.
+std::vector<bool> see_through(const Look& look, std::span<const CalledEffect> called) {
+  const bool any =
+      std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.effect->sees_through; });
+  std::vector<bool> through;
+  if (!any) return through;
+  for (const lighting::Finish& finish : look.finishes) through.push_back(finish.opacity < 1);
+  return through;
+}
+
+bool is_drawn(const Context& context, const PlannedSurface& planned) {
+  return context.drawn == nullptr || (*context.drawn)[planned.primitive()];
+}
+
+}  // namespace
+
+std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
+                                            std::shared_ptr<const facet::Scene> scene, view::View view,
+                                            unsigned nesting, const Workshop& workshop) {
+  auto drawing = std::make_shared<Drawing>();
+  const Options& options = workshop.options;
+  csg::Pruning pruning = options.pruning;
+  // Chapter 6 multiplies the tree of primitives out as it is.
+  if (options.strategy == Strategy::products) pruning.sets = false;
+  drawing->tree = std::move(tree);
+  drawing->scene = std::move(scene);
+  drawing->view = std::move(view);
+  drawing->nesting = nesting;
+  drawing->look = make_look(options.scene, *drawing->tree, csg::make_positive(*drawing->tree), drawing->view.camera);
+  drawing->plan = make_plan(*drawing->tree, *drawing->scene, drawing->view, machines::regions(workshop.machine),
+                            pruning, see_through(drawing->look, workshop.called));
+  for (const CalledEffect& one : workshop.called) {
+    drawing->states.push_back(one.effect->prepare != nullptr ? one.effect->prepare(one.settings, *drawing, workshop)
+                                                             : EffectState{});
+  }
+  return drawing;
+}
+
+std::vector<const Drawing*> with_inner(const Drawing& drawing) {
+  std::vector<const Drawing*> all{&drawing};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const EffectState& state : all[i]->states)
+      for (const auto& inner : state.drawings) all.push_back(inner.get());
+  }
+  return all;
+}
+
+Context context_of(const Drawing& drawing, const Context& outer) {
+  Context inner{
+      *drawing.tree, *drawing.scene, drawing.view,  drawing.plan.positive, drawing.plan.segments[outer.segment],
+      outer.layout,  outer.options,  outer.machine, drawing.look};
+  inner.segment = outer.segment;
+  inner.called = outer.called;
+  inner.states = &drawing.states;
+  inner.left_out = outer.left_out;
+  inner.nesting = drawing.nesting;
+  inner.base = outer.base;
+  return inner;
+}
+
+void emit_setup(const Context& context, Broadcast& out) {
+  out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
+  context.base.width > 0 ? out.plain(isa::Opcode::enable_load, context.base) : out.plain(isa::Opcode::enable_all);
+  out.plain(isa::Opcode::set_constant, context.layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
+  out.plain(isa::Opcode::set_constant, context.layout.colour, {},
+            packed_background(context.options.scene, context.options.colour_bits));
+  if (context.layout.owner.width > 0) out.plain(isa::Opcode::set_constant, context.layout.owner, {}, 0);
+}
+
+Kept emit_surfaces(const Context& context, Broadcast& out) {
+  Kept kept;
+  for (const PlannedSurface& one : context.plan.surfaces) {
+    if (!is_drawn(context, one)) continue;
+    const Sides sides = deciding_sides(context, one);
+    emit_primitive(context, out, one, sides);
+    kept.primitives += static_cast<std::uint32_t>(one.set.size());
+    kept.halfspaces += sides.count();
+  }
+  return kept;
+}
+
+void emit_shading(const Context& context, Broadcast& out) {
+  if (context.layout.owner.width == 0) return;
+  Shadows shadows;
+  for_effects(context, out, &Effect::light, [&](const Effect& effect, const EffectCall& call) {
+    shadows = effect.light(call, out);
+    return false;
+  });
+  for (const PlannedSurface& one : context.plan.surfaces) {
+    if (is_drawn(context, one)) emit_seen_colours(context, out, one, shadows);
+  }
+}
+
+void emit_composition(const Context& context, Broadcast& out) {
+  for_effects(context, out, &Effect::compose, [&](const Effect& effect, const EffectCall& call) {
+    effect.compose(call, out);
+    return false;
+  });
+}
+
+Kept emit_drawing(const Context& context, Broadcast& out) {
+  emit_setup(context, out);
+  const Kept kept = emit_surfaces(context, out);
+  emit_shading(context, out);
+  emit_composition(context, out);
+  return kept;
+}
+
+Kept emit_picture(const Context& context, Broadcast& out) {
+  Kept kept;
+  bool is_first = true;
+  const DrawPicture draw = [&](const Context& one) {
+    const Kept drawn = emit_drawing(one, out);
+    if (std::exchange(is_first, false)) kept = drawn;
+    for_effects(one, out, &Effect::finish, [&](const Effect& effect, const EffectCall& call) {
+      effect.finish(call, out);
+      return false;
+    });
+  };
+  const bool is_drawn_around =
+      for_effects(context, out, &Effect::around, [&](const Effect& effect, const EffectCall& call) {
+        effect.around(call, out, draw);
+        return true;
+      });
+  if (!is_drawn_around) draw(context);
+  for_effects(context, out, &Effect::enhance, [&](const Effect& effect, const EffectCall& call) {
+    effect.enhance(call, out);
+    return false;
+  });
+  return kept;
+}
+
+}  // namespace csgsim::emit

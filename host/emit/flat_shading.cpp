@@ -1,0 +1,33 @@
+#include "host/emit/flat_shading.h"
+
+#include "host/emit/facet_colour.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+struct Settings {};
+
+bool shade(const EffectCall& call, Broadcast& out, const Facet& facet, isa::Field field,
+           const view::PixelRect& /*pixels*/) {
+  out.plain(isa::Opcode::set_constant, field, {}, facet_colour(call.context, facet));
+  return true;
+}
+
+constexpr std::array rows{&flat};
+
+}  // namespace
+
+const Effect flat{
+    .section =
+        {"effects.flat", "every facet in one colour", false, {}, scene::blank_section<Settings>, scene::keep_effect},
+    .technique =
+        "Lambert's law and Blinn's highlights (Models of Light Reflection for Computer "
+        "Synthesized Pictures, SIGGRAPH 1977), worked out once a facet by the host",
+    .called_by = [](const Look&) { return true; },
+    .shade = shade};
+
+std::span<const Effect* const> flat_alone() { return rows; }
+
+}  // namespace csgsim::emit

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <array>
+
+#include "host/emit/effect.h"
+
+namespace csgsim::emit {
+
+/// Every facet in one colour: the effect that every picture has, and whose facets are those that no other takes.
+extern const Effect flat;
+
+}  // namespace csgsim::emit

@@ -1,0 +1,137 @@
+#include "host/emit/shading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "host/emit/early_out.h"
+#include "host/emit/effect.h"
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+using isa::Opcode;
+
+/// Lights whose shadows meet on one facet: there are twice as many colours with each.
+constexpr std::size_t most_shadows = 6;
+
+/// The lighting without some of its lights.
+lighting::Lighting without(const lighting::Lighting& lighting, const std::vector<ShadowBit>& bits, std::uint32_t dark) {
+  lighting::Lighting left = lighting;
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    if (((dark >> i) & 1U) != 0) left.lights[bits[i].light].colour = {0, 0, 0};
+  }
+  return left;
+}
+
+std::vector<isa::Instruction> colour_without(const Context& context, const Broadcast& like, const Facet& facet,
+                                             isa::Field field, const view::PixelRect& pixels,
+                                             const lighting::Lighting& lights) {
+  isa::Segment segment{context.plan.region, {}, {}};
+  Broadcast out(segment, context.view.sampling);
+  out.origin = like.origin;
+  out.effect = like.effect;
+  Context lit = context;
+  lit.lights = &lights;
+  emit_colour(lit, out, facet, field, pixels);
+  return std::move(segment.instructions);
+}
+
+/// Those of the lights whose shadow changes the facet's colour.
+std::vector<ShadowBit> that_matter(const Context& context, const Broadcast& out, const Facet& facet, isa::Field field,
+                                   const view::PixelRect& pixels, const std::vector<ShadowBit>& bits) {
+  std::vector<ShadowBit> matter;
+  if (bits.empty()) return matter;
+  const auto all = colour_without(context, out, facet, field, pixels, context.lighting());
+  for (const ShadowBit& bit : bits) {
+    if (colour_without(context, out, facet, field, pixels, without(context.lighting(), {bit}, 1)) != all)
+      matter.push_back(bit);
+  }
+  if (matter.size() > most_shadows) {
+    throw InputError(fmt::format("the shadows of {} lights meet on one facet; let {} at most throw shadows",
+                                 matter.size(), most_shadows));
+  }
+  return matter;
+}
+
+/// The facet's colour, and over it that without each set of lights where all of these are in shadow: sets after those
+/// that they hold.
+void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
+                          const view::PixelRect& pixels, const Shadows& shadows) {
+  const std::vector<ShadowBit> bits = that_matter(context, out, facet, field, pixels, shadows.bits);
+  if (!bits.empty()) out.plain(Opcode::enable_store, shadows.spare);
+  emit_colour(context, out, facet, field, pixels);
+  const std::uint32_t sets = 1U << bits.size();
+  for (int size = 1; size <= static_cast<int>(bits.size()); ++size) {
+    for (std::uint32_t dark = 1; dark < sets; ++dark) {
+      if (std::popcount(dark) != size) continue;
+      out.plain(Opcode::enable_load, shadows.spare);
+      for (std::size_t i = 0; i < bits.size(); ++i)
+        if (((dark >> i) & 1U) != 0) out.plain(Opcode::enable_and, bits[i].bit);
+      const lighting::Lighting lights = without(context.lighting(), bits, dark);
+      Context lit = context;
+      lit.lights = &lights;
+      emit_colour(lit, out, facet, field, pixels);
+    }
+  }
+}
+
+}  // namespace
+
+bool has_shaders(const Context& context) {
+  if (context.paint != nullptr) return false;
+  for (std::size_t i = 1; i < context.called.size(); ++i)
+    if (context.called[i].effect->shade != nullptr && ((context.left_out >> i) & 1U) == 0) return true;
+  return false;
+}
+
+void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
+                 const view::PixelRect& pixels) {
+  if (context.paint != nullptr) {
+    out.plain(Opcode::set_constant, field, {}, (*context.paint)(facet));
+    return;
+  }
+  // The last that takes the facet has it; flat shading, the first, takes all.
+  for (std::size_t i = context.called.size(); i-- > 0;) {
+    const CalledEffect& one = context.called[i];
+    if (one.effect->shade == nullptr || ((context.left_out >> i) & 1U) != 0) continue;
+    const Billing billing(out, i);
+    if (one.effect->shade({one.settings, (*context.states)[i], context}, out, facet, field, pixels)) return;
+  }
+}
+
+void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
+                        isa::Field depth, const Shadows& shadows) {
+  const isa::Field mask = context.layout.mask;
+  const bool mask_first = has_shaders(context) || !shadows.bits.empty();
+  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
+    const Facet& facet = surface.facets[i];
+    const bool is_rest = i + 1 == surface.facets.size();
+    out.origin = origin_of(isa::Purpose::shade, planned, facet);
+    if (i > 0) out.plain(Opcode::enable_load, mask);
+    if (!is_rest) out.surface(Opcode::linear_eq, depth, plane_of(context, facet), surface.block.pixels);
+    if (!is_rest && mask_first) out.plain(Opcode::set_constant, mask, {}, 0);
+    emit_shadowed_colour(context, out, facet, context.layout.colour, surface.block.pixels, shadows);
+    if (!is_rest && !mask_first) out.plain(Opcode::set_constant, mask, {}, 0);
+  }
+}
+
+void emit_seen_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Shadows& shadows) {
+  const Surface surface = surface_of(context, planned, deciding_sides(context, planned));
+  if (surface.nothing) return;
+  out.origin = {isa::Purpose::shade, planned.primitive(), isa::no_node};
+  context.base.width > 0 ? out.plain(Opcode::enable_load, context.base) : out.plain(Opcode::enable_all);
+  out.equals(context.layout.owner, planned.number);
+  const std::size_t begin = out.size();
+  if (surface.facets.size() > 1) out.plain(Opcode::enable_store, context.layout.mask);
+  emit_facet_colours(context, out, planned, surface, context.layout.depth, shadows);
+  emit_early_out(context, out, begin, {isa::Purpose::shade, planned.primitive(), isa::no_node});
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "host/emit/context.h"
+#include "host/emit/halfspaces.h"
+#include "host/emit/surface.h"
+
+namespace csgsim::emit {
+
+/// Whether an effect may colour facets, so that E may be less afterwards.
+bool has_shaders(const Context& context);
+
+/// Colours a facet into `field` where E is 1: by the last called effect that takes it. E is 0 outside
+/// `pixels`.
+void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
+                 const view::PixelRect& pixels);
+
+/// Colours the facets of a surface where E is 1 at the pixels that show it. Each facet is found by `depth`, the field
+/// that holds the surface's depth there; where facets meet, the first counts. Changes `mask`.
+void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
+                        isa::Field depth, const Shadows& shadows);
+
+/// The colours of a surface at the pixels whose owner it is.
+void emit_seen_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Shadows& shadows);
+
+}  // namespace csgsim::emit
