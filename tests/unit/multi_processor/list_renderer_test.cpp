@@ -87,3 +87,28 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     }
   }));
 }
+
+TEST_CASE("a node adds as many words as the target has, and reads those that the source has besides") {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  auto& figures = machines::own<Figures>(machine);
+  figures.order = multi_processor::RenderingOrder::segment;
+  figures.word_bits = 8;
+  figures.operations = {.read = 1, .write = 100, .add = 10'000, .compare = 0, .logic = 1'000'000, .multiply = 0};
+  const auto clocks = [&](std::uint16_t source) {
+    return multi_processor::pixel_clocks(
+        {.opcode = isa::Opcode::add, .fields = {isa::Field{0, 20}, isa::Field{20, source}}}, machine);
+  };
+  // E and the target, 1 + 3 words, and the source's; an operation on E; three additions and writes.
+  CHECK(clocks(20) == 1'030'300 + 4 + 3);
+  CHECK(clocks(9) == 1'030'300 + 4 + 2);
+  CHECK(clocks(1) == 1'030'300 + 4 + 1);
+}
+
+TEST_CASE("a stripe takes a node as long as an edge does") {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  machines::own<Figures>(machine).word_bits = 8;
+  const auto clocks = [&](isa::Opcode opcode) {
+    return multi_processor::pixel_clocks({.opcode = opcode, .linear = {.a = 1, .width = 20}}, machine);
+  };
+  CHECK(clocks(isa::Opcode::stripe) == clocks(isa::Opcode::edge_negative));
+}
