@@ -88,6 +88,37 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
   }));
 }
 
+TEST_CASE("nodes add with carries, and cut sums into stripes, as the reference does") {
+  CHECK(rc::check([] {
+    using isa::Opcode;
+    machines::Machine machine = any_machine();
+    machine.array.memory_bits = 24;
+    const isa::Region region{0, 0, 9, 7};
+    const isa::Instruction all{.opcode = Opcode::enable_all};
+    const auto step = [] { return std::int64_t{below(20)}; };
+    const isa::Linear first{.a = step(), .b = step(), .c = step(), .width = 10};
+    const isa::Linear second{.a = step(), .b = step(), .c = step(), .width = 10};
+    const std::vector<isa::Instruction> list{
+        all,
+        {.opcode = Opcode::load_linear, .fields = {isa::Field{0, 9}}, .linear = first},
+        all,
+        {.opcode = Opcode::load_linear, .fields = {isa::Field{9, 9}}, .linear = second},
+        all,
+        {.opcode = Opcode::stripe, .linear = {.a = 1 + step(), .b = step(), .width = 4}},
+        {.opcode = Opcode::add, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}},
+        {.opcode = Opcode::add, .fields = {isa::Field{0, 7}, isa::Field{10, 3}}}};
+    const std::vector<kernel::Keep> keeps(list.size(), kernel::Keep::all);
+    const NodePixels own = multi_processor::pixels_of(region, machine.array, 0, 0);
+    multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own);
+    renderer.render();
+    sim::ReferenceArray reference(region, machine.array.memory_bits);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      reference.execute(list[i]);
+      check_pixels(renderer.steps()[i].pixels, own, machine.array, reference);
+    }
+  }));
+}
+
 TEST_CASE("a node adds as many words as the target has, and reads those that the source has besides") {
   machines::Machine machine = machines::blank(multi_processor::kind);
   auto& figures = machines::own<Figures>(machine);
