@@ -38,7 +38,8 @@ bool keeps_enable(isa::Opcode opcode) {
     case Opcode::bit_and_not:
     case Opcode::bit_not:
     case Opcode::global_or:
-    case Opcode::xor_constant: return true;
+    case Opcode::xor_constant:
+    case Opcode::add: return true;
     case Opcode::enable_all:
     case Opcode::enable_invert:
     case Opcode::enable_load:
@@ -48,6 +49,7 @@ bool keeps_enable(isa::Opcode opcode) {
     case Opcode::enable_xor:
     case Opcode::edge_not_negative:
     case Opcode::edge_negative:
+    case Opcode::stripe:
     case Opcode::linear_ge:
     case Opcode::linear_gt:
     case Opcode::linear_le:

@@ -42,6 +42,9 @@ namespace csgsim::array {
   F(store_or,           true,  true,  true,  "M[w] := x or y where E")                                   \
   F(store_xor,          true,  true,  true,  "M[w] := x xor y where E")                                  \
   F(store_and_not,      true,  true,  true,  "M[w] := x and not y where E")                              \
+  F(sum_from_0,         true,  true,  true,  "M[w] := x xor y where E, K := x and y: first bit of x + y")  \
+  F(sum,                true,  true,  true,  "M[w] := x xor y xor K where E, K := maj(x, y, K)")           \
+  F(sum_with_0,         false, true,  true,  "M[w] := y xor K where E, K := y and K: y is longer than x")  \
   F(store_enable,       false, false, true,  "M[w] := E at every pixel")                                 \
   F(answer,             false, false, false, "the wired OR of E goes to the controller")
 // clang-format on
@@ -83,13 +86,13 @@ struct ArrayStep {
   std::uint16_t y = 0;                         ///< address of operand y
   std::uint16_t write = 0;                     ///< address written
   std::uint16_t bits = 1;                      ///< adjacent bits worked on; the addresses are those of the first
-  std::uint32_t constant = 0;                  ///< as many bits, the first lowest
+  std::uint32_t constant = 0;                  ///< as many bits, the first lowest; of a sum, 1 where there is an x
 
   constexpr bool operator==(const ArrayStep&) const = default;
 };
 
-/// The function that a step carries out on one of its bits. Of a comparison the first bit sets the carry, which
-/// ripples, and the last decides.
+/// The function that a step carries out on one of its bits. Of a comparison or a sum the first bit sets the carry,
+/// which ripples; of a comparison the last decides.
 constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
   const bool first = bit == 0;
   const bool last = bit + 1U == step.bits;
@@ -102,6 +105,10 @@ constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
     case AluFunction::less_from_1:
       if (last) return first ? step.function : AluFunction::less;
       return first ? AluFunction::compare_from_1 : AluFunction::compare;
+    case AluFunction::sum_from_0:
+    case AluFunction::sum:
+      if ((step.constant >> bit & 1U) == 0) return AluFunction::sum_with_0;
+      return first ? step.function : AluFunction::sum;
     case AluFunction::less: return last ? step.function : AluFunction::compare;
     case AluFunction::idle:
     case AluFunction::latch_x:
@@ -129,6 +136,7 @@ constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
     case AluFunction::store_or:
     case AluFunction::store_xor:
     case AluFunction::store_and_not:
+    case AluFunction::sum_with_0:
     case AluFunction::store_enable:
     case AluFunction::answer: break;
   }

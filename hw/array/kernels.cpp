@@ -58,6 +58,19 @@ HWY_ATTR inline void compare(const AluPlanes& p, CarryIn carry_in) {
   });
 }
 
+/// M[w] := x + y + K where E, K := its carry.
+template <class X, class CarryIn>
+HWY_ATTR inline void sum(const AluPlanes& p, X x, CarryIn carry_in) {
+  each(p.words, [&](std::size_t i) HWY_ATTR {
+    const Vector a = x(i);
+    const Vector b = load(p.y, i);
+    const Vector c = carry_in(i);
+    const Vector enable = load(p.enable, i);
+    store(majority(a, b, c), p.carry, i);
+    store(hn::Or(hn::And(enable, hn::Xor(hn::Xor(a, b), c)), hn::AndNot(enable, load(p.write, i))), p.write, i);
+  });
+}
+
 /// The step on the sign bit x: `plane` := E and (or and not) the comparison's result.
 template <bool invert>
 HWY_ATTR inline void sign(const AluPlanes& p, std::uint64_t* plane) {
@@ -127,6 +140,9 @@ void AluStep(AluFunction function, const AluPlanes& p) {
       return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::Xor(x(i), load(p.y, i)); });
     case AluFunction::store_and_not:
       return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::AndNot(load(p.y, i), x(i)); });
+    case AluFunction::sum_from_0: return sum(p, x, always_0);
+    case AluFunction::sum: return sum(p, x, carry);
+    case AluFunction::sum_with_0: return sum(p, always_0, carry);
     case AluFunction::store_enable: return each(p.words, [&](std::size_t i) HWY_ATTR { store(enable(i), p.write, i); });
   }
 }

@@ -39,7 +39,8 @@ void PixelArray::step(const ArrayStep& step, std::span<const std::uint64_t> tree
 }
 
 void PixelArray::bit_step(const ArrayStep& step, unsigned bit, std::span<const std::uint64_t> tree) {
-  const AluInfo& row = info(step.function);
+  const AluFunction function = function_of_bit(step, bit);
+  const AluInfo& row = info(function);
   const auto operand_x = [&]() -> const std::uint64_t* {
     if (!row.reads_x) return nullptr;
     switch (step.source) {
@@ -49,15 +50,15 @@ void PixelArray::bit_step(const ArrayStep& step, unsigned bit, std::span<const s
     }
     return nullptr;
   };
-  kernels::alu_step(function_of_bit(step, bit), {.x = operand_x(),
-                                                 .y = row.reads_y ? memory_[step.y + bit].data() : nullptr,
-                                                 .present = present_.data(),
-                                                 .enable = enable_.data(),
-                                                 .carry = carry_.data(),
-                                                 .latch = latch_[bit].data(),
-                                                 .write = row.writes ? memory_[step.write + bit].data() : nullptr,
-                                                 .constant = (step.constant >> bit & 1U) != 0,
-                                                 .words = shape_.padded_words()});
+  kernels::alu_step(function, {.x = operand_x(),
+                               .y = row.reads_y ? memory_[step.y + bit].data() : nullptr,
+                               .present = present_.data(),
+                               .enable = enable_.data(),
+                               .carry = carry_.data(),
+                               .latch = latch_[bit].data(),
+                               .write = row.writes ? memory_[step.write + bit].data() : nullptr,
+                               .constant = (step.constant >> bit & 1U) != 0,
+                               .words = shape_.padded_words()});
 }
 
 bool PixelArray::any_enabled() const { return kernels::any_ones(enable_.data(), enable_.size()); }

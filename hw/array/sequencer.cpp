@@ -35,7 +35,8 @@ BitStep Sequencer::issue() {
     case Opcode::enable_xor: return once(enable_from_memory(enable_xor));
     case Opcode::enable_store: return once({.function = store_enable, .write = i.fields[0].base});
     case Opcode::edge_not_negative: return stream_bit(edge_step(enable_and_not), 1);
-    case Opcode::edge_negative: return stream_bit(edge_step(enable_and), 1);
+    case Opcode::edge_negative:
+    case Opcode::stripe: return stream_bit(edge_step(enable_and), 1);
     case Opcode::linear_ge: return stream_bit(compare_step(compare_from_1, sign_enable), 1);
     case Opcode::linear_gt: return stream_bit(compare_step(compare_from_0, sign_enable), 1);
     case Opcode::linear_le: return stream_bit(compare_step(compare_from_0, sign_enable_not), 1);
@@ -58,6 +59,7 @@ BitStep Sequencer::issue() {
     case Opcode::global_or:
     case Opcode::skip_if_none: return once({.function = answer});
     case Opcode::xor_constant: return field_bits(change_step(store_xor_constant));
+    case Opcode::add: return two_operand_bits(sum_step());
   }
   busy_ = false;
   return {};
@@ -92,13 +94,14 @@ BitStep Sequencer::field_bits(ArrayStep step) {
 }
 
 /// The same of an instruction with two source operands x and y. With one read port x is read into the operand latch in
-/// the clock before.
+/// the clock before, in which nothing is done if x has no more bits.
 BitStep Sequencer::two_operand_bits(ArrayStep step) {
   if (!two_ports_ && pass_ == 0) {
     pass_ = 1;
+    const std::uint16_t bits = second_bits();
+    if (bits == 0) return {};
     return {.root = {},
-            .pixels = {
-                .function = AluFunction::latch_x, .source = OperandSource::memory, .x = step.x, .bits = step_bits()}};
+            .pixels = {.function = AluFunction::latch_x, .source = OperandSource::memory, .x = step.x, .bits = bits}};
   }
   step.source = two_ports_ ? OperandSource::memory : OperandSource::latch;
   if (!two_ports_) step.x = 0;
@@ -121,6 +124,12 @@ std::uint16_t Sequencer::field_address(unsigned operand) const {
 /// Bits of the fields that the step to come works on.
 std::uint16_t Sequencer::step_bits() const {
   return static_cast<std::uint16_t>(std::min(alu_bits_, instruction_.fields[0].width - bit_));
+}
+
+/// Of these, those that the second field has too.
+std::uint16_t Sequencer::second_bits() const {
+  const std::uint32_t width = instruction_.fields[1].width;
+  return static_cast<std::uint16_t>(std::min<std::uint32_t>(step_bits(), width > bit_ ? width - bit_ : 0));
 }
 
 ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
@@ -187,6 +196,17 @@ ArrayStep Sequencer::change_step(AluFunction function) const {
   ArrayStep step = store_step(function);
   step.x = step.write;
   return step;
+}
+
+/// Adds the source, x, to the target.
+ArrayStep Sequencer::sum_step() const {
+  const std::uint16_t added = second_bits();
+  if (added == 0) return {.function = AluFunction::sum_with_0, .y = field_address(0), .write = field_address(0)};
+  return {.function = bit_ == 0 ? AluFunction::sum_from_0 : AluFunction::sum,
+          .x = field_address(1),
+          .y = field_address(0),
+          .write = field_address(0),
+          .constant = static_cast<std::uint32_t>(low_bits(added))};
 }
 
 /// s - r by its carry; the step with the last bit decides.

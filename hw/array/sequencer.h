@@ -44,6 +44,7 @@ class Sequencer {
   [[nodiscard]] Place place() const;
   [[nodiscard]] std::uint16_t field_address(unsigned operand) const;
   [[nodiscard]] std::uint16_t step_bits() const;
+  [[nodiscard]] std::uint16_t second_bits() const;
 
   [[nodiscard]] ArrayStep enable_from_memory(AluFunction function) const;
   [[nodiscard]] ArrayStep edge_step(AluFunction on_sign) const;
@@ -53,6 +54,7 @@ class Sequencer {
   [[nodiscard]] ArrayStep keep_step(AluFunction first, AluFunction on_sign) const;
   [[nodiscard]] ArrayStep store_step(AluFunction function) const;
   [[nodiscard]] ArrayStep change_step(AluFunction function) const;
+  [[nodiscard]] ArrayStep sum_step() const;
   [[nodiscard]] ArrayStep less_step(AluFunction compare_first, AluFunction decide_first) const;
 
   bool two_ports_;

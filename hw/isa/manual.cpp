@@ -49,7 +49,8 @@ The evaluator gives every pixel its own A\*x + B\*y + C, one bit a clock, least 
 and C. An instruction says two things about it:
 
 - **width**: how many bits are streamed. They are a two's complement number. The host knows the range over the segment
-  and asks for no more bits than that takes; if the sum needs more, its high bits are lost.
+  and asks for no more bits than that takes; if the sum needs more, its high bits are lost, and a run counts an
+  overflow. Only `stripe` loses them on purpose: its pattern repeats every 2^width of the sum.
 - **shift**: how many of the low bits are the fraction.
 
 **F** is that number shifted right by `shift`, rounded towards minus infinity: it has width - shift bits and a sign.
@@ -84,7 +85,7 @@ std::string_view clocks_of(ClockClass clock_class) {
     case ClockClass::linear_twice: return "twice the width of the linear expression: to compare, then to write";
     case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
     case ClockClass::two_fields:
-      return "twice as many for the width of the fields; once on machines that read twice a clock";
+      return "twice as many for the width of the wider field; once on machines that read twice a clock";
     case ClockClass::answer: return "1 + latency of the trees + levels of the global OR";
   }
   return {};
@@ -109,6 +110,7 @@ std::string_view widths_of(const OpcodeInfo& row) {
     case FieldWidths::equal:
     case FieldWidths::elementwise: return "equal";
     case FieldWidths::one: return "1 bit";
+    case FieldWidths::narrower: return "s no wider than t";
   }
   return {};
 }

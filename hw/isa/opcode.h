@@ -36,4 +36,10 @@ const Operands& operands_of(Opcode opcode);
 /// Does it need the global OR of the machine?
 bool is_question(Opcode opcode);
 
+/// Does what it writes to its target depend on what is there?
+bool reads_target(Opcode opcode);
+
+/// Is A*x + B*y + C meant to have more bits than the width, so that it is no overflow where it has?
+bool cuts_sum(Opcode opcode);
+
 }  // namespace csgsim::isa

@@ -13,4 +13,11 @@ const Operands& operands_of(Opcode opcode) { return info(opcode).operands; }
 
 bool is_question(Opcode opcode) { return info(opcode).clock_class == ClockClass::answer; }
 
+bool reads_target(Opcode opcode) {
+  return opcode == Opcode::keep_max || opcode == Opcode::keep_min || opcode == Opcode::xor_constant ||
+         opcode == Opcode::add;
+}
+
+bool cuts_sum(Opcode opcode) { return opcode == Opcode::stripe; }
+
 }  // namespace csgsim::isa

@@ -15,6 +15,7 @@ enum class FieldWidths : std::uint8_t {
   equal,        ///< all equally wide
   elementwise,  ///< all equally wide; these alone may coincide, but overlap in whole only
   one,          ///< one bit each
+  narrower,     ///< the second no wider than the first
 };
 
 /// How many clocks an instruction takes (see hw/machines/clocks.h for the figures).
@@ -73,7 +74,11 @@ enum class ClockClass : std::uint8_t {
      "the host is told whether E is 1 at any pixel")                                                                   \
   OP(29, xor_constant,      target, constant, none,   free,        field,        "where E: t := t xor k, bit by bit")  \
   OP(30, skip_if_none,      count,  none,     none,   free,        answer,                                             \
-     "if E is 1 at no pixel, the next k instructions of the segment are not carried out")
+     "if E is 1 at no pixel, the next k instructions of the segment are not carried out")                              \
+  OP(31, add,               target, source,   none,   narrower,    two_fields,                                         \
+     "where E: t := the low bits of t + s; the carry out of the top bit is lost")                                      \
+  OP(32, stripe,            linear, none,     none,   free,        linear_once,                                        \
+     "E := E and the top bit of F; bits of the sum above it are cut off on purpose, which is no overflow")
 // clang-format on
 
 enum class Opcode : std::uint8_t {

@@ -47,8 +47,13 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
     for (std::size_t j = 0; j < i; ++j) {
       if (!is_field(row.operands[j])) continue;
       const Field other = instruction.fields[j];
-      require(field.width == other.width, "{}: fields {} and {} differ in width; make them equally wide", row.name,
-              show(other), show(field));
+      if (widths == FieldWidths::narrower) {
+        require(field.width <= other.width, "{}: field {} is wider than {}; make it no wider", row.name, show(field),
+                show(other));
+      } else {
+        require(field.width == other.width, "{}: fields {} and {} differ in width; make them equally wide", row.name,
+                show(other), show(field));
+      }
       if (widths == FieldWidths::elementwise) {
         require(field == other || !field.overlaps(other),
                 "{}: fields {} and {} overlap in part; take the same field or keep them apart", row.name, show(other),

@@ -20,6 +20,7 @@ struct Work {
   std::uint64_t writes = 0;
   std::uint64_t compares = 0;
   std::uint64_t combines = 0;
+  std::uint64_t adds = 0;
 };
 
 std::uint64_t words_of(std::uint64_t bits, const Figures& figures) { return quotient_up(bits, figures.word_bits); }
@@ -38,7 +39,8 @@ Work work_of(const isa::Instruction& instruction, const Figures& figures) {
     case Opcode::enable_xor: return {.reads = field, .writes = 1};
     case Opcode::enable_store: return {.writes = field};
     case Opcode::edge_not_negative:
-    case Opcode::edge_negative: return {.writes = 1, .compares = 1};
+    case Opcode::edge_negative:
+    case Opcode::stripe: return {.writes = 1, .compares = 1};
     case Opcode::linear_ge:
     case Opcode::linear_gt:
     case Opcode::linear_le:
@@ -58,6 +60,8 @@ Work work_of(const isa::Instruction& instruction, const Figures& figures) {
     case Opcode::bit_and_not: return {.reads = 2 * field, .writes = field, .combines = field};
     case Opcode::bit_not:
     case Opcode::xor_constant: return {.reads = field, .writes = field, .combines = field};
+    case Opcode::add:
+      return {.reads = field + words_of(instruction.fields[1].width, figures), .writes = field, .adds = field};
     case Opcode::global_or:
     case Opcode::skip_if_none: return {};
   }
@@ -120,7 +124,7 @@ std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& m
   const std::uint64_t sum =
       figures.order == RenderingOrder::pixel ? sum_clocks(instruction, 0, figures) : add_clocks(instruction, figures);
   return (1 + work.reads) * operations.read + work.writes * operations.write + work.compares * operations.compare +
-         (1 + work.combines + shifts) * operations.logic + sum;
+         (1 + work.combines + shifts) * operations.logic + work.adds * operations.add + sum;
 }
 
 std::uint64_t rendering_clocks(std::span<const isa::Instruction> list, const NodePixels& own, isa::Field colour,

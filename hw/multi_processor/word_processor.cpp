@@ -101,7 +101,8 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
     case Opcode::enable_and_not: return enable(e && !bit);
     case Opcode::enable_store: return write(memory, pixel, first, e ? 1 : 0, true);
     case Opcode::edge_not_negative: compare_words(1); return enable(f >= 0 && e);
-    case Opcode::edge_negative: compare_words(1); return enable(f < 0 && e);
+    case Opcode::edge_negative:
+    case Opcode::stripe: compare_words(1); return enable(f < 0 && e);
     case Opcode::linear_ge: return enable(f >= beside() && e);
     case Opcode::linear_gt: return enable(f > beside() && e);
     case Opcode::linear_le: return enable(f <= beside() && e);
@@ -121,6 +122,7 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
     case Opcode::bit_and_not: combine_words(first.width); return put(take(second) & ~take(third));
     case Opcode::bit_not: combine_words(first.width); return put(~take(second));
     case Opcode::xor_constant: combine_words(first.width); return put(take(first) ^ instruction.constant);
+    case Opcode::add: add_words(first.width); return put(take(first) + take(second));
     case Opcode::global_or:
     case Opcode::skip_if_none: return;
   }

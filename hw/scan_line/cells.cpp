@@ -138,7 +138,8 @@ Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instr
     case Opcode::enable_and: return enable(e && bit);
     case Opcode::enable_and_not: return enable(e && !bit);
     case Opcode::edge_not_negative: return enable(e && f >= 0);
-    case Opcode::edge_negative: return enable(e && f < 0);
+    case Opcode::edge_negative:
+    case Opcode::stripe: return enable(e && f < 0);
     case Opcode::linear_ge: return enable(e && f >= number);
     case Opcode::linear_gt: return enable(e && f > number);
     case Opcode::linear_le: return enable(e && f <= number);
@@ -158,6 +159,7 @@ Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instr
     case Opcode::bit_and_not: return write(first & ~second);
     case Opcode::bit_not: return write(~first);
     case Opcode::xor_constant: return write(first ^ instruction.constant);
+    case Opcode::add: return write(first + second);
     case Opcode::global_or:
     case Opcode::skip_if_none: return enable(e);
   }

@@ -24,10 +24,6 @@ FieldWords words_of(isa::Field field, const CellShape& cell) {
   return {field, first, static_cast<std::uint16_t>((field.end() - 1) / cell.word_bits - first + 1)};
 }
 
-bool reads_target(isa::Opcode opcode) {
-  return opcode == isa::Opcode::keep_max || opcode == isa::Opcode::keep_min || opcode == isa::Opcode::xor_constant;
-}
-
 Accesses accesses_of(const isa::Instruction& instruction, const CellShape& cell) {
   Accesses accesses;
   std::size_t sources = 0;
@@ -36,7 +32,7 @@ Accesses accesses_of(const isa::Instruction& instruction, const CellShape& cell)
     const bool target = operands[i] == isa::OperandKind::target;
     const FieldWords words = words_of(instruction.fields[i], cell);
     if (target) accesses.target = words;
-    if (operands[i] == isa::OperandKind::source || (target && reads_target(instruction.opcode)))
+    if (operands[i] == isa::OperandKind::source || (target && isa::reads_target(instruction.opcode)))
       accesses.sources.at(sources++) = words;
   }
   return accesses;

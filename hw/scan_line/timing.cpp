@@ -213,8 +213,7 @@ std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& m
 std::uint64_t entry_clocks(const isa::Instruction& instruction, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const isa::OpcodeInfo& row = isa::info(instruction.opcode);
-  const bool changes =
-      row.clock_class == isa::ClockClass::linear_twice || instruction.opcode == isa::Opcode::xor_constant;
+  const bool changes = isa::reads_target(instruction.opcode);
   std::uint64_t read = 0;
   std::uint64_t written = 0;
   for (std::size_t i = 0; i < isa::max_operands; ++i) {

@@ -7,8 +7,9 @@ namespace csgsim::sim {
 namespace {
 
 bool next_can_overflow(const isa::Segment& segment, std::uint32_t index) {
-  return index + 1 < segment.instructions.size() &&
-         can_overflow(segment.instructions[index + 1].linear, segment.region);
+  if (index + 1 >= segment.instructions.size()) return false;
+  const isa::Instruction& next = segment.instructions[index + 1];
+  return !isa::cuts_sum(next.opcode) && can_overflow(next.linear, segment.region);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ Recipe recipe_for(Opcode opcode, unsigned shift) {
   constexpr std::uint64_t for_not_less = 1;
   switch (opcode) {
     case Opcode::edge_not_negative: return {LinearKind::sign, false, for_not_less};
-    case Opcode::edge_negative: return {LinearKind::sign, true, for_not_less};
+    case Opcode::edge_negative:
+    case Opcode::stripe: return {LinearKind::sign, true, for_not_less};
     case Opcode::linear_ge: return {LinearKind::compare, false, for_not_less};
     case Opcode::linear_gt: return {LinearKind::compare, false, for_greater};
     case Opcode::linear_le: return {LinearKind::compare, true, for_greater};
@@ -72,8 +73,8 @@ Recipe recipe_for(Opcode opcode, unsigned shift) {
     case Opcode::bit_not:
     case Opcode::global_or:
     case Opcode::xor_constant:
-
-    case Opcode::skip_if_none: break;
+    case Opcode::skip_if_none:
+    case Opcode::add: break;
   }
   return {};
 }
@@ -123,6 +124,7 @@ std::uint64_t Array::execute(const Instruction& instruction) {
     case Opcode::enable_store: memory_.plane(fields[0].base).assign(enable_); return 0;
     case Opcode::edge_not_negative:
     case Opcode::edge_negative:
+    case Opcode::stripe:
     case Opcode::linear_ge:
     case Opcode::linear_gt:
     case Opcode::linear_le:
@@ -144,6 +146,7 @@ std::uint64_t Array::execute(const Instruction& instruction) {
     case Opcode::global_or:
     case Opcode::skip_if_none: return 0;
     case Opcode::xor_constant: xor_constant(fields[0], instruction.constant); return 0;
+    case Opcode::add: add(fields[0], fields[1]); return 0;
   }
   return 0;
 }
@@ -223,8 +226,8 @@ std::uint64_t Array::execute_linear(const Instruction& instruction) {
   const bool wraps = can_wrap(linear);
   const bool is_edge = !instruction.fields[0].width;
   if (is_edge && !wraps) {
-    const bool negative = instruction.opcode == Opcode::edge_negative;
-    clip(enable_, negative ? where_negative(linear, first_row_) : where_not_negative(linear, first_row_));
+    const bool positive = instruction.opcode == Opcode::edge_not_negative;
+    clip(enable_, positive ? where_not_negative(linear, first_row_) : where_negative(linear, first_row_));
     recount();
     return 0;
   }
@@ -255,7 +258,7 @@ std::uint64_t Array::execute_on_linear_kernel(const Instruction& instruction, bo
   }
   const std::uint64_t overflows = run_linear(enable_block(), task);
   recount();
-  return overflows;
+  return isa::cuts_sum(instruction.opcode) ? 0 : overflows;
 }
 
 bool Array::as_bits(Field first, Field second) const {
@@ -368,6 +371,38 @@ void Array::combine_bit(Opcode opcode, unsigned target, unsigned left, unsigned 
     write(hull(s.bounds(), r.bounds()), [](Word a, Word b) { return a ^ b; });
   else
     write(s.bounds(), [](Word a, Word b) { return a & ~b; });
+}
+
+void Array::add(Field target, Field source) {
+  const Rect bounds = enable_.bounds();
+  if (bounds.empty()) return;
+  if (as_bits(target, source)) return add_bits(target, source);
+  Lanes& to = memory_.lanes(target);
+  Lanes& from = memory_.lanes(source);
+  const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
+  add_lanes(enable_block(), memory_.at(to, bounds), memory_.at(from, bounds), low_bits);
+  to.bounds = hull(to.bounds, intersection(bounds, from.bounds));
+}
+
+/// A full adder a word of pixels at a time, its carry rippling from bit to bit.
+void Array::add_bits(Field target, Field source) {
+  const Rect bounds = enable_.bounds();
+  const Cells cells(bounds);
+  std::vector<std::uint64_t> carries(std::size_t{cells.rows} * cells.columns, 0);
+  for (unsigned bit = 0; bit < target.width; ++bit) {
+    BitPlane& t = memory_.plane(target.base + bit);
+    const bool in_source = bit < source.width;
+    const BitPlane* const s = in_source ? &memory_.read(source.base + bit, bounds, first_copy_) : nullptr;
+    write_where(enable_, t, bounds, [&](std::uint32_t row, std::uint32_t column) {
+      std::uint64_t& carry = carries[std::size_t{row - cells.row} * cells.columns + column - cells.column];
+      const std::uint64_t t_word = t.word(row, column);
+      const std::uint64_t s_word = s == nullptr ? 0 : s->word(row, column);
+      const std::uint64_t half = t_word ^ s_word;
+      const std::uint64_t sum = half ^ carry;
+      carry = (t_word & s_word) | (half & carry);
+      return sum;
+    });
+  }
 }
 
 void Array::xor_constant(Field target, std::uint64_t constant) {

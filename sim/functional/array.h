@@ -20,7 +20,7 @@ class Array {
   void clear();
 
   /// Carries out one valid instruction. Returns the number of enabled pixels at which A*x + B*y + C did not fit its
-  /// width.
+  /// width, but had to.
   std::uint64_t execute(const isa::Instruction& instruction);
 
   [[nodiscard]] std::uint32_t first_row() const { return first_row_; }
@@ -53,6 +53,8 @@ class Array {
   void compare(isa::Opcode opcode, isa::Field left, isa::Field right);
   void combine_bits(const isa::Instruction& instruction);
   void combine_bit(isa::Opcode opcode, unsigned target, unsigned left, unsigned right);
+  void add(isa::Field target, isa::Field source);
+  void add_bits(isa::Field target, isa::Field source);
   void xor_constant(isa::Field target, std::uint64_t constant);
   [[nodiscard]] bool as_bits(isa::Field first, isa::Field second) const;
 

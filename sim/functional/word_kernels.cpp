@@ -104,6 +104,20 @@ struct Copy {
   }
 };
 
+struct Add {
+  std::uint32_t* target;
+  const std::uint32_t* source;
+  std::uint32_t low_bits;
+  HWY_INLINE std::uint64_t operator()(std::uint64_t enabled, std::size_t lane) const {
+    constexpr Tag tag;
+    const auto mask = mask_of_bits(tag, enabled);
+    const Vector old = hn::LoadU(tag, target + lane);
+    const Vector sum = hn::And(hn::Add(old, hn::LoadU(tag, source + lane)), hn::Set(tag, low_bits));
+    hn::StoreU(hn::IfThenElse(mask, sum, old), tag, target + lane);
+    return 0;
+  }
+};
+
 struct Greater {
   const std::uint32_t* left;
   const std::uint32_t* right;
@@ -136,6 +150,10 @@ void set_all(const WordBlock& enable, std::uint32_t* lanes, std::uint32_t value)
 
 void copy_all(const WordBlock& enable, std::uint32_t* target, const std::uint32_t* source) {
   each_group(enable, Copy{target, source}, KeepWord());
+}
+
+void add_all(const WordBlock& enable, std::uint32_t* target, const std::uint32_t* source, std::uint32_t low_bits) {
+  each_group(enable, Add{target, source, low_bits}, KeepWord());
 }
 
 void compare_all(const WordBlock& enable, Comparison comparison, const std::uint32_t* left,
@@ -186,6 +204,7 @@ namespace csgsim::sim {
 HWY_EXPORT(tally_words);
 HWY_EXPORT(set_all);
 HWY_EXPORT(copy_all);
+HWY_EXPORT(add_all);
 HWY_EXPORT(compare_all);
 HWY_EXPORT(gather);
 HWY_EXPORT(scatter);
@@ -198,6 +217,10 @@ void set_lanes(const WordBlock& enable, std::uint32_t* lanes, std::uint32_t valu
 
 void copy_lanes(const WordBlock& enable, std::uint32_t* target, const std::uint32_t* source) {
   HWY_DYNAMIC_DISPATCH(copy_all)(enable, target, source);
+}
+
+void add_lanes(const WordBlock& enable, std::uint32_t* target, const std::uint32_t* source, std::uint32_t low_bits) {
+  HWY_DYNAMIC_DISPATCH(add_all)(enable, target, source, low_bits);
 }
 
 void compare_lanes(const WordBlock& enable, Comparison comparison, const std::uint32_t* left,

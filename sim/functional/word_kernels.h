@@ -16,6 +16,9 @@ void set_lanes(const WordBlock& enable, std::uint32_t* lanes, std::uint32_t valu
 /// Where enabled: target := source.
 void copy_lanes(const WordBlock& enable, std::uint32_t* target, const std::uint32_t* source);
 
+/// Where enabled: target := the low bits of target + source.
+void add_lanes(const WordBlock& enable, std::uint32_t* target, const std::uint32_t* source, std::uint32_t low_bits);
+
 enum class Comparison : std::uint8_t { less, less_or_equal, equal };
 
 /// enable := enable and left ? right.

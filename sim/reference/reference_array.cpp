@@ -69,7 +69,8 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
 
   const bool streams = linear.width > 0;
   const Wide sum = streams ? exact_sum(linear, x, y) : 0;
-  if (streams && e && !fits_signed(sum, linear.width)) ++overflows_;
+  const bool must_fit = streams && !isa::cuts_sum(instruction.opcode);
+  if (must_fit && e && !fits_signed(sum, linear.width)) ++overflows_;
   const std::int64_t f = streams ? value_of_f(sum, linear) : 0;
 
   switch (instruction.opcode) {
@@ -126,6 +127,10 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
     case Opcode::xor_constant:
       if (e) put(pixel, first, bits(first) ^ instruction.constant);
       break;
+    case Opcode::add:
+      if (e) put(pixel, first, bits(first) + bits(second));
+      break;
+    case Opcode::stripe: enable_[pixel] = e && (sum >> (linear.width - 1U) & 1) != 0; break;
   }
 }
 

@@ -22,7 +22,7 @@ class ReferenceArray final : public PixelState {
   /// Pixels whose E is 1.
   [[nodiscard]] std::uint64_t enabled_pixels() const;
 
-  /// Over all instructions so far: enabled pixels at which A*x + B*y + C did not fit the width.
+  /// Over all instructions so far: enabled pixels at which A*x + B*y + C did not fit the width, but had to.
   [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
 
   [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const { return enable_[pixel_at(x, y)]; }

@@ -197,6 +197,38 @@ TEST_CASE("F wraps from the first number past the width on") {
     }
 }
 
+TEST_CASE("stripes of a sum that wraps many times over the picture are cut as the reference cuts them") {
+  for (const std::uint16_t width : {std::uint16_t{1}, std::uint16_t{3}, std::uint16_t{7}, std::uint16_t{20}}) {
+    CAPTURE(width);
+    const isa::Linear pattern{.a = 37, .b = -91, .c = -1000, .width = width, .shift = 0};
+    const Program program = program_of(
+        {70, 30, 8}, {op(Opcode::enable_all), with(Opcode::stripe, {}, pattern), op(Opcode::enable_store, {0, 1}),
+                      op(Opcode::enable_all), with(Opcode::stripe, {}, {.a = 1, .b = 1, .width = width})});
+    CHECK(difference(program) == "");
+    CHECK(sim::make_functional_engine(test::machine_of(program.shape, 1))->run(program, {}).overflows == 0);
+  }
+}
+
+TEST_CASE("numbers are added in planes and in lanes, from either into either") {
+  const isa::Linear plane{.a = 3, .b = -7, .c = 300, .width = 30, .shift = 0};
+  const isa::Linear edge{.a = 1, .b = -2, .c = 5, .width = 10, .shift = 0};
+  for (const Field source : {Field{0, 1}, {0, 7}, {1, 5}, {0, 8}})
+    for (const bool source_in_planes : {false, true})
+      for (const bool target_in_planes : {false, true}) {
+        CAPTURE(source.width);
+        std::vector<Instruction> program{op(Opcode::enable_all), with(Opcode::load_linear, {0, 8}, plane),
+                                         op(Opcode::enable_all), with(Opcode::load_linear, {8, 8}, plane),
+                                         op(Opcode::enable_all)};
+        if (source_in_planes) program.push_back(op(Opcode::bit_not, {0, 8}, {0, 8}));
+        if (target_in_planes) program.push_back(op(Opcode::bit_not, {8, 8}, {8, 8}));
+        program.push_back(with(Opcode::edge_negative, {}, edge));
+        program.push_back(op(Opcode::add, {8, 8}, source));
+        program.push_back(op(Opcode::add, {16, 20}, {8, 8}));
+        program.push_back(op(Opcode::add, {16, 20}, {8, 8}));
+        CHECK(difference(program_of({70, 30, 36}, program)) == "");
+      }
+}
+
 TEST_CASE("several threads make the same bits and the same tallies as one") {
   CHECK(rc::check([] {
     const ArrayShape shape{70, 13, 40};

@@ -62,7 +62,15 @@ bool fits(const OpcodeInfo& row, std::uint32_t memory_bits) {
 /// Fields lie at multiples of a coarse grid or a little beside it: they coincide or overlap often between instructions.
 unsigned pick_base(unsigned room) { return std::min(room, pick(0U, room / 8U) * 8U + pick_near({0}, 0, 7)); }
 
-/// Disjoint fields, equally wide, in any order; where they may coincide, also fewer of them than operands.
+/// Leaves the second field some of its bits, at either end or in between.
+void pick_narrower(Field& second) {
+  const unsigned width = pick_near({1, second.width / 2U, second.width}, 1, second.width);
+  const unsigned base = second.base + pick(0U, second.width - width);
+  second = {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)};
+}
+
+/// Disjoint fields, equally wide unless one may be narrower, in any order; where they may coincide, also fewer of them
+/// than operands.
 void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
   const OpcodeInfo& row = info(instruction.opcode);
   const unsigned count = fields_of(row);
@@ -83,6 +91,7 @@ void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
   }
   if (pick(0, 1) == 1) std::reverse(placed.begin(), placed.begin() + places);
   for (unsigned i = 0; i < count; ++i) instruction.fields[i] = placed[coincide ? pick(0U, places - 1) : i];
+  if (widths == FieldWidths::narrower) pick_narrower(instruction.fields[1]);
 }
 
 /// A coefficient of either sign and at most that magnitude.
@@ -107,6 +116,16 @@ void pick_coefficients(Linear& linear, unsigned bits, isa::ArrayShape region) {
   linear.c = pick_coefficient(share) - linear.a * x - linear.b * y;
 }
 
+/// Bits of the sum's magnitude: up to the field's range, up to what the width holds, or up to what no width but the
+/// widest holds; of a sum that is meant to be cut, a few more than the width instead of the first.
+std::array<unsigned, 3> reaches_of(const Instruction& instruction) {
+  const Linear& linear = instruction.linear;
+  const unsigned held = linear.width - 1U;
+  const unsigned of_field = std::min(instruction.fields[0].width + linear.shift + 1U, held);
+  const unsigned cut = std::min(linear.width + 3U, isa::max_linear_width);
+  return {isa::cuts_sum(instruction.opcode) ? cut : of_field, held, isa::max_linear_width};
+}
+
 void pick_linear(Instruction& instruction, isa::ArrayShape region) {
   const unsigned met = instruction.fields[0].width;
   const unsigned least = met + 1;
@@ -115,10 +134,7 @@ void pick_linear(Instruction& instruction, isa::ArrayShape region) {
   const unsigned shift = pick_near({0, 1, 12, isa::max_linear_width - kept}, 0, isa::max_linear_width - kept);
   linear.width = static_cast<std::uint16_t>(kept + shift);
   linear.shift = static_cast<std::uint16_t>(shift);
-  // Up to the field's range, up to what the width holds, or up to what no width but the widest holds.
-  const std::vector<unsigned> reaches{std::min(met + shift + 1, linear.width - 1U), linear.width - 1U,
-                                      isa::max_linear_width};
-  pick_coefficients(linear, reaches[std::min(2U, pick(0U, 9U) / 4U)], region);
+  pick_coefficients(linear, reaches_of(instruction).at(std::min(2U, pick(0U, 9U) / 4U)), region);
 }
 
 std::uint64_t pick_constant(unsigned width) {

@@ -36,6 +36,10 @@ Pixel expected_after(AluFunction function, bool constant, Pixel p) {
     p.enable = p.enable && !p.carry;
   };
   const auto write = [&p](bool value) { p.memory = p.enable ? value : p.memory; };
+  const auto sum = [&](bool x, bool carry_in) {
+    write((x != p.y) != carry_in);
+    p.carry = majority(x, p.y, carry_in);
+  };
   const auto sign = [&p] { p.carry = majority(!p.x, false, p.carry); };
   switch (function) {
     case AluFunction::idle:
@@ -84,6 +88,9 @@ Pixel expected_after(AluFunction function, bool constant, Pixel p) {
     case AluFunction::store_or: write(p.x || p.y); break;
     case AluFunction::store_xor: write(p.x != p.y); break;
     case AluFunction::store_and_not: write(p.x && !p.y); break;
+    case AluFunction::sum_from_0: sum(p.x, false); break;
+    case AluFunction::sum: sum(p.x, p.carry); break;
+    case AluFunction::sum_with_0: sum(false, p.carry); break;
     case AluFunction::store_enable: p.memory = p.enable; break;
   }
   return p;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -153,6 +154,32 @@ TEST_CASE("a comparison begins its carry at the first bit, ripples it, and decid
     std::vector<AluFunction> expected(9, AluFunction::compare);
     expected.front() = AluFunction::compare_from_1;
     expected.back() = AluFunction::less;
+    CHECK(functions == expected);
+  }
+}
+
+TEST_CASE("the steps of a sum ripple its carry through the target, and read the source only where that has bits") {
+  for (const auto& [reads, alu_bits] : hardware) {
+    Sequencer sequencer(reads, alu_bits);
+    sequencer.begin({.opcode = isa::Opcode::add, .fields = {isa::Field{3, 9}, isa::Field{59, 5}}});
+    std::vector<AluFunction> functions;
+    unsigned next = 59;  // bit of the source, the last of the memory is 63
+    while (sequencer.busy()) {
+      const csgsim::array::ArrayStep step = sequencer.issue().pixels;
+      if (step.source == csgsim::array::OperandSource::memory && info(step.function).reads_x) {
+        CHECK(step.x == next);
+        for (unsigned bit = 0; bit < step.bits; ++bit)
+          if (info(function_of_bit(step, bit)).reads_x) ++next;
+      }
+      if (!info(step.function).writes) continue;
+      CHECK(step.write == 3 + functions.size());
+      CHECK(step.y == step.write);
+      for (unsigned bit = 0; bit < step.bits; ++bit) functions.push_back(function_of_bit(step, bit));
+    }
+    CHECK(next == 64);
+    std::vector<AluFunction> expected(9, AluFunction::sum);
+    expected.front() = AluFunction::sum_from_0;
+    std::fill(expected.begin() + 5, expected.end(), AluFunction::sum_with_0);
     CHECK(functions == expected);
   }
 }

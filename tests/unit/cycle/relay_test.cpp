@@ -49,6 +49,16 @@ TEST_CASE("after a skip nothing is counted, whatever the pixels show: none is en
   CHECK(relay.overflows() == 0);
 }
 
+TEST_CASE("a stripe's sum is cut on purpose: nothing is counted, and nothing asked of the machine for it") {
+  isa::Instruction stripe = narrow;
+  stripe.opcode = Opcode::stripe;
+  const isa::Program program = program_of({enable_all, stripe, enable_all});
+  sim::Relay relay(program, {});
+  CHECK(relay.keeps_after(0, 0) == Keep::nothing);
+  relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));
+  CHECK(relay.overflows() == 0);
+}
+
 TEST_CASE("of the machine is asked what the observers read and what the count of overflows needs") {
   const isa::Program program = program_of({enable_all, narrow, enable_all});
   sim::Relay unobserved(program, {});

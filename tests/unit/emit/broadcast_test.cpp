@@ -48,7 +48,7 @@ Number below(Number end) {
 /// One of few instructions on few bits, so that the same bit is met again and again.
 Instruction any_instruction() {
   const auto any_bit = [] { return Field{below<std::uint16_t>(2), 1}; };
-  switch (below(15)) {
+  switch (below(16)) {
     case 0: return {Opcode::enable_all, {}, {}, 0, {}};
     case 1: return {Opcode::enable_invert, {}, {}, 0, {}};
     case 2: return {Opcode::enable_and, {any_bit()}, {}, 0, {}};
@@ -61,6 +61,7 @@ Instruction any_instruction() {
     case 9: return {Opcode::global_or, {}, {}, 0, {}};
     case 10:
     case 11: return {Opcode::enable_store, {any_bit()}, {}, 0, {}};
+    case 12: return {Opcode::add, {Field{0, 2}, Field{3, 1}}, {}, 0, {}};
     default: return {Opcode::enable_load, {any_bit()}, {}, 0, {}};
   }
 }

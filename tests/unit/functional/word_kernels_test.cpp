@@ -41,6 +41,26 @@ TEST_CASE("lanes are copied where enabled, and nothing else is touched") {
   }));
 }
 
+TEST_CASE("lanes are added where enabled, high bits cut off, and nothing else is touched") {
+  CHECK(rc::check([] {
+    Words enable = any_words();
+    const unsigned width = between(1U, 33U);
+    Lanes target = any_lanes(enable.lanes(), width);
+    const Lanes source = any_lanes(enable.lanes(), between(1U, width + 1));
+    const Words before = enable;
+    Lanes expected = target;
+    enable.for_each([&](std::size_t lane, std::size_t, std::size_t) {
+      if (!enable.at(lane)) return;
+      const std::uint64_t sum = std::uint64_t{target[lane]} + source[lane];
+      expected[lane] = static_cast<std::uint32_t>(sum % (std::uint64_t{1} << width));
+    });
+    const auto low_bits = static_cast<std::uint32_t>((std::uint64_t{1} << width) - 1);
+    sim::add_lanes(enable.block(), target.data() + enable.first_lane(), source.data() + enable.first_lane(), low_bits);
+    RC_ASSERT(target == expected);
+    RC_ASSERT(enable.words == before.words);
+  }));
+}
+
 TEST_CASE("a comparison of lanes keeps enabled what holds, as unsigned numbers") {
   CHECK(rc::check([] {
     using sim::Comparison;

@@ -16,6 +16,9 @@ TEST_CASE("the tables of the manual have a row an instruction, a number of clock
            "| 18 | `set_constant` | target, constant | any | 24 + n | where E: t := k |\n",
            "| 23 | `bit_and` | target, source, source | equal | 60 | where E: t := s and r, bit by bit |\n",
            "| 28 | `global_or` |  |  | 6 | the host is told whether E is 1 at any pixel |\n",
+           "| 31 | `add` | target, source | s no wider than t | 42 | where E: t := the low bits of t + s; the carry "
+           "out of the "
+           "top bit is lost |\n",
            "| twice the width of the linear expression: to compare, then to write | `keep_max` `keep_min` |\n",
            "| 1 + latency of the trees + levels of the global OR | `global_or` `skip_if_none` |\n",
            "| `classify` | a primitive of an active tree compared with Z1 |\n",
@@ -30,7 +33,8 @@ TEST_CASE("the manual gives the bits of each command on a link") {
        {"| 0 | `enable_all` |  |  | 6 |", "| 9 | `edge_negative` | linear |  | 18 + 3w |",
         "| 18 | `set_constant` | target, constant | any | 24 + n |",
         "| 25 | `bit_xor` | target, source, source | equal | 60 |", "| 30 | `skip_if_none` | count |  | 38 |",
-        "| 61 | segment | 70 |", "| 62 | end of segment | 6 |", "| 63 | end of frame | 24 |"})
+        "| 32 | `stripe` | linear |  | 18 + 3w |", "| 61 | segment | 70 |", "| 62 | end of segment | 6 |",
+        "| 63 | end of frame | 24 |"})
     CHECK(test::contains(page, std::string(row)));
 }
 

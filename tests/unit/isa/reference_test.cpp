@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <rapidcheck.h>
 
 #include <array>
 #include <cstdint>
@@ -311,6 +312,91 @@ TEST_CASE("xor_constant inverts the target where the constant is 1") {
   array.execute({Opcode::xor_constant, {t}, {}, 0b0110, {}});
   CHECK(values(array, t) == Values{0b0110, 0b1100, 0b1010});
   CHECK(values(array, s) == Values{15, 0, 15});
+}
+
+TEST_CASE("add adds where enabled, and loses the carry out of the target's top bit") {
+  ReferenceArray array = row(5);
+  set(array, t, {0, 9, 15, 15, 9});
+  set(array, s, {0, 5, 1, 15, 5});
+  enable(array, {1, 1, 1, 1, 0});
+  array.execute(on_fields(Opcode::add, t, s));
+  CHECK(values(array, t) == Values{0, 14, 0, 14, 9});
+  CHECK(values(array, s) == Values{0, 5, 1, 15, 5});
+  CHECK(enabled(array) == Bits{1, 1, 1, 1, 0});
+}
+
+TEST_CASE("add takes the bits that a narrower source lacks as 0, and the carry goes on through the target's") {
+  ReferenceArray array = row(4);
+  set(array, t, {0b0011, 0b0111, 0b1100, 0b1101});
+  set(array, s1, {1, 1, 0, 1});
+  array.execute(on_fields(Opcode::add, t, s1));
+  CHECK(values(array, t) == Values{0b0100, 0b1000, 0b1100, 0b1110});
+  CHECK(values(array, s) == Values{0, 0, 0, 0});
+}
+
+TEST_CASE("random fields add as integers do, modulo the target's range") {
+  CHECK(rc::check([] {
+    const auto wide = *rc::gen::inRange<std::uint16_t>(1, 33);
+    const auto narrow = *rc::gen::inRange<std::uint16_t>(1, static_cast<std::uint16_t>(wide + 1));
+    const Field target{0, wide};
+    const Field source{wide, narrow};
+    const auto number = [](unsigned width) {
+      return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << width));
+    };
+    const std::uint64_t first = number(wide);
+    const std::uint64_t second = number(narrow);
+    ReferenceArray array(isa::ArrayShape{1, 1, 64});
+    array.execute({Opcode::enable_all, {}, {}, 0, {}});
+    array.write(target, 0, 0, static_cast<std::uint32_t>(first));
+    array.write(source, 0, 0, static_cast<std::uint32_t>(second));
+    array.execute(on_fields(Opcode::add, target, source));
+    RC_ASSERT(array.read(target, 0, 0) == (first + second) % (std::uint64_t{1} << wide));
+    RC_ASSERT(array.read(source, 0, 0) == second);
+  }));
+}
+
+TEST_CASE("a stripe is as wide as the gap, repeats, and overflows nowhere") {
+  // x + 2 mod 8 is 2 to 7, 0, 1, 2 ...: 4 and above at x = 2 to 5 and 10 to 13.
+  ReferenceArray array = row(15);
+  array.execute(on_linear(Opcode::stripe, {}, {1, 0, 2, 3, 0}));
+  CHECK(enabled(array) == Bits{0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0});
+  CHECK(array.overflows() == 0);
+}
+
+TEST_CASE("stripes go on where the sum is negative, whatever the shift") {
+  // x - 5 mod 4 at x = 0 on: 3, 0, 1, 2, 3, 0, 1.
+  for (const std::uint16_t shift : {std::uint16_t{0}, std::uint16_t{1}}) {
+    ReferenceArray array = row(7);
+    array.execute(on_linear(Opcode::stripe, {}, {1, 0, -5, 2, shift}));
+    CHECK(enabled(array) == Bits{1, 0, 0, 1, 1, 0, 0});
+  }
+}
+
+TEST_CASE("stripes only clear E") {
+  ReferenceArray array = row(4);
+  enable(array, {0, 1, 0, 1});
+  array.execute(on_linear(Opcode::stripe, {}, {0, 0, 1, 1, 0}));
+  CHECK(enabled(array) == Bits{0, 1, 0, 1});
+}
+
+TEST_CASE("stripes are the bit of that number of A*x + B*y + C in wide arithmetic") {
+  CHECK(rc::check([] {
+    const auto below = [](std::int64_t end) {
+      return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::int64_t>(-end + 1, end));
+    };
+    const Linear linear{below(1LL << 56), below(1LL << 56), below(1LL << 60), *rc::gen::inRange<std::uint16_t>(1, 63),
+                        0};
+    ReferenceArray array(isa::ArrayShape{7, 5, 1});
+    array.execute({Opcode::enable_all, {}, {}, 0, {}});
+    array.execute(on_linear(Opcode::stripe, {}, linear));
+    for (std::uint32_t y = 0; y < 5; ++y) {
+      for (std::uint32_t x = 0; x < 7; ++x) {
+        const std::int64_t sum = linear.a * x + linear.b * y + linear.c;  // below 2^62
+        RC_ASSERT(array.enabled(x, y) == ((sum >> (linear.width - 1U) & 1) == 1));
+      }
+    }
+    RC_ASSERT(array.overflows() == 0U);
+  }));
 }
 
 TEST_CASE("global_or changes nothing") {

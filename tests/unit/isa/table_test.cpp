@@ -26,7 +26,7 @@ TEST_CASE("numbers without a row are not in the table") {
   for (unsigned number = 0; number < 256; ++number)
     if (in_table(static_cast<Opcode>(number))) ++numbers;
   CHECK(numbers == opcode_table.size());
-  CHECK_FALSE(in_table(static_cast<Opcode>(31)));
+  CHECK_FALSE(in_table(static_cast<Opcode>(33)));
 }
 
 TEST_CASE("the numbers of instructions stay what files and links have carried") {
@@ -35,7 +35,7 @@ TEST_CASE("the numbers of instructions stay what files and links have carried") 
       "enable_store", "edge_not_negative", "edge_negative", "linear_ge",  "linear_gt",      "linear_le",   "linear_lt",
       "linear_eq",    "load_linear",       "keep_max",      "keep_min",   "set_constant",   "copy",        "field_lt",
       "field_le",     "field_eq",          "bit_and",       "bit_or",     "bit_xor",        "bit_and_not", "bit_not",
-      "global_or",    "xor_constant",      "skip_if_none"};
+      "global_or",    "xor_constant",      "skip_if_none",  "add",        "stripe"};
   for (std::size_t number = 0; number < names.size(); ++number)
     CHECK(name_of(static_cast<Opcode>(number)) == names[number]);
 }
@@ -84,6 +84,27 @@ TEST_CASE("enable instructions on fields, and they alone, work on single bits, b
     CAPTURE(row.name);
     CHECK(row.name.starts_with("enable_") == (row.widths == FieldWidths::one));
     CHECK(row.name.starts_with("bit_") == (row.widths == FieldWidths::elementwise));
+  }
+}
+
+TEST_CASE("of the instructions with a source and a target that differ in width, the target is the wider") {
+  for (const OpcodeInfo& row : opcode_table) {
+    CAPTURE(row.name);
+    if (row.widths != FieldWidths::narrower) continue;
+    CHECK(row.operands[0] == OperandKind::target);
+    CHECK(row.operands[1] == OperandKind::source);
+  }
+}
+
+TEST_CASE("what reads its target has one, and a sum that may be cut is streamed") {
+  for (const OpcodeInfo& row : opcode_table) {
+    CAPTURE(row.name);
+    if (reads_target(row.opcode)) CHECK(row.operands[0] == OperandKind::target);
+    if (cuts_sum(row.opcode)) CHECK(has_operand(row.operands, OperandKind::linear));
+    CHECK(reads_target(row.opcode) ==
+          (row.meaning.find("> t") != row.meaning.npos || row.meaning.find("< t") != row.meaning.npos ||
+           row.meaning.find("t xor k") != row.meaning.npos || row.meaning.find("t + s") != row.meaning.npos));
+    CHECK(cuts_sum(row.opcode) == (row.meaning.find("no overflow") != row.meaning.npos));
   }
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("the sample is valid") { CHECK(refusal_of(sample_program()).empty()); 
 TEST_CASE("an opcode has to be in the table") {
   Instruction instruction;
   instruction.opcode = static_cast<Opcode>(opcode_table.size());
-  CHECK(contains(refusal_of(instruction), "opcode 31 is undefined"));
+  CHECK(contains(refusal_of(instruction), "opcode 33 is undefined"));
 }
 
 TEST_CASE("a purpose has to be in the table") {
@@ -97,6 +97,25 @@ TEST_CASE("fields that are copied, compared or inverted are equally wide") {
     CHECK(refusal_of(on(opcode, {0, 7}, {8, 7})).empty());
     CHECK(contains(refusal_of(on(opcode, {0, 8}, {8, 7})), "equally wide"));
   }
+}
+
+TEST_CASE("what is added is no wider than what it is added to, and apart from it") {
+  CHECK(refusal_of(on(Opcode::add, {0, 8}, {8, 8})).empty());
+  CHECK(refusal_of(on(Opcode::add, {40, 32}, {39, 1})).empty());
+  CHECK(refusal_of(on(Opcode::add, {0, 8}, {20, 9})) == "add: field [20+:9] is wider than [0+:8]; make it no wider");
+  CHECK(contains(refusal_of(on(Opcode::add, {0, 8}, {7, 1})), "overlap"));
+  CHECK(contains(refusal_of(on(Opcode::add, {0, 8}, {0, 8})), "overlap"));
+  CHECK(contains(refusal_of(on(Opcode::add, {0, 8})), "0 bits wide"));
+  CHECK(contains(refusal_of(on(Opcode::add, {0, 8}, {71, 2})), "outside the 72 memory bits"));
+  CHECK_FALSE(refusal_of(on(Opcode::add, {0, 8}, {8, 8}, {16, 8})).empty());
+}
+
+TEST_CASE("a stripe takes a linear expression as an edge does, and no field") {
+  CHECK(refusal_of(streaming(Opcode::stripe, {}, 1)).empty());
+  CHECK(refusal_of(streaming(Opcode::stripe, {}, 62, 61)).empty());
+  CHECK(contains(refusal_of(streaming(Opcode::stripe, {}, 63)), "63 bits wide"));
+  CHECK(contains(refusal_of(streaming(Opcode::stripe, {}, 12, 12)), "shift 12"));
+  CHECK(contains(refusal_of(streaming(Opcode::stripe, {0, 1}, 12)), "not a field"));
 }
 
 TEST_CASE("a linear expression is 1 to 62 bits wide and keeps a bit after the shift") {

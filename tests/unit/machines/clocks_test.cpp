@@ -57,6 +57,8 @@ TEST_CASE("instructions on the enable register take one clock") {
 TEST_CASE("a linear expression that is only compared or loaded takes a clock a bit of it") {
   CHECK(linear_clocks(Opcode::edge_not_negative, {}, 22) == 22);
   CHECK(linear_clocks(Opcode::edge_negative, {}, 1) == 1);
+  CHECK(linear_clocks(Opcode::stripe, {}, 1) == 1);
+  CHECK(linear_clocks(Opcode::stripe, {}, 13) == 13);
   for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_gt, Opcode::linear_le, Opcode::linear_lt,
                               Opcode::linear_eq, Opcode::load_linear})
     CHECK(linear_clocks(opcode, {0, 20}, 34) == 34);
@@ -82,6 +84,17 @@ TEST_CASE("two source bits take two clocks with one read of memory a clock, else
     CHECK(clocks(opcode, {0, 1}, {1, 1}, {2, 1}) == 2);
     CHECK(clocks(opcode, {0, 1}, {1, 1}, {2, 1}, 2) == 1);
   }
+}
+
+TEST_CASE("a sum takes the clocks of its target, through which the carry ripples, however narrow the source") {
+  for (const std::uint16_t width : {std::uint16_t{1}, std::uint16_t{7}, std::uint16_t{20}}) {
+    CAPTURE(width);
+    CHECK(clocks(Opcode::add, {0, 20}, {20, width}) == 40);
+    CHECK(clocks(Opcode::add, {0, 20}, {20, width}, {}, 2) == 20);
+  }
+  machines::Machine wide = machine(1);
+  wide.alu_bits = 8;
+  CHECK(machines::clocks({.opcode = Opcode::add, .fields = {Field{0, 20}, Field{20, 3}}}, wide) == 6);
 }
 
 TEST_CASE("a wider ALU works on as many bits of a field in a clock, the last of them too few to fill it or not") {

@@ -87,3 +87,59 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     }
   }));
 }
+
+TEST_CASE("nodes add with carries, and cut sums into stripes, as the reference does") {
+  CHECK(rc::check([] {
+    using isa::Opcode;
+    machines::Machine machine = any_machine();
+    machine.array.memory_bits = 24;
+    const isa::Region region{0, 0, 9, 7};
+    const isa::Instruction all{.opcode = Opcode::enable_all};
+    const auto step = [] { return std::int64_t{below(20)}; };
+    const isa::Linear first{.a = step(), .b = step(), .c = step(), .width = 10};
+    const isa::Linear second{.a = step(), .b = step(), .c = step(), .width = 10};
+    const std::vector<isa::Instruction> list{
+        all,
+        {.opcode = Opcode::load_linear, .fields = {isa::Field{0, 9}}, .linear = first},
+        all,
+        {.opcode = Opcode::load_linear, .fields = {isa::Field{9, 9}}, .linear = second},
+        all,
+        {.opcode = Opcode::stripe, .linear = {.a = 1 + step(), .b = step(), .width = 4}},
+        {.opcode = Opcode::add, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}},
+        {.opcode = Opcode::add, .fields = {isa::Field{0, 7}, isa::Field{10, 3}}}};
+    const std::vector<kernel::Keep> keeps(list.size(), kernel::Keep::all);
+    const NodePixels own = multi_processor::pixels_of(region, machine.array, 0, 0);
+    multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own);
+    renderer.render();
+    sim::ReferenceArray reference(region, machine.array.memory_bits);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      reference.execute(list[i]);
+      check_pixels(renderer.steps()[i].pixels, own, machine.array, reference);
+    }
+  }));
+}
+
+TEST_CASE("a node adds as many words as the target has, and reads those that the source has besides") {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  auto& figures = machines::own<Figures>(machine);
+  figures.order = multi_processor::RenderingOrder::segment;
+  figures.word_bits = 8;
+  figures.operations = {.read = 1, .write = 100, .add = 10'000, .compare = 0, .logic = 1'000'000, .multiply = 0};
+  const auto clocks = [&](std::uint16_t source) {
+    return multi_processor::pixel_clocks(
+        {.opcode = isa::Opcode::add, .fields = {isa::Field{0, 20}, isa::Field{20, source}}}, machine);
+  };
+  // E and the target, 1 + 3 words, and the source's; an operation on E; three additions and writes.
+  CHECK(clocks(20) == 1'030'300 + 4 + 3);
+  CHECK(clocks(9) == 1'030'300 + 4 + 2);
+  CHECK(clocks(1) == 1'030'300 + 4 + 1);
+}
+
+TEST_CASE("a stripe takes a node as long as an edge does") {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  machines::own<Figures>(machine).word_bits = 8;
+  const auto clocks = [&](isa::Opcode opcode) {
+    return multi_processor::pixel_clocks({.opcode = opcode, .linear = {.a = 1, .width = 20}}, machine);
+  };
+  CHECK(clocks(isa::Opcode::stripe) == clocks(isa::Opcode::edge_negative));
+}

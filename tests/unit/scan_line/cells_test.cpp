@@ -153,6 +153,10 @@ TEST_CASE("a packet occupies a cell for its words, or for the reads and then the
       {{.opcode = Opcode::field_lt, .fields = {low, high}}, {32, 2}, 1},
       {{.opcode = Opcode::bit_and, .fields = {low, high, across}}, {32, 1}, 4},
       {{.opcode = Opcode::xor_constant, .fields = {low}, .constant = 1}, {32, 1}, 2},
+      {{.opcode = Opcode::add, .fields = {low, high}}, {32, 1}, 3},
+      {{.opcode = Opcode::add, .fields = {wide, low}}, {16, 1}, 7},
+      {{.opcode = Opcode::add, .fields = {wide, low}}, {16, 0}, 2},
+      {{.opcode = Opcode::stripe, .linear = {.width = 33}}, {32, 1}, 2},
       {{.opcode = Opcode::set_constant, .fields = {wide}, .constant = 1}, {16, 1}, 4},
       {{.opcode = Opcode::set_constant, .fields = {wide}, .constant = 1}, {16, 3}, 2},
   };

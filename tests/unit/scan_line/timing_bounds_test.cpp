@@ -58,7 +58,7 @@ MemoryWords memory_words(const Instruction& instruction, std::uint32_t word_bits
     for (unsigned bit = field.base; bit < field.end(); ++bit) touched.insert(bit / word_bits);
     const bool target = isa::info(instruction.opcode).operands.at(i) == isa::OperandKind::target;
     const bool is_read = !target || instruction.opcode == Opcode::keep_max || instruction.opcode == Opcode::keep_min ||
-                         instruction.opcode == Opcode::xor_constant;
+                         instruction.opcode == Opcode::xor_constant || instruction.opcode == Opcode::add;
     if (is_read) words.read += touched.size();
     if (target) words.written += touched.size();
   }
