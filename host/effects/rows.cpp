@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "host/effects/cuts.h"
 #include "host/effects/smooth.h"
 #include "host/emit/flat_shading.h"
 
@@ -9,7 +10,7 @@ namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array<const emit::Effect*, 2> rows{&emit::flat, &smooth};
+constexpr std::array<const emit::Effect*, 3> rows{&emit::flat, &smooth, &cuts};
 
 }  // namespace
 
@@ -20,6 +21,15 @@ std::vector<scene::Section> sections() {
   sections.reserve(rows.size());
   for (const emit::Effect* const one : rows) sections.push_back(one->section);
   return sections;
+}
+
+model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene) {
+  for (const emit::Effect* const row : rows) {
+    if (row->reshape == nullptr) continue;
+    for (const scene::CalledEffect& one : scene.effects)
+      if (one.is_on && one.name == row->section.name) tree = row->reshape(one.settings, std::move(tree));
+  }
+  return std::move(tree);
 }
 
 }  // namespace csgsim::effects

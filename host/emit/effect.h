@@ -32,6 +32,8 @@ struct Effect {
 
   /// Whether a model calls for it by itself, where the scene does not say it.
   bool (*called_by)(const Look& look) = nullptr;
+  /// The model that is drawn in place of the file's. Throws InputError where the settings do not fit it.
+  model::Tree (*reshape)(const std::any& settings, model::Tree&& tree) = nullptr;
   /// Throws InputError where the settings do not fit the model. Called once for each drawing.
   EffectState (*prepare)(const std::any& settings, const Drawing& drawing, const Workshop& workshop) = nullptr;
   /// Bits of pixel memory besides those of every picture; of `drawing`, the camera's own.

@@ -105,7 +105,7 @@ class Reader {
     }
     try {
       section.keep(scene_, section, std::move(read));
-      if (is_effect) scene_.effects.back().is_on = is_on(table, section);
+      if (is_effect && !is_on(table, section)) scene_.effects.back().is_on = false;
     } catch (const InputError& error) {
       fail(table, error.what());
     }

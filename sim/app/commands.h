@@ -15,6 +15,7 @@ namespace csgsim::app {
   COMMAND(sweep)                 \
   COMMAND(compare)               \
   COMMAND(subdivide)             \
+  COMMAND(effects)               \
   COMMAND(levels)                \
   COMMAND(machines)              \
   COMMAND(isa)

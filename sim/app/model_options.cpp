@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -90,6 +91,19 @@ const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
   }
   scene_ = std::make_shared<const LoadedScene>(std::move(loaded));
   return *scene_;
+}
+
+ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names) const {
+  ModelOptions without = *this;
+  without.scene_ = nullptr;
+  for (const std::string& name : names) {
+    const std::vector<scene::Section> sections = effects::sections();
+    const bool is_list = std::any_of(sections.begin(), sections.end(), [&](const scene::Section& one) {
+      return one.is_list && one.name == "effects." + name;
+    });
+    without.sets.push_back("effects." + name + (is_list ? ".0" : "") + ".on=false");
+  }
+  return without;
 }
 
 std::vector<std::string> pruning_names() {
@@ -222,7 +236,7 @@ ModelFile read_model_file(const ModelOptions& options) {
     study::Hash hash;
     hash.add(text);
     hash.add(options.scene_text());
-    return ModelFile{read::read_csg_text(text, options.model), hash.text()};
+    return ModelFile{effects::reshaped(read::read_csg_text(text, options.model), options.scene()), hash.text()};
   });
 }
 
