@@ -114,7 +114,9 @@ std::vector<std::string> pruning_names() {
 
 void ModelOptions::add_to(Command& command) {
   command.option("MODEL", model, "The model, an OpenSCAD .csg file").required();
-  command.option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file");
+  command.option("--machine", machine,
+                 "A machine's name (see csgsim machines) or its .toml file; with figures changed: "
+                 "NAME+KEY=VALUE");
   command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
   add_view_to(command);
