@@ -28,15 +28,16 @@ Ray ray_at(const view::EyeSpace& eye, const glm::dvec2& place) {
 
 class Camera {
  public:
-  Camera(const RaySight& sight, const RayShot& shot, double aside)
-      : sight_(sight), shot_(shot), eye_(eye_of(shot)), aside_(aside) {}
+  /// `around`: without a gap, for what only has to be the same.
+  Camera(const RaySight& sight, const RaySight& around, const RayShot& shot, double aside)
+      : sight_(sight), around_(around), shot_(shot), eye_(eye_of(shot)), aside_(aside) {}
 
   [[nodiscard]] RayColour pixel(RayPixel pixel) const {
     RayColour found;
     const bool has_mean = shot_.samples.size() > 1;
     for (std::size_t i = 0; i < shot_.samples.size(); ++i) {
       const glm::dvec2 place = glm::dvec2(pixel.x, pixel.y) + shot_.samples[i];
-      const RaySeen seen = look(place, pixel);
+      const RaySeen seen = look(sight_, place, pixel);
       found.colour += has_mean ? glm::round(seen.colour * 255.0) / 255.0 : seen.colour;
       found.is_certain = found.is_certain && seen.is_clear && is_same_around(seen, place, pixel);
       if (i > 0 || seen.nearest.primitive == model::no_index) continue;
@@ -49,20 +50,21 @@ class Camera {
   }
 
  private:
-  [[nodiscard]] RaySeen look(const glm::dvec2& place, RayPixel pixel) const {
+  [[nodiscard]] RaySeen look(const RaySight& sight, const glm::dvec2& place, RayPixel pixel) const {
     const double from = eye_.perspective ? shot_.near : -std::numeric_limits<double>::infinity();
-    return sight_.look(eye_, ray_at(eye_, place), {from}, pixel);
+    return sight.look(eye_, ray_at(eye_, place), {from}, pixel);
   }
 
   [[nodiscard]] bool is_same_around(const RaySeen& seen, const glm::dvec2& place, RayPixel pixel) const {
     static constexpr std::array<glm::dvec2, 4> corners{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
     for (const glm::dvec2& corner : corners) {
-      if (look(place + aside_ * corner, pixel).path != seen.path) return false;
+      if (look(around_, place + aside_ * corner, pixel).path != seen.path) return false;
     }
     return true;
   }
 
   const RaySight& sight_;
+  const RaySight& around_;
   const RayShot& shot_;
   view::EyeSpace eye_;
   double aside_;
@@ -74,8 +76,10 @@ std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Scene& 
                                    const RayShot& shot, const RayEffects& effects, const RayDoubt& doubt) {
   const RayModel model(tree, facets);
   const RayLighting lighting(tree, facets, model, scene, eye_of(shot));
-  const RaySight sight(model, lighting, effects, scene.background.colour.value_or(usual_background), doubt.gap);
-  const Camera camera(sight, shot, doubt.aside);
+  const glm::dvec3 background = scene.background.colour.value_or(usual_background);
+  const RaySight sight(model, lighting, effects, background, doubt.gap);
+  const RaySight around(model, lighting, effects, background, 0);
+  const Camera camera(sight, around, shot, doubt.aside);
   std::vector<RayColour> picture;
   picture.reserve(std::size_t{shot.width} * shot.height);
   for (std::uint32_t y = 0; y < shot.height; ++y) {

@@ -43,10 +43,23 @@ double RaySight::reflectance(const SurfacePoint& point) const {
   return 0.0;
 }
 
+bool RaySight::is_blocked(const Ray& ray, const SurfacePoint& point, const RayLight& light, RaySeen& seen) const {
+  const auto from = [&](double t) {
+    const glm::dvec3 place = place_at(ray, t);
+    const glm::dvec3 way = light.is_point ? light.place - place : light.direction;
+    const double length = light.is_point ? glm::length(way) : std::numeric_limits<double>::infinity();
+    return model_.occlusion({place, glm::normalize(way), point.plane}, length, gap_);
+  };
+  const Occlusion here = from(point.t);
+  const auto same = [&](double t) { return from(t).is_blocked == here.is_blocked; };
+  const bool is_clear = here.is_clear && (gap_ == 0.0 || (same(point.t - gap_) && same(point.t + gap_)));
+  seen.is_clear = seen.is_clear && is_clear;
+  return here.is_blocked;
+}
+
 std::vector<bool> RaySight::lights_at(const Ray& ray, const SurfacePoint& point, RaySeen& seen) const {
   const std::vector<RayLight>& lights = lighting_.lights();
   std::vector<bool> counts(lights.size());
-  const glm::dvec3 place = place_at(ray, point.t);
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const double facing = lighting_.facing(point, lights[i]);
     if (std::abs(facing) < edge_on && lighting_.has_highlights(point.primitive)) seen.is_clear = false;
@@ -54,14 +67,7 @@ std::vector<bool> RaySight::lights_at(const Ray& ray, const SurfacePoint& point,
     const auto& shine_through = effects_.shadowless_lights;
     const bool throws_shadows =
         effects_.has_shadows && std::find(shine_through.begin(), shine_through.end(), i) == shine_through.end();
-    if (counts[i] && throws_shadows) {
-      const glm::dvec3 way = lights[i].is_point ? lights[i].place - place : lights[i].direction;
-      const double length = lights[i].is_point ? glm::length(way) : std::numeric_limits<double>::infinity();
-      const Ray to_light{place, glm::normalize(way), point.plane};
-      const Occlusion occlusion = model_.occlusion(to_light, length, gap_);
-      counts[i] = !occlusion.is_blocked;
-      seen.is_clear = seen.is_clear && occlusion.is_clear;
-    }
+    counts[i] = counts[i] && !(throws_shadows && is_blocked(ray, point, lights[i], seen));
     seen.path.push_back(counts[i] ? 1 : 0);
   }
   return counts;

@@ -125,6 +125,21 @@ TEST_CASE("a lamp's shadow grows with the distance, and its edge is in doubt") {
   CHECK_FALSE(stage.at(-1, 3).is_certain);
 }
 
+TEST_CASE("where light grazes a wall, a shadow's edge is in doubt as far as the gap moves it along the view") {
+  // A post on the wall, 0.5 high; light comes along the wall 1 up in 20: the shadow is 10 long, from x = 0 to 10.
+  Stage stage("union(){" + wall + box({-1, 4.5, -3}, {0, 5, 3}) + "}", lit_by(testing::shining({20, 1, 0})));
+  const auto is_dark = [&](std::int32_t x) { return std::abs(stage.at(x, 0).colour.x - 0.15) < 1e-9; };
+  stage.cast(shadows(), {0.01, 0.02});  // moves its end by 0.4 pixels
+  CHECK(is_dark(9));
+  CHECK(stage.at(9, 0).is_certain);
+  CHECK_FALSE(is_dark(11));
+  CHECK(stage.at(11, 0).is_certain);
+  stage.cast(shadows(), {0.01, 0.06});  // by 1.2 pixels
+  CHECK(stage.at(8, 0).is_certain);
+  CHECK_FALSE(stage.at(9, 0).is_certain);
+  CHECK_FALSE(stage.at(11, 0).is_certain);
+}
+
 TEST_CASE("nothing beyond a lamp throws its shadow") {
   Stage stage("union(){" + wall + box({4, -4, -9}, {5, -3, 9}) + "}", lit_by(lamp({8, 0, 0})));
   stage.cast(shadows());
