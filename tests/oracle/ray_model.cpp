@@ -58,6 +58,10 @@ bool is_almost_hit(const Span& span, double t, double gap) {
   return span.empty() && span.in.plane != span.out.plane && span.in.t - span.out.t < gap && span.out.t < t + gap;
 }
 
+bool all_clearly_hit_or_missed(const std::vector<Span>& spans, double t, double gap) {
+  return std::none_of(spans.begin(), spans.end(), [&](const Span& span) { return is_almost_hit(span, t, gap); });
+}
+
 struct Candidate {
   Crossing at;
   std::uint32_t primitive = 0;
@@ -117,7 +121,7 @@ std::vector<Span> RayModel::spans(const Ray& ray) const {
 
 bool RayModel::holds(const std::vector<Span>& spans, double t) const { return rules_.holds(held_at(spans, t)); }
 
-std::vector<SurfacePoint> RayModel::surfaces(const Ray& ray, const Stretch& stretch, double gap) const {
+Surfaces RayModel::surfaces(const Ray& ray, const Stretch& stretch, double gap) const {
   std::vector<Span> all = spans(ray);
   std::vector<Candidate> candidates;
   for (std::uint32_t p = 0; p < all.size(); ++p) {
@@ -132,17 +136,16 @@ std::vector<SurfacePoint> RayModel::surfaces(const Ray& ray, const Stretch& stre
   }
   std::sort(candidates.begin(), candidates.end(), comes_before);
 
-  std::vector<SurfacePoint> found;
-  bool is_clear = true;
+  Surfaces found;
   for (const Candidate& c : candidates) {
-    const bool is_almost_at_start = stretch.plane != model::no_index && c.at.t - stretch.from < gap;
-    is_clear = is_clear && !is_almost_at_start && is_apart(c.at, all, gap);
-    if (!found.empty() && found.back().t == c.at.t) continue;
+    found.is_clear = found.is_clear && is_apart(c.at, all, gap);
+    if (!found.points.empty() && found.points.back().t == c.at.t) continue;
     if (!rules_.shows(c.primitive, held_at(all, c.at.t))) continue;
-    is_clear = is_clear &&
-               std::none_of(all.begin(), all.end(), [&](const Span& span) { return is_almost_hit(span, c.at.t, gap); });
-    found.push_back({c.at.t, c.primitive, c.at.halfspace, c.at.plane, is_clear && c.at.halfspace != model::no_index});
+    const bool is_clear = found.is_clear && all_clearly_hit_or_missed(all, c.at.t, gap);
+    found.points.push_back(
+        {c.at.t, c.primitive, c.at.halfspace, c.at.plane, is_clear && c.at.halfspace != model::no_index});
   }
+  found.is_clear = found.is_clear && all_clearly_hit_or_missed(all, infinity, gap);
   return found;
 }
 

@@ -42,6 +42,12 @@ struct SurfacePoint {
   bool is_clear = true;  ///< nothing up to here is decided by less than the gap
 };
 
+/// The surface points of a ray, nearest first.
+struct Surfaces {
+  std::vector<SurfacePoint> points;
+  bool is_clear = true;  ///< it is not decided by less than the gap that there are no others
+};
+
 /// Where a ray is looked along. Surfaces on the canonical plane that it begins at are left out.
 struct Stretch {
   double from = 0;
@@ -63,10 +69,10 @@ class RayModel {
   /// Keeps references to both.
   RayModel(const model::Tree& tree, const facet::Scene& scene);
 
-  /// All surface points beyond `from`, nearest first: the `in` of a primitive, or the `out` of one that is taken away,
+  /// All surface points beyond `from`: the `in` of a primitive, or the `out` of one that is taken away,
   /// where every operand that an intersection (in positive form) combines it with holds the point. Of those at one t
   /// only the first in tree order. What reaches through `from` is cut open there, unless that is on a plane.
-  [[nodiscard]] std::vector<SurfacePoint> surfaces(const Ray& ray, const Stretch& stretch, double gap) const;
+  [[nodiscard]] Surfaces surfaces(const Ray& ray, const Stretch& stretch, double gap) const;
 
   /// Whether the open stretch 0 < t < length meets the model's interior.
   [[nodiscard]] Occlusion occlusion(const Ray& ray, double length, double gap) const;

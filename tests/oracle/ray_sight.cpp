@@ -96,7 +96,8 @@ RaySeen RaySight::look(const view::EyeSpace& eye, const Ray& ray, const Stretch&
   RaySeen seen;
   double left = 1.0;
   unsigned layer = 0;
-  for (const SurfacePoint& point : model_.surfaces(ray, stretch, gap_)) {
+  const Surfaces surfaces = model_.surfaces(ray, stretch, gap_);
+  for (const SurfacePoint& point : surfaces.points) {
     if (left == 0.0 || layer == effects_.layers) break;
     if (effects_.is_there && !effects_.is_there(pixel.x, pixel.y, point.primitive)) continue;
     if (layer++ == 0) seen.nearest = point;
@@ -107,6 +108,8 @@ RaySeen RaySight::look(const view::EyeSpace& eye, const Ray& ray, const Stretch&
     seen.colour += here * surface(eye, ray, point, pixel, reflections, seen);
     left -= here;
   }
+  const bool is_through = left > 0.0 && layer < effects_.layers;
+  seen.is_clear = seen.is_clear && (surfaces.is_clear || !is_through);
   seen.colour += left * background_;
   seen.path.push_back(model::no_index);
   return seen;

@@ -96,6 +96,8 @@ TEST_CASE("layers that lie within the gap are in doubt, though the nearest does 
   effects.layers = 2;
   stage.cast(effects, {0.01, 1e-4});
   CHECK(stage.at(0, 0).is_certain);
+  CHECK(stage.at(0, 0).primitive == 0);
+  CHECK(stage.y_at(0, 0) == doctest::Approx(-5));
   stage.cast(effects, {0.01, 1e-2});
   CHECK_FALSE(stage.at(0, 0).is_certain);
   effects.layers = 1;

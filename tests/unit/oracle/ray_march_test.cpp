@@ -86,7 +86,7 @@ TEST_CASE("the nearest surface is where going step by step first meets the model
   int met = 0;
   int missed = 0;
   with_random_rays([&](const Points& points, const testing::RayModel& model, const testing::Ray& ray, double) {
-    const auto surfaces = model.surfaces(ray, {-std::numeric_limits<double>::infinity()}, gap);
+    const auto surfaces = model.surfaces(ray, {-std::numeric_limits<double>::infinity()}, gap).points;
     const std::optional<double> first = points.first_along(ray, 24);
     if (surfaces.empty()) {
       CHECK_FALSE(first);
@@ -119,7 +119,7 @@ TEST_CASE("the surfaces that face a ray's other end are where the model is left"
   int left = 0;
   with_random_rays([&](const Points& points, const testing::RayModel& model, const testing::Ray& ray, double) {
     const testing::Ray back{ray.origin + 24.0 * ray.direction, -ray.direction};
-    for (const testing::SurfacePoint& point : model.surfaces(back, {0}, gap)) {
+    for (const testing::SurfacePoint& point : model.surfaces(back, {0}, gap).points) {
       if (!point.is_clear) break;
       CHECK(points.hold(back.origin + (point.t + step) * back.direction));
       const glm::dvec3 out = model.normal(point.primitive, point.halfspace);

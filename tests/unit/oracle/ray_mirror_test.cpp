@@ -60,6 +60,16 @@ TEST_CASE("the edge of what a mirror shows is in doubt") {
   CHECK(stage.at(1, 3).is_certain);
 }
 
+TEST_CASE("what is in doubt is in doubt in a mirror too") {
+  const std::string sheet = box({-7, -0.5, -0.5}, {-6.999, 2.5, 1.5});
+  Stage stage("union(){" + mirror + cube + sheet + "}", testing::plain_colours());
+  stage.cast(mirroring(0.75), {0.01, 1e-4});
+  CHECK(stage.at(-1, 0).is_certain);
+  stage.cast(mirroring(0.75), {0.01, 1e-2});
+  CHECK_FALSE(stage.at(-1, 0).is_certain);
+  CHECK(stage.at(3, 0).is_certain);
+}
+
 TEST_CASE("without reflections a mirror has its own colour") {
   Stage stage(both, testing::plain_colours());
   stage.cast(mirroring(0.75, 0));

@@ -55,6 +55,17 @@ TEST_CASE("a pixel is in doubt where an edge passes it nearer than what is asked
   CHECK(stage.at(5, 0).is_certain);
 }
 
+TEST_CASE("the background is in doubt where a solid may be before it") {
+  const std::string sheet = "intersection(){" + box({-5, 0, -5}, {5, 1, 5}) + box({-5, 1.001, -5}, {5, 2, 5}) + "}";
+  Stage stage(sheet);
+  stage.cast({}, {0.01, 1e-4});
+  CHECK(stage.at(0, 0).primitive == model::no_index);
+  CHECK(stage.at(0, 0).is_certain);
+  stage.cast({}, {0.01, 1e-2});
+  CHECK(stage.at(0, 0).primitive == model::no_index);
+  CHECK_FALSE(stage.at(0, 0).is_certain);
+}
+
 TEST_CASE("samples are rounded to 8 bits before their mean is taken") {
   Stage stage(coloured({0.21, 1, 0}, box({-8, 0, -8}, {0.1, 1, 8})), testing::plain_colours());
   stage.shot.samples = {{-0.25, -0.25}, {0.25, -0.25}, {-0.25, 0.25}, {-0.25, 0.4}};
@@ -76,6 +87,23 @@ TEST_CASE("samples are to the right of and below the pixel's centre") {
   stage.shot.samples = {{0.25, -0.25}};
   stage.cast();
   CHECK(is_near(stage.at(0, 0).colour, {0, 0, 0}));
+}
+
+TEST_CASE("in perspective what is nearer than the near plane is not seen, and what it cuts open is in doubt") {
+  Stage stage("union(){" + left + coloured({0, 1, 0}, box({-8, 20, -2}, {8, 25, 2})) + "}", testing::plain_colours());
+  stage.shot.camera = {{0, -30, 0}, {0, 0, 0}, view::Projection::perspective};
+  stage.cast();
+  CHECK(is_near(stage.at(0, 0).colour, {1, 0, 0}));
+  CHECK(stage.at(0, 0).depth == doctest::Approx(30));
+  stage.shot.near = 35;
+  stage.cast();
+  CHECK(is_near(stage.at(0, 0).colour, {0, 1, 0}));
+  CHECK(stage.at(0, 0).depth == doctest::Approx(50));
+  CHECK(stage.at(0, 0).is_certain);
+  stage.shot.near = 31;
+  stage.cast();
+  CHECK(stage.at(0, 0).primitive == 0);
+  CHECK_FALSE(stage.at(0, 0).is_certain);
 }
 
 TEST_CASE("colours fade between two distances, and the background does not") {

@@ -125,6 +125,22 @@ TEST_CASE("a lamp's shadow grows with the distance, and its edge is in doubt") {
   CHECK_FALSE(stage.at(-1, 3).is_certain);
 }
 
+TEST_CASE("the shadow of a sheet thinner than the gap is in doubt, and so is glass that it falls on") {
+  const std::string sheet = box({-1.5, 0, -1.5}, {1.5, 0.001, 1.5});
+  const std::string behind = box({-11.5, 9, -11.5}, {11.5, 10, 11.5});
+  Stage stage("union(){" + wall + sheet + behind + "}", lit_by(slanted));
+  stage.cast(shadows(), {0.01, 1e-4});
+  CHECK_FALSE(is_lit(stage, 5, 0));
+  stage.cast(shadows(), {0.01, 1e-2});
+  CHECK_FALSE(stage.at(5, 0).is_certain);
+  CHECK(stage.at(9, 0).is_certain);
+  testing::RayEffects effects = shadows();
+  effects.opacity = {0.5, 1, 1};
+  effects.layers = 2;
+  stage.cast(effects, {0.01, 1e-2});
+  CHECK_FALSE(stage.at(5, 0).is_certain);
+}
+
 TEST_CASE("where light grazes a wall, a shadow's edge is in doubt as far as the gap moves it along the view") {
   // A post on the wall, 0.5 high; light comes along the wall 1 up in 20: the shadow is 10 long, from x = 0 to 10.
   Stage stage("union(){" + wall + box({-1, 4.5, -3}, {0, 5, 3}) + "}", lit_by(testing::shining({20, 1, 0})));
