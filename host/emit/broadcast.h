@@ -54,6 +54,10 @@ class Broadcast {
   /// E stays 1 where the line is not negative (or is negative); E has to be 0 outside `pixels`.
   void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
 
+  /// E stays 1 where bit `width` - 1 of the expression, of whole numbers, is 1: half of the pixels, by a pattern that
+  /// repeats every 2^width of it.
+  void stripe(const view::FixedLinear& line, unsigned width);
+
   /// E stays 1 where the field holds that number.
   void equals(isa::Field field, std::uint32_t number);
 
