@@ -4,13 +4,21 @@
 
 #include "host/effects/cuts.h"
 #include "host/effects/smooth.h"
+#include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
 
 namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array<const emit::Effect*, 3> rows{&emit::flat, &smooth, &cuts};
+// clang-format off
+constexpr std::array rows{
+    &emit::flat,
+    &smooth,
+    &cuts,
+    &transparency,
+};
+// clang-format on
 
 }  // namespace
 
