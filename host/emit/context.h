@@ -84,4 +84,7 @@ struct Context {
   [[nodiscard]] const lighting::Lighting& lighting() const { return lights != nullptr ? *lights : look.lighting; }
 };
 
+/// The same drawing into other fields.
+Context with_layout(const Context& context, const Layout& layout);
+
 }  // namespace csgsim::emit

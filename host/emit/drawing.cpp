@@ -74,6 +74,22 @@ Context context_of(const Drawing& drawing, const Context& outer) {
   return inner;
 }
 
+Context with_layout(const Context& context, const Layout& layout) {
+  Context other{context.tree, context.scene,   context.view,    context.positive, context.plan,
+                layout,       context.options, context.machine, context.look};
+  other.segment = context.segment;
+  other.called = context.called;
+  other.states = context.states;
+  other.left_out = context.left_out;
+  other.nesting = context.nesting;
+  other.base = context.base;
+  other.beyond = context.beyond;
+  other.drawn = context.drawn;
+  other.lights = context.lights;
+  other.paint = context.paint;
+  return other;
+}
+
 void emit_setup(const Context& context, Broadcast& out) {
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
   context.base.width > 0 ? out.plain(isa::Opcode::enable_load, context.base) : out.plain(isa::Opcode::enable_all);
