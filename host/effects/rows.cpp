@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "host/effects/antialias.h"
 #include "host/effects/cuts.h"
 #include "host/effects/smooth.h"
 #include "host/effects/transparency.h"
@@ -17,6 +18,7 @@ constexpr std::array rows{
     &smooth,
     &cuts,
     &transparency,
+    &antialias,
 };
 // clang-format on
 
