@@ -3,13 +3,14 @@
 #include <array>
 
 #include "host/effects/smooth.h"
+#include "host/effects/textures.h"
 #include "host/emit/flat_shading.h"
 
 namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array<const emit::Effect*, 2> rows{&emit::flat, &smooth};
+constexpr std::array<const emit::Effect*, 3> rows{&emit::flat, &smooth, &textures};
 
 }  // namespace
 

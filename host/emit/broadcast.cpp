@@ -130,6 +130,12 @@ void Broadcast::edge(isa::Opcode opcode, const view::FixedLinear& line, const vi
   linear(opcode, {}, {line.a >> drop, line.b >> drop, line.c >> drop}, 0, pixels);
 }
 
+void Broadcast::stripe(const view::FixedLinear& line, unsigned width) {
+  if (width > isa::max_linear_width) throw std::logic_error("a stripe wider than the evaluator was not caught");
+  const std::int64_t corner = line.c + line.a * segment_.region.x + line.b * segment_.region.y;
+  append({isa::Opcode::stripe, {}, {line.a, line.b, corner, static_cast<std::uint16_t>(width), 0}, 0, origin});
+}
+
 void Broadcast::equals(isa::Field field, std::uint32_t number) {
   append({isa::Opcode::linear_eq,
           {field, {}, {}},
