@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "host/effects/equalise.h"
 #include "host/effects/smooth.h"
 #include "host/effects/textures.h"
 #include "host/emit/flat_shading.h"
@@ -10,7 +11,7 @@ namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array<const emit::Effect*, 3> rows{&emit::flat, &smooth, &textures};
+constexpr std::array<const emit::Effect*, 4> rows{&emit::flat, &smooth, &textures, &equalise};
 
 }  // namespace
 
