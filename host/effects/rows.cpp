@@ -4,7 +4,9 @@
 
 #include "host/effects/antialias.h"
 #include "host/effects/cuts.h"
+#include "host/effects/equalise.h"
 #include "host/effects/smooth.h"
+#include "host/effects/textures.h"
 #include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
 
@@ -16,9 +18,11 @@ namespace {
 constexpr std::array rows{
     &emit::flat,
     &smooth,
+    &textures,
     &cuts,
     &transparency,
     &antialias,
+    &equalise,
 };
 // clang-format on
 
