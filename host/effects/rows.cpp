@@ -4,6 +4,8 @@
 
 #include "host/effects/antialias.h"
 #include "host/effects/cuts.h"
+#include "host/effects/depth_cue.h"
+#include "host/effects/edges.h"
 #include "host/effects/smooth.h"
 #include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
@@ -19,6 +21,8 @@ constexpr std::array rows{
     &cuts,
     &transparency,
     &antialias,
+    &depth_cue,
+    &edges,
 };
 // clang-format on
 
