@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "host/emit/early_out.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
@@ -73,10 +72,8 @@ std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Dra
     const auto add = [&](std::string_view name, unsigned width) {
       requests.push_back({std::string(name), isa::FieldRole::scratch, width, "", "", true});
     };
-    add("seen", 1);
-    add("weights", 2 * (bits + 1));
+    add("faded", bits + 1);
     add("sum", channel + bits);
-    add("cue", channel);
   }
   return requests;
 }
@@ -85,7 +82,7 @@ isa::Field part(isa::Field field, unsigned from, unsigned width) {
   return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
 }
 
-/// Works where the drawing is made and something is seen.
+/// Works where the drawing is made.
 class Fader {
  public:
   Fader(const emit::EffectCall& call, emit::Broadcast& out)
@@ -93,77 +90,76 @@ class Fader {
         fading_(std::any_cast<const Fading&>(call.state.own)),
         out_(out),
         bits_(static_cast<unsigned>(std::any_cast<const CueSettings&>(call.settings).bits)),
-        seen_(context_.layout.of("depth_cue", "seen")) {
-    const isa::Field weights = context_.layout.of("depth_cue", "weights");
-    faded_ = part(weights, 0, bits_ + 1);
-    left_ = part(weights, bits_ + 1, bits_ + 1);
-  }
+        faded_(context_.layout.of("depth_cue", "faded")) {}
 
   void fade(std::uint32_t cue) {
     out_.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
-    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
-    against_depth(Opcode::linear_gt, context_.farthest());
-    out_.plain(Opcode::enable_store, seen_);
-    const std::size_t begin = out_.size();
     weigh();
     unsigned from = context_.layout.colour.width;
     for (const unsigned width : isa::channel_widths(context_.layout.colour.width)) {
       from -= width;
       blend(part(context_.layout.colour, from, width), (cue >> from) & ((1U << width) - 1));
     }
-    emit::emit_early_out(context_, out_, begin, {isa::Purpose::effect, isa::no_primitive, isa::no_node});
   }
 
  private:
-  void against_depth(Opcode opcode, std::int64_t step) {
-    out_.surface(opcode, context_.layout.depth, {0, 0, step << context_.view.sampling.fraction_bits},
+  void everywhere() {
+    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
+  }
+
+  /// E stays 1 from that depth on.
+  void from_depth(std::int64_t step) {
+    out_.surface(Opcode::linear_le, context_.layout.depth, {0, 0, step << context_.view.sampling.fraction_bits},
                  context_.plan.pixels());
   }
 
-  /// How many of 2^bits parts have faded, to the nearest, and how many are left.
+  /// How many of 2^bits parts have faded, to the nearest; none where nothing is seen.
   void weigh() {
-    const isa::Field both = part(faded_, 0, 2 * (bits_ + 1));
+    everywhere();
+    out_.plain(Opcode::set_constant, faded_, {}, 0);
     const std::uint64_t all = std::uint64_t{1} << bits_;
-    out_.plain(Opcode::set_constant, both, {}, all << (bits_ + 1));
     for (std::uint64_t faded = 1; faded <= all; ++faded) {
       const double middle = (static_cast<double>(faded) - 0.5) / static_cast<double>(all);
       const double from = std::ceil(fading_.begin + middle * (fading_.end - fading_.begin));
-      // E is 1 from the step before on. What is seen is nearer than the farthest.
-      if (from >= static_cast<double>(context_.farthest())) return;
+      if (from >= static_cast<double>(context_.farthest())) break;
       const auto step = view::to_fixed(std::max(from, 0.0), 0);
-      if (step && *step > 0) against_depth(Opcode::linear_le, *step);
-      out_.plain(Opcode::set_constant, both, {}, (all - faded) << (bits_ + 1) | faded);
+      if (step && *step > 0) from_depth(*step);
+      out_.plain(Opcode::set_constant, faded_, {}, faded);
     }
+    from_depth(context_.farthest());
+    out_.plain(Opcode::set_constant, faded_, {}, 0);
   }
 
-  /// channel := (left * channel + faded * cue + half) / 2^bits, a bit of each weight after the other.
+  /// channel := ((2^bits - faded) * channel + faded * cue + half) / 2^bits. What is left of the channel is
+  /// 1 + (2^bits - 1 - faded) parts: one, and those of the bits that `faded` has not; none where its top bit is 1.
   void blend(isa::Field channel, std::uint32_t level) {
     const isa::Field sum = part(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
-    const isa::Field cue = part(context_.layout.of("depth_cue", "cue"), 0, channel.width);
-    out_.plain(Opcode::enable_load, seen_);
+    const auto from = [&](unsigned bit) { return part(sum, bit, sum.width - bit); };
+    everywhere();
     out_.plain(Opcode::set_constant, sum, {}, std::uint64_t{1} << (bits_ - 1));
-    if (level > 0) out_.plain(Opcode::set_constant, cue, {}, level);
-    for (unsigned bit = 0; bit <= bits_; ++bit) {
-      add_where(part(left_, bit, 1), part(sum, bit, sum.width - bit), channel);
-      if (level > 0) add_where(part(faded_, bit, 1), part(sum, bit, sum.width - bit), cue);
+    for (unsigned bit = 0; bit < channel.width; ++bit)
+      if ((level >> bit & 1U) != 0) out_.plain(Opcode::add, from(bit), narrowed(faded_, sum.width - bit));
+    out_.plain(Opcode::enable_and_not, part(faded_, bits_, 1));
+    out_.plain(Opcode::add, sum, channel);
+    for (unsigned bit = 0; bit < bits_; ++bit) {
+      everywhere();
+      out_.plain(Opcode::enable_and_not, part(faded_, bits_, 1));
+      out_.plain(Opcode::enable_and_not, part(faded_, bit, 1));
+      out_.plain(Opcode::add, from(bit), channel);
     }
-    out_.plain(Opcode::enable_load, seen_);
+    everywhere();
     out_.plain(Opcode::copy, channel, part(sum, bits_, channel.width));
   }
 
-  void add_where(isa::Field bit, isa::Field sum, isa::Field what) {
-    out_.plain(Opcode::enable_load, seen_);
-    out_.plain(Opcode::enable_and, bit);
-    out_.plain(Opcode::add, sum, what);
+  static isa::Field narrowed(isa::Field field, unsigned width) {
+    return part(field, 0, std::min<unsigned>(field.width, width));
   }
 
   const emit::Context& context_;
   const Fading& fading_;
   emit::Broadcast& out_;
   unsigned bits_;
-  isa::Field seen_;
   isa::Field faded_;
-  isa::Field left_;
 };
 
 void finish(const emit::EffectCall& call, emit::Broadcast& out) {
