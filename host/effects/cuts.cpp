@@ -51,13 +51,7 @@ void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
     throw InputError(fmt::format("lines {:g} pixels apart run together; take hatch = {:g} or more, or 0 for none",
                                  cut.hatch, least_spacing));
   }
-  const auto of_row = [&](const scene::CalledEffect& one) { return one.name == section.name; };
-  const auto found = std::find_if(scene.effects.begin(), scene.effects.end(), of_row);
-  if (found == scene.effects.end()) {
-    scene.effects.push_back({section.name, Cuts{cut}});
-  } else {
-    std::any_cast<Cuts&>(found->settings).push_back(cut);
-  }
+  scene::keep_entry<Cut>(scene, section, std::move(read));
 }
 
 /// A cube that holds what is left of anything within `reach` of the plane's point: its upper face is the plane.

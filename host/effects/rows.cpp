@@ -6,7 +6,9 @@
 #include "host/effects/cuts.h"
 #include "host/effects/depth_cue.h"
 #include "host/effects/edges.h"
+#include "host/effects/equalise.h"
 #include "host/effects/smooth.h"
+#include "host/effects/textures.h"
 #include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
 
@@ -18,11 +20,13 @@ namespace {
 constexpr std::array rows{
     &emit::flat,
     &smooth,
+    &textures,
     &cuts,
     &transparency,
     &antialias,
     &depth_cue,
     &edges,
+    &equalise,
 };
 // clang-format on
 
