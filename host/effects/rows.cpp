@@ -4,6 +4,8 @@
 
 #include "host/effects/antialias.h"
 #include "host/effects/cuts.h"
+#include "host/effects/depth_cue.h"
+#include "host/effects/edges.h"
 #include "host/effects/equalise.h"
 #include "host/effects/smooth.h"
 #include "host/effects/textures.h"
@@ -22,6 +24,8 @@ constexpr std::array rows{
     &cuts,
     &transparency,
     &antialias,
+    &depth_cue,
+    &edges,
     &equalise,
 };
 // clang-format on
