@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "host/effects/mirrors.h"
 #include "host/effects/smooth.h"
 #include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
@@ -10,7 +11,8 @@ namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array rows{&emit::flat, &smooth, &transparency};
+// Mirrors before transparency: they are behind the glass.
+constexpr std::array rows{&emit::flat, &smooth, &mirrors, &transparency};
 
 }  // namespace
 

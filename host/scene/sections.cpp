@@ -69,7 +69,10 @@ constexpr std::array all_material_keys{
     MaterialRuleKeys::number<&Material::ambient>("ambient", 0, 1, "part of the ambient light that it throws back"),
     MaterialRuleKeys::number<&Material::diffuse>("diffuse", 0, 1, "part of a light from the front"),
     MaterialRuleKeys::number<&Material::specular>("specular", 0, 1, "part of a light that is mirrored into the eye"),
-    MaterialRuleKeys::number<&Material::shininess>("shininess", 1, 1000, "exponent of the highlight")};
+    MaterialRuleKeys::number<&Material::shininess>("shininess", 1, 1000, "exponent of the highlight"),
+    MaterialRuleKeys::number<&Material::mirror>("mirror", 0, 1,
+                                                "part of what its flat faces show that is their mirror image; of what "
+                                                "is opaque")};
 
 template <auto member>
 void keep_one(Scene& scene, const Section& /*section*/, std::any&& read) {
