@@ -7,6 +7,7 @@
 #include "host/effects/depth_cue.h"
 #include "host/effects/edges.h"
 #include "host/effects/equalise.h"
+#include "host/effects/mirrors.h"
 #include "host/effects/smooth.h"
 #include "host/effects/textures.h"
 #include "host/effects/transparency.h"
@@ -17,11 +18,13 @@ namespace csgsim::effects {
 namespace {
 
 // clang-format off
+// Mirrors before transparency: they are behind the glass.
 constexpr std::array rows{
     &emit::flat,
     &smooth,
     &textures,
     &cuts,
+    &mirrors,
     &transparency,
     &antialias,
     &depth_cue,
