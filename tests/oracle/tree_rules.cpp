@@ -40,6 +40,10 @@ TreeRules::TreeRules(const model::Tree& tree)
   }
 }
 
+bool TreeRules::holds(const std::vector<bool>& held) const {
+  return tree_.root != model::no_index && evaluate(tree_, held)[tree_.root];
+}
+
 bool TreeRules::shows(std::uint32_t primitive, const std::vector<bool>& held) const {
   const std::vector<bool> value = evaluate(tree_, held);
   for (std::uint32_t below = leaf_of_[primitive], at = places_[below].parent; at != model::no_index;

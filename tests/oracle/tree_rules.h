@@ -13,6 +13,9 @@ class TreeRules {
   /// Keeps a reference to the tree.
   explicit TreeRules(const model::Tree& tree);
 
+  /// Whether the model holds a point. `held` says of each primitive whether it does.
+  [[nodiscard]] bool holds(const std::vector<bool>& held) const;
+
   /// Whether the primitive is on the right of an odd number of differences: then its back is what can be seen.
   [[nodiscard]] bool taken_away(std::uint32_t primitive) const { return places_[leaf_of_[primitive]].taken_away; }
 

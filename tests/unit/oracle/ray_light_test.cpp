@@ -1,0 +1,134 @@
+#include "tests/oracle/ray_light.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/unit/oracle/stage.h"
+
+using namespace csgsim;
+using testing::box;
+using testing::is_near;
+using testing::Stage;
+
+namespace {
+
+const std::string wall = box({-9, 5, -7}, {9, 6, 7});
+constexpr glm::dvec3 yellow{0.976, 0.843, 0.173};
+constexpr glm::dvec3 green{0.616, 0.796, 0.318};
+
+glm::dvec3 middle_of(const std::string& csg, const scene::Scene& scene) {
+  Stage stage(csg, scene);
+  stage.cast();
+  return stage.at(0, 0).colour;
+}
+
+scene::Scene lit_by(const scene::Light& light) {
+  scene::Scene scene;
+  scene.lights.push_back(light);
+  return scene;
+}
+
+scene::Scene with_material(scene::Scene scene, const scene::Material& material) {
+  scene::MaterialRule rule;
+  rule.material = material;
+  scene.materials.push_back(rule);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("without lights a face to the eye gets 0.3 of ambient light and 0.7 times the cosine of the usual one") {
+  // Its direction is 0.36, -0.56, 0.75: of length sqrt(1.0057), 0.75 along the view.
+  const double part = 0.3 + 0.7 * 0.75 / std::sqrt(1.0057);
+  CHECK(is_near(middle_of(wall, {}), part * yellow));
+}
+
+TEST_CASE("the walls that a solid leaves where it is subtracted are green, or of its own colour") {
+  const std::string cut = box({-1, 4, -1}, {1, 5.5, 1});
+  const double part = 0.3 + 0.7 * 0.75 / std::sqrt(1.0057);
+  CHECK(is_near(middle_of("difference(){" + wall + cut + "}", {}), part * green));
+  const std::string blue = testing::coloured({0, 0, 1}, cut);
+  CHECK(is_near(middle_of("difference(){" + wall + blue + "}", {}), glm::dvec3(0, 0, part)));
+}
+
+TEST_CASE("a light gives the cosine of its angle, in its colour; behind a face it gives nothing") {
+  scene::Light light = testing::shining({3, 4, 0});
+  light.colour = {1, 0.5, 0};
+  light.intensity = 0.5;
+  CHECK(is_near(middle_of(wall, lit_by(light)), yellow * (0.3 + 0.4 * glm::dvec3(1, 0.5, 0))));
+  light.direction = {3, -4, 0};
+  CHECK(is_near(middle_of(wall, lit_by(light)), yellow * 0.3));
+}
+
+TEST_CASE("lights add up to no more than white") {
+  scene::Scene scene = lit_by(testing::shining({0, 1, 0}));
+  scene.lights.push_back(testing::shining({0, 1, 0}));
+  CHECK(is_near(middle_of(testing::coloured({1, 0.5, 0.1}, wall), scene), {1, 0.85, 0.17}));
+}
+
+TEST_CASE("a light in the camera's axes is turned with it") {
+  scene::Light light = testing::shining({0, -3, 4});  // downward and away from the eye: 0, 4, -3 of the model
+  light.axes = scene::Axes::camera;
+  CHECK(is_near(middle_of(wall, lit_by(light)), yellow * (0.3 + 0.7 * 0.8)));
+}
+
+TEST_CASE("a point light shines on a facet as it does on the middle of its corners") {
+  scene::Light light;
+  light.kind = scene::LightKind::point;
+  light.position = {3, 1, 0};  // the middle is at 0, 5, 0: 5 away, 4 of them along the normal
+  Stage stage(wall, lit_by(light));
+  stage.cast();
+  CHECK(is_near(stage.at(0, 0).colour, yellow * (0.3 + 0.7 * 0.8)));
+  CHECK(is_near(stage.at(8, 6).colour, yellow * (0.3 + 0.7 * 0.8)));
+}
+
+TEST_CASE("a material says what part of ambient light and of lights its surfaces throw back") {
+  const scene::Scene scene = lit_by(testing::shining({0, 1, 0}));
+  CHECK(is_near(middle_of(wall, with_material(scene, {.ambient = 0.5, .diffuse = 0.25})), yellow * (0.15 + 0.175)));
+}
+
+TEST_CASE("a highlight is the light's colour by the power of the cosine to halfway between light and eye") {
+  scene::Light light = testing::shining({1, 0, 0});
+  light.direction = {std::sqrt(3.0) / 2, 0.5, 0};  // 60 degrees from the normal: halfway to the eye are 30
+  light.colour = {1, 0, 0};
+  light.intensity = 0.5;
+  const scene::Material shiny{.ambient = 0, .diffuse = 0, .specular = 0.8, .shininess = 6};
+  const double highlight = 0.5 * 0.8 * std::pow(0.75, 3);
+  CHECK(is_near(middle_of(wall, with_material(lit_by(light), shiny)), {highlight, 0, 0}));
+}
+
+TEST_CASE("in perspective a facet's highlight is that of the middle of its corners") {
+  const scene::Material shiny{.ambient = 0, .diffuse = 0, .specular = 1, .shininess = 2};
+  scene::Light light = testing::shining({0, 1, 0});
+  light.intensity = 0.5;
+  // From 0, 5, 0 the eye is at an angle whose tangent is 3/4 from the normal; half of it has tangent 1/3.
+  Stage stage(wall, with_material(lit_by(light), shiny));
+  stage.shot.camera = {{60, -75, 0}, {0, 5, 0}, view::Projection::perspective};
+  stage.cast();
+  REQUIRE(stage.at(0, 0).primitive == 0);
+  CHECK(is_near(stage.at(0, 0).colour, glm::dvec3(0.5 * 0.9)));
+  CHECK(is_near(stage.at(2, 1).colour, glm::dvec3(0.5 * 0.9)));
+}
+
+TEST_CASE("the last rule that holds for a primitive says its material and, if it names one, its colour") {
+  scene::Scene scene = testing::plain_colours();
+  const std::string model = testing::coloured({0, 0.5, 0}, wall);
+  scene::MaterialRule all;
+  all.colour = glm::dvec3(1, 0, 0);
+  scene.materials.push_back(all);
+  CHECK(is_near(middle_of(model, scene), {1, 0, 0}));
+  scene::MaterialRule half;
+  half.of_colour = glm::dvec3(0, 0.5, 0);
+  half.material.ambient = 0.5;
+  scene.materials.push_back(half);
+  CHECK(is_near(middle_of(model, scene), {0, 0.25, 0}));
+  scene::MaterialRule elsewhere;
+  elsewhere.from_line = 7;
+  elsewhere.to_line = 9;
+  scene.materials.push_back(elsewhere);
+  CHECK(is_near(middle_of(model, scene), {0, 0.25, 0}));
+  scene.materials.back().from_line = 1;
+  CHECK(is_near(middle_of(model, scene), {0, 0.5, 0}));
+}

@@ -1,0 +1,173 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "tests/unit/oracle/stage.h"
+
+using namespace csgsim;
+using testing::box;
+using testing::coloured;
+using testing::is_near;
+using testing::Stage;
+
+namespace {
+
+constexpr glm::dvec3 grey{0.4, 0.4, 0.4};
+constexpr glm::dvec3 red{1, 0, 0};
+
+/// A slab whose front face is x + y = 0: it turns the view to the left.
+const std::string mirror = coloured(
+    grey,
+    "multmatrix([[0.7071067811865476,0.7071067811865476,0,0],[-0.7071067811865476,0.7071067811865476,0,0],[0,0,1,0],"
+    "[0,0,0,1]]){" +
+        box({-6, 0, -4.5}, {6, 1, 4.5}) + "}");
+
+/// To the left of it; its right face is at x = -7. The pixel at x shows what is at y = -x.
+const std::string cube = coloured(red, box({-9, -0.5, -0.5}, {-7, 2.5, 1.5}));
+
+const std::string both = "union(){" + mirror + cube + "}";
+
+testing::RayEffects mirroring(double reflectance, unsigned reflections = 1) {
+  testing::RayEffects effects;
+  effects.mirrors = {{0, std::nullopt, reflectance}};
+  effects.reflections = reflections;
+  return effects;
+}
+
+}  // namespace
+
+TEST_CASE("a mirror at 45 degrees shows a cube beside it where its mirror image is") {
+  Stage stage(both, testing::plain_colours());
+  stage.cast(mirroring(0.75));
+  for (std::int32_t x = -4; x <= 3; ++x) {
+    for (std::int32_t z = -3; z <= 3; ++z) {
+      const bool is_image = x >= -2 && x <= 0 && z >= 0 && z <= 1;
+      CAPTURE(x);
+      CAPTURE(z);
+      CHECK(is_near(stage.at(x, z).colour, 0.25 * grey + (is_image ? 0.75 * red : glm::dvec3(0))));
+      CHECK(stage.at(x, z).primitive == 0);
+      CHECK(stage.at(x, z).is_certain);
+    }
+  }
+  CHECK(is_near(stage.at(-8, 0).colour, red));
+}
+
+TEST_CASE("the edge of what a mirror shows is in doubt") {
+  Stage stage("union(){" + mirror + box({-9, -1, -0.5}, {-7, 2.5, 1.5}) + "}", testing::plain_colours());
+  stage.cast(mirroring(0.75));
+  CHECK_FALSE(stage.at(1, 0).is_certain);
+  CHECK(stage.at(1, 3).is_certain);
+}
+
+TEST_CASE("what is in doubt is in doubt in a mirror too") {
+  const std::string sheet = box({-7, -0.5, -0.5}, {-6.999, 2.5, 1.5});
+  Stage stage("union(){" + mirror + cube + sheet + "}", testing::plain_colours());
+  stage.cast(mirroring(0.75), {0.01, 1e-4});
+  CHECK(stage.at(-1, 0).is_certain);
+  stage.cast(mirroring(0.75), {0.01, 1e-2});
+  CHECK_FALSE(stage.at(-1, 0).is_certain);
+  CHECK(stage.at(3, 0).is_certain);
+}
+
+TEST_CASE("without reflections a mirror has its own colour") {
+  Stage stage(both, testing::plain_colours());
+  stage.cast(mirroring(0.75, 0));
+  CHECK(is_near(stage.at(-1, 0).colour, grey));
+}
+
+TEST_CASE("only the facets that are mirrors show anything") {
+  Stage stage(both, testing::plain_colours());
+  stage.cast();
+  const std::uint32_t front = stage.at(-1, 0).halfspace;
+  testing::RayEffects effects = mirroring(0.75);
+  effects.mirrors.front().halfspace = front;
+  stage.cast(effects);
+  CHECK(is_near(stage.at(-1, 0).colour, 0.25 * grey + 0.75 * red));
+  effects.mirrors.front().halfspace = front + 1;
+  stage.cast(effects);
+  CHECK(is_near(stage.at(-1, 0).colour, grey));
+}
+
+TEST_CASE("mirrors are seen in mirrors as often as is asked for") {
+  Stage stage(both, testing::plain_colours());
+  testing::RayEffects effects = mirroring(0.75, 1);
+  effects.mirrors.push_back({1, std::nullopt, 0.5});
+  stage.cast(effects);
+  CHECK(is_near(stage.at(-1, 0).colour, 0.25 * grey + 0.75 * red));
+  effects.reflections = 2;  // the cube's face sends the view back to where it came from
+  stage.cast(effects);
+  CHECK(is_near(stage.at(-1, 0).colour, 0.25 * grey + 0.75 * (0.5 * red + 0.5 * grey)));
+}
+
+TEST_CASE("what stands behind a mirror is not seen in it") {
+  const std::string behind = coloured(red, box({-3, 4, -3}, {4, 6, 3}));
+  Stage stage("union(){" + mirror + behind + "}", testing::plain_colours());
+  stage.cast(mirroring(0.75));
+  CHECK(is_near(stage.at(0, 0).colour, 0.25 * grey));
+}
+
+TEST_CASE("in a mirror the light is where it is, and highlights are those that its eye sees") {
+  scene::Scene scene;
+  scene.background.colour = glm::dvec3(0);
+  scene.lights.push_back(testing::shining({-1, 0, 0}));
+  scene.lights.front().intensity = 0.5;
+  scene::MaterialRule shiny;
+  shiny.material = {.ambient = 1, .diffuse = 1, .specular = 0.2, .shininess = 100};
+  scene.materials.push_back(shiny);
+  Stage stage(both, scene);
+  stage.cast(mirroring(1));
+  // The mirrored eye looks at the cube's right face from where the light comes from.
+  CHECK(is_near(stage.at(-1, 0).colour, (0.3 + 0.5) * red + 0.1));
+}
+
+TEST_CASE("what a mirror shows is in shadow where it is, and faded by the whole way") {
+  scene::Scene scene;
+  scene.background.colour = glm::dvec3(0);
+  scene.lights.push_back(testing::shining({-1, 0, -1}));
+  const std::string roof = box({-4.8, -3, 3}, {-4.2, 3, 4});  // between the right face of the cube and the light
+  Stage stage("union(){" + mirror + cube + roof + "}", scene);
+  testing::RayEffects effects = mirroring(1);
+  stage.cast(effects);
+  const double lit = 0.3 + 0.7 / std::sqrt(2.0);
+  for (const std::int32_t z : {0, 1}) CHECK(is_near(stage.at(-1, z).colour, lit * red));
+  effects.has_shadows = true;
+  stage.cast(effects);
+  // From -7, y, z the way to the light is at x = 3 - z - 7 when it comes to the roof's height, and 1 farther when it
+  // leaves it.
+  CHECK(is_near(stage.at(-1, 1).colour, 0.3 * red));
+  CHECK(is_near(stage.at(-1, 0).colour, lit * red));
+
+  // At x = -1 the mirror is at y = 1, and from there 6 to the cube.
+  const double eye_to_origin = stage.at(-1, 1).depth - 1.0;
+  effects.cue = testing::RayCue{eye_to_origin + 5, eye_to_origin + 13, {0, 0, 1}};
+  effects.has_shadows = false;
+  stage.cast(effects);
+  CHECK(is_near(stage.at(-1, 0).colour, lit * red * 0.75 + glm::dvec3(0, 0, 0.25)));
+}
+
+TEST_CASE("in perspective a mirror shows the image that is as far behind it as the thing is before it") {
+  // A mirror across the view, and behind the eye's back a cube, as seen from the mirror image of the eye.
+  const std::string across = coloured(grey, box({-50, 40, -50}, {50, 41, 50}));
+  const std::string thing = coloured(red, box({4, -5, 2}, {9, 0, 6}));
+  Stage stage("union(){" + across + thing + "}", testing::plain_colours());
+  stage.shot.camera = {{0, 10, 0}, {0, 40, 0}, view::Projection::perspective};
+  stage.cast(mirroring(0.5));
+  // Mirrored, its nearest face is at y = 80, 70 from the eye, where a pixel is 140 tan(11.25 deg) / 25 = 1.1139.
+  // Only that face is seen: the others are behind it, or turned away from the axis.
+  const double pixel = 140 * view::half_height_per_distance() / 25;
+  int images = 0;
+  for (std::int32_t x = -11; x <= 11; ++x) {
+    for (std::int32_t z = -11; z <= 11; ++z) {
+      if (!stage.at(x, z).is_certain) continue;
+      const bool faces = x * pixel > 4 && x * pixel < 9 && z * pixel > 2 && z * pixel < 6;
+      const double far = pixel * 75 / 70;  // the left and lower sides reach to 75 from the eye
+      const bool sides = x * far > 4 && x * far < 9 && z * far > 2 && z * far < 6;
+      CAPTURE(x);
+      CAPTURE(z);
+      CHECK(is_near(stage.at(x, z).colour, 0.5 * grey + (faces || sides ? 0.5 * red : glm::dvec3(0))));
+      images += faces ? 1 : 0;
+    }
+  }
+  CHECK(images >= 9);
+}
