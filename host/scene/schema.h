@@ -35,6 +35,8 @@ struct Key {
   std::string_view meaning;
   void (*store)(std::any& section, const Value& value) = nullptr;
   std::span<const std::string_view> names{};
+  /// The value in a section; nothing where none is said.
+  std::optional<Value> (*load)(const std::any& section) = nullptr;
 };
 
 /// A table of the scene file, or a list of tables of the same form.
@@ -78,38 +80,83 @@ void store(std::any& section, const Value& value) {
   std::any_cast<typename Of::struct_type&>(section).*member = static_cast<Wanted>(std::get<Held>(value));
 }
 
+template <auto member, class Held>
+std::optional<Value> load(const std::any& section) {
+  using Of = OfMember<decltype(member)>;
+  const auto& value = std::any_cast<const typename Of::struct_type&>(section).*member;
+  if constexpr (requires { value.has_value(); }) {
+    if (!value) return std::nullopt;
+    return Value(static_cast<Held>(*value));
+  } else {
+    return Value(static_cast<Held>(value));
+  }
+}
+
 }  // namespace detail
 
 template <auto member>
 constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
-  return {name, ValueKind::boolean, "", 0, 0, meaning, detail::store<member, bool>};
+  return {name, ValueKind::boolean, "", 0, 0, meaning, detail::store<member, bool>, {}, detail::load<member, bool>};
 }
 
 template <auto member>
 constexpr Key integer_key(std::string_view name, std::string_view unit, double least, double most,
                           std::string_view meaning) {
-  return {name, ValueKind::integer, unit, least, most, meaning, detail::store<member, std::int64_t>};
+  return {name,
+          ValueKind::integer,
+          unit,
+          least,
+          most,
+          meaning,
+          detail::store<member, std::int64_t>,
+          {},
+          detail::load<member, std::int64_t>};
 }
 
 template <auto member>
 constexpr Key number_key(std::string_view name, std::string_view unit, double least, double most,
                          std::string_view meaning) {
-  return {name, ValueKind::number, unit, least, most, meaning, detail::store<member, double>};
+  return {name, ValueKind::number,           unit, least, most, meaning, detail::store<member, double>,
+          {},   detail::load<member, double>};
 }
 
 template <auto member>
 constexpr Key vector_key(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {name, ValueKind::vector, unit, -any_number, any_number, meaning, detail::store<member, glm::dvec3>};
+  return {name,
+          ValueKind::vector,
+          unit,
+          -any_number,
+          any_number,
+          meaning,
+          detail::store<member, glm::dvec3>,
+          {},
+          detail::load<member, glm::dvec3>};
 }
 
 template <auto member>
 constexpr Key colour_key(std::string_view name, std::string_view meaning) {
-  return {name, ValueKind::colour, "", 0, 1, meaning, detail::store<member, glm::dvec3>};
+  return {name,
+          ValueKind::colour,
+          "",
+          0,
+          1,
+          meaning,
+          detail::store<member, glm::dvec3>,
+          {},
+          detail::load<member, glm::dvec3>};
 }
 
 template <auto member>
 constexpr Key choice_key(std::string_view name, std::span<const std::string_view> names, std::string_view meaning) {
-  return {name, ValueKind::choice, "", 0, 0, meaning, detail::store<member, std::int64_t>, names};
+  return {name,
+          ValueKind::choice,
+          "",
+          0,
+          0,
+          meaning,
+          detail::store<member, std::int64_t>,
+          names,
+          detail::load<member, std::int64_t>};
 }
 
 template <class Settings>

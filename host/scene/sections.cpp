@@ -56,7 +56,10 @@ struct MaterialRuleKeys {
             [](std::any& section, const Value& value) {
               std::any_cast<MaterialRule&>(section).material.*member = std::get<double>(value);
             },
-            {}};
+            {},
+            [](const std::any& section) {
+              return std::optional<Value>(std::any_cast<const MaterialRule&>(section).material.*member);
+            }};
   }
 };
 

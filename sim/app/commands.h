@@ -18,7 +18,8 @@ namespace csgsim::app {
   COMMAND(effects)               \
   COMMAND(levels)                \
   COMMAND(machines)              \
-  COMMAND(isa)
+  COMMAND(isa)                   \
+  COMMAND(scene)
 
 #define CSGSIM_COMMAND_DECLARATION(name) void add_##name(CommandLine& line);
 CSGSIM_COMMANDS(CSGSIM_COMMAND_DECLARATION)

@@ -94,16 +94,16 @@ const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
 }
 
 ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names) const {
-  ModelOptions without = *this;
-  without.scene_ = nullptr;
+  ModelOptions fewer = *this;
+  fewer.scene_ = nullptr;
   for (const std::string& name : names) {
     const std::vector<scene::Section> sections = effects::sections();
     const bool is_list = std::any_of(sections.begin(), sections.end(), [&](const scene::Section& one) {
       return one.is_list && one.name == "effects." + name;
     });
-    without.sets.push_back("effects." + name + (is_list ? ".0" : "") + ".on=false");
+    fewer.sets.push_back("effects." + name + (is_list ? ".0" : "") + ".on=false");
   }
-  return without;
+  return fewer;
 }
 
 std::vector<std::string> pruning_names() {
@@ -114,7 +114,9 @@ std::vector<std::string> pruning_names() {
 
 void ModelOptions::add_to(Command& command) {
   command.option("MODEL", model, "The model, an OpenSCAD .csg file").required();
-  command.option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file");
+  command.option("--machine", machine,
+                 "A machine's name (see csgsim machines) or its .toml file; with figures changed: "
+                 "NAME+KEY=VALUE");
   command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
   add_view_to(command);
