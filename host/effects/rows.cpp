@@ -3,6 +3,7 @@
 #include <array>
 
 #include "host/effects/cuts.h"
+#include "host/effects/shadows.h"
 #include "host/effects/smooth.h"
 #include "host/emit/flat_shading.h"
 
@@ -10,7 +11,7 @@ namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array<const emit::Effect*, 3> rows{&emit::flat, &smooth, &cuts};
+constexpr std::array<const emit::Effect*, 4> rows{&emit::flat, &smooth, &cuts, &shadows};
 
 }  // namespace
 
