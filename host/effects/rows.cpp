@@ -2,16 +2,27 @@
 
 #include <array>
 
+#include "host/effects/antialias.h"
 #include "host/effects/cuts.h"
 #include "host/effects/shadows.h"
 #include "host/effects/smooth.h"
+#include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
 
 namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array<const emit::Effect*, 4> rows{&emit::flat, &smooth, &cuts, &shadows};
+// clang-format off
+constexpr std::array rows{
+    &emit::flat,
+    &smooth,
+    &cuts,
+    &shadows,
+    &transparency,
+    &antialias,
+};
+// clang-format on
 
 }  // namespace
 

@@ -43,6 +43,8 @@ struct Effect {
 
   /// Before a surface's depth test, where E is 1 at the pixels that have the surface: may clear E.
   void (*admit)(const EffectCall& call, Broadcast& out, const PlannedSurface& planned) = nullptr;
+  /// After a surface's merge, where E is 1 at the pixels that show it so far: may write fields, and leaves E.
+  void (*merge)(const EffectCall& call, Broadcast& out, const PlannedSurface& planned) = nullptr;
   /// Colours a facet into `field` where E is 1, and may clear E; E is 0 outside `pixels`. False if the facet is not the
   /// effect's: then nothing was broadcast.
   bool (*shade)(const EffectCall& call, Broadcast& out, const Facet& facet, isa::Field field,

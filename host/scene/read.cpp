@@ -105,10 +105,10 @@ class Reader {
     }
     try {
       section.keep(scene_, section, std::move(read));
-      if (is_effect && !is_on(table, section)) scene_.effects.back().is_on = false;
     } catch (const InputError& error) {
       fail(table, error.what());
     }
+    if (is_effect && !is_on(table, section)) scene_.effects.back().is_on = false;
   }
 
   [[nodiscard]] Value value_of(const toml::node& node, const Key& key, const std::string& name) const {
