@@ -8,6 +8,7 @@
 #include "host/effects/edges.h"
 #include "host/effects/equalise.h"
 #include "host/effects/mirrors.h"
+#include "host/effects/shadows.h"
 #include "host/effects/smooth.h"
 #include "host/effects/textures.h"
 #include "host/effects/transparency.h"
@@ -24,6 +25,7 @@ constexpr std::array rows{
     &smooth,
     &textures,
     &cuts,
+    &shadows,
     &mirrors,
     &transparency,
     &antialias,

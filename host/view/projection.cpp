@@ -162,11 +162,13 @@ ScreenPlane make_screen_plane(const EyeSpace& space, const isa::DepthScale& scal
 
 }  // namespace
 
-Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace) {
-  const bool same = plane.positive == halfspace.positive;
+Side side_of(const ScreenPlane& plane, bool positive) {
+  const bool same = plane.positive == positive;
   if (plane.kind == PlaneKind::edge) return same ? Side::edge_positive : Side::edge_negative;
   return same ? Side::front : Side::back;
 }
+
+Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace) { return side_of(plane, halfspace.positive); }
 
 RealLinear as_sampled(const RealLinear& linear, const Sampling& sampling) {
   return {linear.a, linear.b, linear.at_centre + linear.a * sampling.offset.x + linear.b * sampling.offset.y};
@@ -181,6 +183,11 @@ EyeSpace eye_space(const Camera& camera, const Sampling& sampling) {
           2.0 * half / sampling.height,
           (sampling.width - 1.0) / 2.0 - sampling.offset.x,
           (sampling.height - 1.0) / 2.0 - sampling.offset.y};
+}
+
+ScreenPlane screen_plane(const View& view, const facet::Plane& plane, const glm::dvec3& centre) {
+  const EyeSpace space = eye_space(view.camera, view.sampling);
+  return make_screen_plane(space, view.depth, view.sampling, to_eye(space, plane, centre));
 }
 
 View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling) {
