@@ -2,16 +2,27 @@
 
 #include <array>
 
+#include "host/effects/cuts.h"
 #include "host/effects/equalise.h"
 #include "host/effects/smooth.h"
 #include "host/effects/textures.h"
+#include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
 
 namespace csgsim::effects {
 
 namespace {
 
-constexpr std::array<const emit::Effect*, 4> rows{&emit::flat, &smooth, &textures, &equalise};
+// clang-format off
+constexpr std::array rows{
+    &emit::flat,
+    &smooth,
+    &textures,
+    &cuts,
+    &transparency,
+    &equalise,
+};
+// clang-format on
 
 }  // namespace
 
@@ -22,6 +33,15 @@ std::vector<scene::Section> sections() {
   sections.reserve(rows.size());
   for (const emit::Effect* const one : rows) sections.push_back(one->section);
   return sections;
+}
+
+model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene) {
+  for (const emit::Effect* const row : rows) {
+    if (row->reshape == nullptr) continue;
+    for (const scene::CalledEffect& one : scene.effects)
+      if (one.is_on && one.name == row->section.name) tree = row->reshape(one.settings, std::move(tree));
+  }
+  return std::move(tree);
 }
 
 }  // namespace csgsim::effects

@@ -5,6 +5,8 @@
 
 #include "host/emit/effect.h"
 #include "host/emit/options.h"
+#include "host/model/tree.h"
+#include "host/scene/scene.h"
 
 /// The effects: a file each, and a row in rows.cpp.
 namespace csgsim::effects {
@@ -14,5 +16,8 @@ std::span<const emit::Effect* const> all();
 
 /// Their sections of a scene file.
 std::vector<scene::Section> sections();
+
+/// The model as the effects that the scene calls for make it. Throws InputError where their settings do not fit it.
+model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene);
 
 }  // namespace csgsim::effects

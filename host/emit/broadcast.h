@@ -54,7 +54,8 @@ class Broadcast {
   /// E stays 1 where the line is not negative (or is negative); E has to be 0 outside `pixels`.
   void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
 
-  /// E stays 1 where the bit `width - 1` of the line is 1, counted from 0: on stripes 2^(width - 1) wide.
+  /// E stays 1 where bit `width` - 1 of the line's value is 1: in every other of the stripes in which the value goes
+  /// through 2^(width - 1) steps.
   void stripe(const view::FixedLinear& line, unsigned width);
 
   /// E stays 1 where the field holds that number.

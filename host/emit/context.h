@@ -30,6 +30,7 @@ struct CalledEffect {
 /// What an effect prepares for a drawing.
 struct EffectState {
   std::any own;
+  std::vector<bool> apart;  ///< by primitive: whose surfaces the effect draws itself; empty: none
   std::vector<std::shared_ptr<const Drawing>> drawings;  ///< within it, if the effect makes some
 };
 
@@ -67,9 +68,10 @@ struct Context {
   unsigned nesting = 0;                              ///< drawings that this one is within
   isa::Field base{};                                 ///< a bit that is 1 where the drawing is made; width 0: everywhere
   isa::Field beyond{};                               ///< only what is behind this depth is seen; width 0: all
-  const std::vector<bool>* drawn = nullptr;          ///< by primitive: whose surfaces are drawn; null: all
-  const lighting::Lighting* lights = nullptr;        ///< in place of the look's
-  const Paint* paint = nullptr;                      ///< in place of colours
+  const std::vector<bool>* drawn =
+      nullptr;  ///< by primitive: whose surfaces are drawn; null: all but what effects draw
+  const lighting::Lighting* lights = nullptr;  ///< in place of the look's
+  const Paint* paint = nullptr;                ///< in place of colours
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {
@@ -83,5 +85,8 @@ struct Context {
   }
   [[nodiscard]] const lighting::Lighting& lighting() const { return lights != nullptr ? *lights : look.lighting; }
 };
+
+/// The same drawing into other fields.
+Context with_layout(const Context& context, const Layout& layout);
 
 }  // namespace csgsim::emit

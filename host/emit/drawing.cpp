@@ -15,17 +15,22 @@ namespace csgsim::emit {
 namespace {
 
 /// By primitive; empty where all hide what is behind them.
-std::vector<bool> see_through(const Look& look, std::span<const CalledEffect> called) {
+std::vector<double> opacities(const Look& look, std::span<const CalledEffect> called) {
   const bool any =
       std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.effect->sees_through; });
-  std::vector<bool> through;
-  if (!any) return through;
-  for (const lighting::Finish& finish : look.finishes) through.push_back(finish.opacity < 1);
-  return through;
+  std::vector<double> all;
+  if (!any) return all;
+  for (const lighting::Finish& finish : look.finishes) all.push_back(finish.opacity);
+  return all;
 }
 
 bool is_drawn(const Context& context, const PlannedSurface& planned) {
-  return context.drawn == nullptr || (*context.drawn)[planned.primitive()];
+  if (context.drawn != nullptr) return (*context.drawn)[planned.primitive()];
+  for (std::size_t i = 0; i < context.called.size(); ++i) {
+    const std::vector<bool>& apart = (*context.states)[i].apart;
+    if (((context.left_out >> i) & 1U) == 0 && !apart.empty() && apart[planned.primitive()]) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -44,7 +49,7 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
   drawing->nesting = nesting;
   drawing->look = make_look(options.scene, *drawing->tree, csg::make_positive(*drawing->tree), drawing->view.camera);
   drawing->plan = make_plan(*drawing->tree, *drawing->scene, drawing->view, machines::regions(workshop.machine),
-                            pruning, see_through(drawing->look, workshop.called));
+                            pruning, opacities(drawing->look, workshop.called));
   for (const CalledEffect& one : workshop.called) {
     drawing->states.push_back(one.effect->prepare != nullptr ? one.effect->prepare(one.settings, *drawing, workshop)
                                                              : EffectState{});
@@ -72,6 +77,22 @@ Context context_of(const Drawing& drawing, const Context& outer) {
   inner.nesting = drawing.nesting;
   inner.base = outer.base;
   return inner;
+}
+
+Context with_layout(const Context& context, const Layout& layout) {
+  Context other{context.tree, context.scene,   context.view,    context.positive, context.plan,
+                layout,       context.options, context.machine, context.look};
+  other.segment = context.segment;
+  other.called = context.called;
+  other.states = context.states;
+  other.left_out = context.left_out;
+  other.nesting = context.nesting;
+  other.base = context.base;
+  other.beyond = context.beyond;
+  other.drawn = context.drawn;
+  other.lights = context.lights;
+  other.paint = context.paint;
+  return other;
 }
 
 void emit_setup(const Context& context, Broadcast& out) {

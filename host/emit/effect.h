@@ -32,6 +32,8 @@ struct Effect {
 
   /// Whether a model calls for it by itself, where the scene does not say it.
   bool (*called_by)(const Look& look) = nullptr;
+  /// The model that is drawn in place of the file's. Throws InputError where the settings do not fit it.
+  model::Tree (*reshape)(const std::any& settings, model::Tree&& tree) = nullptr;
   /// Throws InputError where the settings do not fit the model. Called once for each drawing.
   EffectState (*prepare)(const std::any& settings, const Drawing& drawing, const Workshop& workshop) = nullptr;
   /// Bits of pixel memory besides those of every picture; of `drawing`, the camera's own.
@@ -41,6 +43,8 @@ struct Effect {
 
   /// Before a surface's depth test, where E is 1 at the pixels that have the surface: may clear E.
   void (*admit)(const EffectCall& call, Broadcast& out, const PlannedSurface& planned) = nullptr;
+  /// After a surface's merge, where E is 1 at the pixels that show it so far: may write fields, and leaves E.
+  void (*merge)(const EffectCall& call, Broadcast& out, const PlannedSurface& planned) = nullptr;
   /// Colours a facet into `field` where E is 1, and may clear E; E is 0 outside `pixels`. False if the facet is not the
   /// effect's: then nothing was broadcast.
   bool (*shade)(const EffectCall& call, Broadcast& out, const Facet& facet, isa::Field field,

@@ -18,11 +18,11 @@ bool hides(const PlannedSurface& front, const csg::Block& block, const facet::Sc
 }
 
 void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Scene& scene,
-                 const view::View& view, const std::vector<bool>& see_through) {
+                 const view::View& view, const std::vector<double>& opacity) {
   // A solid that hides another may be hidden itself: what hides it hides the other too.
   std::vector<const PlannedSurface*> nearest_first;
   for (const PlannedSurface& one : plan.surfaces)
-    if (see_through.empty() || !see_through[one.primitive()]) nearest_first.push_back(&one);
+    if (opacity.empty() || opacity[one.primitive()] >= 1) nearest_first.push_back(&one);
   std::stable_sort(nearest_first.begin(), nearest_first.end(),
                    [](const PlannedSurface* a, const PlannedSurface* b) { return a->block.z_low < b->block.z_low; });
   const auto hidden = [&](const PlannedSurface& one) {
@@ -38,13 +38,13 @@ void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const fac
   std::erase_if(plan.surfaces, [&](const PlannedSurface&) { return drop[index++]; });
 }
 
-/// The sets, those that hold both primitives to see through and others each in its own.
-std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, const std::vector<bool>& see_through) {
-  if (see_through.empty()) return sets;
+/// The sets; of those that hold primitives of different opacities each primitive on its own.
+std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, const std::vector<double>& opacity) {
+  if (opacity.empty()) return sets;
   std::vector<csg::ConvexSet> result;
   for (const csg::ConvexSet& set : sets) {
-    const auto clear = std::count_if(set.begin(), set.end(), [&](std::uint32_t one) { return see_through[one]; });
-    if (clear == 0 || clear == static_cast<std::ptrdiff_t>(set.size())) {
+    const auto is_other = [&](std::uint32_t one) { return opacity[one] != opacity[set.front()]; };
+    if (std::none_of(set.begin(), set.end(), is_other)) {
       result.push_back(set);
     } else {
       for (const std::uint32_t one : set) result.push_back({one});
@@ -81,10 +81,10 @@ std::uint32_t Plan::depth() const {
 
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
                const std::vector<isa::Region>& regions, const csg::Pruning& pruning,
-               const std::vector<bool>& see_through) {
+               const std::vector<double>& opacity) {
   Plan plan;
   plan.positive = csg::make_positive(tree);
-  const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), see_through);
+  const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), opacity);
   const csg::Pruner pruner(scene, view, plan.positive, pruning);
   for (const isa::Region& region : regions) {
     SegmentPlan& segment = plan.segments.emplace_back();
@@ -96,7 +96,7 @@ Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::V
       csg::ActiveTree active = pruner.active_tree(set, block);
       if (!active.nothing) segment.surfaces.push_back({set, block, std::move(active), 0});
     }
-    if (pruning.hidden) drop_hidden(segment, plan.positive, scene, view, see_through);
+    if (pruning.hidden) drop_hidden(segment, plan.positive, scene, view, opacity);
     std::uint32_t number = 0;
     for (PlannedSurface& one : segment.surfaces) one.number = ++number;
   }

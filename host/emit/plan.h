@@ -40,9 +40,9 @@ struct Plan {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// `see_through`, by primitive: those that hide nothing, and that no set mixes with others; empty if there are none.
+/// `opacity`, by primitive: those below 1 hide nothing, and no set mixes different ones; empty if all are 1.
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
                const std::vector<isa::Region>& regions, const csg::Pruning& pruning,
-               const std::vector<bool>& see_through = {});
+               const std::vector<double>& opacity = {});
 
 }  // namespace csgsim::emit

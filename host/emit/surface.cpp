@@ -164,6 +164,10 @@ void emit_merge(const Context& context, Broadcast& out, const PlannedSurface& pl
   const Layout& layout = context.layout;
   out.origin = {isa::Purpose::merge, planned.primitive(), planned.set.size() > 1 ? planned.primitive() : isa::no_node};
   out.plain(Opcode::copy, layout.depth, layout.candidate);
+  for_effects(context, out, &Effect::merge, [&](const Effect& effect, const EffectCall& call) {
+    effect.merge(call, out, planned);
+    return false;
+  });
   if (layout.owner.width > 0) {
     out.plain(Opcode::set_constant, layout.owner, {}, planned.number);
   } else if (layout.candidate_colour.width > 0) {

@@ -38,6 +38,7 @@ class PlaneTable {
   /// Canonical planes: normals whose first component that is not 0 is positive, offsets relative to `centre()`.
   [[nodiscard]] const std::vector<Plane>& planes() const { return planes_; }
   [[nodiscard]] const glm::dvec3& centre() const { return centre_; }
+  [[nodiscard]] double diagonal() const { return diagonal_; }
 
  private:
   struct Index;

@@ -53,18 +53,19 @@ struct Location {
   std::uint32_t column = 0;
 };
 
+inline constexpr std::uint32_t no_index = 0xffffffffU;
+
 /// A solid of the model, in place.
 struct Primitive {
   Shape shape;
   glm::dmat4 transform{1};           ///< object to model space; the last row is 0 0 0 1
   std::optional<glm::dvec3> colour;  ///< red, green, blue in [0, 1], if the model says one
   Location location;
-  double opacity = 1;  ///< alpha of the colour: from 0, clear, to 1, opaque
+  double opacity = 1;                ///< alpha of the colour: from 0, clear, to 1, opaque
+  std::uint32_t section = no_index;  ///< number of the cutting plane that it stands for, if it is none of the file's
 };
 
 enum class Operator : std::uint8_t { unite, subtract, intersect };
-
-inline constexpr std::uint32_t no_index = 0xffffffffU;
 
 /// A node of the tree: a leaf that names a primitive, or an operator over at least two children.
 /// `subtract` takes all further children from the first.

@@ -103,14 +103,12 @@ class Reader {
       const toml::node* const node = table.get(key.name);
       if (node != nullptr) key.store(read, value_of(*node, key, fmt::format("{}.{}", section.name, key.name)));
     }
-    const bool is_called = !is_effect || is_on(table, section);
-    if (section.is_list && !is_called) return;  // the others of the list may be on
     try {
       section.keep(scene_, section, std::move(read));
-      if (is_effect) scene_.effects.back().is_on = is_called;
     } catch (const InputError& error) {
       fail(table, error.what());
     }
+    if (is_effect && !is_on(table, section)) scene_.effects.back().is_on = false;
   }
 
   [[nodiscard]] Value value_of(const toml::node& node, const Key& key, const std::string& name) const {

@@ -43,6 +43,8 @@ struct Key {
   std::string_view meaning;
   void (*store)(std::any& section, const Value& value) = nullptr;
   std::span<const std::string_view> names{};
+  /// The value in a section; nothing where none is said.
+  std::optional<Value> (*load)(const std::any& section) = nullptr;
 };
 
 /// A table of the scene file, or a list of tables of the same form.
@@ -87,48 +89,68 @@ void store_in(std::any& section, const Value& value) {
   target = static_cast<Wanted>(std::get<Held>(value));
 }
 
+template <class Of, class Held, auto... path>
+std::optional<Value> load_in(const std::any& section) {
+  const auto& value = ((std::any_cast<const Of&>(section)).*....*path);
+  if constexpr (requires { value.has_value(); }) {
+    if (!value) return std::nullopt;
+    return Value(static_cast<Held>(*value));
+  } else {
+    return Value(static_cast<Held>(value));
+  }
+}
+
+/// A key that is stored in a member of an Of, or in a member of that member, and so on.
+template <class Of, class Held, auto... path>
+constexpr Key bound(Key key) {
+  key.store = store_in<Of, Held, path...>;
+  key.load = load_in<Of, Held, path...>;
+  return key;
+}
+
+/// The same where the first member says of what it is one.
 template <class Held, auto member, auto... path>
-void store(std::any& section, const Value& value) {
-  store_in<typename OfMember<decltype(member)>::struct_type, Held, member, path...>(section, value);
+constexpr Key bound_to(const Key& key) {
+  return bound<typename OfMember<decltype(member)>::struct_type, Held, member, path...>(key);
 }
 
 }  // namespace detail
 
 template <auto... member>
 constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
-  return {name, ValueKind::boolean, "", 0, 0, meaning, detail::store<bool, member...>};
+  return detail::bound_to<bool, member...>({name, ValueKind::boolean, "", 0, 0, meaning});
 }
 
 template <auto... member>
 constexpr Key integer_key(std::string_view name, std::string_view unit, double least, double most,
                           std::string_view meaning) {
-  return {name, ValueKind::integer, unit, least, most, meaning, detail::store<std::int64_t, member...>};
+  return detail::bound_to<std::int64_t, member...>({name, ValueKind::integer, unit, least, most, meaning});
 }
 
 template <auto... member>
 constexpr Key number_key(std::string_view name, std::string_view unit, double least, double most,
                          std::string_view meaning) {
-  return {name, ValueKind::number, unit, least, most, meaning, detail::store<double, member...>};
+  return detail::bound_to<double, member...>({name, ValueKind::number, unit, least, most, meaning});
 }
 
 template <auto... member>
 constexpr Key vector_key(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {name, ValueKind::vector, unit, -any_number, any_number, meaning, detail::store<glm::dvec3, member...>};
+  return detail::bound_to<glm::dvec3, member...>({name, ValueKind::vector, unit, -any_number, any_number, meaning});
 }
 
 template <auto... member>
 constexpr Key colour_key(std::string_view name, std::string_view meaning) {
-  return {name, ValueKind::colour, "", 0, 1, meaning, detail::store<glm::dvec3, member...>};
+  return detail::bound_to<glm::dvec3, member...>({name, ValueKind::colour, "", 0, 1, meaning});
 }
 
 template <auto... member>
 constexpr Key colour_table_key(std::string_view name, std::string_view meaning) {
-  return {name, ValueKind::colour_table, "", 0, 1, meaning, detail::store<ColourTable, member...>};
+  return detail::bound_to<ColourTable, member...>({name, ValueKind::colour_table, "", 0, 1, meaning});
 }
 
 template <auto... member>
 constexpr Key choice_key(std::string_view name, std::span<const std::string_view> names, std::string_view meaning) {
-  return {name, ValueKind::choice, "", 0, 0, meaning, detail::store<std::int64_t, member...>, names};
+  return detail::bound_to<std::int64_t, member...>({name, ValueKind::choice, "", 0, 0, meaning, nullptr, names});
 }
 
 template <class Settings>
@@ -152,12 +174,12 @@ inline constexpr double last_line = 4'294'967'295.0;
 /// The keys that choose primitives, of a section that is a Chosen.
 template <class Of>
 inline constexpr std::array chosen_keys{
-    Key{"of_colour", ValueKind::colour, "", 0, 1, "for the primitives that have this colour in the model",
-        detail::store_in<Of, glm::dvec3, &Chosen::of_colour>},
-    Key{"from_line", ValueKind::integer, "", 1, last_line, "for those from this line of the model on",
-        detail::store_in<Of, std::int64_t, &Chosen::from_line>},
-    Key{"to_line", ValueKind::integer, "", 1, last_line, "to this line; from_line if not given",
-        detail::store_in<Of, std::int64_t, &Chosen::to_line>}};
+    detail::bound<Of, glm::dvec3, &Chosen::of_colour>(
+        {"of_colour", ValueKind::colour, "", 0, 1, "for the primitives that have this colour in the model"}),
+    detail::bound<Of, std::int64_t, &Chosen::from_line>(
+        {"from_line", ValueKind::integer, "", 1, last_line, "for those from this line of the model on"}),
+    detail::bound<Of, std::int64_t, &Chosen::to_line>(
+        {"to_line", ValueKind::integer, "", 1, last_line, "to this line; from_line if not given"})};
 
 /// Completes what was read. Throws InputError where the lines are none.
 void complete(Chosen& chosen);

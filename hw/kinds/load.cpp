@@ -18,6 +18,20 @@ namespace {
 constexpr InputKind machine_file{"a machine file, which ends in .toml", std::size_t{1} << 20U,
                                  "a machine is described in far less"};
 
+constexpr std::string_view file_ending = ".toml";
+
+/// Those of `+KEY=VALUE+KEY=VALUE`.
+std::vector<std::string> changes_of(std::string_view text) {
+  std::vector<std::string> changes;
+  while (!text.empty()) {
+    text.remove_prefix(1);
+    const std::size_t end = std::min(text.find('+'), text.size());
+    changes.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return changes;
+}
+
 }  // namespace
 
 std::vector<std::string_view> built_in_names() {
@@ -26,18 +40,23 @@ std::vector<std::string_view> built_in_names() {
   return names;
 }
 
-bool is_file(std::string_view name_or_file) { return name_or_file.ends_with(".toml"); }
+std::string_view file_of(std::string_view machine) {
+  if (machine.ends_with(file_ending)) return machine;
+  const std::string_view name = machine.substr(0, machine.find('+'));
+  return name.ends_with(file_ending) ? name : std::string_view();
+}
 
-machines::Machine load(const std::string& name_or_file) {
-  if (is_file(name_or_file)) {
-    return machines::read_description(read_file(name_or_file, machine_file), name_or_file, all());
-  }
-  const auto found = std::find_if(built_in().begin(), built_in().end(),
-                                  [&name_or_file](const BuiltIn& machine) { return machine.name == name_or_file; });
+machines::Machine load(const std::string& machine) {
+  const std::string file(file_of(machine));
+  const std::string name = file.empty() ? machine.substr(0, machine.find('+')) : file;
+  const std::vector<std::string> changes = changes_of(std::string_view(machine).substr(name.size()));
+  if (!file.empty()) return machines::read_description(read_file(file, machine_file), file, all(), changes);
+  const auto found =
+      std::find_if(built_in().begin(), built_in().end(), [&name](const BuiltIn& one) { return one.name == name; });
   if (found == built_in().end())
     throw InputError(fmt::format("unknown machine '{}'; the nearest known is '{}', and a file's name ends in .toml",
-                                 name_or_file, nearest(name_or_file, built_in_names())));
-  return machines::read_description(found->text, fmt::format("{}.toml", found->name), all());
+                                 name, nearest(name, built_in_names())));
+  return machines::read_description(found->text, fmt::format("{}.toml", found->name), all(), changes);
 }
 
 }  // namespace csgsim::kinds

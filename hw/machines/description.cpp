@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -189,10 +191,53 @@ class Reader {
   std::vector<Placed> figures_;
 };
 
+/// Every figure of a description, by key: tables that hold a value.
+void collect_figures(toml::table& table, const std::string& prefix, std::map<std::string, toml::table*>& figures) {
+  for (auto&& [key, node] : table) {
+    toml::table* const inner = node.as_table();
+    if (inner == nullptr) continue;
+    const std::string full = prefix + std::string(key.str());
+    if (inner->contains("value")) figures.emplace(full, inner);
+    collect_figures(*inner, full + ".", figures);
+  }
+}
+
+void put_change(toml::table& root, const std::string& change, std::string_view file) {
+  const std::size_t equals = change.find('=');
+  if (equals == change.npos) {
+    throw InputError(fmt::format("{}: '{}' changes no figure; say KEY=VALUE", file, printable(change)));
+  }
+  std::map<std::string, toml::table*> figures;
+  collect_figures(root, "", figures);
+  const std::string key = change.substr(0, equals);
+  const auto found = figures.find(key);
+  if (found == figures.end()) {
+    std::vector<std::string_view> known;
+    for (const auto& [name, table] : figures) known.push_back(name);
+    throw InputError(fmt::format("{}: unknown figure '{}'; the nearest known is '{}'", file, printable(key),
+                                 known.empty() ? "none" : nearest(key, known)));
+  }
+  const std::string value = change.substr(equals + 1);
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (error == std::errc() && end == value.data() + value.size()) {
+    found->second->insert_or_assign("value", number);
+  } else {
+    found->second->insert_or_assign("value", value);
+  }
+  found->second->insert_or_assign("provenance", "assumed");
+  found->second->insert_or_assign("source", "said with the machine's name");
+}
+
 }  // namespace
 
-Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds) {
-  return Reader(file, kinds).read(parse_toml(text, file));
+Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
+                         std::span<const std::string> changes) {
+  toml::table root = parse_toml(text, file);
+  for (const std::string& change : changes) put_change(root, change, file);
+  Machine machine = Reader(file, kinds).read(root);
+  for (const std::string& change : changes) machine.name += "+" + printable(change);
+  return machine;
 }
 
 }  // namespace csgsim::machines

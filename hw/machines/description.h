@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "hw/machines/kind.h"
@@ -8,7 +9,9 @@
 namespace csgsim::machines {
 
 /// Reads a description (TOML) of a machine of one of the kinds; `file` is its name in messages. Throws InputError, with
-/// file:line:column.
-Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds);
+/// file:line:column. Then each of `changes`, KEY=VALUE, takes the place of a figure's value, which is assumed from then
+/// on; the machine's name tells them.
+Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
+                         std::span<const std::string> changes = {});
 
 }  // namespace csgsim::machines

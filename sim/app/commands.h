@@ -15,9 +15,11 @@ namespace csgsim::app {
   COMMAND(sweep)                 \
   COMMAND(compare)               \
   COMMAND(subdivide)             \
+  COMMAND(effects)               \
   COMMAND(levels)                \
   COMMAND(machines)              \
-  COMMAND(isa)
+  COMMAND(isa)                   \
+  COMMAND(scene)
 
 #define CSGSIM_COMMAND_DECLARATION(name) void add_##name(CommandLine& line);
 CSGSIM_COMMANDS(CSGSIM_COMMAND_DECLARATION)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -92,6 +93,19 @@ const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
   return *scene_;
 }
 
+ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names) const {
+  ModelOptions fewer = *this;
+  fewer.scene_ = nullptr;
+  for (const std::string& name : names) {
+    const std::vector<scene::Section> sections = effects::sections();
+    const bool is_list = std::any_of(sections.begin(), sections.end(), [&](const scene::Section& one) {
+      return one.is_list && one.name == "effects." + name;
+    });
+    fewer.sets.push_back("effects." + name + (is_list ? ".0" : "") + ".on=false");
+  }
+  return fewer;
+}
+
 std::vector<std::string> pruning_names() {
   std::vector<std::string> names{"all"};
   for (const NamedPruning& pruning : prunings) names.emplace_back(pruning.name);
@@ -100,7 +114,9 @@ std::vector<std::string> pruning_names() {
 
 void ModelOptions::add_to(Command& command) {
   command.option("MODEL", model, "The model, an OpenSCAD .csg file").required();
-  command.option("--machine", machine, "A machine's name (see csgsim machines) or its .toml file");
+  command.option("--machine", machine,
+                 "A machine's name (see csgsim machines) or its .toml file; with figures changed: "
+                 "NAME+KEY=VALUE");
   command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
   add_view_to(command);
@@ -222,7 +238,7 @@ ModelFile read_model_file(const ModelOptions& options) {
     study::Hash hash;
     hash.add(text);
     hash.add(options.scene_text());
-    return ModelFile{read::read_csg_text(text, options.model), hash.text()};
+    return ModelFile{effects::reshaped(read::read_csg_text(text, options.model), options.scene()), hash.text()};
   });
 }
 

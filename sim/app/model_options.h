@@ -54,6 +54,9 @@ struct ModelOptions {
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
   [[nodiscard]] const std::string& scene_text() const { return loaded_scene().text; }
 
+  /// The same with those effects switched off, whatever the scene or the model calls for.
+  [[nodiscard]] ModelOptions without_effects(const std::vector<std::string>& names) const;
+
   /// The files that are read: the model, the scene, and the machine if it is one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
 

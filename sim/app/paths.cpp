@@ -22,7 +22,8 @@ bool ends_in(const std::filesystem::path& path, std::string_view ending) {
 std::vector<std::filesystem::path> input_files(const std::vector<std::string>& subjects,
                                                const std::vector<std::string>& machines) {
   std::vector<std::filesystem::path> files(subjects.begin(), subjects.end());
-  std::copy_if(machines.begin(), machines.end(), std::back_inserter(files), kinds::is_file);
+  for (const std::string& machine : machines)
+    if (const std::string_view file = kinds::file_of(machine); !file.empty()) files.emplace_back(file);
   return files;
 }
 

@@ -277,10 +277,26 @@ void Array::set_constant(Field target, std::uint64_t constant) {
     }
     return;
   }
+  if (const std::vector<Field> parts = memory_.parts(target); !parts.empty()) {
+    for (const Field& part : parts) {
+      const std::uint64_t ones = (std::uint64_t{1} << part.width) - 1;
+      set_constant(part, constant >> static_cast<unsigned>(part.base - target.base) & ones);
+    }
+    return;
+  }
   Lanes& lanes = memory_.lanes(target);
   if (bounds.empty()) return;
   set_lanes(enable_block(), memory_.at(lanes, bounds), static_cast<std::uint32_t>(constant));
   lanes.bounds = hull(lanes.bounds, bounds);
+}
+
+/// Whether the source is held in parts as those of the target.
+bool Array::has_parts_of(Field source, Field target, const std::vector<Field>& parts) const {
+  const std::vector<Field> others = memory_.parts(source);
+  return std::equal(parts.begin(), parts.end(), others.begin(), others.end(),
+                    [&](const Field& one, const Field& other) {
+                      return one.width == other.width && one.base - target.base == other.base - source.base;
+                    });
 }
 
 void Array::copy(Field target, Field source) {
@@ -292,6 +308,11 @@ void Array::copy(Field target, Field source) {
       write_where(enable_, to, from.bounds(),
                   [&from](std::uint32_t row, std::uint32_t column) { return from.word(row, column); });
     }
+    return;
+  }
+  if (const std::vector<Field> parts = memory_.parts(target); !parts.empty() && has_parts_of(source, target, parts)) {
+    for (const Field& part : parts)
+      copy(part, {static_cast<std::uint16_t>(source.base + part.base - target.base), part.width});
     return;
   }
   Lanes& to = memory_.lanes(target);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "hw/isa/instruction.h"
 #include "sim/functional/bit_plane.h"
@@ -50,6 +51,7 @@ class Array {
 
   void set_constant(isa::Field target, std::uint64_t constant);
   void copy(isa::Field target, isa::Field source);
+  [[nodiscard]] bool has_parts_of(isa::Field source, isa::Field target, const std::vector<isa::Field>& parts) const;
   void compare(isa::Opcode opcode, isa::Field left, isa::Field right);
   void combine_bits(const isa::Instruction& instruction);
   void combine_bit(isa::Opcode opcode, unsigned target, unsigned left, unsigned right);

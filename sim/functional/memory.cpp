@@ -97,6 +97,17 @@ Lanes& Memory::lanes(isa::Field field) {
   return lanes;
 }
 
+std::vector<isa::Field> Memory::parts(isa::Field field) const {
+  std::vector<isa::Field> parts;
+  for (unsigned bit = field.base; bit < field.end(); bit = parts.back().end()) {
+    const Lanes* const holder = holder_[bit];
+    if (holder == nullptr || holder->field.base != bit || holder->field.end() > field.end()) return {};
+    parts.push_back(holder->field);
+  }
+  if (parts.size() < 2) parts.clear();
+  return parts;
+}
+
 bool Memory::in_planes(isa::Field field) const {
   const auto first = holder_.begin() + field.base;
   return std::all_of(first, first + field.width, [](const Lanes* holder) { return holder == nullptr; });

@@ -20,7 +20,8 @@ struct Lanes {
 };
 
 /// The pixel memory of an array. Each bit is held in a bit plane or, while its field is used as a number, in lanes; the
-/// form changes when an instruction needs the other. Compiled Programs use a field one way, so that it seldom changes.
+/// form changes when an instruction needs the other. Compiled Programs use a field one way, so that it seldom changes;
+/// where they write a field now as a whole and now in parts, as colours and their channels, it stays in parts.
 class Memory {
  public:
   Memory(std::uint32_t width, std::uint32_t height, std::uint32_t bits);
@@ -42,6 +43,9 @@ class Memory {
     const Cells cells(rect);
     return lanes.values.data() + first_lane(cells.row, cells.column);
   }
+
+  /// The fields, within that one and lowest first, whose lanes hold all of it; none unless there are several.
+  [[nodiscard]] std::vector<isa::Field> parts(isa::Field field) const;
 
   /// Is every bit of the field held in a plane?
   [[nodiscard]] bool in_planes(isa::Field field) const;

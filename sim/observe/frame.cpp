@@ -72,8 +72,19 @@ void FrameObserver::after_instruction(const Step& step, const PixelState& state)
 
 void FrameObserver::after_segment(std::uint32_t segment, const PixelState& state) {
   if (!drawn_[segment]) return;
-  if (depth_.width > 0) place(state, depth_, frame_.depth);
+  if (depth_.width > 0) {
+    place(state, depth_, frame_.depth);
+    forget_unseen(state.region());
+  }
   if (colour_.width > 0) place(state, colour_, frame_.colour);
+}
+
+void FrameObserver::forget_unseen(const isa::Region& region) {
+  for (std::uint32_t y = 0; y < region.height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(region.y + y) * frame_.width + region.x;
+    for (std::size_t at = row; at < row + region.width; ++at)
+      if (frame_.depth[at] == nothing_in(depth_)) frame_.owner[at] = no_owner;
+  }
 }
 
 void FrameObserver::place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture) {

@@ -34,6 +34,8 @@ class FrameObserver : public Observer {
  private:
   [[nodiscard]] bool is_merge(const isa::Instruction& instruction) const;
   [[nodiscard]] bool colours_one_of_several(const isa::Instruction& instruction, isa::Field colour) const;
+  /// A picture may be drawn several times, one over the other: what was seen before is not any more.
+  void forget_unseen(const isa::Region& region);
   void place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
 
   isa::Field depth_;

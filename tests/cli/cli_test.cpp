@@ -223,6 +223,10 @@ TEST_CASE("the instruction set's page in docs is the one that csgsim prints") {
   CHECK(run("isa").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/instruction-set.md"));
 }
 
+TEST_CASE("the page of scene files in docs is the one that csgsim prints") {
+  CHECK(run("scene").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/scene-files.md"));
+}
+
 TEST_CASE("bad usage ends with exit code 2 and one line") {
   misused("", "subcommand");
   misused("rendr x.csg", "rendr");

@@ -52,6 +52,11 @@ TEST_CASE("host includes nothing of hw but the base, the instruction set, the ma
         std::vector<std::string>{});
 }
 
+TEST_CASE("convex pieces are geometry in model space: they know neither the view nor the instruction stream") {
+  CHECK(strangers("host/convex", {"host/convex/", "host/csg/positive_tree.h", "host/facet/", "host/model/",
+                                  "hw/base/"}) == std::vector<std::string>{});
+}
+
 TEST_CASE("the engines share no code: each includes only itself, the engine interface and hw") {
   CHECK(strangers("sim/reference", {"sim/reference/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/"}) ==
         std::vector<std::string>{});

@@ -12,6 +12,7 @@
 #include "hw/kinds/load.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
+#include "hw/machines/regions.h"
 #include "hw/machines/schema.h"
 #include "hw/pixel_planes/figures.h"
 
@@ -210,4 +211,30 @@ TEST_CASE("keys of as many parts as are allowed, in values nested as deep as is 
 
 TEST_CASE("what is not TOML is pointed at") {
   CHECK(message("name = \"x\"\nwidth = = 3\n").starts_with("my.toml:2:9: "));
+}
+
+TEST_CASE("figures can be changed behind a machine's name, which tells them, and are assumed then") {
+  const Machine plain = kinds::load("pixel-square");
+  const Machine other = kinds::load("pixel-square+divider.kind=host+array.memory_bits=100");
+  CHECK(other.name == "pixel-square+divider.kind=host+array.memory_bits=100");
+  CHECK(other.array.memory_bits == 100);
+  CHECK(machines::division(plain).has_value());
+  CHECK_FALSE(machines::division(other).has_value());
+  const auto figure = std::find_if(other.figures.begin(), other.figures.end(),
+                                   [](const machines::Figure& one) { return one.key == "array.memory_bits"; });
+  REQUIRE(figure != other.figures.end());
+  CHECK(figure->value == "100");
+  CHECK(figure->provenance == "assumed");
+  CHECK(kinds::file_of("a/my.toml+array.width=8") == "a/my.toml");
+  CHECK(kinds::file_of("pixel-square+divider.kind=host").empty());
+}
+
+TEST_CASE("a change that is none is told") {
+  CHECK_THROWS_WITH_AS(kinds::load("pixel-square+divider.kin=host"),
+                       "pixel-square.toml: unknown figure 'divider.kin'; the nearest known is 'divider.kind'",
+                       csgsim::InputError);
+  CHECK_THROWS_AS(kinds::load("pixel-square+divider.kind=hots"), csgsim::InputError);
+  CHECK_THROWS_AS(kinds::load("pixel-square+divider.kind"), csgsim::InputError);
+  CHECK_THROWS_AS(kinds::load("pixel-square+"), csgsim::InputError);
+  CHECK_THROWS_AS(kinds::load("pixel-planes-4+array.memory_bits=0"), csgsim::InputError);
 }

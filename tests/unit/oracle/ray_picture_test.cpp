@@ -74,6 +74,10 @@ TEST_CASE("samples are rounded to 8 bits before their mean is taken") {
   CHECK(is_near(stage.at(0, 0).colour, {0.75 * 54 / 255, 0.75, 0}));
   CHECK(is_near(stage.at(-2, 0).colour, {54.0 / 255, 1, 0}));
   CHECK(is_near(stage.at(2, 0).colour, {0, 0, 0}));
+  CHECK(stage.at(0, 0).primitive == 0);
+  stage.shot.samples = {{0.25, 0}, {-0.25, 0}};
+  stage.cast();
+  CHECK(stage.at(0, 0).primitive == model::no_index);
   stage.shot.samples = {{0, 0}};
   stage.cast();
   CHECK(is_near(stage.at(0, 0).colour, {0.21, 1, 0}));

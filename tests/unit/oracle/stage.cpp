@@ -23,7 +23,9 @@ void Stage::cast(const RayEffects& effects, const RayDoubt& doubt) {
 }
 
 const RayColour& Stage::at(std::int32_t x, std::int32_t z) const {
-  return picture_.at(static_cast<std::size_t>((stage_half - z) * (2 * stage_half + 1) + stage_half + x));
+  const std::int32_t column = stage_half + x;
+  const std::int32_t row = stage_half - z;
+  return picture_.at(static_cast<std::size_t>(row) * shot.width + static_cast<std::size_t>(column));
 }
 
 std::string box(const glm::dvec3& low, const glm::dvec3& high) {

@@ -1,0 +1,117 @@
+#include "host/convex/pieces.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "host/convex/clip.h"
+#include "host/convex/merge.h"
+#include "host/convex/solid_products.h"
+#include "hw/base/error.h"
+
+namespace csgsim::convex {
+
+namespace {
+
+/// A convex part of a product, and what has yet to be taken away from it.
+struct Part {
+  Polytope polytope;
+  std::vector<std::uint32_t> taken_away;  ///< their boxes meet the part's; the last one goes first
+};
+
+class Division {
+ public:
+  Division(const facet::Scene& scene, std::size_t most) : scene_(scene), most_(most) {
+    for (const facet::Convex& solid : scene.solids) {
+      boxes_.push_back({solid.box.low - scene.planes.centre(), solid.box.high - scene.planes.centre()});
+    }
+  }
+
+  /// Divides the next product.
+  void add(SolidProduct product) {
+    std::vector<Polytope> done;
+    std::reverse(product.taken_away.begin(), product.taken_away.end());
+    open_.push_back({std::move(product.whole), std::move(product.taken_away)});
+    while (!open_.empty()) {
+      Part part = std::move(open_.back());
+      open_.pop_back();
+      if (part.taken_away.empty()) {
+        done.push_back(std::move(part.polytope));
+      } else {
+        take_away(std::move(part));
+      }
+      require_few(pieces_.size() + done.size() + open_.size());
+    }
+    merge(done, scene_.planes);
+    for (Polytope& polytope : done) pieces_.push_back({std::move(polytope), product.primitive, product_});
+    if (!done.empty()) ++product_;
+  }
+
+  [[nodiscard]] std::vector<Piece> take() { return std::move(pieces_); }
+
+ private:
+  void require_few(std::size_t count) const {
+    if (count > most_) {
+      throw InputError("the model falls into more than " + std::to_string(most_) +
+                       " convex pieces; give what is subtracted fewer facets ($fn), or subtract less");
+    }
+  }
+
+  /// Takes the last of its primitives away from a part.
+  void take_away(Part part) {
+    const facet::Convex& solid = scene_.solids[part.taken_away.back()];
+    part.taken_away.pop_back();
+    Polytope both = part.polytope;
+    for (const facet::Halfspace& halfspace : solid.halfspaces) {
+      both = clip(std::move(both), halfspace, scene_.planes);
+      if (both.empty()) {
+        open_.push_back(std::move(part));
+        return;
+      }
+    }
+    Polytope rest = std::move(part.polytope);
+    for (const facet::Halfspace& halfspace : solid.halfspaces) {
+      if (!is_wall(halfspace, both, rest)) continue;
+      open(clip(rest, opposite(halfspace), scene_.planes), part.taken_away);
+      rest = clip(std::move(rest), halfspace, scene_.planes);
+    }
+  }
+
+  /// Whether the plane is between the common part, which has a face on it, and some of the rest.
+  [[nodiscard]] bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& rest) const {
+    const bool has_face = std::any_of(both.faces.begin(), both.faces.end(),
+                                      [&](const Face& face) { return face.halfspace == halfspace; });
+    const facet::Plane plane = outward_plane(halfspace, scene_.planes);
+    return has_face && std::any_of(rest.vertices.begin(), rest.vertices.end(), [&](const glm::dvec3& vertex) {
+             return glm::dot(plane.normal, vertex) + plane.offset > tolerance(scene_.planes);
+           });
+  }
+
+  void open(Polytope polytope, const std::vector<std::uint32_t>& taken_away) {
+    if (polytope.empty()) return;
+    const facet::Box box = box_of(polytope);
+    Part part{std::move(polytope), {}};
+    std::copy_if(taken_away.begin(), taken_away.end(), std::back_inserter(part.taken_away),
+                 [&](std::uint32_t primitive) { return !common(boxes_[primitive], box).empty(); });
+    open_.push_back(std::move(part));
+  }
+
+  const facet::Scene& scene_;
+  std::size_t most_;
+  std::vector<facet::Box> boxes_;  ///< of the primitives, relative to PlaneTable::centre()
+  std::vector<Part> open_;
+  std::vector<Piece> pieces_;
+  std::uint32_t product_ = 0;
+};
+
+}  // namespace
+
+std::vector<Piece> pieces(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most) {
+  Division division(scene, most);
+  for_each_product(scene, tree, [&](SolidProduct product) { division.add(std::move(product)); });
+  return division.take();
+}
+
+}  // namespace csgsim::convex

@@ -1,0 +1,96 @@
+#include "host/convex/polytope.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "host/convex/clip.h"
+
+namespace csgsim::convex {
+
+namespace {
+
+/// Stands for the plane of a face of the box that clipping begins with.
+constexpr std::uint32_t no_plane = std::numeric_limits<std::uint32_t>::max();
+
+Polytope cuboid(const glm::dvec3& low, const glm::dvec3& high) {
+  Polytope polytope;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    polytope.vertices.emplace_back((corner & 1U) != 0 ? high.x : low.x, (corner & 2U) != 0 ? high.y : low.y,
+                                   (corner & 4U) != 0 ? high.z : low.z);
+  }
+  const facet::Halfspace none{no_plane, true};
+  polytope.faces = {{none, {0, 4, 6, 2}}, {none, {1, 3, 7, 5}}, {none, {0, 1, 5, 4}},
+                    {none, {2, 6, 7, 3}}, {none, {0, 2, 3, 1}}, {none, {4, 5, 7, 6}}};
+  return polytope;
+}
+
+}  // namespace
+
+std::vector<Edge> edges(const Polytope& polytope) {
+  struct Side {
+    std::array<std::uint32_t, 2> ends;  ///< the lower index first
+    std::uint32_t face;
+    bool forward;  ///< the face runs from the lower index to the higher
+  };
+  std::vector<Side> sides;
+  for (std::size_t face = 0; face < polytope.faces.size(); ++face) {
+    const std::vector<std::uint32_t>& corners = polytope.faces[face].corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::uint32_t here = corners[i];
+      const std::uint32_t next = corners[(i + 1) % corners.size()];
+      sides.push_back({{std::min(here, next), std::max(here, next)}, static_cast<std::uint32_t>(face), here < next});
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return std::pair(a.ends, !a.forward) < std::pair(b.ends, !b.forward); });
+  std::vector<Edge> found;
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+    found.push_back({sides[i].ends, sides[i].face, sides[i + 1].face});
+  }
+  return found;
+}
+
+facet::Box box_of(const Polytope& polytope) {
+  facet::Box found;
+  for (const glm::dvec3& vertex : polytope.vertices) found = hull(found, vertex);
+  return found;
+}
+
+double volume(const Polytope& polytope) {
+  double six_times = 0;
+  for (const Face& face : polytope.faces) {
+    const glm::dvec3 apex = polytope.vertices.front();
+    const glm::dvec3 first = polytope.vertices[face.corners.front()] - apex;
+    for (std::size_t i = 1; i + 1 < face.corners.size(); ++i) {
+      const glm::dvec3 second = polytope.vertices[face.corners[i]] - apex;
+      const glm::dvec3 third = polytope.vertices[face.corners[i + 1]] - apex;
+      six_times += glm::dot(first, glm::cross(second, third));
+    }
+  }
+  return six_times / 6.0;
+}
+
+Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
+                      const facet::PlaneTable& planes) {
+  if (box.empty()) return {};
+  // Wide enough for none of the box's faces to be left.
+  const glm::dvec3 margin(0.1 * glm::length(box.high - box.low) + 10.0 * tolerance(planes));
+  Polytope polytope = cuboid(box.low - margin, box.high + margin);
+  for (const facet::Halfspace& halfspace : halfspaces) {
+    polytope = clip(std::move(polytope), halfspace, planes);
+    if (polytope.empty()) return {};
+  }
+  // Half-spaces bound their solid, unless planes have become one that differ by less than the tolerance.
+  const bool unbounded = std::any_of(polytope.faces.begin(), polytope.faces.end(),
+                                     [](const Face& face) { return face.halfspace.plane == no_plane; });
+  if (unbounded) return {};
+  return polytope;
+}
+
+Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes) {
+  return intersection({solid.box.low - planes.centre(), solid.box.high - planes.centre()}, solid.halfspaces, planes);
+}
+
+}  // namespace csgsim::convex

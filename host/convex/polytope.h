@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "host/facet/planes.h"
+#include "host/facet/scene.h"
+
+namespace csgsim::convex {
+
+/// A face of a polytope.
+struct Face {
+  facet::Halfspace halfspace;          ///< holds the polytope; its plane is the face's
+  std::vector<std::uint32_t> corners;  ///< indices into Polytope::vertices, counter-clockwise as seen from outside
+};
+
+/// A bounded convex polyhedron. Every edge belongs to exactly two faces, which run along it in opposite directions;
+/// every vertex belongs to three or more. Two faces may lie in one plane.
+struct Polytope {
+  std::vector<glm::dvec3> vertices;  ///< relative to PlaneTable::centre()
+  std::vector<Face> faces;           ///< none if the polytope is empty
+
+  [[nodiscard]] bool empty() const { return faces.empty(); }
+};
+
+/// An edge, from one vertex to another along `left`; `right` runs the other way.
+struct Edge {
+  std::array<std::uint32_t, 2> vertices{};
+  std::uint32_t left = 0;   ///< index into Polytope::faces
+  std::uint32_t right = 0;  ///< index into Polytope::faces
+};
+
+/// Each edge once.
+std::vector<Edge> edges(const Polytope& polytope);
+
+/// Relative to PlaneTable::centre().
+facet::Box box_of(const Polytope& polytope);
+
+/// In cubic model units, by the divergence theorem.
+double volume(const Polytope& polytope);
+
+/// The intersection of half-spaces, found by clipping a box. The box has to hold it, and is relative to
+/// PlaneTable::centre(). Empty if it is thinner than the tolerance of clip().
+Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
+                      const facet::PlaneTable& planes);
+
+/// A primitive, as the intersection of its half-spaces.
+Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes);
+
+}  // namespace csgsim::convex

@@ -1,0 +1,203 @@
+#include "host/convex/solid_products.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "host/convex/clip.h"
+#include "hw/base/error.h"
+
+namespace csgsim::convex {
+
+namespace {
+
+using csg::PositiveNode;
+using csg::PositiveOperator;
+using csg::PositiveTree;
+
+/// Outside its box a subtree is all or nothing.
+struct Reach {
+  bool in_elsewhere = false;
+  facet::Box box;  ///< relative to PlaneTable::centre()
+};
+
+/// Where one operand decides alone, outside of its box, only what such operands' boxes have in common is undecided.
+Reach reach_of(const PositiveNode& node, const std::vector<Reach>& below) {
+  const bool decisive = node.op == PositiveOperator::unite;
+  std::optional<facet::Box> decided;
+  facet::Box all;
+  for (const std::uint32_t child : node.children) {
+    const Reach& reach = below[child];
+    all = hull(all, reach.box);
+    if (reach.in_elsewhere == decisive) decided = decided ? common(*decided, reach.box) : reach.box;
+  }
+  return decided ? Reach{decisive, *decided} : Reach{!decisive, all};
+}
+
+std::vector<Reach> reaches(const facet::Scene& scene, const PositiveTree& tree) {
+  std::vector<Reach> found(tree.nodes.size());
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const PositiveNode& node = tree.nodes[i];
+    if (!node.is_leaf) {
+      found[i] = reach_of(node, found);
+      continue;
+    }
+    const facet::Box& box = scene.solids[node.primitive].box;
+    found[i] = {node.complemented, box};
+    if (!box.empty()) found[i].box = {box.low - scene.planes.centre(), box.high - scene.planes.centre()};
+  }
+  return found;
+}
+
+/// A product as far as it has been chosen.
+struct Partial {
+  std::optional<Polytope> whole;  ///< everything if there is none yet
+  facet::Box box;                 ///< of the whole
+  std::vector<std::uint32_t> taken_away;
+  std::vector<std::uint32_t> unions;  ///< nodes of which an operand has yet to be chosen
+  std::uint32_t primitive = model::no_index;
+};
+
+/// An operand of a union to go on with.
+struct Branch {
+  std::shared_ptr<const Partial> parent;
+  std::uint32_t node;
+};
+
+class Enumeration {
+ public:
+  Enumeration(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use)
+      : scene_(scene), tree_(tree), use_(use), reaches_(reaches(scene, tree)) {}
+
+  void operator()() {
+    branches_.push_back({std::make_shared<const Partial>(), tree_.root});
+    while (!branches_.empty()) {
+      const Branch branch = std::move(branches_.back());
+      branches_.pop_back();
+      Partial partial = *branch.parent;
+      if (absorb(partial, branch.node)) choose(std::move(partial));
+    }
+  }
+
+ private:
+  /// What is known of a subtree where the partial product is.
+  enum class Known : std::uint8_t { out, in, depends };
+  [[nodiscard]] Known known(std::uint32_t node, const Partial& partial) const {
+    const Reach& reach = reaches_[node];
+    const bool apart = reach.box.empty() || (partial.whole && common(reach.box, partial.box).empty());
+    if (!apart) return Known::depends;
+    return reach.in_elsewhere ? Known::in : Known::out;
+  }
+
+  /// Intersects with a primitive; false if nothing is left.
+  bool narrow(Partial& partial, std::uint32_t primitive) const {
+    const facet::Convex& solid = scene_.solids[primitive];
+    if (!partial.whole) {
+      partial.whole = make_polytope(solid, scene_.planes);
+    } else {
+      for (const facet::Halfspace& halfspace : solid.halfspaces) {
+        partial.whole = clip(std::move(*partial.whole), halfspace, scene_.planes);
+      }
+    }
+    partial.box = box_of(*partial.whole);
+    return !partial.whole->empty();
+  }
+
+  /// Intersects with a subtree, but for unions, which are put off; false if nothing is left.
+  bool absorb(Partial& partial, std::uint32_t root) const {
+    std::vector<std::uint32_t> open{root};
+    while (!open.empty()) {
+      const std::uint32_t at = open.back();
+      open.pop_back();
+      const Known about = known(at, partial);
+      if (about == Known::out) return false;
+      if (about == Known::in) continue;
+      const PositiveNode& node = tree_.nodes[at];
+      if (!node.is_leaf && node.op == PositiveOperator::unite) {
+        partial.unions.push_back(at);
+      } else if (!node.is_leaf) {
+        // The bounded ones come out first.
+        open.insert(open.end(), node.children.rbegin(), node.children.rend());
+        std::stable_partition(open.end() - static_cast<std::ptrdiff_t>(node.children.size()), open.end(),
+                              [&](std::uint32_t child) { return reaches_[child].in_elsewhere; });
+      } else if (node.complemented) {
+        partial.taken_away.push_back(node.primitive);
+      } else {
+        partial.primitive = std::min(partial.primitive, node.primitive);
+        if (!narrow(partial, node.primitive)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Goes on with every operand of one of the unions, or with the product if there is none left.
+  void choose(Partial partial) {
+    std::erase_if(partial.unions, [&](std::uint32_t node) { return known(node, partial) == Known::in; });
+    if (partial.unions.empty()) {
+      finish(std::move(partial));
+      return;
+    }
+    const auto bounded = [&](std::uint32_t node) { return !reaches_[node].in_elsewhere; };
+    auto chosen = std::find_if(partial.unions.begin(), partial.unions.end(), bounded);
+    if (chosen == partial.unions.end()) chosen = partial.unions.begin();
+    const std::uint32_t at = *chosen;
+    partial.unions.erase(chosen);
+
+    std::vector<Branch> found;
+    if (branch_complements(partial, at, found)) {
+      const auto parent = std::make_shared<const Partial>(std::move(partial));
+      for (const std::uint32_t child : tree_.nodes[at].children) {
+        if (!is_complement(child) && known(child, *parent) != Known::out) add(found, {parent, child});
+      }
+    }
+    branches_.insert(branches_.end(), found.rbegin(), found.rend());
+  }
+
+  /// Branches off with each complemented primitive, and goes on with what is in it; false if that is nothing.
+  bool branch_complements(Partial& partial, std::uint32_t at, std::vector<Branch>& found) {
+    for (const std::uint32_t child : tree_.nodes[at].children) {
+      if (!is_complement(child)) continue;
+      add(found, {std::make_shared<const Partial>(partial), child});
+      if (known(child, partial) == Known::in || !narrow(partial, tree_.nodes[child].primitive)) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_complement(std::uint32_t node) const {
+    return tree_.nodes[node].is_leaf && tree_.nodes[node].complemented;
+  }
+
+  void add(std::vector<Branch>& found, Branch branch) {
+    if (++operands_ > most_operands) {
+      throw InputError("multiplying the model out to products takes more than " + std::to_string(most_operands) +
+                       " choices of an operand of a union; intersect or subtract fewer unions of solids that overlap");
+    }
+    found.push_back(std::move(branch));
+  }
+
+  void finish(Partial partial) {
+    if (!partial.whole) return;
+    std::erase_if(partial.taken_away,
+                  [&](std::uint32_t primitive) { return known(tree_.leaf_of[primitive], partial) != Known::depends; });
+    std::sort(partial.taken_away.begin(), partial.taken_away.end());
+    use_({std::move(*partial.whole), std::move(partial.taken_away), partial.primitive});
+  }
+
+  const facet::Scene& scene_;
+  const PositiveTree& tree_;
+  const std::function<void(SolidProduct)>& use_;
+  std::vector<Reach> reaches_;
+  std::vector<Branch> branches_;
+  std::uint64_t operands_ = 0;
+};
+
+}  // namespace
+
+void for_each_product(const facet::Scene& scene, const PositiveTree& tree,
+                      const std::function<void(SolidProduct)>& use) {
+  if (tree.root != model::no_index) Enumeration(scene, tree, use)();
+}
+
+}  // namespace csgsim::convex

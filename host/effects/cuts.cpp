@@ -1,0 +1,134 @@
+#include "host/effects/cuts.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "host/emit/facet_colour.h"
+#include "host/facet/scene.h"
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+struct Cut {
+  glm::dvec3 normal{0};
+  glm::dvec3 point{0};
+  std::optional<glm::dvec3> colour;
+  glm::dvec3 hatch_colour{0};
+  double hatch = 0;
+  double angle = 45;
+};
+
+using Cuts = std::vector<Cut>;
+
+constexpr double most_spacing = 256;
+
+constexpr std::array keys{
+    scene::vector_key<&Cut::normal>("normal", "", "points to the side that is taken away"),
+    scene::vector_key<&Cut::point>("point", "model units", "a point of the plane"),
+    scene::colour_key<&Cut::colour>("colour", "of the section; the usual one of what is cut, if not given"),
+    scene::number_key<&Cut::hatch>("hatch", "pixels", 0, most_spacing,
+                                   "from one line of the hatching to the next, 4 at least; 0: none"),
+    scene::number_key<&Cut::angle>("angle", "degrees", -180, 180, "of the lines, from the picture's columns"),
+    scene::colour_key<&Cut::hatch_colour>("hatch_colour", "of the lines")};
+
+constexpr double least_spacing = 4;
+
+void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
+  const auto& cut = std::any_cast<const Cut&>(read);
+  if (glm::length(cut.normal) == 0) throw InputError("a cut has a normal; add normal = [x, y, z], not all 0");
+  if (cut.hatch > 0 && cut.hatch < least_spacing) {
+    throw InputError(fmt::format("lines {:g} pixels apart run together; take hatch = {:g} or more, or 0 for none",
+                                 cut.hatch, least_spacing));
+  }
+  scene::keep_entry<Cut>(scene, section, std::move(read));
+}
+
+/// A cube that holds what is left of anything within `reach` of the plane's point: its upper face is the plane.
+model::Primitive kept_side(const Cut& cut, std::uint32_t number, double reach) {
+  const glm::dvec3 up = glm::normalize(cut.normal);
+  const glm::dvec3 side = std::abs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(side, up));
+  const glm::dvec3 ahead = glm::cross(up, right);
+  const glm::dvec3 corner = cut.point - reach * (right + ahead + up * 2.0);
+  model::Primitive primitive;
+  primitive.shape = model::Cube{glm::dvec3(2 * reach)};
+  primitive.transform =
+      glm::dmat4(glm::dvec4(right, 0), glm::dvec4(ahead, 0), glm::dvec4(up, 0), glm::dvec4(corner, 1));
+  primitive.colour = cut.colour.value_or(lighting::default_cut_colour);
+  primitive.section = number;
+  return primitive;
+}
+
+model::Tree reshape(const std::any& settings, model::Tree&& tree) {
+  const auto& cuts = std::any_cast<const Cuts&>(settings);
+  if (tree.root == model::no_index) return std::move(tree);
+  const facet::Box box = facet::make_scene(tree).box;
+  if (box.empty()) return std::move(tree);
+  model::Node all;
+  all.op = model::Operator::intersect;
+  all.children.push_back(tree.root);
+  for (std::uint32_t i = 0; i < cuts.size(); ++i) {
+    const double reach = 2 * (glm::length(box.high - box.low) + glm::length(cuts[i].point - box.centre()));
+    model::Node leaf;
+    leaf.is_leaf = true;
+    leaf.primitive = static_cast<std::uint32_t>(tree.primitives.size());
+    tree.primitives.push_back(kept_side(cuts[i], i, reach));
+    all.children.push_back(static_cast<std::uint32_t>(tree.nodes.size()));
+    tree.nodes.push_back(std::move(leaf));
+  }
+  tree.root = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back(std::move(all));
+  return std::move(tree);
+}
+
+/// 2^bits units of a hatching's linear expression are from one line to the next: across 2^14 pixels lines are off by
+/// 1/128 of that at most.
+constexpr unsigned period_bits = 20;
+
+/// Lines whose width is a quarter of their distance: E stays 1 on them.
+void emit_lines(emit::Broadcast& out, const Cut& cut) {
+  const double turn = cut.angle * std::numbers::pi / 180;
+  const auto coefficient = [&](double part) { return view::to_fixed(part / cut.hatch, period_bits).value_or(0); };
+  const view::FixedLinear across{coefficient(-std::sin(turn)), coefficient(std::cos(turn)), 0};
+  // The upper half of a period, and of that what is in the upper half of the same moved on by a quarter.
+  out.stripe(across, period_bits);
+  out.stripe({across.a, across.b, std::int64_t{1} << (period_bits - 2)}, period_bits);
+}
+
+bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
+           const view::PixelRect& /*pixels*/) {
+  const emit::Context& context = call.context;
+  const std::uint32_t section = context.tree.primitives[facet.primitive].section;
+  if (section == model::no_index) return false;
+  out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
+  const Cut& cut = std::any_cast<const Cuts&>(call.settings).at(section);
+  if (cut.hatch == 0) return true;
+  emit_lines(out, cut);
+  out.plain(
+      isa::Opcode::set_constant, field, {},
+      isa::pack_colour({cut.hatch_colour.r, cut.hatch_colour.g, cut.hatch_colour.b}, context.options.colour_bits));
+  return true;
+}
+
+}  // namespace
+
+const emit::Effect cuts{
+    .section = {"effects.cuts", "cutting planes: what is before them is taken away, what they cut is capped", true,
+                keys, scene::blank_section<Cut>, keep},
+    .technique =
+        "each plane is one more half-space that intersects the model, so that caps and the holes in them follow "
+        "from the tree; hatching is a linear expression of which all but the low bits are cut off",
+    .reshape = reshape,
+    .shade = shade};
+
+}  // namespace csgsim::effects

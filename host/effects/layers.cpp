@@ -1,0 +1,306 @@
+#include "host/effects/layers.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+
+#include "host/emit/early_out.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+using emit::FieldRequest;
+using isa::Field;
+using isa::Opcode;
+
+constexpr std::string_view effect = "transparency";
+constexpr std::string_view without = "take --set effects.transparency.method=screen-door";
+
+/// Fraction bits of opacities and of the parts that layers have.
+constexpr unsigned part_bits = 8;
+constexpr unsigned whole = 1U << part_bits;
+
+constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
+
+Field part(Field field, unsigned from, unsigned width) {
+  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
+}
+
+Field bit(Field field, unsigned index) { return part(field, index, 1); }
+
+/// Red, green and blue of a colour field.
+std::array<Field, 3> channels_of(Field colour) {
+  const std::array<unsigned, 3> widths = isa::channel_widths(colour.width);
+  return {part(colour, widths[2] + widths[1], widths[0]), part(colour, widths[2], widths[1]),
+          part(colour, 0, widths[2])};
+}
+
+/// target += constant * source, where E.
+void add_times(emit::Broadcast& out, Field target, unsigned constant, Field source) {
+  for (unsigned i = 0; i < part_bits; ++i)
+    if (((constant >> i) & 1U) != 0) out.plain(Opcode::add, part(target, i, target.width - i), source);
+}
+
+/// Peels the panes off, nearest first (Everitt, Interactive Order-Independent Transparency, 2001, after Mammen,
+/// Transparency and Antialiasing Algorithms Implemented with the Virtual Pixel Maps Technique, 1989), and sums what
+/// each adds to the colour. Parts are in 1/256: that of the nearest is its opacity, that of each other its opacity of
+/// what the nearer ones let through, that of the opaque surface all that is left. They add up to 256.
+class Peeling {
+ public:
+  Peeling(const emit::Context& context, emit::Broadcast& out, const Panes& panes)
+      : context_(context),
+        out_(out),
+        panes_(panes),
+        layers_(panes.layers[context.segment]),
+        last_(field("last")),
+        pane_colour_(field("colour")),
+        product_(field("product")),
+        glass_(channels_of(pane_colour_)),
+        colour_(channels_of(context.layout.colour)) {}
+
+  void run() {
+    peel(last_, context_.beyond);
+    keep_found(last_);
+    const std::size_t begin = out_.size();
+    if (layers_ == 1) {
+      blend_one();
+    } else {
+      start_sums();
+      peel_behind(2);
+      finish_sums();
+    }
+    emit_early_out(context_, out_, begin, origin);
+  }
+
+ private:
+  static constexpr isa::Origin origin{isa::Purpose::effect, isa::no_primitive, isa::no_node};
+
+  [[nodiscard]] Field field(std::string_view name) const { return context_.layout.of(effect, name); }
+  [[nodiscard]] Field sum(std::size_t channel) const { return field(sum_names.at(channel)); }
+  [[nodiscard]] Field mask() const { return context_.layout.mask; }
+
+  void enable_drawing() {
+    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
+  }
+
+  /// The nearest panes behind `beyond` and before the opaque surfaces, into `depth` and the panes' colour.
+  void peel(Field depth, Field beyond) {
+    emit::Layout layout = context_.layout;
+    layout.depth = depth;
+    layout.colour = pane_colour_;
+    if (layout.owner.width > 0) layout.owner = field("owner");
+    emit::Context inner = with_layout(context_, layout);
+    inner.beyond = beyond;
+    inner.drawn = &panes_.drawn;
+    out_.origin = origin;
+    enable_drawing();
+    out_.plain(Opcode::copy, depth, context_.layout.depth);
+    if (layout.owner.width > 0) out_.plain(Opcode::set_constant, layout.owner, {}, 0);
+    emit_surfaces(inner, out_);
+    emit_shading(inner, out_);
+  }
+
+  /// E and mask := where there is a pane before the opaque surface.
+  void keep_found(Field depth) {
+    out_.origin = origin;
+    enable_drawing();
+    out_.plain(Opcode::field_lt, depth, context_.layout.depth);
+    out_.plain(Opcode::enable_store, mask());
+  }
+
+  /// Calls visit(opacity) for each that there is, with E 1 at the pixels of the mask whose pane has it.
+  template <class Visit>
+  void for_opacities(const Visit& visit) {
+    for (std::size_t i = 0; i < panes_.opacities.size(); ++i) {
+      out_.plain(Opcode::enable_load, mask());
+      if (field("opacity").width > 0) out_.equals(field("opacity"), static_cast<std::uint32_t>(i));
+      visit(panes_.opacities[i]);
+    }
+  }
+
+  /// One layer over the opaque surface.
+  void blend_one() {
+    for_opacities([&](unsigned opacity) {
+      for (std::size_t i = 0; i < glass_.size(); ++i) {
+        const Field product = part(product_, 0, colour_.at(i).width + part_bits);
+        out_.plain(Opcode::set_constant, product, {}, whole / 2);
+        add_times(out_, product, opacity, glass_.at(i));
+        add_times(out_, product, whole - opacity, colour_.at(i));
+        out_.plain(Opcode::copy, colour_.at(i), part(product, part_bits, colour_.at(i).width));
+      }
+    });
+  }
+
+  void start_sums() {
+    for_opacities([&](unsigned opacity) {
+      for (std::size_t i = 0; i < glass_.size(); ++i) {
+        out_.plain(Opcode::set_constant, sum(i), {}, whole / 2);
+        add_times(out_, sum(i), opacity, glass_.at(i));
+      }
+      out_.plain(Opcode::set_constant, field("through"), {}, whole - opacity);
+    });
+  }
+
+  /// That layer and all behind it; `last` is the depth of the one before, where there is one.
+  void peel_behind(unsigned layer) {
+    if (layer > layers_) return;
+    peel(field("next"), last_);
+    keep_found(field("next"));
+    const std::size_t begin = out_.size();
+    add_layer();
+    out_.plain(Opcode::enable_load, mask());
+    out_.plain(Opcode::copy, last_, field("next"));
+    peel_behind(layer + 1);
+    emit_early_out(context_, out_, begin, origin);
+  }
+
+  void add_layer() {
+    const Field through = field("through");
+    const Field product = part(product_, 0, 2 * part_bits);
+    for_opacities([&](unsigned opacity) {
+      out_.plain(Opcode::set_constant, product, {}, whole / 2);
+      add_times(out_, product, opacity, through);
+    });
+    const Field weight = part(product, part_bits, part_bits);
+    out_.plain(Opcode::enable_load, mask());
+    // a - b is not (not a + b).
+    out_.plain(Opcode::bit_not, through, through);
+    out_.plain(Opcode::add, through, weight);
+    out_.plain(Opcode::bit_not, through, through);
+    add_weighted(weight, glass_);
+  }
+
+  void finish_sums() {
+    keep_found(last_);
+    add_weighted(field("through"), colour_);
+    out_.plain(Opcode::enable_load, mask());
+    for (std::size_t i = 0; i < colour_.size(); ++i)
+      out_.plain(Opcode::copy, colour_.at(i), part(sum(i), part_bits, colour_.at(i).width));
+  }
+
+  /// sums += weight * colour, where the mask is 1.
+  void add_weighted(Field weight, const std::array<Field, 3>& channels) {
+    for (unsigned i = 0; i < part_bits; ++i) {
+      out_.plain(Opcode::enable_load, mask());
+      out_.plain(Opcode::enable_and, bit(weight, i));
+      for (std::size_t c = 0; c < channels.size(); ++c)
+        out_.plain(Opcode::add, part(sum(c), i, sum(c).width - i), channels.at(c));
+    }
+  }
+
+  const emit::Context& context_;
+  emit::Broadcast& out_;
+  const Panes& panes_;
+  unsigned layers_;
+  Field last_;         ///< depth of the layer that was peeled last; where there is none, of the opaque surface
+  Field pane_colour_;  ///< of the layer being peeled
+  Field product_;
+  std::array<Field, 3> glass_;   ///< channels of the layer's colour
+  std::array<Field, 3> colour_;  ///< channels of the drawing's
+};
+
+/// In 1/256.
+unsigned rounded(double opacity) {
+  const auto nearest = static_cast<unsigned>(view::to_fixed(opacity, part_bits).value_or(0));
+  return std::min(nearest, whole - 1);
+}
+
+unsigned layers_of(const emit::SegmentPlan& segment, const std::vector<bool>& drawn) {
+  std::vector<view::PixelRect> rectangles;
+  for (const emit::PlannedSurface& one : segment.surfaces)
+    if (drawn[one.primitive()]) rectangles.push_back(one.block.pixels);
+  return most_overlapping(rectangles);
+}
+
+}  // namespace
+
+unsigned most_overlapping(std::span<const view::PixelRect> rectangles) {
+  // The most lie over a left edge and an upper edge of some of them.
+  unsigned most = 0;
+  for (const view::PixelRect& at : rectangles) {
+    std::vector<std::int32_t> tops;
+    std::vector<std::int32_t> bottoms;
+    for (const view::PixelRect& one : rectangles) {
+      if (one.empty() || one.x0 > at.x0 || one.x1 < at.x0) continue;
+      tops.push_back(one.y0);
+      bottoms.push_back(one.y1);
+    }
+    std::sort(tops.begin(), tops.end());
+    std::sort(bottoms.begin(), bottoms.end());
+    std::size_t ended = 0;
+    for (std::size_t begun = 0; begun < tops.size(); ++begun) {
+      while (bottoms[ended] < tops[begun]) ++ended;
+      most = std::max(most, static_cast<unsigned>(begun + 1 - ended));
+    }
+  }
+  return most;
+}
+
+Panes panes_of(const emit::Drawing& drawing, unsigned most_layers) {
+  Panes panes;
+  std::vector<unsigned> of_primitives;
+  for (const lighting::Finish& finish : drawing.look.finishes) {
+    of_primitives.push_back(finish.opacity < 1 ? rounded(finish.opacity) : 0);
+    panes.drawn.push_back(of_primitives.back() > 0);
+    if (panes.drawn.back()) panes.opacities.push_back(of_primitives.back());
+  }
+  std::vector<unsigned>& all = panes.opacities;
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const unsigned one : of_primitives)
+    panes.kinds.push_back(static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), one) - all.begin()));
+  for (const emit::SegmentPlan& segment : drawing.plan.segments) {
+    panes.layers.push_back(std::min(most_layers, layers_of(segment, panes.drawn)));
+    panes.surfaces = std::max(panes.surfaces, static_cast<std::uint32_t>(segment.surfaces.size()));
+  }
+  return panes;
+}
+
+std::vector<FieldRequest> layer_fields(unsigned z_bits, unsigned colour_bits, std::span<const Panes* const> panes,
+                                       bool has_owners) {
+  using isa::FieldRole;
+  unsigned layers = 0;
+  std::size_t opacities = 1;
+  std::uint32_t surfaces = 1;
+  for (const Panes* const one : panes) {
+    for (const unsigned segment : one->layers) layers = std::max(layers, segment);
+    opacities = std::max(opacities, one->opacities.size());
+    surfaces = std::max(surfaces, one->surfaces);
+  }
+  if (layers == 0) return {};
+  const std::array<unsigned, 3> widths = isa::channel_widths(colour_bits);
+  std::vector<FieldRequest> all{
+      {"last", FieldRole::effect, z_bits, "depth", without},
+      {"colour", FieldRole::effect, colour_bits, "colour", without},
+      {"opacity", FieldRole::effect, static_cast<unsigned>(std::bit_width(opacities - 1)), "opacity", without},
+      {"product", FieldRole::scratch, 2 * part_bits, "product", without, true}};
+  if (has_owners)
+    all.push_back({"owner", FieldRole::effect, static_cast<unsigned>(std::bit_width(surfaces)), "owner", without});
+  if (layers == 1) return all;
+  all.push_back({"next", FieldRole::effect, z_bits, "depth", without});
+  all.push_back({"through", FieldRole::effect, part_bits, "light let through", without});
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    all.push_back(
+        {std::string(sum_names.at(i)), FieldRole::effect, widths.at(i) + part_bits, "sum of layers", without});
+  }
+  return all;
+}
+
+void emit_layers(const emit::Context& context, emit::Broadcast& out, const Panes& panes) {
+  if (panes.layers[context.segment] > 0) Peeling(context, out, panes).run();
+}
+
+void emit_opacity(const emit::Context& context, emit::Broadcast& out, const Panes& panes, std::uint32_t primitive) {
+  const bool is_peeling = context.drawn == &panes.drawn;
+  if (!is_peeling) return;
+  const Field opacity = context.layout.of(effect, "opacity");
+  if (opacity.width == 0) return;
+  out.origin = {isa::Purpose::merge, primitive, isa::no_node};
+  out.plain(Opcode::set_constant, opacity, {}, panes.kinds[primitive]);
+}
+
+}  // namespace csgsim::effects

@@ -1,0 +1,43 @@
+#include "host/effects/manual.h"
+
+#include <fmt/format.h>
+
+#include "host/effects/rows.h"
+#include "host/scene/manual.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+constexpr std::string_view introduction =
+    "# Scene files\n\n"
+    "What `csgsim scene` prints. A scene is what is seen of a model besides its solids: `csgsim render MODEL --scene "
+    "scene.toml`.\nEvery key can be set on the command line too, over the file's or without one: "
+    "`--set lights.0.direction=0,0,-1`, `--set\neffects.smooth.on=true`. Keys that are not known, and values that are "
+    "out of range, are errors that name their place.\n"
+    "Lists, with `[[name]]`, have a table for each entry.\n";
+
+std::string heading(const scene::Section& section) {
+  return section.is_list ? fmt::format("[[{}]]", section.name) : fmt::format("[{}]", section.name);
+}
+
+void put(std::string& page, const scene::Section& section, std::string_view technique) {
+  page += fmt::format("\n## `{}`\n\n{}\n", heading(section), section.meaning);
+  if (!technique.empty()) page += fmt::format("\nTechnique: {}.\n", technique);
+  const std::string table = scene::keys_table(section);
+  if (!table.empty()) page += "\n" + table;
+}
+
+}  // namespace
+
+std::string scene_page() {
+  std::string page(introduction);
+  for (const scene::Section& section : scene::common_sections()) put(page, section, "");
+  page +=
+      "\n# Effects\n\nA scene calls for an effect by its section; `on = false` in a section keeps the effect out, even "
+      "where the model\ncalls for it. What each costs: [Effects](effects.md).\n";
+  for (const emit::Effect* const effect : all()) put(page, effect->section, effect->technique);
+  return page;
+}
+
+}  // namespace csgsim::effects

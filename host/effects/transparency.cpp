@@ -1,0 +1,115 @@
+#include "host/effects/transparency.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host/effects/layers.h"
+#include "host/effects/screen_door.h"
+#include "host/view/fixed_point.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+enum class Method : std::uint8_t { layers, screen_door };
+
+constexpr std::array<std::string_view, 2> methods{"layers", "screen-door"};
+constexpr unsigned most_layers = 16;
+
+struct Settings {
+  Method method = Method::layers;
+  std::optional<unsigned> layers;
+};
+
+constexpr std::array keys{
+    scene::choice_key<&Settings::method>("method", methods, "blend layers, or leave out pixels by a pattern"),
+    scene::integer_key<&Settings::layers>("layers", "", 1, most_layers,
+                                          "see-through surfaces that a pixel shows behind one another, the nearest; if "
+                                          "not given, as many as their rectangles let lie there, 16 at most")};
+
+/// What is prepared for a drawing.
+struct Prepared {
+  Panes panes;                    ///< method layers
+  std::vector<unsigned> pattern;  ///< method screen-door: by primitive, pixels of every 4 x 4
+  unsigned colour_bits = 0;
+  bool has_owners = false;
+};
+
+const Settings& settings_of(const std::any& settings) { return std::any_cast<const Settings&>(settings); }
+const Prepared& prepared(const emit::EffectCall& call) { return std::any_cast<const Prepared&>(call.state.own); }
+
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+  Prepared ready;
+  ready.colour_bits = workshop.options.colour_bits;
+  ready.has_owners = emit::any_needs_owners(workshop.called);
+  emit::EffectState state;
+  const bool is_layered = settings_of(settings).method == Method::layers;
+  if (is_layered) ready.panes = panes_of(drawing, settings_of(settings).layers.value_or(most_layers));
+  for (const lighting::Finish& finish : drawing.look.finishes) {
+    const auto pixels = static_cast<unsigned>(view::to_fixed(finish.opacity, 4).value_or(most_pixels));
+    ready.pattern.push_back(pixels);
+    state.apart.push_back(is_layered ? finish.opacity < 1 : pixels == 0);
+  }
+  state.own = std::move(ready);
+  return state;
+}
+
+/// What was prepared for each of the drawings.
+std::vector<const Prepared*> all_prepared(const emit::Drawing& drawing) {
+  std::vector<const Prepared*> all;
+  for (const emit::Drawing* const one : emit::with_inner(drawing))
+    for (const emit::EffectState& state : one->states)
+      if (const auto* const ready = std::any_cast<Prepared>(&state.own)) all.push_back(ready);
+  return all;
+}
+
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
+  if (settings_of(settings).method != Method::layers) return {};
+  const std::vector<const Prepared*> all = all_prepared(drawing);
+  std::vector<const Panes*> panes;
+  for (const Prepared* const one : all) panes.push_back(&one->panes);
+  return layer_fields(drawing.view.sampling.z_bits, all.front()->colour_bits, panes, all.front()->has_owners);
+}
+
+void admit(const emit::EffectCall& call, emit::Broadcast& out, const emit::PlannedSurface& planned) {
+  if (settings_of(call.settings).method != Method::screen_door) return;
+  out.origin = {isa::Purpose::merge, planned.primitive(), isa::no_node};
+  emit_screen_door(out, prepared(call).pattern[planned.primitive()], call.context.layout.mask);
+}
+
+void merge(const emit::EffectCall& call, emit::Broadcast& out, const emit::PlannedSurface& planned) {
+  if (settings_of(call.settings).method == Method::layers)
+    emit_opacity(call.context, out, prepared(call).panes, planned.primitive());
+}
+
+void compose(const emit::EffectCall& call, emit::Broadcast& out) {
+  if (settings_of(call.settings).method == Method::layers) emit_layers(call.context, out, prepared(call).panes);
+}
+
+}  // namespace
+
+const emit::Effect transparency{
+    .section = {"effects.transparency",
+                "primitives whose opacity is below 1 let through what is behind them; of coincident surfaces the first "
+                "in tree order is seen, opaque ones before see-through ones",
+                false, keys, scene::blank_section<Settings>, scene::keep_effect},
+    .technique =
+        "layers: depth peeling (Mammen, Transparency and Antialiasing Algorithms Implemented with the Virtual Pixel "
+        "Maps Technique, IEEE CG&A, 1989; Everitt, Interactive Order-Independent Transparency, 2001), with two depth "
+        "fields beside that of the opaque surfaces; screen-door: Fuchs et al., SIGGRAPH 1985, with an ordered dither",
+    .called_by =
+        [](const emit::Look& look) {
+          return std::any_of(look.finishes.begin(), look.finishes.end(),
+                             [](const lighting::Finish& one) { return one.opacity < 1; });
+        },
+    .prepare = prepare,
+    .fields = fields,
+    .sees_through = true,
+    .admit = admit,
+    .merge = merge,
+    .compose = compose};
+
+}  // namespace csgsim::effects

@@ -1,0 +1,65 @@
+#include "host/scene/manual.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <variant>
+
+namespace csgsim::scene {
+
+namespace {
+
+std::string range_text(const Key& key, std::string_view what) {
+  if (key.most >= any_number) return std::string(what);
+  return fmt::format("{}, {:g} to {:g}", what, key.least, key.most);
+}
+
+std::string value_text(const Key& key) {
+  switch (key.kind) {
+    case ValueKind::boolean: return "`true`, `false`";
+    case ValueKind::integer: return range_text(key, "integer");
+    case ValueKind::number: return range_text(key, "number");
+    case ValueKind::vector: return "[x, y, z]";
+    case ValueKind::colour: return "[red, green, blue], each 0 to 1";
+    case ValueKind::colour_table: return "[[[red, green, blue], ...], ...]";
+    case ValueKind::choice: return fmt::format("`{}`", fmt::join(key.names, "`, `"));
+  }
+  return {};
+}
+
+struct ShowValue {
+  const Key& key;
+
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(double value) const { return fmt::format("{:g}", value); }
+  std::string operator()(std::int64_t value) const {
+    return key.kind == ValueKind::choice ? std::string(key.names[static_cast<std::size_t>(value)])
+                                         : fmt::format("{}", value);
+  }
+  std::string operator()(const glm::dvec3& value) const {
+    return fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z);
+  }
+  /// None has a table by default.
+  std::string operator()(const ColourTable& /*value*/) const { return ""; }
+};
+
+std::string default_text(const Key& key, const std::any& blank) {
+  const std::optional<Value> value = key.load != nullptr ? key.load(blank) : std::nullopt;
+  return value ? std::visit(ShowValue{key}, *value) : "";
+}
+
+}  // namespace
+
+std::string keys_table(const Section& section) {
+  if (section.keys.empty()) return "";
+  std::string table = "| key | value | default | meaning |\n|---|---|---|---|\n";
+  const std::any blank = section.blank();
+  for (const Key& key : section.keys) {
+    const std::string unit = key.unit.empty() ? "" : fmt::format(" ({})", key.unit);
+    table += fmt::format("| `{}` | {}{} | {} | {} |\n", key.name, value_text(key), unit, default_text(key, blank),
+                         key.meaning);
+  }
+  return table;
+}
+
+}  // namespace csgsim::scene

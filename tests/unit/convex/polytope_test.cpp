@@ -1,0 +1,213 @@
+#include "host/convex/polytope.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "host/convex/clip.h"
+#include "host/convex/merge.h"
+#include "tests/oracle/random_model.h"
+#include "tests/unit/convex/support.h"
+
+using namespace csgsim;
+using testing::flaws;
+using testing::TestModel;
+
+namespace {
+
+/// A rotation about an axis that is along none, and a shift.
+const std::string turned = "multmatrix([[0.36,0.48,-0.8,7],[-0.8,0.6,0,-3],[0.48,0.64,0.6,11],[0,0,0,1]])";
+
+convex::Polytope only_solid(const TestModel& model) {
+  return convex::make_polytope(model.scene.solids.front(), model.scene.planes);
+}
+
+/// The area of a regular polygon inside a circle.
+double polygon_area(double radius, double count) {
+  return 0.5 * count * radius * radius * std::sin(2.0 * std::numbers::pi / count);
+}
+
+}  // namespace
+
+TEST_CASE("a box has the faces, edges and volume of a box, turned or not, far from the origin or not") {
+  const std::string cube = "cube(size=[2,3,5],center=false);";
+  const std::string far = "multmatrix([[1,0,0,1e6],[0,1,0,0],[0,0,1,2e6],[0,0,0,1]])";
+  for (const std::string& text :
+       {cube, fmt::format("{}{{{}}}", turned, cube), fmt::format("{}{{{}{{{}}}}}", turned, far, cube)}) {
+    CAPTURE(text);
+    const TestModel model(text);
+    const convex::Polytope polytope = only_solid(model);
+    CHECK(polytope.faces.size() == 6);
+    CHECK(polytope.vertices.size() == 8);
+    CHECK(convex::edges(polytope).size() == 12);
+    CHECK(convex::volume(polytope) == doctest::Approx(30.0).epsilon(1e-9));
+    CHECK(flaws(model.scene, polytope) == "");
+  }
+}
+
+TEST_CASE("solids have their half-spaces as faces and the volumes that geometry says") {
+  const auto check = [](const std::string& text, double volume, double error = 1e-12) {
+    CAPTURE(text);
+    const TestModel model(turned + "{" + text + "}");
+    const convex::Polytope polytope = only_solid(model);
+    CHECK(polytope.faces.size() == model.scene.solids.front().halfspaces.size());
+    CHECK(convex::volume(polytope) == doctest::Approx(volume).epsilon(error));
+    CHECK(flaws(model.scene, polytope) == "");
+  };
+  check("cylinder($fn=96,$fa=12,$fs=2,h=7,r1=3,r2=3,center=true);", 7.0 * polygon_area(3, 96));
+  check("cylinder($fn=100,$fa=12,$fs=2,h=7,r1=3,r2=0,center=true);", 7.0 / 3.0 * polygon_area(3, 100));
+  // The apex is where neighbours meet whose normals turn by 2 pi / 1000: rounding grows by the square of the
+  // reciprocal.
+  check("cylinder($fn=1000,$fa=12,$fs=2,h=7,r1=3,r2=0,center=true);", 7.0 / 3.0 * polygon_area(3, 1000), 1e-15 / 4e-5);
+  check("cylinder($fn=5,$fa=12,$fs=2,h=6,r1=1,r2=2,center=false);",
+        2.0 * (polygon_area(1, 5) + polygon_area(2, 5) + std::sqrt(polygon_area(1, 5) * polygon_area(2, 5))));
+  check("polyhedron(points=[[0,0,0],[4,0,0],[0,5,0],[0,0,6]],faces=[[0,1,2],[0,3,1],[0,2,3],[1,3,2]],convexity=1);",
+        20.0);
+  // A stack of frusta between the rings of OpenSCAD's sphere.
+  const int count = 30;
+  const int rings = 15;
+  double volume = 0;
+  for (int i = 0; i + 1 < rings; ++i) {
+    const auto polar = [&](int ring) { return std::numbers::pi * (ring + 0.5) / rings; };
+    const double low = polygon_area(2.0 * std::sin(polar(i)), count);
+    const double high = polygon_area(2.0 * std::sin(polar(i + 1)), count);
+    volume += 2.0 * (std::cos(polar(i)) - std::cos(polar(i + 1))) / 3.0 * (low + high + std::sqrt(low * high));
+  }
+  check("sphere($fn=30,$fa=12,$fs=2,r=2);", volume);
+}
+
+TEST_CASE("a ball within a tolerance, whose vertices are only a hull's, is a polytope between two balls") {
+  const TestModel model(turned + "{sphere($fn=0,$fa=12,$fs=2,r=2);}");
+  const facet::Scene scene = facet::make_scene(model.tree, {0.02, std::nullopt});
+  const convex::Polytope polytope = convex::make_polytope(scene.solids.front(), scene.planes);
+  CHECK(polytope.faces.size() == scene.solids.front().halfspaces.size());
+  CHECK(flaws(scene, polytope) == "");
+  CHECK(convex::volume(polytope) < 4.0 / 3.0 * std::numbers::pi * 8.0);
+  CHECK(convex::volume(polytope) > 4.0 / 3.0 * std::numbers::pi * std::pow(1.98, 3));
+}
+
+TEST_CASE("a plane cuts a polytope in two whole polytopes whose volumes add up") {
+  int cuts = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    const TestModel model(testing::random_model(seed, 6));
+    if (model.solids.empty()) continue;
+    const convex::Polytope whole = only_solid(model);
+    for (std::uint32_t plane = 0; plane < model.scene.planes.planes().size(); ++plane) {
+      const convex::Polytope below = convex::clip(whole, {plane, true}, model.scene.planes);
+      const convex::Polytope above = convex::clip(whole, {plane, false}, model.scene.planes);
+      REQUIRE(flaws(model.scene, below) == "");
+      REQUIRE(flaws(model.scene, above) == "");
+      const double sum = (below.empty() ? 0.0 : convex::volume(below)) + (above.empty() ? 0.0 : convex::volume(above));
+      REQUIRE(sum == doctest::Approx(convex::volume(whole)).epsilon(1e-9));
+      if (below.empty() || above.empty()) continue;
+      ++cuts;
+      // Together again, they are what they were.
+      std::vector<convex::Polytope> halves{below, above};
+      convex::merge(halves, model.scene.planes);
+      REQUIRE(halves.size() == 1);
+      REQUIRE(halves.front().faces.size() == whole.faces.size());
+      REQUIRE(flaws(model.scene, halves.front()) == "");
+    }
+  }
+  CHECK(cuts > 2000);
+}
+
+TEST_CASE("a plane through edges and corners makes no other edges, and one that only touches changes nothing") {
+  const TestModel model(
+      "union(){cube(size=[2,2,2],center=false);"
+      "multmatrix([[0.7071067811865476,-0.7071067811865476,0,1],[0.7071067811865476,0.7071067811865476,0,-1],[0,0,1,0],"
+      "[0,0,0,1]]){cube(size=[9,9,9],center=false);}}");
+  const convex::Polytope cube = only_solid(model);
+  // x + y >= 0 touches the cube along an edge; y - x >= -2 touches it along another.
+  int touching = 0;
+  for (const facet::Halfspace& halfspace : model.scene.solids[1].halfspaces) {
+    const convex::Polytope in = convex::clip(cube, halfspace, model.scene.planes);
+    const convex::Polytope out = convex::clip(cube, convex::opposite(halfspace), model.scene.planes);
+    CHECK(in.empty() != out.empty());
+    const convex::Polytope& kept = in.empty() ? out : in;
+    CHECK(kept.faces.size() == 6);
+    CHECK(kept.vertices == cube.vertices);
+    ++touching;
+  }
+  CHECK(touching == 6);
+
+  const TestModel wedge(
+      "union(){cube(size=[2,2,2],center=false);polyhedron(points=[[0,0,-1],[0,0,3],[2,2,-1],[2,2,3],[2,0,-1],[2,0,3]],"
+      "faces=[[0,1,3,2],[2,3,5,4],[4,5,1,0],[1,5,3],[0,2,4]],convexity=1);}");
+  const convex::Polytope half =
+      convex::clip(only_solid(wedge), wedge.scene.solids[1].halfspaces[0], wedge.scene.planes);
+  CHECK(half.faces.size() == 5);
+  CHECK(half.vertices.size() == 6);
+  CHECK(convex::volume(half) == doctest::Approx(4.0));
+}
+
+TEST_CASE("what is left of a sheet thinner than the tolerance is nothing; a thicker one is there") {
+  for (const double thickness : {0.3, 0.9, 1.1, 3.0}) {
+    CAPTURE(thickness);
+    // The diagonal is 10 sqrt(3), far more than that of either box's own.
+    const double size = thickness * convex::relative_tolerance * 10.0 * std::sqrt(3.0);
+    const TestModel model(fmt::format(
+        "union(){{cube(size=[1,1,1],center=false);multmatrix([[1,0,0,{:.17g}],[0,1,0,0],[0,0,1,0],[0,0,0,1]])"
+        "{{cube(size=[1,1,1],center=false);}}"
+        "multmatrix([[1,0,0,9],[0,1,0,9],[0,0,1,9],[0,0,0,1]]){{cube(size=[1,1,1],center=false);}}}}",
+        1.0 - size));
+    convex::Polytope sheet = only_solid(model);
+    for (const facet::Halfspace& halfspace : model.scene.solids[1].halfspaces) {
+      sheet = convex::clip(std::move(sheet), halfspace, model.scene.planes);
+    }
+    CHECK(sheet.empty() == (thickness < 1.0));
+    CHECK(flaws(model.scene, sheet) == "");
+  }
+}
+
+TEST_CASE("planes that miss common corners by about the tolerance still make whole polytopes") {
+  testing::Random random(1987);
+  int cuts = 0;
+  for (int round = 0; round < 3000; ++round) {
+    CAPTURE(round);
+    // Planes near to the corners of a cube of diagonal 1, and to those of what is left.
+    facet::PlaneTable planes(glm::dvec3(0), 1.0);
+    const double near = convex::tolerance(planes);
+    facet::Convex solid;
+    solid.box = {glm::dvec3(-0.25), glm::dvec3(0.25)};
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        glm::dvec3 normal(0);
+        normal[axis] = sign;
+        solid.halfspaces.push_back(planes.add({normal, -0.25}));
+      }
+    }
+    facet::Scene scene{{}, std::move(planes), {}};
+    convex::Polytope polytope = convex::make_polytope(solid, scene.planes);
+    for (int cut = 0; cut < 12; ++cut) {
+      const auto corner = [&] { return polytope.vertices[random.below(polytope.vertices.size())]; };
+      const glm::dvec3 a = corner();
+      const glm::dvec3 b = corner();
+      const glm::dvec3 c = corner();
+      const glm::dvec3 across = glm::cross(b - a, c - a);
+      const glm::dvec3 raw = glm::length(across) > 1e-6 ? glm::normalize(across) : random.direction();
+      const glm::dvec3 normal = glm::normalize(raw + near * random.between(0, 4) * random.direction());
+      const double offset = -glm::dot(normal, a) + near * random.between(-2, 2);
+      const facet::Halfspace halfspace = scene.planes.add({normal, offset});
+      convex::Polytope next = convex::clip(polytope, halfspace, scene.planes);
+      if (next.empty()) next = convex::clip(polytope, convex::opposite(halfspace), scene.planes);
+      if (next.empty()) break;
+      if (next.vertices != polytope.vertices) ++cuts;
+      polytope = std::move(next);
+      // The tolerance may have been raised, but not without end.
+      REQUIRE(flaws(scene, polytope, 1.01) == "");
+    }
+  }
+  CHECK(cuts > 5000);
+}
+
+TEST_CASE("an empty solid is an empty polytope, and stays empty") {
+  facet::PlaneTable planes(glm::dvec3(0), 1.0);
+  const facet::Halfspace halfspace = planes.add({{0, 0, 1}, 0});
+  CHECK(convex::make_polytope({}, planes).empty());
+  CHECK(convex::clip({}, halfspace, planes).empty());
+}
