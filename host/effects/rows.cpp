@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "host/effects/antialias.h"
 #include "host/effects/cuts.h"
 #include "host/effects/equalise.h"
 #include "host/effects/smooth.h"
@@ -20,6 +21,7 @@ constexpr std::array rows{
     &textures,
     &cuts,
     &transparency,
+    &antialias,
     &equalise,
 };
 // clang-format on

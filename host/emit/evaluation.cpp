@@ -75,6 +75,9 @@ void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& 
   emit_early_out(context, out, merge, merging);
   if (is_classified)
     emit_early_out(context, out, classification, {isa::Purpose::classify, planned.primitive(), isa::no_node});
+  // Where a drawing is made at some pixels only, a surface may have none of them in its rectangle.
+  if (context.base.width > 0)
+    emit_early_out(context, out, surface.begin, {isa::Purpose::render, planned.primitive(), isa::no_node});
 }
 
 /// Renders, classifies and merges one product.

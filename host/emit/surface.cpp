@@ -122,7 +122,7 @@ void emit_near_test(const Context& context, Broadcast& out, const Surface& surfa
 Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides) {
   const csg::Block& block = planned.block;
   const bool complemented = context.complemented(planned.primitive());
-  Surface surface{false, complemented ? sides.backs.facets : sides.fronts.facets, block};
+  Surface surface{false, complemented ? sides.backs.facets : sides.fronts.facets, block, 0};
   surface.nothing = sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
   if (surface.nothing) return surface;
   if (!complemented && may_reach_near(context, sides.fronts.facets, block))
@@ -138,6 +138,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
   context.base.width > 0 ? out.plain(Opcode::enable_load, context.base) : out.plain(Opcode::enable_all);
   out.clip(block.pixels, context.plan.pixels());
+  surface.begin = out.size();
   for (const std::uint32_t primitive : planned.set) emit_edges(context, out, primitive, sides.column);
   Extreme extreme(context, out, planned, surface);
   context.layout.candidate_colour.width > 0 ? extreme.emit_with_colours() : extreme.emit();

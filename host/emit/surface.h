@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "host/emit/context.h"
@@ -13,6 +14,7 @@ struct Surface {
   bool nothing = false;       ///< no pixel can have one; then nothing was emitted
   std::vector<Facet> facets;  ///< what Z1 can come from, in order; the first may be at depth 0
   csg::Block block;
+  std::size_t begin = 0;  ///< instructions in the segment when E was left to the block's pixels, if it was emitted
 };
 
 /// What emit_surface would draw, without drawing it.

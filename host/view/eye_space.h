@@ -14,7 +14,7 @@ struct EyeSpace {
   glm::dvec3 eye;
   bool perspective;
   double pixel;     ///< orthographic: model units a pixel; perspective: tangent a pixel
-  double middle_x;  ///< column and row that the view axis meets
+  double middle_x;  ///< column and row that the view axis meets, from where the first pixel is sampled
   double middle_y;
 
   /// Right, up and forward of the eye, model units.
@@ -26,7 +26,7 @@ struct EyeSpace {
     return eye + axes.right * in_eye.x + axes.up * in_eye.y + axes.forward * in_eye.z;
   }
 
-  /// Column and row in pixels, pixel centres at integers; the third coordinate stays the distance.
+  /// Column and row in pixels, which are sampled at integers; the third coordinate stays the distance.
   [[nodiscard]] glm::dvec3 to_picture(const glm::dvec3& in_eye) const {
     const double unit = unit_at(in_eye.z);
     return {middle_x + in_eye.x / unit, middle_y - in_eye.y / unit, in_eye.z};

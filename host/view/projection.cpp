@@ -35,6 +35,9 @@ void check(const Sampling& sampling) {
   if (sampling.near && !(*sampling.near > 0.0 && std::isfinite(*sampling.near))) {
     throw InputError("the near plane has to be at a finite distance above 0");
   }
+  if (!(std::abs(sampling.offset.x) <= 1.0 && std::abs(sampling.offset.y) <= 1.0)) {
+    throw InputError("pixels have to be sampled within one pixel of their centres");
+  }
 }
 
 /// The nearest a near plane may be, as a part of the distance to the far plane: nearer ones leave too few of a double's
@@ -119,6 +122,7 @@ RealLinear depth_plane(const EyeSpace& space, const isa::DepthScale& scale, unsi
 /// is moved right, or, along vertical moves only, down, by less than anything.
 bool points_right(const FixedLinear& line) { return line.a > 0 || (line.a == 0 && line.b >= 0); }
 
+/// `line`: as the pixels sample it.
 ScreenPlane make_edge(const RealLinear& line, const Sampling& sampling) {
   ScreenPlane edge;
   edge.kind = PlaneKind::edge;
@@ -142,12 +146,12 @@ ScreenPlane make_screen_plane(const EyeSpace& space, const isa::DepthScale& scal
   const double slope = std::hypot(depth.a, depth.b);
   const double steepest = std::ldexp(1.0, static_cast<int>(sampling.z_bits)) / sampling.edge_on_fraction;
   if (!(slope <= steepest) || !std::isfinite(depth.at_centre))
-    return make_edge(edge_line(space, scale, plane), sampling);
+    return make_edge(as_sampled(edge_line(space, scale, plane), sampling), sampling);
   ScreenPlane surface;
-  surface.real = depth;
+  surface.real = as_sampled(depth, sampling);
   // The eye is outside the positive half-space.
   surface.positive = space.perspective ? plane.offset > 0.0 : plane.normal.z < 0.0;
-  const auto fixed = to_fixed(depth, sampling.fraction_bits, sampling.width, sampling.height);
+  const auto fixed = to_fixed(surface.real, sampling.fraction_bits, sampling.width, sampling.height);
   surface.representable = fixed.has_value();
   if (fixed) surface.linear = *fixed;
   return surface;
@@ -161,6 +165,10 @@ Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace) {
   return same ? Side::front : Side::back;
 }
 
+RealLinear as_sampled(const RealLinear& linear, const Sampling& sampling) {
+  return {linear.a, linear.b, linear.at_centre + linear.a * sampling.offset.x + linear.b * sampling.offset.y};
+}
+
 EyeSpace eye_space(const Camera& camera, const Sampling& sampling) {
   const bool perspective = camera.projection == Projection::perspective;
   const double half = perspective ? half_height_per_distance() : half_height(camera);
@@ -168,8 +176,8 @@ EyeSpace eye_space(const Camera& camera, const Sampling& sampling) {
           camera.eye,
           perspective,
           2.0 * half / sampling.height,
-          (sampling.width - 1.0) / 2.0,
-          (sampling.height - 1.0) / 2.0};
+          (sampling.width - 1.0) / 2.0 - sampling.offset.x,
+          (sampling.height - 1.0) / 2.0 - sampling.offset.y};
 }
 
 View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,11 @@ struct Sampling {
   unsigned fraction_bits = 12;          ///< of the coefficients of surfaces, below one depth step
   double edge_on_fraction = 1.0 / 256;  ///< of a pixel: steeper planes become edge tests
   std::optional<double> near;           ///< distance of the near plane in a perspective view, model units
+  glm::dvec2 offset{0};                 ///< columns and rows from a pixel's centre to where it is sampled
 };
+
+/// A linear function of the picture's columns and rows, as the pixels sample it.
+RealLinear as_sampled(const RealLinear& linear, const Sampling& sampling);
 
 /// Fraction bits of an edge test, whose unit is about one pixel: finer than those of surfaces, since no slope magnifies
 /// it.
@@ -83,7 +88,8 @@ struct View {
   double depth_step = 0;            ///< model units of a depth step where it is coarsest
 };
 
-/// Model space, eye space and picture of a camera. Throws InputError for a camera that cannot be.
+/// Model space, eye space and picture of a camera, the picture's columns and rows counted from where the first pixel is
+/// sampled. Throws InputError for a camera that cannot be.
 EyeSpace eye_space(const Camera& camera, const Sampling& sampling);
 
 /// Transforms planes and extents. Throws InputError for a camera or sampling that cannot be.

@@ -1,0 +1,364 @@
+#include "host/effects/antialias.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "host/emit/early_out.h"
+#include "hw/base/error.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+using isa::Opcode;
+
+struct Settings {
+  std::int64_t samples = 4;
+  bool adaptive = false;
+  std::int64_t least_difference = 1;
+};
+
+constexpr double most_samples = 16;
+
+constexpr std::array keys{
+    scene::integer_key<&Settings::samples>("samples", "samples a pixel", 2, most_samples, "2, 4, 8 or 16"),
+    scene::boolean_key<&Settings::adaptive>("adaptive",
+                                            "begins with a quarter of the samples, 2 at least; a pixel gets twice as "
+                                            "many only where the means of those that it has, half and half, differ"),
+    scene::integer_key<&Settings::least_difference>("least_difference", "levels of a channel", 1, 255,
+                                                    "adaptive: means that differ by less count as equal")};
+
+void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
+  const std::int64_t samples = std::any_cast<const Settings&>(read).samples;
+  if (!std::has_single_bit(static_cast<std::uint64_t>(samples)))
+    throw InputError(fmt::format("{} samples a pixel have no mean that is a shift; take 2, 4, 8 or 16", samples));
+  scene::keep_effect(scene, section, std::move(read));
+}
+
+/// Of the camera's own drawing.
+struct Ready {
+  unsigned colour_bits = 0;
+};
+
+bool is_shifted(const view::View& view) { return view.sampling.offset != glm::dvec2(0); }
+
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+  emit::EffectState state;
+  // What is drawn within a sample, and the samples themselves, have no samples of their own.
+  if (drawing.nesting > 0 || is_shifted(drawing.view)) return state;
+  state.own = Ready{workshop.options.colour_bits};
+  const auto count = static_cast<std::size_t>(std::any_cast<const Settings&>(settings).samples);
+  for (const glm::dvec2& offset : sample_offsets(count)) {
+    if (offset == glm::dvec2(0)) continue;
+    view::Sampling sampling = drawing.view.sampling;
+    sampling.offset = offset;
+    state.drawings.push_back(emit::make_drawing(
+        drawing.tree, drawing.scene, view::make_view(*drawing.scene, *drawing.tree, drawing.view.camera, sampling),
+        drawing.nesting, workshop));
+  }
+  return state;
+}
+
+constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
+constexpr std::array<std::string_view, 3> newer_names{"newer_red", "newer_green", "newer_blue"};
+
+/// Two samples are all that adaptive ones begin with.
+bool is_adaptive(const Settings& settings) { return settings.adaptive && settings.samples > 2; }
+
+unsigned log2_of(const Settings& settings) {
+  return static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(settings.samples)));
+}
+
+unsigned colour_bits_of(const emit::Drawing& drawing) {
+  for (const emit::EffectState& state : drawing.states)
+    if (const auto* const ready = std::any_cast<Ready>(&state.own)) return ready->colour_bits;
+  throw std::logic_error("anti-aliasing was not prepared");
+}
+
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
+  const auto& set = std::any_cast<const Settings&>(settings);
+  const std::array<unsigned, 3> widths = isa::channel_widths(colour_bits_of(drawing));
+  const unsigned more = log2_of(set);
+  std::vector<emit::FieldRequest> requests;
+  const auto add = [&](std::string_view name, unsigned width, std::string_view what, std::string_view without) {
+    requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
+  };
+  for (std::size_t i = 0; i < sum_names.size(); ++i)
+    add(sum_names[i], widths[i] + more, "sum of samples", "take --set effects.antialias.samples=2");
+  if (!is_adaptive(set)) return requests;
+  constexpr std::string_view full = "take --set effects.antialias.adaptive=false";
+  for (std::size_t i = 0; i < newer_names.size(); ++i)
+    add(newer_names[i], widths[i] + more - 1, "sum of newer samples", full);
+  add("refined", 1, "samples to come", full);
+  add("differs", 1, "samples differ", full);
+  add("depth", drawing.view.sampling.z_bits, "depth of samples", full);
+  for (const std::string_view name : {"more", "other"})
+    requests.push_back({std::string(name), isa::FieldRole::scratch, widths[1] + more, "", "", true});
+  return requests;
+}
+
+/// The low bits of a field, or those from `from` on.
+isa::Field part(isa::Field field, unsigned from, unsigned width) {
+  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
+}
+
+/// A channel of the picture, and what its samples are added up in.
+struct Channel {
+  isa::Field colour;
+  isa::Field sum;    ///< of all samples
+  isa::Field newer;  ///< of those that are not in the sum yet; of width 0 if there is no such field
+};
+
+std::array<Channel, 3> channels_of(const emit::Context& context, const Settings& settings) {
+  const std::array<unsigned, 3> widths = isa::channel_widths(context.options.colour_bits);
+  std::array<Channel, 3> channels;
+  unsigned from = context.layout.colour.width;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    from -= widths[i];
+    channels[i] = {part(context.layout.colour, from, widths[i]), context.layout.of("antialias", sum_names[i]), {}};
+    if (is_adaptive(settings)) channels[i].newer = context.layout.of("antialias", newer_names[i]);
+  }
+  return channels;
+}
+
+/// Adds samples up. Every function works where E is 1.
+class Samples {
+ public:
+  Samples(const emit::EffectCall& call, emit::Broadcast& out)
+      : context_(call.context),
+        settings_(std::any_cast<const Settings&>(call.settings)),
+        out_(out),
+        channels_(channels_of(call.context, settings_)) {}
+
+  void clear(isa::Field Channel::*sum, std::uint64_t value) {
+    for (const Channel& one : channels_) plain(Opcode::set_constant, one.*sum, {}, value);
+  }
+
+  /// The picture to the sum.
+  void add(isa::Field Channel::*sum) {
+    for (const Channel& one : channels_) plain(Opcode::add, one.*sum, one.colour);
+  }
+
+  void add_newer() {
+    for (const Channel& one : channels_) plain(Opcode::add, one.sum, one.newer);
+  }
+
+  /// The sum, divided by 2^shift, to the picture.
+  void divide(unsigned shift) {
+    for (const Channel& one : channels_) plain(Opcode::copy, one.colour, part(one.sum, shift, one.colour.width));
+  }
+
+  /// Adds what makes a division by 2^shift round to the nearest.
+  void add_half(unsigned shift) {
+    const isa::Field half = part(context_.layout.of("antialias", "more"), 0, shift);
+    plain(Opcode::set_constant, half, {}, std::uint64_t{1} << (shift - 1));
+    for (const Channel& one : channels_) plain(Opcode::add, one.sum, half);
+  }
+
+  /// Leaves in `bit` whether the means of 2^shift samples, of the sum and of the newer ones, differ enough.
+  void compare(unsigned shift, isa::Field bit) {
+    plain(Opcode::enable_all);
+    plain(Opcode::set_constant, bit, {}, 0);
+    for (const Channel& one : channels_) {
+      if (settings_.least_difference >= std::int64_t{1} << one.colour.width) continue;
+      const unsigned width = one.colour.width + shift;
+      is_less(part(one.sum, 0, width), part(one.newer, 0, width), shift, bit);
+      is_less(part(one.newer, 0, width), part(one.sum, 0, width), shift, bit);
+    }
+  }
+
+  void plain(Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0) {
+    out_.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    out_.plain(opcode, first, second, constant);
+  }
+
+ private:
+  /// Sets the bit, at any pixel, where `less` + 2^shift least_difference <= `greater`.
+  void is_less(isa::Field less, isa::Field greater, unsigned shift, isa::Field bit) {
+    const isa::Field more = part(context_.layout.of("antialias", "more"), 0, less.width + 1U);
+    const isa::Field other = part(context_.layout.of("antialias", "other"), 0, less.width + 1U);
+    plain(Opcode::enable_all);
+    plain(Opcode::set_constant, more, {}, static_cast<std::uint64_t>(settings_.least_difference) << shift);
+    plain(Opcode::add, more, less);
+    plain(Opcode::set_constant, other, {}, 0);
+    plain(Opcode::add, other, greater);
+    plain(Opcode::field_le, more, other);
+    plain(Opcode::enable_or, bit);
+    plain(Opcode::enable_store, bit);
+  }
+
+  const emit::Context& context_;
+  const Settings& settings_;
+  emit::Broadcast& out_;
+  std::array<Channel, 3> channels_;
+};
+
+/// The picture without offset, billed to no effect.
+void draw_centre(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
+  const std::uint8_t billed = std::exchange(out.effect, isa::no_effect);
+  draw(call.context);
+  out.effect = billed;
+}
+
+void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
+  const auto& settings = std::any_cast<const Settings&>(call.settings);
+  Samples samples(call, out);
+  samples.plain(Opcode::enable_all);
+  samples.clear(&Channel::sum, static_cast<std::uint64_t>(settings.samples / 2));
+  for (const auto& drawing : call.state.drawings) {
+    draw(emit::context_of(*drawing, call.context));
+    samples.plain(Opcode::enable_all);
+    samples.add(&Channel::sum);
+  }
+  // Last, so that the depths stay.
+  draw_centre(call, out, draw);
+  samples.plain(Opcode::enable_all);
+  samples.add(&Channel::sum);
+  samples.divide(log2_of(settings));
+}
+
+/// Draws at ever fewer pixels.
+class Refinement {
+ public:
+  Refinement(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw)
+      : call_(call),
+        out_(out),
+        draw_(draw),
+        settings_(std::any_cast<const Settings&>(call.settings)),
+        samples_(call, out),
+        refined_(call.context.layout.of("antialias", "refined")),
+        differs_(call.context.layout.of("antialias", "differs")),
+        layout_(call.context.layout) {
+    // The depths of the picture without offset stay.
+    layout_.depth = layout_.of("antialias", "depth");
+  }
+
+  void draw() {
+    const unsigned shift = std::max(1U, log2_of(settings_) - 2);
+    const std::size_t half = std::size_t{1} << (shift - 1);
+    samples_.plain(Opcode::enable_all);
+    samples_.clear(&Channel::sum, 0);
+    samples_.clear(&Channel::newer, 0);
+    for (std::size_t i = half; i < 2 * half; ++i) draw_whole(i, &Channel::sum);
+    for (std::size_t i = 1; i < half; ++i) draw_whole(i, &Channel::newer);
+    draw_centre(call_, out_, draw_);
+    samples_.plain(Opcode::enable_all);
+    samples_.add(&Channel::newer);
+    samples_.compare(shift - 1, differs_);
+    samples_.plain(Opcode::enable_all);
+    samples_.add_newer();
+    samples_.plain(Opcode::enable_store, refined_);
+    finish(shift);
+    refine(shift);
+  }
+
+ private:
+  void draw_whole(std::size_t sample, isa::Field Channel::*sum) {
+    draw_(emit::context_of(*call_.state.drawings[sample - 1], call_.context));
+    samples_.plain(Opcode::enable_all);
+    samples_.add(sum);
+  }
+
+  /// Where there are 2^shift samples and they do not differ, these are all.
+  void finish(unsigned shift) {
+    samples_.plain(Opcode::enable_load, refined_);
+    samples_.plain(Opcode::enable_and_not, differs_);
+    samples_.add_half(shift);
+    samples_.divide(shift);
+    samples_.plain(Opcode::enable_load, refined_);
+    samples_.plain(Opcode::enable_and, differs_);
+    samples_.plain(Opcode::enable_store, refined_);
+  }
+
+  /// Where `refined`, there are 2^shift samples: as many again. E is `refined`.
+  void refine(unsigned shift) {
+    const std::size_t begin = out_.size();
+    const unsigned last = log2_of(settings_);
+    samples_.clear(&Channel::newer, 0);
+    emit::Context elsewhere = emit::with_layout(call_.context, layout_);
+    elsewhere.base = refined_;
+    const std::size_t there = std::size_t{1} << shift;
+    for (std::size_t i = there; i < 2 * there; ++i) {
+      draw_(emit::context_of(*call_.state.drawings[i - 1], elsewhere));
+      samples_.plain(Opcode::enable_load, refined_);
+      samples_.add(&Channel::newer);
+    }
+    if (shift + 1 < last) samples_.compare(shift, differs_);
+    samples_.plain(Opcode::enable_load, refined_);
+    samples_.add_newer();
+    if (shift + 1 < last) {
+      finish(shift + 1);
+      refine(shift + 1);
+    } else {
+      samples_.add_half(last);
+      samples_.divide(last);
+    }
+    emit::emit_early_out(call_.context, out_, begin, {isa::Purpose::effect, isa::no_primitive, isa::no_node});
+  }
+
+  const emit::EffectCall& call_;
+  emit::Broadcast& out_;
+  const emit::DrawPicture& draw_;
+  const Settings& settings_;
+  Samples samples_;
+  isa::Field refined_;
+  isa::Field differs_;
+  emit::Layout layout_;
+};
+
+void around(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
+  if (is_adaptive(std::any_cast<const Settings&>(call.settings))) {
+    Refinement(call, out, draw).draw();
+  } else {
+    draw_all(call, out, draw);
+  }
+}
+
+/// Columns and rows in sixteenths of a pixel: a digital net (Sobol', USSR Computational Mathematics and Mathematical
+/// Physics, 1967), of which the first 2, 4 and 8 are nets too, as far apart as such can be.
+constexpr std::array<std::array<int, 2>, 16> net{{{0, 0},
+                                                  {12, 8},
+                                                  {8, 4},
+                                                  {4, 12},
+                                                  {2, 11},
+                                                  {14, 3},
+                                                  {10, 15},
+                                                  {6, 7},
+                                                  {1, 14},
+                                                  {13, 6},
+                                                  {9, 10},
+                                                  {5, 2},
+                                                  {3, 5},
+                                                  {15, 13},
+                                                  {11, 1},
+                                                  {7, 9}}};
+
+}  // namespace
+
+std::vector<glm::dvec2> sample_offsets(std::size_t count) {
+  const auto wrapped = [](int part) { return (part < 8 ? part : part - 16) / 16.0; };
+  std::vector<glm::dvec2> offsets;
+  for (std::size_t i = 0; i < count; ++i) offsets.emplace_back(wrapped(net.at(i)[0]), wrapped(net.at(i)[1]));
+  return offsets;
+}
+
+const emit::Effect antialias{
+    .section = {"effects.antialias", "smooth edges: the mean of several samples a pixel", false, keys,
+                scene::blank_section<Settings>, keep},
+    .technique =
+        "successive refinement, Fuchs et al., SIGGRAPH 1985: the picture is drawn once a sample, moved by parts of a "
+        "pixel, which changes the constants C alone, and the colours are added up in pixel memory",
+    .prepare = prepare,
+    .fields = fields,
+    .around = around};
+
+}  // namespace csgsim::effects

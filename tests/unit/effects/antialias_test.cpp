@@ -1,0 +1,307 @@
+#include "host/effects/antialias.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <glm/vec2.hpp>
+#include <numbers>
+#include <set>
+#include <vector>
+
+#include "hw/isa/colour_format.h"
+#include "hw/machines/clocks.h"
+#include "hw/scan_line/kind.h"
+#include "sim/functional/clocks.h"
+#include "tests/oracle/random_model.h"
+#include "tests/oracle/ray_picture.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/effects/effect_picture.h"
+
+using namespace csgsim;
+
+namespace {
+
+using Levels = std::array<int, 3>;
+
+Levels levels_of(std::uint32_t colour) {
+  return {static_cast<int>(colour >> 16U), static_cast<int>(colour >> 8U & 255U), static_cast<int>(colour & 255U)};
+}
+
+int difference(const Levels& a, const Levels& b) {
+  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+std::string called(std::size_t samples, const std::string& more = "") {
+  return fmt::format("[effects.antialias]\nsamples = {}\n{}", samples, more);
+}
+
+testing::Setup random_view(view::Projection projection, const std::string& scene) {
+  testing::Setup setup = testing::front_view(61, 47, testing::scene_of(scene));
+  setup.camera = {{40, -90, 35}, {0, 0, 0}, projection};
+  setup.memory_bits = 300;
+  return setup;
+}
+
+/// Without the effect, sampled beside the pixels' centres.
+sim::Frame sampled_at(const std::string& csg, testing::Setup setup, const glm::dvec2& offset) {
+  setup.options.scene = testing::scene_of("");
+  setup.sampling.offset = offset;
+  return testing::draw(testing::compile_text(csg, setup).program);
+}
+
+std::vector<sim::Frame> sampled(const std::string& csg, const testing::Setup& setup, std::size_t count) {
+  std::vector<sim::Frame> frames;
+  for (const glm::dvec2& offset : effects::sample_offsets(count)) frames.push_back(sampled_at(csg, setup, offset));
+  return frames;
+}
+
+/// Sums of some of the samples at a pixel.
+Levels sum_of(const std::vector<sim::Frame>& frames, std::size_t begin, std::size_t end, std::size_t pixel) {
+  Levels sum{};
+  for (std::size_t i = begin; i < end; ++i) {
+    const Levels one = levels_of(frames[i].colour[pixel]);
+    for (std::size_t c = 0; c < sum.size(); ++c) sum.at(c) += one.at(c);
+  }
+  return sum;
+}
+
+/// The mean, halves upwards.
+Levels mean_of(const std::vector<sim::Frame>& frames, std::size_t count, std::size_t pixel) {
+  Levels mean = sum_of(frames, 0, count, pixel);
+  for (int& one : mean) one = (one + static_cast<int>(count) / 2) / static_cast<int>(count);
+  return mean;
+}
+
+/// What adaptive anti-aliasing does, by its definition.
+Levels refined(const std::vector<sim::Frame>& frames, int least_difference, std::size_t pixel) {
+  std::size_t count = std::max<std::size_t>(2, frames.size() / 4);
+  while (count < frames.size()) {
+    const int enough = least_difference * static_cast<int>(count / 2);
+    if (difference(sum_of(frames, 0, count / 2, pixel), sum_of(frames, count / 2, count, pixel)) < enough) break;
+    count *= 2;
+  }
+  return mean_of(frames, count, pixel);
+}
+
+/// The most by which the first few of the samples misjudge how many of all are to one side of a straight line.
+double worst_at_a_line(std::size_t few, std::size_t all) {
+  const std::vector<glm::dvec2> offsets = effects::sample_offsets(all);
+  double worst = 0;
+  for (int step = 0; step < 3600; ++step) {
+    // Off the directions in which samples are in line.
+    const double turn = (step + 0.0123) * std::numbers::pi / 1800;
+    std::vector<std::pair<double, bool>> along;
+    for (std::size_t i = 0; i < all; ++i)
+      along.emplace_back(offsets[i].x * std::cos(turn) + offsets[i].y * std::sin(turn), i < few);
+    std::sort(along.begin(), along.end());
+    double of_few = 0;
+    for (std::size_t i = 0; i < all; ++i) {
+      if (along[i].second) of_few += 1.0 / static_cast<double>(few);
+      worst = std::max(worst, std::abs(of_few - static_cast<double>(i + 1) / static_cast<double>(all)));
+    }
+  }
+  return worst;
+}
+
+const std::string ball_and_hole =
+    "color([1,0.2,0.1,1]){difference(){sphere($fn=30,r=9);cylinder($fn=30,h=30,r1=4,r2=2,center=true);}}"
+    "color([0.1,0.4,1,1]){cube(size=[25,3,4],center=true);}";
+
+}  // namespace
+
+TEST_CASE("each column and each row of a pixel has one sample, and the first is at the centre") {
+  for (const std::size_t count : {2U, 4U, 8U, 16U}) {
+    std::set<double> columns;
+    std::set<double> rows;
+    const std::vector<glm::dvec2> offsets = effects::sample_offsets(count);
+    CHECK(offsets.size() == count);
+    CHECK(offsets.front() == glm::dvec2(0));
+    for (const glm::dvec2& one : offsets) {
+      CHECK(one.x >= -0.5);
+      CHECK(one.x < 0.5);
+      CHECK(one.y >= -0.5);
+      CHECK(one.y < 0.5);
+      columns.insert(std::floor(one.x * static_cast<double>(count)));
+      rows.insert(std::floor(one.y * static_cast<double>(count)));
+    }
+    CHECK(columns.size() == count);
+    CHECK(rows.size() == count);
+  }
+}
+
+TEST_CASE("sampling beside the pixels' centres changes the constants of the planes alone, and by what it should") {
+  for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    testing::Setup setup = random_view(projection, "");
+    const testing::Compiled centre = testing::compile_text(ball_and_hole, setup);
+    setup.sampling.offset = {0.25, -0.375};
+    const testing::Compiled aside = testing::compile_text(ball_and_hole, setup);
+    REQUIRE(centre.view.planes.size() == aside.view.planes.size());
+    CHECK(centre.view.depth.near == aside.view.depth.near);
+    CHECK(centre.view.depth.far == aside.view.depth.far);
+    for (std::size_t i = 0; i < centre.view.planes.size(); ++i) {
+      const view::ScreenPlane& before = centre.view.planes[i];
+      const view::ScreenPlane& after = aside.view.planes[i];
+      CHECK(before.linear.a == after.linear.a);
+      CHECK(before.linear.b == after.linear.b);
+      CHECK(before.positive == after.positive);
+      // Both constants were rounded from the same real plane.
+      const unsigned bits = before.kind == view::PlaneKind::edge ? view::edge_fraction_bits(setup.sampling)
+                                                                 : setup.sampling.fraction_bits;
+      const double moved = std::ldexp(before.real.a * 0.25 - before.real.b * 0.375, static_cast<int>(bits));
+      CHECK(std::abs(static_cast<double>(after.linear.c - before.linear.c) - moved) <= 1.0 + 1e-6 * std::abs(moved));
+    }
+  }
+}
+
+TEST_CASE("the anti-aliased picture is the rounded mean of as many pictures, bit for bit, and its depth the centre's") {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const std::string csg = testing::random_model(seed, 7);
+    const auto projection = seed % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
+    const std::size_t count = std::size_t{2} << (seed % 4);
+    CAPTURE(seed);
+    const testing::Setup setup = random_view(projection, called(count));
+    const sim::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
+    const std::vector<sim::Frame> frames = sampled(csg, setup, count);
+    CHECK(picture.depth == frames.front().depth);
+    int wrong = 0;
+    bool has_edges = false;
+    for (std::size_t i = 0; i < picture.colour.size(); ++i) {
+      wrong += levels_of(picture.colour[i]) != mean_of(frames, count, i);
+      has_edges = has_edges || picture.colour[i] != frames.front().colour[i];
+    }
+    CHECK(wrong == 0);
+    CHECK(has_edges);
+  }
+}
+
+TEST_CASE("fewer bits of colour are averaged a channel each") {
+  testing::Setup setup = random_view(view::Projection::orthographic, called(4));
+  setup.options.colour_bits = 11;
+  const sim::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+  const std::vector<sim::Frame> frames = sampled(ball_and_hole, setup, 4);
+  int wrong = 0;
+  for (std::size_t i = 0; i < picture.colour.size(); ++i) {
+    std::uint32_t expected = 0;
+    unsigned from = 11;
+    for (const unsigned width : isa::channel_widths(11)) {
+      from -= width;
+      std::uint32_t sum = 2;
+      for (const sim::Frame& one : frames) sum += one.colour[i] >> from & ((1U << width) - 1);
+      expected |= (sum / 4) << from;
+    }
+    wrong += picture.colour[i] != expected;
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("anti-aliased colours are the means of what rays through the same places see") {
+  for (std::uint64_t seed = 20; seed < 26; ++seed) {
+    const std::string csg = testing::random_model(seed, 5);
+    const auto projection = seed % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
+    CAPTURE(seed);
+    const testing::Setup setup = random_view(projection, called(4));
+    const testing::Compiled compiled = testing::compile_text(csg, setup);
+    const sim::Frame picture = testing::draw(compiled.program);
+    const testing::RayShot shot{setup.camera, 61, 47, compiled.view.depth.near, effects::sample_offsets(4)};
+    const auto seen = testing::ray_picture(compiled.tree, compiled.scene, setup.options.scene, shot);
+    int certain = 0;
+    int wrong = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (!seen[i].is_certain) continue;
+      ++certain;
+      const Levels ours = levels_of(picture.colour[i]);
+      for (int c = 0; c < 3; ++c)
+        wrong += std::abs(ours.at(static_cast<std::size_t>(c)) - seen[i].colour[c] * 255) > 0.5 + 1e-6;
+    }
+    CHECK(wrong == 0);
+    CHECK(certain > static_cast<int>(seen.size()) / 2);
+  }
+}
+
+TEST_CASE("adaptive anti-aliasing stops at each pixel where its definition says, and keeps the depths") {
+  for (std::uint64_t seed = 40; seed < 49; ++seed) {
+    const std::string csg = testing::random_model(seed, 6);
+    const std::size_t count = std::size_t{4} << (seed % 3);
+    const int least_difference = std::array{1, 20, 100}.at(seed / 3 % 3);
+    CAPTURE(seed);
+    const testing::Setup setup =
+        random_view(view::Projection::perspective,
+                    called(count, fmt::format("adaptive = true\nleast_difference = {}", least_difference)));
+    const sim::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
+    const std::vector<sim::Frame> frames = sampled(csg, setup, count);
+    CHECK(picture.depth == frames.front().depth);
+    int wrong = 0;
+    for (std::size_t i = 0; i < picture.colour.size(); ++i)
+      wrong += levels_of(picture.colour[i]) != refined(frames, least_difference, i);
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("along straight edges adaptive pictures differ from full ones by what the samples' places bound") {
+  // A white square, turned, on black.
+  const std::string csg =
+      "color([1,1,1,1]){multmatrix([[0.8,0,0.6,30],[0,1,0,0],[-0.6,0,0.8,-24],[0,0,0,1]])"
+      "{cube(size=[28,4,28],center=true);}}";
+  testing::Setup setup = testing::front_view(60, 48, testing::scene_of(testing::plain_colours + called(16)));
+  const sim::Frame full = testing::draw(testing::compile_text(csg, setup).program);
+  setup.options.scene =
+      testing::scene_of(testing::plain_colours + called(16, "adaptive = true\nleast_difference = 112"));
+  const sim::Frame adaptive = testing::draw(testing::compile_text(csg, setup).program);
+  const double bound = std::max(worst_at_a_line(4, 16), worst_at_a_line(8, 16)) * 255 + 1;
+  CHECK(bound < 100);
+  int most = 0;
+  for (std::size_t i = 0; i < full.colour.size(); ++i)
+    most = std::max(most, difference(levels_of(full.colour[i]), levels_of(adaptive.colour[i])));
+  CHECK(most <= bound);
+  CHECK(most > 0);
+}
+
+TEST_CASE("on the carburettor adaptive anti-aliasing takes less than half the clocks, within the bound of a line") {
+  testing::Setup setup = testing::front_view(256, 256, testing::scene_of(called(16)));
+  setup.camera = {{220, -255, 135}, {2, 0, 5}, view::Projection::orthographic};
+  const testing::Compiled all = testing::compile_file(testing::model_path("carburettor"), setup);
+  setup.options.scene = testing::scene_of(called(16, "adaptive = true\nleast_difference = 104"));
+  const testing::Compiled fewer = testing::compile_file(testing::model_path("carburettor"), setup);
+  const auto clocks = [](const isa::Program& program) {
+    return sim::make_functional_engine(testing::machine_of(program.shape))->run(program, {}).clocks;
+  };
+  CHECK(2 * clocks(fewer.program) < clocks(all.program));
+  const sim::Frame full = testing::draw(all.program);
+  const sim::Frame adaptive = testing::draw(fewer.program);
+  int most = 0;
+  for (std::size_t i = 0; i < full.colour.size(); ++i)
+    most = std::max(most, difference(levels_of(full.colour[i]), levels_of(adaptive.colour[i])));
+  CHECK(most <= worst_at_a_line(4, 16) * 255 + 1);
+}
+
+TEST_CASE("a picture that is all one colour is not refined") {
+  testing::Setup setup = testing::front_view(32, 32, testing::scene_of(called(4, "adaptive = true")));
+  const std::string wall = testing::box_text({-10, 0, -50}, {50, 1, 50});
+  const testing::Compiled refined = testing::compile_text(wall, setup);
+  const auto run = [](const isa::Program& program) {
+    return sim::make_functional_engine(testing::machine_of(program.shape))->run(program, {});
+  };
+  CHECK(run(refined.program).skipped > 0);
+  setup.options.scene = testing::scene_of(called(4));
+  CHECK(run(refined.program).skipped * 3 > testing::compile_text(wall, setup).program.segments[0].instructions.size());
+}
+
+TEST_CASE("line by line the anti-aliased picture is the same") {
+  for (const char* adaptive : {"adaptive = false", "adaptive = true"}) {
+    testing::Setup setup = random_view(view::Projection::perspective, called(4, adaptive));
+    const sim::Frame whole = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+    setup.kind = &scan_line::kind;
+    const sim::Frame lines = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+    CHECK(whole.colour == lines.colour);
+    CHECK(whole.depth == lines.depth);
+  }
+}
+
+TEST_CASE("numbers of samples whose mean is no shift are refused") {
+  CHECK(testing::error_of([] { testing::scene_of(called(3)); }).find("take 2, 4, 8 or 16") != std::string::npos);
+  CHECK(testing::error_of([] { testing::scene_of(called(12)); }).find("take 2, 4, 8 or 16") != std::string::npos);
+}
