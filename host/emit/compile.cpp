@@ -177,9 +177,8 @@ void refuse_effects(std::span<const CalledEffect> called, const machines::Machin
   for (const CalledEffect& one : called.subspan(1)) {
     throw InputError(fmt::format(
         "{} divides the model itself, and its divider knows flat facets alone, not the effect {}; take a machine "
-        "for which the host divides, as pixel-planes-4, scan-line or pixel-square+divider.kind=host, or leave the "
-        "effect out by --set effects.{}.{}on=false",
-        machine.name, one.effect->name(), one.effect->name(), one.effect->section.is_list ? "0." : ""));
+        "for which the host divides, as pixel-planes-4, scan-line or pixel-square+divider.kind=host, or {}",
+        machine.name, one.effect->name(), without));
   }
 }
 

@@ -36,6 +36,7 @@ struct ShowValue {
     return key.kind == ValueKind::choice ? std::string(key.names[static_cast<std::size_t>(value)])
                                          : fmt::format("{}", value);
   }
+  std::string operator()(const ColourTable& value) const { return value.empty() ? "" : "a table"; }
   std::string operator()(const glm::dvec3& value) const {
     return fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z);
   }

@@ -89,8 +89,13 @@ void store_in(std::any& section, const Value& value) {
   target = static_cast<Wanted>(std::get<Held>(value));
 }
 
+template <class Held, auto member, auto... path>
+void store(std::any& section, const Value& value) {
+  store_in<typename OfMember<decltype(member)>::struct_type, Held, member, path...>(section, value);
+}
+
 template <class Of, class Held, auto... path>
-std::optional<Value> load_in(const std::any& section) {
+std::optional<Value> load_from(const std::any& section) {
   const auto& value = ((std::any_cast<const Of&>(section)).*....*path);
   if constexpr (requires { value.has_value(); }) {
     if (!value) return std::nullopt;
@@ -100,57 +105,97 @@ std::optional<Value> load_in(const std::any& section) {
   }
 }
 
-/// A key that is stored in a member of an Of, or in a member of that member, and so on.
-template <class Of, class Held, auto... path>
-constexpr Key bound(Key key) {
-  key.store = store_in<Of, Held, path...>;
-  key.load = load_in<Of, Held, path...>;
-  return key;
-}
-
-/// The same where the first member says of what it is one.
 template <class Held, auto member, auto... path>
-constexpr Key bound_to(const Key& key) {
-  return bound<typename OfMember<decltype(member)>::struct_type, Held, member, path...>(key);
+std::optional<Value> load(const std::any& section) {
+  return load_from<typename OfMember<decltype(member)>::struct_type, Held, member, path...>(section);
 }
 
 }  // namespace detail
 
 template <auto... member>
 constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
-  return detail::bound_to<bool, member...>({name, ValueKind::boolean, "", 0, 0, meaning});
+  return {name, ValueKind::boolean,           "", 0, 0, meaning, detail::store<bool, member...>,
+          {},   detail::load<bool, member...>};
 }
 
 template <auto... member>
 constexpr Key integer_key(std::string_view name, std::string_view unit, double least, double most,
                           std::string_view meaning) {
-  return detail::bound_to<std::int64_t, member...>({name, ValueKind::integer, unit, least, most, meaning});
+  return {name,
+          ValueKind::integer,
+          unit,
+          least,
+          most,
+          meaning,
+          detail::store<std::int64_t, member...>,
+          {},
+          detail::load<std::int64_t, member...>};
 }
 
 template <auto... member>
 constexpr Key number_key(std::string_view name, std::string_view unit, double least, double most,
                          std::string_view meaning) {
-  return detail::bound_to<double, member...>({name, ValueKind::number, unit, least, most, meaning});
+  return {name,
+          ValueKind::number,
+          unit,
+          least,
+          most,
+          meaning,
+          detail::store<double, member...>,
+          {},
+          detail::load<double, member...>};
 }
 
 template <auto... member>
 constexpr Key vector_key(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return detail::bound_to<glm::dvec3, member...>({name, ValueKind::vector, unit, -any_number, any_number, meaning});
+  return {name,
+          ValueKind::vector,
+          unit,
+          -any_number,
+          any_number,
+          meaning,
+          detail::store<glm::dvec3, member...>,
+          {},
+          detail::load<glm::dvec3, member...>};
 }
 
 template <auto... member>
 constexpr Key colour_key(std::string_view name, std::string_view meaning) {
-  return detail::bound_to<glm::dvec3, member...>({name, ValueKind::colour, "", 0, 1, meaning});
+  return {name,
+          ValueKind::colour,
+          "",
+          0,
+          1,
+          meaning,
+          detail::store<glm::dvec3, member...>,
+          {},
+          detail::load<glm::dvec3, member...>};
 }
 
 template <auto... member>
 constexpr Key colour_table_key(std::string_view name, std::string_view meaning) {
-  return detail::bound_to<ColourTable, member...>({name, ValueKind::colour_table, "", 0, 1, meaning});
+  return {name,
+          ValueKind::colour_table,
+          "",
+          0,
+          1,
+          meaning,
+          detail::store<ColourTable, member...>,
+          {},
+          detail::load<ColourTable, member...>};
 }
 
 template <auto... member>
 constexpr Key choice_key(std::string_view name, std::span<const std::string_view> names, std::string_view meaning) {
-  return detail::bound_to<std::int64_t, member...>({name, ValueKind::choice, "", 0, 0, meaning, nullptr, names});
+  return {name,
+          ValueKind::choice,
+          "",
+          0,
+          0,
+          meaning,
+          detail::store<std::int64_t, member...>,
+          names,
+          detail::load<std::int64_t, member...>};
 }
 
 template <class Settings>
