@@ -40,8 +40,6 @@ struct ShowValue {
   std::string operator()(const glm::dvec3& value) const {
     return fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z);
   }
-  /// None has a table by default.
-  std::string operator()(const ColourTable& /*value*/) const { return ""; }
 };
 
 std::string default_text(const Key& key, const std::any& blank) {

@@ -103,6 +103,8 @@ class Reader {
       const toml::node* const node = table.get(key.name);
       if (node != nullptr) key.store(read, value_of(*node, key, fmt::format("{}.{}", section.name, key.name)));
     }
+    const bool is_called = !is_effect || is_on(table, section);
+    if (section.is_list && !is_called) return;  // the others of the list may be on
     try {
       section.keep(scene_, section, std::move(read));
     } catch (const InputError& error) {

@@ -219,12 +219,12 @@ inline constexpr double last_line = 4'294'967'295.0;
 /// The keys that choose primitives, of a section that is a Chosen.
 template <class Of>
 inline constexpr std::array chosen_keys{
-    detail::bound<Of, glm::dvec3, &Chosen::of_colour>(
-        {"of_colour", ValueKind::colour, "", 0, 1, "for the primitives that have this colour in the model"}),
-    detail::bound<Of, std::int64_t, &Chosen::from_line>(
-        {"from_line", ValueKind::integer, "", 1, last_line, "for those from this line of the model on"}),
-    detail::bound<Of, std::int64_t, &Chosen::to_line>(
-        {"to_line", ValueKind::integer, "", 1, last_line, "to this line; from_line if not given"})};
+    Key{"of_colour", ValueKind::colour, "", 0, 1, "for the primitives that have this colour in the model",
+        detail::store_in<Of, glm::dvec3, &Chosen::of_colour>},
+    Key{"from_line", ValueKind::integer, "", 1, last_line, "for those from this line of the model on",
+        detail::store_in<Of, std::int64_t, &Chosen::from_line>},
+    Key{"to_line", ValueKind::integer, "", 1, last_line, "to this line; from_line if not given",
+        detail::store_in<Of, std::int64_t, &Chosen::to_line>}};
 
 /// Completes what was read. Throws InputError where the lines are none.
 void complete(Chosen& chosen);

@@ -239,7 +239,7 @@ TEST_CASE("a checker begins at u0, v0 with its first colour") {
   }
 }
 
-TEST_CASE("of several textures the last that holds for a primitive counts, and one that is off keeps all out") {
+TEST_CASE("of several textures the last that holds for a primitive counts, and one that is off does not") {
   const std::string lights = "[ambient]\nintensity = 1\n[[lights]]\ndirection = [0, 0, -1]\nintensity = 0\n";
   const auto one_colour = [](const std::string& colour, const std::string& rest) {
     return fmt::format("[[effects.textures]]\nfirst = {0}\nsecond = {0}\n{1}\n", colour, rest);
@@ -254,7 +254,7 @@ TEST_CASE("of several textures the last that holds for a primitive counts, and o
   const std::string blue = one_colour("[0, 0, 1]", "");
   CHECK(middle(red + blue) == 0x0000ffU);
   CHECK(middle(blue + red) == 0xff0000U);
-  CHECK(middle(blue + red + "on = false\n") == 0x00ff00U);
+  CHECK(middle(blue + red + "on = false\n") == 0x0000ffU);
   CHECK(middle(blue + one_colour("[1, 0, 0]", "from_line = 2")) == 0x0000ffU);
   CHECK(middle(red + "on = false\n") == 0x00ff00U);
 }
@@ -313,5 +313,5 @@ TEST_CASE("a machine that divides the model itself refuses textures, and says ho
   setup.machine = "multi-processor";
   const std::string error =
       testing::error_of([&] { testing::compile_text("cube(size = [30, 30, 30], center = true);", setup); });
-  CHECK(error.find("leave the effect out by --set effects.textures.0.on=false") != error.npos);
+  CHECK(error.find("take its tables [[effects.textures]] out of the scene") != error.npos);
 }
