@@ -40,13 +40,16 @@ view::Range edge_range(const view::ScreenPlane& plane, const view::PixelRect& pi
 }
 
 Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block) {
-  const view::ScreenPlane& plane = view.planes[halfspace.plane];
+  return locate(view, view.planes[halfspace.plane], halfspace.positive, block);
+}
+
+Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block) {
   const auto range = [&] {
     if (!plane.representable) return real_range(view, plane.real, block.pixels);
     return plane.kind == view::PlaneKind::edge ? edge_range(plane, block.pixels)
                                                : depth_range(plane, view.sampling.fraction_bits, block.pixels);
   }();
-  switch (view::side_of(plane, halfspace)) {
+  switch (view::side_of(plane, positive)) {
     case view::Side::front:
       if (range.high <= block.z_low) return Known::in;
       return range.low > block.z_high ? Known::out : Known::depends;

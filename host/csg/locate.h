@@ -27,6 +27,9 @@ view::Range edge_range(const view::ScreenPlane& plane, const view::PixelRect& pi
 /// of a plane over a rectangle are at its corners.
 Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block);
 
+/// The same for one side of any plane.
+Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block);
+
 /// The same for a convex primitive: out if one half-space is out, in if all are in and the block is inside its extent.
 Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block);
 

@@ -30,29 +30,22 @@ lighting::Lighting without(const lighting::Lighting& lighting, const std::vector
   return left;
 }
 
-std::vector<isa::Instruction> colour_without(const Context& context, const Broadcast& like, const Facet& facet,
-                                             isa::Field field, const view::PixelRect& pixels,
-                                             const lighting::Lighting& lights) {
+std::vector<isa::Instruction> colour_under(const Context& context, const Facet& facet, const view::PixelRect& pixels,
+                                           const lighting::Lighting& lights) {
   isa::Segment segment{context.plan.region, {}, {}};
   Broadcast out(segment, context.view.sampling);
-  out.origin = like.origin;
-  out.effect = like.effect;
   Context lit = context;
   lit.lights = &lights;
-  emit_colour(lit, out, facet, field, pixels);
+  emit_colour(lit, out, facet, context.layout.colour, pixels);
   return std::move(segment.instructions);
 }
 
 /// Those of the lights whose shadow changes the facet's colour.
-std::vector<ShadowBit> that_matter(const Context& context, const Broadcast& out, const Facet& facet, isa::Field field,
-                                   const view::PixelRect& pixels, const std::vector<ShadowBit>& bits) {
+std::vector<ShadowBit> that_matter(const Context& context, const Facet& facet, const view::PixelRect& pixels,
+                                   const std::vector<ShadowBit>& bits) {
   std::vector<ShadowBit> matter;
-  if (bits.empty()) return matter;
-  const auto all = colour_without(context, out, facet, field, pixels, context.lighting());
-  for (const ShadowBit& bit : bits) {
-    if (colour_without(context, out, facet, field, pixels, without(context.lighting(), {bit}, 1)) != all)
-      matter.push_back(bit);
-  }
+  for (const ShadowBit& bit : bits)
+    if (light_matters(context, facet, pixels, bit.light)) matter.push_back(bit);
   if (matter.size() > most_shadows) {
     throw InputError(fmt::format("the shadows of {} lights meet on one facet; let {} at most throw shadows",
                                  matter.size(), most_shadows));
@@ -64,7 +57,7 @@ std::vector<ShadowBit> that_matter(const Context& context, const Broadcast& out,
 /// that they hold.
 void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
                           const view::PixelRect& pixels, const Shadows& shadows) {
-  const std::vector<ShadowBit> bits = that_matter(context, out, facet, field, pixels, shadows.bits);
+  const std::vector<ShadowBit> bits = that_matter(context, facet, pixels, shadows.bits);
   if (!bits.empty()) out.plain(Opcode::enable_store, shadows.spare);
   emit_colour(context, out, facet, field, pixels);
   const std::uint32_t sets = 1U << bits.size();
@@ -89,6 +82,11 @@ bool has_shaders(const Context& context) {
   for (std::size_t i = 1; i < context.called.size(); ++i)
     if (context.called[i].effect->shade != nullptr && ((context.left_out >> i) & 1U) == 0) return true;
   return false;
+}
+
+bool light_matters(const Context& context, const Facet& facet, const view::PixelRect& pixels, std::size_t light) {
+  const lighting::Lighting dark = without(context.lighting(), {{light, {}}}, 1);
+  return colour_under(context, facet, pixels, context.lighting()) != colour_under(context, facet, pixels, dark);
 }
 
 void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,

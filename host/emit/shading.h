@@ -9,6 +9,9 @@ namespace csgsim::emit {
 /// Whether an effect may colour facets, so that E may be less afterwards.
 bool has_shaders(const Context& context);
 
+/// Whether a light changes what emit_colour broadcasts of a facet.
+bool light_matters(const Context& context, const Facet& facet, const view::PixelRect& pixels, std::size_t light);
+
 /// Colours a facet into `field` where E is 1: by the last called effect that takes it. E is 0 outside
 /// `pixels`.
 void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,

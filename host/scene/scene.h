@@ -44,6 +44,7 @@ struct Material {
   double diffuse = 1;     ///< part of a light that falls on it from the front
   double specular = 0;    ///< part of a light that is mirrored into the eye, in the light's colour
   double shininess = 20;  ///< exponent of the highlight (Blinn): the greater, the smaller it is
+  double mirror = 0;      ///< part of what a flat face shows that is its mirror image; 1 is a perfect mirror
 
   bool operator==(const Material&) const = default;
 };

@@ -89,10 +89,12 @@ void store_in(std::any& section, const Value& value) {
   target = static_cast<Wanted>(std::get<Held>(value));
 }
 
-template <class Held, auto member, auto... path>
-void store(std::any& section, const Value& value) {
-  store_in<typename OfMember<decltype(member)>::struct_type, Held, member, path...>(section, value);
-}
+/// The section that the first of the members is of. It has to be an argument of the templates above by name: g++ 12
+/// takes functions that differ only in members of unnamed namespaces for one.
+template <auto member, auto...>
+struct SectionOf {
+  using type = typename OfMember<decltype(member)>::struct_type;
+};
 
 template <class Of, class Held, auto... path>
 std::optional<Value> load_from(const std::any& section) {
@@ -105,17 +107,19 @@ std::optional<Value> load_from(const std::any& section) {
   }
 }
 
-template <class Held, auto member, auto... path>
-std::optional<Value> load(const std::any& section) {
-  return load_from<typename OfMember<decltype(member)>::struct_type, Held, member, path...>(section);
-}
-
 }  // namespace detail
 
 template <auto... member>
 constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
-  return {name, ValueKind::boolean,           "", 0, 0, meaning, detail::store<bool, member...>,
-          {},   detail::load<bool, member...>};
+  return {name,
+          ValueKind::boolean,
+          "",
+          0,
+          0,
+          meaning,
+          detail::store_in<typename detail::SectionOf<member...>::type, bool, member...>,
+          {},
+          detail::load_from<typename detail::SectionOf<member...>::type, bool, member...>};
 }
 
 template <auto... member>
@@ -127,9 +131,9 @@ constexpr Key integer_key(std::string_view name, std::string_view unit, double l
           least,
           most,
           meaning,
-          detail::store<std::int64_t, member...>,
+          detail::store_in<typename detail::SectionOf<member...>::type, std::int64_t, member...>,
           {},
-          detail::load<std::int64_t, member...>};
+          detail::load_from<typename detail::SectionOf<member...>::type, std::int64_t, member...>};
 }
 
 template <auto... member>
@@ -141,9 +145,9 @@ constexpr Key number_key(std::string_view name, std::string_view unit, double le
           least,
           most,
           meaning,
-          detail::store<double, member...>,
+          detail::store_in<typename detail::SectionOf<member...>::type, double, member...>,
           {},
-          detail::load<double, member...>};
+          detail::load_from<typename detail::SectionOf<member...>::type, double, member...>};
 }
 
 template <auto... member>
@@ -154,9 +158,9 @@ constexpr Key vector_key(std::string_view name, std::string_view unit, std::stri
           -any_number,
           any_number,
           meaning,
-          detail::store<glm::dvec3, member...>,
+          detail::store_in<typename detail::SectionOf<member...>::type, glm::dvec3, member...>,
           {},
-          detail::load<glm::dvec3, member...>};
+          detail::load_from<typename detail::SectionOf<member...>::type, glm::dvec3, member...>};
 }
 
 template <auto... member>
@@ -167,9 +171,9 @@ constexpr Key colour_key(std::string_view name, std::string_view meaning) {
           0,
           1,
           meaning,
-          detail::store<glm::dvec3, member...>,
+          detail::store_in<typename detail::SectionOf<member...>::type, glm::dvec3, member...>,
           {},
-          detail::load<glm::dvec3, member...>};
+          detail::load_from<typename detail::SectionOf<member...>::type, glm::dvec3, member...>};
 }
 
 template <auto... member>
@@ -180,9 +184,9 @@ constexpr Key colour_table_key(std::string_view name, std::string_view meaning) 
           0,
           1,
           meaning,
-          detail::store<ColourTable, member...>,
+          detail::store_in<typename detail::SectionOf<member...>::type, ColourTable, member...>,
           {},
-          detail::load<ColourTable, member...>};
+          detail::load_from<typename detail::SectionOf<member...>::type, ColourTable, member...>};
 }
 
 template <auto... member>
@@ -193,9 +197,9 @@ constexpr Key choice_key(std::string_view name, std::span<const std::string_view
           0,
           0,
           meaning,
-          detail::store<std::int64_t, member...>,
+          detail::store_in<typename detail::SectionOf<member...>::type, std::int64_t, member...>,
           names,
-          detail::load<std::int64_t, member...>};
+          detail::load_from<typename detail::SectionOf<member...>::type, std::int64_t, member...>};
 }
 
 template <class Settings>
@@ -218,13 +222,33 @@ inline constexpr double last_line = 4'294'967'295.0;
 
 /// The keys that choose primitives, of a section that is a Chosen.
 template <class Of>
-inline constexpr std::array chosen_keys{
-    Key{"of_colour", ValueKind::colour, "", 0, 1, "for the primitives that have this colour in the model",
-        detail::store_in<Of, glm::dvec3, &Chosen::of_colour>},
-    Key{"from_line", ValueKind::integer, "", 1, last_line, "for those from this line of the model on",
-        detail::store_in<Of, std::int64_t, &Chosen::from_line>},
-    Key{"to_line", ValueKind::integer, "", 1, last_line, "to this line; from_line if not given",
-        detail::store_in<Of, std::int64_t, &Chosen::to_line>}};
+inline constexpr std::array chosen_keys{Key{"of_colour",
+                                            ValueKind::colour,
+                                            "",
+                                            0,
+                                            1,
+                                            "for the primitives that have this colour in the model",
+                                            detail::store_in<Of, glm::dvec3, &Chosen::of_colour>,
+                                            {},
+                                            detail::load_from<Of, glm::dvec3, &Chosen::of_colour>},
+                                        Key{"from_line",
+                                            ValueKind::integer,
+                                            "",
+                                            1,
+                                            last_line,
+                                            "for those from this line of the model on",
+                                            detail::store_in<Of, std::int64_t, &Chosen::from_line>,
+                                            {},
+                                            detail::load_from<Of, std::int64_t, &Chosen::from_line>},
+                                        Key{"to_line",
+                                            ValueKind::integer,
+                                            "",
+                                            1,
+                                            last_line,
+                                            "to this line; from_line if not given",
+                                            detail::store_in<Of, std::int64_t, &Chosen::to_line>,
+                                            {},
+                                            detail::load_from<Of, std::int64_t, &Chosen::to_line>}};
 
 /// Completes what was read. Throws InputError where the lines are none.
 void complete(Chosen& chosen);

@@ -47,7 +47,9 @@ constexpr std::array material_keys = joined(
         number_key<&MaterialRule::material, &Material::specular>("specular", "", 0, 1,
                                                                  "part of a light that is mirrored into the eye"),
         number_key<&MaterialRule::material, &Material::shininess>("shininess", "", 1, 1000,
-                                                                  "exponent of the highlight")});
+                                                                  "exponent of the highlight"),
+        number_key<&MaterialRule::material, &Material::mirror>(
+            "mirror", "", 0, 1, "part of what its flat faces show that is their mirror image; of what is opaque")});
 
 template <auto member>
 void keep_one(Scene& scene, const Section& /*section*/, std::any&& read) {

@@ -20,6 +20,9 @@ namespace {
 /// depth bits are spent on nearness then.
 constexpr double near_floor = 1.0 / 256;
 
+/// Pixels.
+constexpr double most_offset = 2;
+
 void check(const Sampling& sampling) {
   if (sampling.width < 1 || sampling.height < 1 || sampling.width > isa::max_array_side ||
       sampling.height > isa::max_array_side) {
@@ -35,8 +38,8 @@ void check(const Sampling& sampling) {
   if (sampling.near && !(*sampling.near > 0.0 && std::isfinite(*sampling.near))) {
     throw InputError("the near plane has to be at a finite distance above 0");
   }
-  if (!(std::abs(sampling.offset.x) <= 1.0 && std::abs(sampling.offset.y) <= 1.0)) {
-    throw InputError("pixels have to be sampled within one pixel of their centres");
+  if (!(std::abs(sampling.offset.x) <= most_offset && std::abs(sampling.offset.y) <= most_offset)) {
+    throw InputError("pixels have to be sampled within two pixels of their centres");
   }
 }
 
@@ -159,11 +162,13 @@ ScreenPlane make_screen_plane(const EyeSpace& space, const isa::DepthScale& scal
 
 }  // namespace
 
-Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace) {
-  const bool same = plane.positive == halfspace.positive;
+Side side_of(const ScreenPlane& plane, bool positive) {
+  const bool same = plane.positive == positive;
   if (plane.kind == PlaneKind::edge) return same ? Side::edge_positive : Side::edge_negative;
   return same ? Side::front : Side::back;
 }
+
+Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace) { return side_of(plane, halfspace.positive); }
 
 RealLinear as_sampled(const RealLinear& linear, const Sampling& sampling) {
   return {linear.a, linear.b, linear.at_centre + linear.a * sampling.offset.x + linear.b * sampling.offset.y};
@@ -178,6 +183,11 @@ EyeSpace eye_space(const Camera& camera, const Sampling& sampling) {
           2.0 * half / sampling.height,
           (sampling.width - 1.0) / 2.0 - sampling.offset.x,
           (sampling.height - 1.0) / 2.0 - sampling.offset.y};
+}
+
+ScreenPlane screen_plane(const View& view, const facet::Plane& plane, const glm::dvec3& centre) {
+  const EyeSpace space = eye_space(view.camera, view.sampling);
+  return make_screen_plane(space, view.depth, view.sampling, to_eye(space, plane, centre));
 }
 
 View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling) {

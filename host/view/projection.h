@@ -60,6 +60,7 @@ enum class Side : std::uint8_t {
   edge_negative,  ///< in is Ax + By + C < 0
 };
 
+Side side_of(const ScreenPlane& plane, bool positive);
 Side side_of(const ScreenPlane& plane, facet::Halfspace halfspace);
 
 /// What a primitive can touch, rounding of its planes included. By rule a primitive is nowhere outside its rectangle of
@@ -91,6 +92,10 @@ struct View {
 /// Model space, eye space and picture of a camera, the picture's columns and rows counted from where the first pixel is
 /// sampled. Throws InputError for a camera that cannot be.
 EyeSpace eye_space(const Camera& camera, const Sampling& sampling);
+
+/// A plane of model space in a view, as canonical planes are in `View::planes`; its offset is relative to
+/// PlaneTable::centre(). Of a half-space normal . p + offset <= 0 it is the positive side.
+ScreenPlane screen_plane(const View& view, const facet::Plane& plane, const glm::dvec3& centre);
 
 /// Transforms planes and extents. Throws InputError for a camera or sampling that cannot be.
 ///

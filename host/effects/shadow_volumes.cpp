@@ -1,0 +1,102 @@
+#include "host/effects/shadow_volumes.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "host/convex/pieces.h"
+#include "host/convex/shadow_volume.h"
+#include "host/csg/locate.h"
+#include "host/view/camera.h"
+#include "hw/base/error.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+convex::Light in_model(const lighting::SeenLight& light, const view::Camera& camera) {
+  const view::Basis axes = view::basis(camera);
+  const glm::dvec3 turned = axes.right * light.where.x + axes.up * light.where.y + axes.forward * light.where.z;
+  return light.is_point ? convex::Light{{camera.eye + turned, 1}} : convex::Light{{turned, 0}};
+}
+
+/// Takes half-spaces, until one of them holds nothing of the picture.
+class Volume {
+ public:
+  Volume(const emit::Drawing& drawing, std::uint32_t primitive)
+      : drawing_(drawing),
+        picture_{{0, 0, static_cast<std::int32_t>(drawing.view.sampling.width) - 1,
+                  static_cast<std::int32_t>(drawing.view.sampling.height) - 1},
+                 0,
+                 (std::int64_t{1} << drawing.view.sampling.z_bits) - 1} {
+    volume_.primitive = primitive;
+  }
+
+  void add(const view::ScreenPlane& plane, bool positive, bool faces_light) {
+    if (!plane.representable && !decides(plane, positive)) return;
+    const view::Side side = view::side_of(plane, positive);
+    volume_.planes.push_back({side, faces_light && side == view::Side::front, plane.linear});
+  }
+
+  /// Nothing if the volume is empty.
+  [[nodiscard]] std::optional<SeenVolume> take() {
+    return is_empty_ ? std::nullopt : std::optional(std::move(volume_));
+  }
+
+ private:
+  /// Whether a plane that does not fit has to be known all the same.
+  bool decides(const view::ScreenPlane& plane, bool positive) {
+    const csg::Known known = csg::locate(drawing_.view, plane, positive, picture_);
+    if (known == csg::Known::depends) {
+      const model::Location& location = drawing_.tree->primitives[volume_.primitive].location;
+      throw InputError(fmt::format(
+          "{}:{}:{}: a plane of this primitive's shadow is too large for the picture: its coefficients do not fit {} "
+          "bits; move the camera back, give up --z-bits or --fraction-bits, or turn the light a little",
+          drawing_.tree->file, location.line, location.column, isa::max_linear_width));
+    }
+    is_empty_ = is_empty_ || known == csg::Known::out;
+    return false;
+  }
+
+  const emit::Drawing& drawing_;
+  csg::Block picture_;
+  SeenVolume volume_;
+  bool is_empty_ = false;
+};
+
+std::optional<SeenVolume> seen(const emit::Drawing& drawing, const convex::ShadowVolume& volume,
+                               std::uint32_t primitive) {
+  const view::View& view = drawing.view;
+  Volume result(drawing, primitive);
+  for (const facet::Plane& plane : volume.silhouette)
+    result.add(view::screen_plane(view, plane, drawing.scene->planes.centre()), true, false);
+  for (const facet::Halfspace& one : volume.edge_on) result.add(view.planes[one.plane], one.positive, false);
+  for (const facet::Halfspace& one : volume.facing) result.add(view.planes[one.plane], one.positive, true);
+  return result.take();
+}
+
+bool is_caster(const model::Primitive& primitive, const Casters& casters) {
+  const std::uint32_t line = primitive.location.line;
+  return !casters.from_line || (line >= *casters.from_line && line <= casters.to_line.value_or(*casters.from_line));
+}
+
+}  // namespace
+
+std::vector<ShadowLight> shadow_lights(const emit::Drawing& drawing, const std::vector<std::size_t>& lights,
+                                       const Casters& casters) {
+  const std::vector<convex::Piece> pieces = convex::pieces(*drawing.scene, drawing.plan.positive);
+  std::vector<ShadowLight> result;
+  for (const std::size_t light : lights) {
+    ShadowLight one{light, {}};
+    const convex::Light from = in_model(drawing.look.lighting.lights[light], drawing.view.camera);
+    for (const convex::Piece& piece : pieces) {
+      if (!is_caster(drawing.tree->primitives[piece.primitive], casters)) continue;
+      const convex::ShadowVolume volume = convex::shadow_volume(piece.polytope, from, drawing.scene->planes);
+      if (auto found = seen(drawing, volume, piece.primitive)) one.volumes.push_back(*std::move(found));
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+}  // namespace csgsim::effects
