@@ -181,6 +181,32 @@ TEST_CASE("the anti-aliased picture is the rounded mean of as many pictures, bit
   CHECK(with_edges >= 9);
 }
 
+TEST_CASE("with other effects at work the anti-aliased picture is still the mean of as many pictures") {
+  const std::string others =
+      "[effects.smooth]\n[effects.depth_cue]\nbits = 3\n[[effects.textures]]\nsize = 3\nof_colour = [0.1, 0.4, 1]\n"
+      "[[materials]]\nof_colour = [1, 0.2, 0.1]\nopacity = 0.5\n";
+  for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    const testing::Setup setup = random_view(projection, called(4) + others);
+    const sim::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+    std::vector<sim::Frame> frames;
+    for (const glm::dvec2& offset : effects::sample_offsets(4)) {
+      testing::Setup one = random_view(projection, others);
+      one.sampling.offset = offset;
+      frames.push_back(testing::draw(testing::compile_text(ball_and_hole, one).program));
+    }
+    const testing::Setup fewer = random_view(projection, called(4, "adaptive = true\n") + others);
+    const sim::Frame adaptive = testing::draw(testing::compile_text(ball_and_hole, fewer).program);
+    int wrong = 0;
+    int wrong_adaptive = 0;
+    for (std::size_t i = 0; i < picture.colour.size(); ++i) {
+      wrong += levels_of(picture.colour[i]) != mean_of(frames, 4, i);
+      wrong_adaptive += levels_of(adaptive.colour[i]) != refined(frames, 1, i);
+    }
+    CHECK(wrong == 0);
+    CHECK(wrong_adaptive == 0);
+  }
+}
+
 TEST_CASE("fewer bits of colour are averaged a channel each") {
   testing::Setup setup = random_view(view::Projection::orthographic, called(4));
   setup.options.colour_bits = 11;
