@@ -30,8 +30,8 @@ struct CalledEffect {
 /// What an effect prepares for a drawing.
 struct EffectState {
   std::any own;
-  std::vector<bool> apart;  ///< by primitive: whose surfaces the effect draws itself; empty: none
-  std::vector<std::shared_ptr<const Drawing>> drawings;  ///< within it, if the effect makes some
+  std::vector<bool> apart{};  ///< by primitive: whose surfaces the effect draws itself; empty: none
+  std::vector<std::shared_ptr<const Drawing>> drawings{};  ///< within it, if the effect makes some
 };
 
 /// A light that is in shadow at some pixels.
