@@ -1,0 +1,35 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <memory>
+
+#include "hw/kinds/load.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/stats.h"
+#include "tests/scenes/scene_file.h"
+
+using namespace csgsim;
+
+TEST_CASE("the bills of a scene's effects add up to the frame's clocks") {
+  for (const testing::SceneFile& file : testing::scene_files()) {
+    CAPTURE(file.name);
+    const testing::DrawnScene drawn = testing::compile_scene(file, 48, 32);
+    const isa::Program& program = drawn.compiled.program;
+    machines::Machine machine = kinds::load("pixel-planes-4");
+    machines::adopt(machine, program);
+    sim::StatsObserver stats(program);
+    const std::array<sim::Observer*, 1> observers{&stats};
+    const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+    sim::Cost sum;
+    for (const sim::Cost& one : stats.stats().by_effect) sum += one;
+    CHECK(sum == stats.stats().total);
+    CHECK(stats.stats().by_effect.size() == program.facts.compile.effects.size() + 1);
+    std::uint64_t besides = result.latency_clocks;
+    for (const machines::PartAccount& part : result.account.parts) {
+      if (part.part != "controller") continue;
+      for (const machines::ActivityClocks& one : part.clocks)
+        if (one.activity == "clearing" || one.activity == "starved" || one.activity == "jumping") besides += one.clocks;
+    }
+    CHECK(sum.clocks + besides == result.clocks);
+  }
+}

@@ -1,0 +1,120 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/effects/antialias.h"
+#include "host/lighting/lighting.h"
+#include "hw/isa/colour_format.h"
+#include "tests/oracle/ray_picture.h"
+#include "tests/scenes/scene_file.h"
+
+using namespace csgsim;
+
+namespace {
+
+constexpr std::uint32_t side = 64;  // pixels of a picture
+
+/// Effects that rays do not know, whose own tests judge them: off, so that all the rest is judged.
+const std::vector<std::string> not_judged{"effects.smooth.on=false",    "effects.textures.0.on=false",
+                                          "effects.equalise.on=false",  "effects.edges.on=false",
+                                          "effects.depth_cue.on=false", "effects.antialias.adaptive=false"};
+
+bool names(const testing::SceneFile& file, const std::string& effect) {
+  return file.text.find("[effects." + effect + "]") != std::string::npos;
+}
+
+/// The number behind a key of the file; a scene of these says each key once.
+unsigned number_of(const testing::SceneFile& file, const std::string& key, unsigned otherwise) {
+  const std::size_t at = file.text.find("\n" + key + " = ");
+  return at == std::string::npos ? otherwise : static_cast<unsigned>(std::stoul(file.text.substr(at + key.size() + 4)));
+}
+
+std::vector<std::string> sets_for(const testing::SceneFile& file) {
+  std::vector<std::string> sets;
+  for (const std::string& one : not_judged) {
+    const bool is_samples = one.find("antialias") != std::string::npos;
+    if (!is_samples || names(file, "antialias")) sets.push_back(one);
+  }
+  if (names(file, "cuts")) sets.emplace_back("effects.cuts.0.hatch=0");
+  if (file.text.find("screen-door") != std::string::npos) sets.emplace_back("effects.transparency.on=false");
+  return sets;
+}
+
+/// Flat faces of materials that mirror: not those around balls, cylinders and cones.
+std::vector<testing::RayMirror> mirrors_of(const testing::DrawnScene& drawn) {
+  std::vector<testing::RayMirror> mirrors;
+  for (std::uint32_t i = 0; i < drawn.compiled.tree.primitives.size(); ++i) {
+    const model::Primitive& primitive = drawn.compiled.tree.primitives[i];
+    const double reflectance = lighting::finish_of(drawn.scene, primitive, false).material.mirror;
+    const bool is_flat = std::holds_alternative<model::Cube>(primitive.shape) ||
+                         std::holds_alternative<model::Polyhedron>(primitive.shape);
+    if (reflectance > 0 && is_flat) mirrors.push_back({i, std::nullopt, reflectance});
+  }
+  return mirrors;
+}
+
+testing::RayEffects effects_of(const testing::SceneFile& file, const testing::DrawnScene& drawn) {
+  testing::RayEffects effects;
+  effects.has_shadows = names(file, "shadows");
+  if (file.text.find("screen-door") == std::string::npos) {
+    for (const model::Primitive& one : drawn.compiled.tree.primitives)
+      effects.opacity.push_back(lighting::finish_of(drawn.scene, one, false).opacity);
+  }
+  effects.layers = number_of(file, "layers", 16);
+  effects.mirrors = mirrors_of(drawn);
+  effects.reflections = effects.mirrors.empty() ? 0 : number_of(file, "depth", 1);
+  return effects;
+}
+
+/// Levels that rounding may be off: one a layer that is blended and one a reflection (host/effects/layers.h,
+/// mirrors.h), one for the mean of samples, and half of one.
+double bound_of(const testing::RayEffects& effects, std::size_t samples) {
+  const bool blends = std::any_of(effects.opacity.begin(), effects.opacity.end(), [](double one) { return one < 1; });
+  return 0.51 + (blends ? effects.layers : 0) + effects.reflections * (blends ? effects.layers : 1.0) +
+         (samples > 1 ? 1 : 0);
+}
+
+double off_by(std::uint32_t packed, const glm::dvec3& expected) {
+  const glm::dvec3 levels{packed >> 16U & 0xffU, packed >> 8U & 0xffU, packed & 0xffU};
+  const glm::dvec3 off = glm::abs(levels - expected * 255.0);
+  return std::max({off.x, off.y, off.z});
+}
+
+}  // namespace
+
+TEST_CASE("every scene shows what rays say, wherever rounding cannot decide otherwise") {
+  const std::vector<testing::SceneFile> files = testing::scene_files();
+  CHECK(files.size() >= 12);
+  for (const testing::SceneFile& file : files) {
+    CAPTURE(file.name);
+    const testing::DrawnScene drawn = testing::compile_scene(file, side, side, sets_for(file));
+    const testing::RayEffects effects = effects_of(file, drawn);
+    testing::RayShot shot{file.camera, side, side, drawn.compiled.view.depth.near};
+    if (names(file, "antialias")) shot.samples = effects::sample_offsets(number_of(file, "samples", 4));
+    testing::RayDoubt doubt;
+    // Models are in millimetres and centimetres: three steps of depth.
+    doubt.gap = 3 * drawn.compiled.view.depth_step;
+    const auto expected =
+        testing::ray_picture(drawn.compiled.tree, drawn.compiled.scene, drawn.scene, shot, effects, doubt);
+    const sim::Frame frame = testing::draw(drawn.compiled.program);
+    std::size_t judged = 0;
+    std::size_t wrong = 0;
+    double worst = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (!expected[i].is_certain) continue;
+      ++judged;
+      const double off = off_by(frame.colour[i], expected[i].colour);
+      worst = std::max(worst, off);
+      if (off > bound_of(effects, shot.samples.size())) {
+        if (++wrong < 4) MESSAGE("column ", i % side, " row ", i / side, " is off by ", off);
+      }
+    }
+    MESSAGE(file.name, ": ", judged, " of ", expected.size(), " pixels judged, off by ", worst, " levels at most");
+    CHECK(wrong == 0);
+    CHECK(judged > expected.size() / 2);
+  }
+}
