@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "host/emit/drawing.h"
 #include "host/emit/shading.h"
 #include "host/emit/surface.h"
 
@@ -150,7 +151,7 @@ bool holds(const ShadowPart& large, const ShadowPart& small) {
 Receivers receivers_of(const emit::Context& context, std::size_t light) {
   Receivers receivers;
   for (const emit::PlannedSurface& planned : context.plan.surfaces) {
-    if (context.drawn != nullptr && !(*context.drawn)[planned.primitive()]) continue;
+    if (!emit::is_drawn(context, planned)) continue;
     const emit::Sides sides = emit::deciding_sides(context, planned);
     const emit::Surface surface = emit::surface_of(context, planned, sides);
     if (surface.nothing) continue;

@@ -72,7 +72,9 @@ using Prepared = std::vector<ShadowLight>;
 
 emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
   const auto& own = std::any_cast<const Settings&>(settings);
-  return {Prepared(shadow_lights(drawing, lights_of(own, drawing.look.lighting), own.casters)), {}};
+  emit::EffectState state;
+  state.own = Prepared(shadow_lights(drawing, lights_of(own, drawing.look.lighting), own.casters));
+  return state;
 }
 
 /// Most bits to remember what volumes have in common.

@@ -24,6 +24,8 @@ std::vector<double> opacities(const Look& look, std::span<const CalledEffect> ca
   return all;
 }
 
+}  // namespace
+
 bool is_drawn(const Context& context, const PlannedSurface& planned) {
   if (context.drawn != nullptr) return (*context.drawn)[planned.primitive()];
   for (std::size_t i = 0; i < context.called.size(); ++i) {
@@ -32,8 +34,6 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
   }
   return true;
 }
-
-}  // namespace
 
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Scene> scene, view::View view,

@@ -96,7 +96,7 @@ class Shot {
     const double from = eye.perspective ? 0 : -std::numeric_limits<double>::infinity();
     const std::vector<double> all = opacities();
     unsigned panes = 0;
-    for (const testing::SurfacePoint& point : model.surfaces(ray_at(eye, place), {from}, 0)) {
+    for (const testing::SurfacePoint& point : model.surfaces(ray_at(eye, place), {from}, 0).points) {
       if (all[point.primitive] == 1) break;
       ++panes;
     }
