@@ -45,13 +45,13 @@ class Covering {
     }
   }
 
+  /// Volumes with fewer planes take more, so that others may be left out after all.
   void reduce() {
-    for (std::size_t i = 0; i < volumes_.size(); ++i) {
-      if (is_redundant(i)) volumes_[i].touches.clear();
-    }
+    leave_out_redundant();
     for (std::size_t i = 0; i < volumes_.size(); ++i) {
       if (!volumes_[i].touches.empty()) reduce_planes(i);
     }
+    leave_out_redundant();
   }
 
   [[nodiscard]] ShadowParts take() const {
@@ -125,6 +125,12 @@ class Covering {
       if (open.size() > most_open) return false;
     }
     return false;
+  }
+
+  void leave_out_redundant() {
+    for (std::size_t i = 0; i < volumes_.size(); ++i) {
+      if (!volumes_[i].touches.empty() && is_redundant(i)) volumes_[i].touches.clear();
+    }
   }
 
   [[nodiscard]] bool is_redundant(std::size_t index) {
