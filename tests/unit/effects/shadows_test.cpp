@@ -250,7 +250,7 @@ TEST_CASE("light that runs along a shared face does not come through it, however
       "union(){" + floor + box_text({-4, -3, 2}, {1, 3, 5}) + box_text({1, -3, 2}, {6, 3, 5}) + "}";
   const std::string light = "[[lights]]\ndirection = [0, 1, -1]\n";
   for (const unsigned z_bits : {6U, 9U, 20U}) {
-    for (const double turn : {-2.0, -1.1, 0.3, 1.7}) {
+    for (const double turn : {2.0, 1.1, 0.3, 2.8}) {
       CAPTURE(z_bits);
       CAPTURE(turn);
       testing::Setup dark = seen_from(whole, {std::cos(turn), std::sin(turn), 0.8}, view::Projection::orthographic,
