@@ -21,7 +21,7 @@ namespace {
 
 using isa::Opcode;
 
-struct Settings {
+struct SampleSettings {
   std::int64_t samples = 4;
   bool adaptive = false;
   std::int64_t least_difference = 1;
@@ -30,15 +30,16 @@ struct Settings {
 constexpr double most_samples = 16;
 
 constexpr std::array keys{
-    scene::integer_key<&Settings::samples>("samples", "samples a pixel", 2, most_samples, "2, 4, 8 or 16"),
-    scene::boolean_key<&Settings::adaptive>("adaptive",
-                                            "begins with a quarter of the samples, 2 at least; a pixel gets twice as "
-                                            "many only where the means of those that it has, half and half, differ"),
-    scene::integer_key<&Settings::least_difference>("least_difference", "levels of a channel", 1, 255,
-                                                    "adaptive: means that differ by less count as equal")};
+    scene::integer_key<&SampleSettings::samples>("samples", "samples a pixel", 2, most_samples, "2, 4, 8 or 16"),
+    scene::boolean_key<&SampleSettings::adaptive>(
+        "adaptive",
+        "begins with a quarter of the samples, 2 at least; a pixel gets twice as "
+        "many only where the means of those that it has, half and half, differ"),
+    scene::integer_key<&SampleSettings::least_difference>("least_difference", "levels of a channel", 1, 255,
+                                                          "adaptive: means that differ by less count as equal")};
 
 void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
-  const std::int64_t samples = std::any_cast<const Settings&>(read).samples;
+  const std::int64_t samples = std::any_cast<const SampleSettings&>(read).samples;
   if (!std::has_single_bit(static_cast<std::uint64_t>(samples)))
     throw InputError(fmt::format("{} samples a pixel have no mean that is a shift; take 2, 4, 8 or 16", samples));
   scene::keep_effect(scene, section, std::move(read));
@@ -56,7 +57,7 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
   // What is drawn within a sample, and the samples themselves, have no samples of their own.
   if (drawing.nesting > 0 || is_shifted(drawing.view)) return state;
   state.own = Ready{workshop.options.colour_bits};
-  const auto count = static_cast<std::size_t>(std::any_cast<const Settings&>(settings).samples);
+  const auto count = static_cast<std::size_t>(std::any_cast<const SampleSettings&>(settings).samples);
   for (const glm::dvec2& offset : sample_offsets(count)) {
     if (offset == glm::dvec2(0)) continue;
     view::Sampling sampling = drawing.view.sampling;
@@ -72,9 +73,9 @@ constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
 constexpr std::array<std::string_view, 3> newer_names{"newer_red", "newer_green", "newer_blue"};
 
 /// Two samples are all that adaptive ones begin with.
-bool is_adaptive(const Settings& settings) { return settings.adaptive && settings.samples > 2; }
+bool is_adaptive(const SampleSettings& settings) { return settings.adaptive && settings.samples > 2; }
 
-unsigned log2_of(const Settings& settings) {
+unsigned log2_of(const SampleSettings& settings) {
   return static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(settings.samples)));
 }
 
@@ -85,7 +86,7 @@ unsigned colour_bits_of(const emit::Drawing& drawing) {
 }
 
 std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
-  const auto& set = std::any_cast<const Settings&>(settings);
+  const auto& set = std::any_cast<const SampleSettings&>(settings);
   const std::array<unsigned, 3> widths = isa::channel_widths(colour_bits_of(drawing));
   const unsigned more = log2_of(set);
   std::vector<emit::FieldRequest> requests;
@@ -118,7 +119,7 @@ struct Channel {
   isa::Field newer;  ///< of those that are not in the sum yet; of width 0 if there is no such field
 };
 
-std::array<Channel, 3> channels_of(const emit::Context& context, const Settings& settings) {
+std::array<Channel, 3> channels_of(const emit::Context& context, const SampleSettings& settings) {
   const std::array<unsigned, 3> widths = isa::channel_widths(context.options.colour_bits);
   std::array<Channel, 3> channels;
   unsigned from = context.layout.colour.width;
@@ -135,7 +136,7 @@ class Samples {
  public:
   Samples(const emit::EffectCall& call, emit::Broadcast& out)
       : context_(call.context),
-        settings_(std::any_cast<const Settings&>(call.settings)),
+        settings_(std::any_cast<const SampleSettings&>(call.settings)),
         out_(out),
         channels_(channels_of(call.context, settings_)) {}
 
@@ -197,7 +198,7 @@ class Samples {
   }
 
   const emit::Context& context_;
-  const Settings& settings_;
+  const SampleSettings& settings_;
   emit::Broadcast& out_;
   std::array<Channel, 3> channels_;
 };
@@ -210,7 +211,7 @@ void draw_centre(const emit::EffectCall& call, emit::Broadcast& out, const emit:
 }
 
 void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
-  const auto& settings = std::any_cast<const Settings&>(call.settings);
+  const auto& settings = std::any_cast<const SampleSettings&>(call.settings);
   Samples samples(call, out);
   samples.plain(Opcode::enable_all);
   samples.clear(&Channel::sum, static_cast<std::uint64_t>(settings.samples / 2));
@@ -233,7 +234,7 @@ class Refinement {
       : call_(call),
         out_(out),
         draw_(draw),
-        settings_(std::any_cast<const Settings&>(call.settings)),
+        settings_(std::any_cast<const SampleSettings&>(call.settings)),
         samples_(call, out),
         refined_(call.context.layout.of("antialias", "refined")),
         differs_(call.context.layout.of("antialias", "differs")),
@@ -308,7 +309,7 @@ class Refinement {
   const emit::EffectCall& call_;
   emit::Broadcast& out_;
   const emit::DrawPicture& draw_;
-  const Settings& settings_;
+  const SampleSettings& settings_;
   Samples samples_;
   isa::Field refined_;
   isa::Field differs_;
@@ -316,7 +317,7 @@ class Refinement {
 };
 
 void around(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
-  if (is_adaptive(std::any_cast<const Settings&>(call.settings))) {
+  if (is_adaptive(std::any_cast<const SampleSettings&>(call.settings))) {
     Refinement(call, out, draw).draw();
   } else {
     draw_all(call, out, draw);
@@ -353,7 +354,7 @@ std::vector<glm::dvec2> sample_offsets(std::size_t count) {
 
 const emit::Effect antialias{
     .section = {"effects.antialias", "smooth edges: the mean of several samples a pixel", false, keys,
-                scene::blank_section<Settings>, keep},
+                scene::blank_section<SampleSettings>, keep},
     .technique =
         "successive refinement, Fuchs et al., SIGGRAPH 1985: the picture is drawn once a sample, moved by parts of a "
         "pixel, which changes the constants C alone, and the colours are added up in pixel memory",

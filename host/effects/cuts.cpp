@@ -51,13 +51,7 @@ void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
     throw InputError(fmt::format("lines {:g} pixels apart run together; take hatch = {:g} or more, or 0 for none",
                                  cut.hatch, least_spacing));
   }
-  const auto of_row = [&](const scene::CalledEffect& one) { return one.name == section.name; };
-  const auto found = std::find_if(scene.effects.begin(), scene.effects.end(), of_row);
-  if (found == scene.effects.end()) {
-    scene.effects.push_back({section.name, Cuts{cut}});
-  } else {
-    std::any_cast<Cuts&>(found->settings).push_back(cut);
-  }
+  scene::keep_entry<Cut>(scene, section, std::move(read));
 }
 
 /// A cube that holds what is left of anything within `reach` of the plane's point: its upper face is the plane.
@@ -103,13 +97,14 @@ model::Tree reshape(const std::any& settings, model::Tree&& tree) {
 constexpr unsigned period_bits = 20;
 
 /// Lines whose width is a quarter of their distance: E stays 1 on them.
-void emit_lines(emit::Broadcast& out, const Cut& cut) {
+void emit_lines(emit::Broadcast& out, const Cut& cut, const glm::dvec2& offset) {
   const double turn = cut.angle * std::numbers::pi / 180;
   const auto coefficient = [&](double part) { return view::to_fixed(part / cut.hatch, period_bits).value_or(0); };
-  const view::FixedLinear across{coefficient(-std::sin(turn)), coefficient(std::cos(turn)), 0};
+  const view::FixedLinear across{coefficient(-std::sin(turn)), coefficient(std::cos(turn)),
+                                 coefficient(std::cos(turn) * offset.y - std::sin(turn) * offset.x)};
   // The upper half of a period, and of that what is in the upper half of the same moved on by a quarter.
   out.stripe(across, period_bits);
-  out.stripe({across.a, across.b, std::int64_t{1} << (period_bits - 2)}, period_bits);
+  out.stripe({across.a, across.b, across.c + (std::int64_t{1} << (period_bits - 2))}, period_bits);
 }
 
 bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
@@ -120,7 +115,7 @@ bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet
   out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
   const Cut& cut = std::any_cast<const Cuts&>(call.settings).at(section);
   if (cut.hatch == 0) return true;
-  emit_lines(out, cut);
+  emit_lines(out, cut, context.view.sampling.offset);
   out.plain(
       isa::Opcode::set_constant, field, {},
       isa::pack_colour({cut.hatch_colour.r, cut.hatch_colour.g, cut.hatch_colour.b}, context.options.colour_bits));

@@ -5,6 +5,7 @@
 #include <bit>
 #include <string>
 
+#include "host/effects/blend.h"
 #include "host/emit/early_out.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/opcodes.h"
@@ -20,30 +21,7 @@ using isa::Opcode;
 constexpr std::string_view effect = "transparency";
 constexpr std::string_view without = "take --set effects.transparency.method=screen-door";
 
-/// Fraction bits of opacities and of the parts that layers have.
-constexpr unsigned part_bits = 8;
-constexpr unsigned whole = 1U << part_bits;
-
 constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
-
-Field part(Field field, unsigned from, unsigned width) {
-  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
-}
-
-Field bit(Field field, unsigned index) { return part(field, index, 1); }
-
-/// Red, green and blue of a colour field.
-std::array<Field, 3> channels_of(Field colour) {
-  const std::array<unsigned, 3> widths = isa::channel_widths(colour.width);
-  return {part(colour, widths[2] + widths[1], widths[0]), part(colour, widths[2], widths[1]),
-          part(colour, 0, widths[2])};
-}
-
-/// target += constant * source, where E.
-void add_times(emit::Broadcast& out, Field target, unsigned constant, Field source) {
-  for (unsigned i = 0; i < part_bits; ++i)
-    if (((constant >> i) & 1U) != 0) out.plain(Opcode::add, part(target, i, target.width - i), source);
-}
 
 /// Peels the panes off, nearest first (Everitt, Interactive Order-Independent Transparency, 2001, after Mammen,
 /// Transparency and Antialiasing Algorithms Implemented with the Virtual Pixel Maps Technique, 1989), and sums what
@@ -124,15 +102,7 @@ class Peeling {
 
   /// One layer over the opaque surface.
   void blend_one() {
-    for_opacities([&](unsigned opacity) {
-      for (std::size_t i = 0; i < glass_.size(); ++i) {
-        const Field product = part(product_, 0, colour_.at(i).width + part_bits);
-        out_.plain(Opcode::set_constant, product, {}, whole / 2);
-        add_times(out_, product, opacity, glass_.at(i));
-        add_times(out_, product, whole - opacity, colour_.at(i));
-        out_.plain(Opcode::copy, colour_.at(i), part(product, part_bits, colour_.at(i).width));
-      }
-    });
+    for_opacities([&](unsigned opacity) { emit_blend(out_, context_.layout.colour, pane_colour_, opacity, product_); });
   }
 
   void start_sums() {
@@ -160,12 +130,12 @@ class Peeling {
 
   void add_layer() {
     const Field through = field("through");
-    const Field product = part(product_, 0, 2 * part_bits);
+    const Field product = part_of(product_, 0, 2 * part_bits);
     for_opacities([&](unsigned opacity) {
       out_.plain(Opcode::set_constant, product, {}, whole / 2);
       add_times(out_, product, opacity, through);
     });
-    const Field weight = part(product, part_bits, part_bits);
+    const Field weight = part_of(product, part_bits, part_bits);
     out_.plain(Opcode::enable_load, mask());
     // a - b is not (not a + b).
     out_.plain(Opcode::bit_not, through, through);
@@ -179,16 +149,16 @@ class Peeling {
     add_weighted(field("through"), colour_);
     out_.plain(Opcode::enable_load, mask());
     for (std::size_t i = 0; i < colour_.size(); ++i)
-      out_.plain(Opcode::copy, colour_.at(i), part(sum(i), part_bits, colour_.at(i).width));
+      out_.plain(Opcode::copy, colour_.at(i), part_of(sum(i), part_bits, colour_.at(i).width));
   }
 
   /// sums += weight * colour, where the mask is 1.
   void add_weighted(Field weight, const std::array<Field, 3>& channels) {
     for (unsigned i = 0; i < part_bits; ++i) {
       out_.plain(Opcode::enable_load, mask());
-      out_.plain(Opcode::enable_and, bit(weight, i));
+      out_.plain(Opcode::enable_and, part_of(weight, i, 1));
       for (std::size_t c = 0; c < channels.size(); ++c)
-        out_.plain(Opcode::add, part(sum(c), i, sum(c).width - i), channels.at(c));
+        out_.plain(Opcode::add, part_of(sum(c), i, sum(c).width - i), channels.at(c));
     }
   }
 

@@ -4,8 +4,13 @@
 
 #include "host/effects/antialias.h"
 #include "host/effects/cuts.h"
+#include "host/effects/depth_cue.h"
+#include "host/effects/edges.h"
+#include "host/effects/equalise.h"
+#include "host/effects/mirrors.h"
 #include "host/effects/shadows.h"
 #include "host/effects/smooth.h"
+#include "host/effects/textures.h"
 #include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
 
@@ -14,13 +19,19 @@ namespace csgsim::effects {
 namespace {
 
 // clang-format off
+// Mirrors before transparency: they are behind the glass.
 constexpr std::array rows{
     &emit::flat,
     &smooth,
+    &textures,
     &cuts,
     &shadows,
+    &mirrors,
     &transparency,
     &antialias,
+    &depth_cue,
+    &edges,
+    &equalise,
 };
 // clang-format on
 

@@ -27,9 +27,6 @@ struct Settings {
 constexpr std::array keys{scene::number_key<&Settings::least_difference>(
     "least_difference", "levels of a channel", 0, 255, "facets whose vertices differ by less stay in one colour")};
 
-/// The cosine to the axis from which on a facet of a cylinder is one of its ends.
-constexpr double end_cosine = 1 - 1e-9;
-
 /// The unit normal of the surface that a facet stands for, at one of its vertices, both in the primitive's own axes;
 /// nothing where the facet is the surface.
 struct TrueNormal {
@@ -42,7 +39,7 @@ struct TrueNormal {
     return glm::length(vertex) > 0 ? std::optional(glm::normalize(vertex)) : std::nullopt;
   }
   std::optional<glm::dvec3> operator()(const model::Cylinder& cylinder) const {
-    if (std::abs(of_facet.z) > end_cosine) return std::nullopt;
+    if (emit::is_end(of_facet)) return std::nullopt;
     // A cone's apex has no normal of its own; there it is the facet's.
     const bool is_apex = std::hypot(vertex.x, vertex.y) <= 1e-9 * std::max(cylinder.r1, cylinder.r2);
     const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
@@ -68,10 +65,9 @@ std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& 
   std::vector<Sample> samples;
   if (facet.at != emit::At::plane) return samples;
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
-  const glm::dmat3 linear(primitive.transform);
   const glm::dmat4 to_own = glm::inverse(primitive.transform);
   const double sign = context.complemented(facet.primitive) ? -1.0 : 1.0;
-  const glm::dvec3 facet_normal = glm::normalize(glm::transpose(linear) * (sign * emit::outward(context, facet)));
+  const glm::dvec3 facet_normal = sign * emit::own_normal(context, facet);
   const view::EyeSpace space = view::eye_space(context.view.camera, context.view.sampling);
   const lighting::Finish& finish = context.look.finishes[facet.primitive];
   const glm::dvec3 top = top_levels(context.options.colour_bits);

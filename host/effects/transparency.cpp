@@ -69,8 +69,8 @@ std::vector<const Prepared*> all_prepared(const emit::Drawing& drawing) {
 std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
   if (settings_of(settings).method != Method::layers) return {};
   const std::vector<const Prepared*> all = all_prepared(drawing);
-  std::vector<const Panes*> panes;
-  for (const Prepared* const one : all) panes.push_back(&one->panes);
+  std::vector<const Panes*> panes(all.size());
+  std::transform(all.begin(), all.end(), panes.begin(), [](const Prepared* one) { return &one->panes; });
   return layer_fields(drawing.view.sampling.z_bits, all.front()->colour_bits, panes, all.front()->has_owners);
 }
 

@@ -131,12 +131,11 @@ void Broadcast::edge(isa::Opcode opcode, const view::FixedLinear& line, const vi
 }
 
 void Broadcast::stripe(const view::FixedLinear& line, unsigned width) {
+  if (width > isa::max_linear_width) throw std::logic_error("a stripe wider than the evaluator was not caught");
+  const std::int64_t corner = line.c + line.a * segment_.region.x + line.b * segment_.region.y;
+  // Only the low bits count: the rest of C would only make the sum long.
   const std::int64_t period = std::int64_t{1} << width;
-  const auto cut = [&](std::int64_t value) { return ((value % period) + period) % period; };
-  const isa::Linear expression{cut(line.a), cut(line.b),
-                               cut(line.c + line.a * segment_.region.x + line.b * segment_.region.y),
-                               static_cast<std::uint16_t>(width), 0};
-  append({isa::Opcode::stripe, {}, expression, 0, origin});
+  append({isa::Opcode::stripe, {}, {line.a, line.b, corner % period, static_cast<std::uint16_t>(width), 0}, 0, origin});
 }
 
 void Broadcast::equals(isa::Field field, std::uint32_t number) {

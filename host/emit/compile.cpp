@@ -175,11 +175,14 @@ std::shared_ptr<const Object> borrowed(const Object& object) {
 
 void refuse_effects(std::span<const CalledEffect> called, const machines::Machine& machine) {
   for (const CalledEffect& one : called.subspan(1)) {
+    const std::string without =
+        one.effect->section.is_list
+            ? fmt::format("take its tables [[effects.{}]] out of the scene", one.effect->name())
+            : fmt::format("leave the effect out by --set effects.{}.on=false", one.effect->name());
     throw InputError(fmt::format(
         "{} divides the model itself, and its divider knows flat facets alone, not the effect {}; take a machine "
-        "for which the host divides, as pixel-planes-4, scan-line or pixel-square+divider.kind=host, or leave the "
-        "effect out by --set effects.{}.on=false",
-        machine.name, one.effect->name(), one.effect->name()));
+        "for which the host divides, as pixel-planes-4, scan-line or pixel-square+divider.kind=host, or {}",
+        machine.name, one.effect->name(), without));
   }
 }
 

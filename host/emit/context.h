@@ -31,8 +31,8 @@ struct CalledEffect {
 /// What an effect prepares for a drawing.
 struct EffectState {
   std::any own;
-  std::vector<bool> apart;  ///< by primitive: whose surfaces the effect draws itself; empty: none
-  std::vector<std::shared_ptr<const Drawing>> drawings;  ///< within it, if the effect makes some
+  std::vector<bool> apart{};  ///< by primitive: whose surfaces the effect draws itself; empty: none
+  std::vector<std::shared_ptr<const Drawing>> drawings{};  ///< within it, if the effect makes some
 };
 
 /// A light that is in shadow at some pixels.
@@ -71,6 +71,7 @@ struct Context {
   unsigned nesting = 0;                              ///< drawings that this one is within
   isa::Field base{};                                 ///< a bit that is 1 where the drawing is made; width 0: everywhere
   isa::Field beyond{};                               ///< only what is behind this depth is seen; width 0: all
+  const view::FixedLinear* beyond_plane = nullptr;   ///< only what is behind this plane is seen; null: all
   const std::vector<bool>* drawn =
       nullptr;  ///< by primitive: whose surfaces are drawn; null: all but what effects draw
   const lighting::Lighting* lights = nullptr;  ///< in place of the look's

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "host/emit/effect.h"
@@ -14,6 +15,9 @@ namespace csgsim::emit {
 
 namespace {
 
+/// What reaches less far behind a mirror, relative to its size, is not behind it.
+constexpr double behind_mirror = 1e-9;
+
 /// By primitive; empty where all hide what is behind them.
 std::vector<double> opacities(const Look& look, std::span<const CalledEffect> called) {
   const bool any =
@@ -22,6 +26,33 @@ std::vector<double> opacities(const Look& look, std::span<const CalledEffect> ca
   if (!any) return all;
   for (const lighting::Finish& finish : look.finishes) all.push_back(finish.opacity);
   return all;
+}
+
+/// Whether nothing of the primitive is behind the mirror.
+bool is_before(const Drawing& drawing, std::uint32_t primitive) {
+  const facet::Scene& scene = *drawing.scene;
+  const facet::Plane& plane = scene.planes.planes()[drawing.reflection->plane];
+  const auto value = [&](const glm::dvec3& place) {
+    return glm::dot(plane.normal, place - scene.planes.centre()) + plane.offset;
+  };
+  const view::EyeSpace space = view::eye_space(drawing.view.camera, drawing.view.sampling);
+  const double eye = space.perspective ? value(space.eye) : -glm::dot(plane.normal, space.axes.forward);
+  const facet::Convex& solid = scene.solids[primitive];
+  const double slack = behind_mirror * glm::length(solid.box.high - solid.box.low);
+  return std::all_of(solid.vertices.begin(), solid.vertices.end(),
+                     [&](const glm::dvec3& vertex) { return value(vertex) * (eye < 0 ? -1 : 1) > -slack; });
+}
+
+/// Drops surfaces that are outside the mirror or before it.
+void drop_unseen(Drawing& drawing) {
+  std::vector<bool> before;
+  for (std::uint32_t i = 0; i < drawing.scene->solids.size(); ++i) before.push_back(is_before(drawing, i));
+  for (SegmentPlan& segment : drawing.plan.segments) {
+    std::erase_if(segment.surfaces, [&](const PlannedSurface& one) {
+      return common(one.block.pixels, drawing.reflection->pixels).empty() ||
+             std::any_of(one.set.begin(), one.set.end(), [&](std::uint32_t primitive) { return before[primitive]; });
+    });
+  }
 }
 
 }  // namespace
@@ -37,7 +68,8 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
 
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Scene> scene, view::View view,
-                                            unsigned nesting, const Workshop& workshop) {
+                                            unsigned nesting, const Workshop& workshop,
+                                            std::optional<Reflection> reflection) {
   auto drawing = std::make_shared<Drawing>();
   const Options& options = workshop.options;
   csg::Pruning pruning = options.pruning;
@@ -48,8 +80,15 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
   drawing->view = std::move(view);
   drawing->nesting = nesting;
   drawing->look = make_look(options.scene, *drawing->tree, csg::make_positive(*drawing->tree), drawing->view.camera);
+  drawing->reflection = std::move(reflection);
+  if (drawing->reflection) {
+    drawing->look.lighting = drawing->reflection->lighting;
+    // What hides others may itself be before the mirror.
+    pruning.hidden = false;
+  }
   drawing->plan = make_plan(*drawing->tree, *drawing->scene, drawing->view, machines::regions(workshop.machine),
                             pruning, opacities(drawing->look, workshop.called));
+  if (drawing->reflection) drop_unseen(*drawing);
   for (const CalledEffect& one : workshop.called) {
     drawing->states.push_back(one.effect->prepare != nullptr ? one.effect->prepare(one.settings, *drawing, workshop)
                                                              : EffectState{});
@@ -89,6 +128,7 @@ Context with_layout(const Context& context, const Layout& layout) {
   other.nesting = context.nesting;
   other.base = context.base;
   other.beyond = context.beyond;
+  other.beyond_plane = context.beyond_plane;
   other.drawn = context.drawn;
   other.lights = context.lights;
   other.paint = context.paint;

@@ -2,6 +2,7 @@
 
 #include <any>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,14 @@
 
 namespace csgsim::emit {
 
+/// How a model is seen that is seen in a mirror: of it, reflected, only what is behind the mirror.
+struct Reflection {
+  unsigned count = 1;           ///< mirrors on the way
+  std::uint32_t plane = 0;      ///< the mirror's, among the canonical planes of the reflected model
+  view::PixelRect pixels;       ///< that may show the mirror
+  lighting::Lighting lighting;  ///< reflected too
+};
+
 /// A model as one camera sees it, with all that is worked out before anything is broadcast. The camera's picture is
 /// one; effects prepare others, as of what a mirror shows.
 struct Drawing {
@@ -21,7 +30,8 @@ struct Drawing {
   view::View view;
   Look look;
   Plan plan;
-  unsigned nesting = 0;             ///< drawings that it is within
+  unsigned nesting = 0;  ///< drawings that it is within
+  std::optional<Reflection> reflection;
   std::vector<EffectState> states;  ///< one a called effect
 };
 
@@ -35,7 +45,8 @@ struct Workshop {
 /// Plans a drawing, and has each called effect prepare it. Throws InputError where an effect cannot.
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Scene> scene, view::View view,
-                                            unsigned nesting, const Workshop& workshop);
+                                            unsigned nesting, const Workshop& workshop,
+                                            std::optional<Reflection> reflection = {});
 
 /// The drawing and all that its effects prepared, themselves within one another.
 std::vector<const Drawing*> with_inner(const Drawing& drawing);

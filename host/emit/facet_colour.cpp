@@ -20,13 +20,17 @@ glm::dvec3 middle(const Context& context, const Facet& facet) {
 }  // namespace
 
 std::uint32_t facet_colour(const Context& context, const Facet& facet) {
+  return facet_colour(context, facet, context.look.finishes[facet.primitive].colour);
+}
+
+std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm::dvec3& colour) {
   const lighting::Finish& finish = context.look.finishes[facet.primitive];
   const lighting::Lighting& light = context.lighting();
   const glm::dvec3 place = light.is_local(finish.material) ? middle(context, facet) : glm::dvec3(0, 0, 1);
   const glm::dvec3 normal =
       facet.at == At::cap ? glm::dvec3(0, 0, -1) : in_camera_axes(context.view.camera, outward(context, facet));
-  const glm::dvec3 colour = lighting::lit(light, finish.material, finish.colour, {place, normal});
-  return isa::pack_colour({colour.r, colour.g, colour.b}, context.options.colour_bits);
+  const glm::dvec3 seen = lighting::lit(light, finish.material, colour, {place, normal});
+  return isa::pack_colour({seen.r, seen.g, seen.b}, context.options.colour_bits);
 }
 
 }  // namespace csgsim::emit

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 namespace csgsim::emit {
 
@@ -9,6 +11,9 @@ namespace {
 
 /// Vertices of a facet are this close to its plane, relative to their distance from the middle of the model.
 constexpr double on_plane = 1e-6;
+
+/// The cosine to the axis from which on a facet of a cylinder is one of its ends.
+constexpr double end_cosine = 1 - 1e-9;
 
 }  // namespace
 
@@ -21,6 +26,13 @@ glm::dvec3 outward(const Context& context, const Facet& facet) {
   const glm::dvec3& normal = context.scene.planes.planes()[facet.halfspace.plane].normal;
   return (facet.halfspace.positive != context.complemented(facet.primitive) ? 1.0 : -1.0) * normal;
 }
+
+glm::dvec3 own_normal(const Context& context, const Facet& facet) {
+  const glm::dmat3 linear(context.tree.primitives[facet.primitive].transform);
+  return glm::normalize(glm::transpose(linear) * outward(context, facet));
+}
+
+bool is_end(const glm::dvec3& own_normal) { return std::abs(own_normal.z) > end_cosine; }
 
 std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet) {
   const std::vector<glm::dvec3>& all = context.scene.solids[facet.primitive].vertices;

@@ -13,6 +13,12 @@ glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v);
 /// Out of the solid that is seen, model space, of length 1. Not of a cap, which has no half-space.
 glm::dvec3 outward(const Context& context, const Facet& facet);
 
+/// The same in the primitive's own axes, of length 1.
+glm::dvec3 own_normal(const Context& context, const Facet& facet);
+
+/// Whether a facet of a cylinder with that normal in its own axes is one of its ends.
+bool is_end(const glm::dvec3& own_normal);
+
 /// The vertices of a facet, model space, in no order; all of the solid's for a cap.
 std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet);
 

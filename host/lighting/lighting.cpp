@@ -18,12 +18,6 @@ bool same_colour(const glm::dvec3& a, const glm::dvec3& b) {
   return std::max({difference.x, difference.y, difference.z}) < 1e-6;
 }
 
-bool holds_for(const scene::MaterialRule& rule, const model::Primitive& primitive) {
-  if (rule.of_colour && !(primitive.colour && same_colour(*rule.of_colour, *primitive.colour))) return false;
-  return !rule.from_line || (primitive.location.line >= *rule.from_line &&
-                             primitive.location.line <= rule.to_line.value_or(*rule.from_line));
-}
-
 glm::dvec3 turned(const glm::dvec3& direction, const view::Basis& axes) {
   return {glm::dot(direction, axes.right), glm::dot(direction, axes.up), glm::dot(direction, axes.forward)};
 }
@@ -44,6 +38,12 @@ SeenLight seen(const scene::Light& light, const view::Camera& camera) {
 bool Lighting::is_local(const scene::Material& material) const {
   const bool has_points = std::any_of(lights.begin(), lights.end(), [](const SeenLight& one) { return one.is_point; });
   return has_points || (material.specular > 0 && is_perspective);
+}
+
+bool is_chosen(const scene::Chosen& chosen, const model::Primitive& primitive) {
+  if (chosen.of_colour && !(primitive.colour && same_colour(*chosen.of_colour, *primitive.colour))) return false;
+  return !chosen.from_line || (primitive.location.line >= *chosen.from_line &&
+                               primitive.location.line <= chosen.to_line.value_or(*chosen.from_line));
 }
 
 Lighting lighting_of(const scene::Scene& scene, const view::Camera& camera) {
@@ -75,7 +75,7 @@ glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const 
 Finish finish_of(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut) {
   Finish finish{primitive.colour.value_or(is_cut ? default_cut_colour : default_colour), {}, primitive.opacity};
   for (const scene::MaterialRule& rule : scene.materials) {
-    if (!holds_for(rule, primitive)) continue;
+    if (!is_chosen(rule, primitive)) continue;
     finish.material = rule.material;
     finish.colour = rule.colour.value_or(finish.colour);
     finish.opacity = rule.opacity.value_or(finish.opacity);

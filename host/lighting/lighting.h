@@ -44,6 +44,9 @@ struct SurfacePoint {
 glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
                const SurfacePoint& at);
 
+/// Whether what the scene says of these primitives holds for that one.
+bool is_chosen(const scene::Chosen& chosen, const model::Primitive& primitive);
+
 /// How a primitive looks: what the scene says of it, else the model, else the usual.
 struct Finish {
   glm::dvec3 colour;

@@ -21,6 +21,7 @@ std::string value_text(const Key& key) {
     case ValueKind::number: return range_text(key, "number");
     case ValueKind::vector: return "[x, y, z]";
     case ValueKind::colour: return "[red, green, blue], each 0 to 1";
+    case ValueKind::colour_table: return "[[[red, green, blue], ...], ...]";
     case ValueKind::choice: return fmt::format("`{}`", fmt::join(key.names, "`, `"));
   }
   return {};
@@ -35,6 +36,7 @@ struct ShowValue {
     return key.kind == ValueKind::choice ? std::string(key.names[static_cast<std::size_t>(value)])
                                          : fmt::format("{}", value);
   }
+  std::string operator()(const ColourTable& value) const { return value.empty() ? "" : "a table"; }
   std::string operator()(const glm::dvec3& value) const {
     return fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z);
   }

@@ -103,6 +103,8 @@ class Reader {
       const toml::node* const node = table.get(key.name);
       if (node != nullptr) key.store(read, value_of(*node, key, fmt::format("{}.{}", section.name, key.name)));
     }
+    const bool is_called = !is_effect || is_on(table, section);
+    if (section.is_list && !is_called) return;  // the others of the list may be on
     try {
       section.keep(scene_, section, std::move(read));
     } catch (const InputError& error) {
@@ -118,6 +120,7 @@ class Reader {
       case ValueKind::number: return number_of(node, key, name);
       case ValueKind::vector:
       case ValueKind::colour: return vector_of(node, key, name);
+      case ValueKind::colour_table: return colour_table_of(node, key, name);
       case ValueKind::choice: break;
     }
     return choice_of(node, key, name);
@@ -146,7 +149,7 @@ class Reader {
   [[nodiscard]] glm::dvec3 vector_of(const toml::node& node, const Key& key, const std::string& name) const {
     const toml::array* const list = node.as_array();
     if (list == nullptr || list->size() != 3) {
-      const std::string_view form = key.kind == ValueKind::colour ? "[red, green, blue]" : "[x, y, z]";
+      const std::string_view form = key.kind == ValueKind::vector ? "[x, y, z]" : "[red, green, blue]";
       fail(node, fmt::format("{} is {}; make it {}", name,
                              list == nullptr ? std::string(type_name(node)) : fmt::format("a list of {}", list->size()),
                              form));
@@ -154,6 +157,29 @@ class Reader {
     glm::dvec3 value;
     for (int i = 0; i < 3; ++i) value[i] = number_of(*list->get(static_cast<std::size_t>(i)), key, name);
     return value;
+  }
+
+  [[nodiscard]] ColourTable colour_table_of(const toml::node& node, const Key& key, const std::string& name) const {
+    const toml::array* const rows = node.as_array();
+    if (rows == nullptr || rows->empty() || rows->size() > most_in_list) fail_table(node, name);
+    ColourTable table;
+    for (const toml::node& row : *rows) {
+      const toml::array* const colours = row.as_array();
+      if (colours == nullptr || colours->empty() || colours->size() > most_in_list) fail_table(row, name);
+      table.emplace_back();
+      for (const toml::node& one : *colours) table.back().push_back(vector_of(one, key, "a colour of " + name));
+      if (table.back().size() != table.front().size()) {
+        fail(row, fmt::format("{} has a row of {} colours after one of {}; make its rows equally long", name,
+                              table.back().size(), table.front().size()));
+      }
+    }
+    return table;
+  }
+
+  [[noreturn]] void fail_table(const toml::node& node, const std::string& name) const {
+    fail(node, fmt::format("{} is no list of rows; make it [[[red, green, blue], ...], ...], with 1 to {} colours in a "
+                           "row",
+                           name, most_in_list));
   }
 
   [[nodiscard]] std::int64_t choice_of(const toml::node& node, const Key& key, const std::string& name) const {

@@ -44,18 +44,25 @@ struct Material {
   double diffuse = 1;     ///< part of a light that falls on it from the front
   double specular = 0;    ///< part of a light that is mirrored into the eye, in the light's colour
   double shininess = 20;  ///< exponent of the highlight (Blinn): the greater, the smaller it is
+  double mirror = 0;      ///< part of what a flat face shows that is its mirror image; 1 is a perfect mirror
 
   bool operator==(const Material&) const = default;
 };
 
-/// A material, and the primitives that are of it: those of a colour, those of some lines of the model's file, or, where
-/// neither is said, all. The last that holds for a primitive counts.
-struct MaterialRule {
+/// Primitives that a scene says something of: those of a colour, those of some lines of the model's file, or, where
+/// neither is said, all.
+struct Chosen {
   std::optional<glm::dvec3> of_colour;     ///< that the model says
   std::optional<std::uint32_t> from_line;  ///< of the model's file
   std::optional<std::uint32_t> to_line;    ///< inclusive; from_line if not given
-  std::optional<glm::dvec3> colour;        ///< instead of the model's
-  std::optional<double> opacity;           ///< instead of the model's alpha
+
+  bool operator==(const Chosen&) const = default;
+};
+
+/// A material, and the primitives that are of it. The last that holds for a primitive counts.
+struct MaterialRule : Chosen {
+  std::optional<glm::dvec3> colour;  ///< instead of the model's
+  std::optional<double> opacity;     ///< instead of the model's alpha
   Material material;
 
   bool operator==(const MaterialRule&) const = default;

@@ -12,7 +12,6 @@ namespace {
 constexpr std::array<std::string_view, 2> projections{"ortho", "perspective"};
 constexpr std::array<std::string_view, 2> light_kinds{"directional", "point"};
 constexpr std::array<std::string_view, 2> axes{"model", "camera"};
-constexpr double last_line = 4'294'967'295.0;
 
 constexpr std::array camera_keys{
     vector_key<&Camera::eye>("eye", "model units", "where the eye is"),
@@ -37,42 +36,20 @@ constexpr std::array light_keys{
     colour_key<&Light::colour>("colour", "red, green, blue"),
     number_key<&Light::intensity>("intensity", "", 0, 10, "part of the colour that a surface gets which faces it")};
 
-constexpr std::array material_keys{
-    colour_key<&MaterialRule::of_colour>("of_colour", "for the primitives that have this colour in the model"),
-    integer_key<&MaterialRule::from_line>("from_line", "", 1, last_line, "for those from this line of the model on"),
-    integer_key<&MaterialRule::to_line>("to_line", "", 1, last_line, "to this line; from_line if not given"),
-    colour_key<&MaterialRule::colour>("colour", "instead of the model's"),
-    number_key<&MaterialRule::opacity>("opacity", "", 0, 1, "instead of the model's alpha: 0 is clear, 1 opaque")};
-
-struct MaterialRuleKeys {
-  template <double Material::*member>
-  static constexpr Key number(std::string_view name, double least, double most, std::string_view meaning) {
-    return {name,
-            ValueKind::number,
-            "",
-            least,
-            most,
-            meaning,
-            [](std::any& section, const Value& value) {
-              std::any_cast<MaterialRule&>(section).material.*member = std::get<double>(value);
-            },
-            {},
-            [](const std::any& section) {
-              return std::optional<Value>(std::any_cast<const MaterialRule&>(section).material.*member);
-            }};
-  }
-};
-
-constexpr std::array all_material_keys{
-    material_keys[0],
-    material_keys[1],
-    material_keys[2],
-    material_keys[3],
-    material_keys[4],
-    MaterialRuleKeys::number<&Material::ambient>("ambient", 0, 1, "part of the ambient light that it throws back"),
-    MaterialRuleKeys::number<&Material::diffuse>("diffuse", 0, 1, "part of a light from the front"),
-    MaterialRuleKeys::number<&Material::specular>("specular", 0, 1, "part of a light that is mirrored into the eye"),
-    MaterialRuleKeys::number<&Material::shininess>("shininess", 1, 1000, "exponent of the highlight")};
+constexpr std::array material_keys = joined(
+    chosen_keys<MaterialRule>,
+    std::array{
+        colour_key<&MaterialRule::colour>("colour", "instead of the model's"),
+        number_key<&MaterialRule::opacity>("opacity", "", 0, 1, "instead of the model's alpha: 0 is clear, 1 opaque"),
+        number_key<&MaterialRule::material, &Material::ambient>("ambient", "", 0, 1,
+                                                                "part of the ambient light that it throws back"),
+        number_key<&MaterialRule::material, &Material::diffuse>("diffuse", "", 0, 1, "part of a light from the front"),
+        number_key<&MaterialRule::material, &Material::specular>("specular", "", 0, 1,
+                                                                 "part of a light that is mirrored into the eye"),
+        number_key<&MaterialRule::material, &Material::shininess>("shininess", "", 1, 1000,
+                                                                  "exponent of the highlight"),
+        number_key<&MaterialRule::material, &Material::mirror>(
+            "mirror", "", 0, 1, "part of what its flat faces show that is their mirror image; of what is opaque")});
 
 template <auto member>
 void keep_one(Scene& scene, const Section& /*section*/, std::any&& read) {
@@ -98,11 +75,7 @@ void keep_light(Scene& scene, const Section& /*section*/, std::any&& read) {
 
 void keep_material(Scene& scene, const Section& /*section*/, std::any&& read) {
   auto& rule = std::any_cast<MaterialRule&>(read);
-  if (rule.to_line && !rule.from_line) throw InputError("to_line without from_line; add from_line");
-  if (rule.from_line && !rule.to_line) rule.to_line = rule.from_line;
-  if (rule.from_line && *rule.to_line < *rule.from_line) {
-    throw InputError("to_line is before from_line; change them over");
-  }
+  complete(rule);
   scene.materials.push_back(rule);
 }
 
@@ -114,12 +87,20 @@ constexpr std::array sections{
     Section{"lights", "lights; if there are none, one beside the eye", true, light_keys, blank_section<Light>,
             keep_light},
     Section{"materials", "how surfaces throw light back; the last that holds for a primitive counts", true,
-            all_material_keys, blank_section<MaterialRule>, keep_material}};
+            material_keys, blank_section<MaterialRule>, keep_material}};
 
 }  // namespace
 
 void keep_effect(Scene& scene, const Section& section, std::any&& read) {
   scene.effects.push_back({section.name, std::move(read)});
+}
+
+void complete(Chosen& chosen) {
+  if (chosen.to_line && !chosen.from_line) throw InputError("to_line without from_line; add from_line");
+  if (chosen.from_line && !chosen.to_line) chosen.to_line = chosen.from_line;
+  if (chosen.from_line && *chosen.to_line < *chosen.from_line) {
+    throw InputError("to_line is before from_line; change them over");
+  }
 }
 
 std::span<const Section> common_sections() { return sections; }

@@ -20,6 +20,9 @@ namespace {
 /// depth bits are spent on nearness then.
 constexpr double near_floor = 1.0 / 256;
 
+/// Pixels.
+constexpr double most_offset = 2;
+
 void check(const Sampling& sampling) {
   if (sampling.width < 1 || sampling.height < 1 || sampling.width > isa::max_array_side ||
       sampling.height > isa::max_array_side) {
@@ -35,8 +38,8 @@ void check(const Sampling& sampling) {
   if (sampling.near && !(*sampling.near > 0.0 && std::isfinite(*sampling.near))) {
     throw InputError("the near plane has to be at a finite distance above 0");
   }
-  if (!(std::abs(sampling.offset.x) <= 1.0 && std::abs(sampling.offset.y) <= 1.0)) {
-    throw InputError("pixels have to be sampled within one pixel of their centres");
+  if (!(std::abs(sampling.offset.x) <= most_offset && std::abs(sampling.offset.y) <= most_offset)) {
+    throw InputError("pixels have to be sampled within two pixels of their centres");
   }
 }
 

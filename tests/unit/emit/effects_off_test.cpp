@@ -47,7 +47,7 @@ TEST_CASE("a scene that names no effect, or switches every one off, compiles to 
       setup.options.effects = effects::all();
       CHECK(bytes_of(model, setup) == never_heard);
       setup.options.scene = scene::read_scene(all_off(), "off.toml", {}, effects::sections());
-      CHECK(setup.options.scene.effects.size() + 1 == effects::all().size());
+      CHECK_FALSE(setup.options.scene.effects.empty());
       CHECK(bytes_of(model, setup) == never_heard);
       setup.options.scene = scene::read_scene("[effects.smooth]\n", "on.toml", {}, effects::sections());
       if (setup.machine != "pixel-square") CHECK(bytes_of(model, setup) != never_heard);

@@ -1,0 +1,42 @@
+#include "host/effects/blend.h"
+
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+using isa::Field;
+using isa::Opcode;
+
+Field part_of(Field field, unsigned from, unsigned width) {
+  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
+}
+
+std::array<Field, 3> channels_of(Field colour) {
+  const std::array<unsigned, 3> widths = isa::channel_widths(colour.width);
+  return {part_of(colour, widths[2] + widths[1], widths[0]), part_of(colour, widths[2], widths[1]),
+          part_of(colour, 0, widths[2])};
+}
+
+void add_times(emit::Broadcast& out, Field target, unsigned constant, Field source) {
+  for (unsigned i = 0; i < part_bits; ++i)
+    if (((constant >> i) & 1U) != 0) out.plain(Opcode::add, part_of(target, i, target.width - i), source);
+}
+
+void emit_blend(emit::Broadcast& out, Field colour, Field over, unsigned part, Field product) {
+  if (part == whole) {
+    out.plain(Opcode::copy, colour, over);
+    return;
+  }
+  const std::array<Field, 3> channels = channels_of(colour);
+  const std::array<Field, 3> over_channels = channels_of(over);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const Field sum = part_of(product, 0, channels.at(i).width + part_bits);
+    out.plain(Opcode::set_constant, sum, {}, whole / 2);
+    add_times(out, sum, part, over_channels.at(i));
+    add_times(out, sum, whole - part, channels.at(i));
+    out.plain(Opcode::copy, channels.at(i), part_of(sum, part_bits, channels.at(i).width));
+  }
+}
+
+}  // namespace csgsim::effects

@@ -1,0 +1,186 @@
+#include "host/effects/depth_cue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/depth_scale.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+using isa::Opcode;
+
+struct CueSettings {
+  std::optional<double> near;
+  std::optional<double> far;
+  std::optional<glm::dvec3> colour;
+  std::int64_t bits = 5;
+};
+
+constexpr std::array keys{
+    scene::number_key<&CueSettings::near>("near", "model units", -scene::any_number, scene::any_number,
+                                          "distance from the eye from which on colours fade; the nearest depth, if not "
+                                          "given"),
+    scene::number_key<&CueSettings::far>("far", "model units", -scene::any_number, scene::any_number,
+                                         "distance from which on nothing is left of them; the farthest depth, if not "
+                                         "given"),
+    scene::colour_key<&CueSettings::colour>("colour", "that they fade into; the background's, if not given"),
+    scene::integer_key<&CueSettings::bits>("bits", "bits", 1, 6, "of the part that has faded: 2^bits steps")};
+
+/// Depths, in steps and not rounded, between which colours fade.
+struct Fading {
+  double begin = 0;
+  double end = 0;
+  unsigned colour_bits = 0;
+};
+
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+  const auto& set = std::any_cast<const CueSettings&>(settings);
+  const isa::DepthScale& scale = drawing.view.depth;
+  const double near = set.near.value_or(scale.near);
+  const double far = set.far.value_or(scale.far);
+  if (scale.perspective && near <= 0)
+    throw InputError(
+        fmt::format("colours cannot fade from {:g} model units on, behind the eye; take near above 0", near));
+  if (!(far > near)) {
+    throw InputError(
+        fmt::format("colours fade from {:g} to {:g} model units from the eye; take far above near", near, far));
+  }
+  const unsigned z_bits = drawing.view.sampling.z_bits;
+  emit::EffectState state;
+  state.own =
+      Fading{isa::depth_of(scale, z_bits, near), isa::depth_of(scale, z_bits, far), workshop.options.colour_bits};
+  return state;
+}
+
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
+  const auto bits = static_cast<unsigned>(std::any_cast<const CueSettings&>(settings).bits);
+  std::vector<emit::FieldRequest> requests;
+  for (const emit::EffectState& state : drawing.states) {
+    const auto* const fading = std::any_cast<Fading>(&state.own);
+    if (fading == nullptr) continue;
+    const unsigned channel = isa::channel_widths(fading->colour_bits)[1];
+    const auto add = [&](std::string_view name, unsigned width) {
+      requests.push_back({std::string(name), isa::FieldRole::scratch, width, "", "", true});
+    };
+    add("faded", bits + 1);
+    add("sum", channel + bits);
+  }
+  return requests;
+}
+
+isa::Field part(isa::Field field, unsigned from, unsigned width) {
+  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
+}
+
+/// Works where the drawing is made.
+class Fader {
+ public:
+  Fader(const emit::EffectCall& call, emit::Broadcast& out)
+      : context_(call.context),
+        fading_(std::any_cast<const Fading&>(call.state.own)),
+        out_(out),
+        bits_(static_cast<unsigned>(std::any_cast<const CueSettings&>(call.settings).bits)),
+        faded_(context_.layout.of("depth_cue", "faded")) {}
+
+  void fade(std::uint32_t cue) {
+    out_.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    weigh();
+    unsigned from = context_.layout.colour.width;
+    for (const unsigned width : isa::channel_widths(context_.layout.colour.width)) {
+      from -= width;
+      blend(part(context_.layout.colour, from, width), (cue >> from) & ((1U << width) - 1));
+    }
+  }
+
+ private:
+  void everywhere() {
+    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
+  }
+
+  /// E stays 1 from that depth on.
+  void from_depth(std::int64_t step) {
+    out_.surface(Opcode::linear_le, context_.layout.depth, {0, 0, step << context_.view.sampling.fraction_bits},
+                 context_.plan.pixels());
+  }
+
+  /// How many of 2^bits parts have faded, to the nearest; none where nothing is seen.
+  void weigh() {
+    everywhere();
+    out_.plain(Opcode::set_constant, faded_, {}, 0);
+    const std::uint64_t all = std::uint64_t{1} << bits_;
+    for (std::uint64_t faded = 1; faded <= all; ++faded) {
+      const double middle = (static_cast<double>(faded) - 0.5) / static_cast<double>(all);
+      const double from = std::ceil(fading_.begin + middle * (fading_.end - fading_.begin));
+      if (from >= static_cast<double>(context_.farthest())) break;
+      const auto step = view::to_fixed(std::max(from, 0.0), 0);
+      if (step && *step > 0) from_depth(*step);
+      out_.plain(Opcode::set_constant, faded_, {}, faded);
+    }
+    from_depth(context_.farthest());
+    out_.plain(Opcode::set_constant, faded_, {}, 0);
+  }
+
+  /// channel := ((2^bits - faded) * channel + faded * cue + half) / 2^bits. What is left of the channel is
+  /// 1 + (2^bits - 1 - faded) parts: one, and those of the bits that `faded` has not; none where its top bit is 1.
+  void blend(isa::Field channel, std::uint32_t level) {
+    const isa::Field sum = part(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
+    const auto from = [&](unsigned bit) { return part(sum, bit, sum.width - bit); };
+    everywhere();
+    out_.plain(Opcode::set_constant, sum, {}, std::uint64_t{1} << (bits_ - 1));
+    for (unsigned bit = 0; bit < channel.width; ++bit)
+      if ((level >> bit & 1U) != 0) out_.plain(Opcode::add, from(bit), narrowed(faded_, sum.width - bit));
+    out_.plain(Opcode::enable_and_not, part(faded_, bits_, 1));
+    out_.plain(Opcode::add, sum, channel);
+    for (unsigned bit = 0; bit < bits_; ++bit) {
+      everywhere();
+      out_.plain(Opcode::enable_and_not, part(faded_, bits_, 1));
+      out_.plain(Opcode::enable_and_not, part(faded_, bit, 1));
+      out_.plain(Opcode::add, from(bit), channel);
+    }
+    everywhere();
+    out_.plain(Opcode::copy, channel, part(sum, bits_, channel.width));
+  }
+
+  static isa::Field narrowed(isa::Field field, unsigned width) {
+    return part(field, 0, std::min<unsigned>(field.width, width));
+  }
+
+  const emit::Context& context_;
+  const Fading& fading_;
+  emit::Broadcast& out_;
+  unsigned bits_;
+  isa::Field faded_;
+};
+
+void finish(const emit::EffectCall& call, emit::Broadcast& out) {
+  const emit::Options& options = call.context.options;
+  const std::optional<glm::dvec3> colour = std::any_cast<const CueSettings&>(call.settings).colour;
+  const std::uint32_t cue = colour ? isa::pack_colour({colour->r, colour->g, colour->b}, options.colour_bits)
+                                   : emit::packed_background(options.scene, options.colour_bits);
+  Fader(call, out).fade(cue);
+}
+
+}  // namespace
+
+const emit::Effect depth_cue{
+    .section = {"effects.depth_cue",
+                "colours fade with depth: linear in distance, in its reciprocal in a perspective view", false, keys,
+                scene::blank_section<CueSettings>, scene::keep_effect},
+    .technique =
+        "after all surfaces the depth in pixel memory is compared with a constant for each step of fading, and "
+        "channels are multiplied by shifting and adding, after Fuchs et al., SIGGRAPH 1985",
+    .prepare = prepare,
+    .fields = fields,
+    .finish = finish};
+
+}  // namespace csgsim::effects

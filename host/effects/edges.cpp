@@ -1,0 +1,206 @@
+#include "host/effects/edges.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+using isa::Opcode;
+
+enum Between : std::int64_t { facets, primitives };
+
+constexpr std::array<std::string_view, 2> between_names{"facets", "primitives"};
+
+struct EdgeSettings {
+  glm::dvec3 colour{0};
+  std::int64_t between = Between::facets;
+  double crease = 35;
+};
+
+constexpr std::array keys{
+    scene::colour_key<&EdgeSettings::colour>("colour", "of the lines"),
+    scene::choice_key<&EdgeSettings::between>("between", between_names, "whose edges are drawn"),
+    scene::number_key<&EdgeSettings::crease>("crease", "degrees", 0, 180,
+                                             "facets of a ball, or around a cylinder, that meet at less count as one")};
+
+/// The cosine to the axis from which on a facet of a cylinder is one of its ends.
+constexpr double end_cosine = 1 - 1e-9;
+
+/// A number for each half-space of a primitive, and for where it has none; the same for those between which there is no
+/// edge.
+struct Numbers {
+  std::vector<std::vector<std::uint32_t>> of_halfspaces;  ///< by primitive
+  std::vector<std::uint32_t> of_primitives;
+  std::uint32_t most = 0;
+
+  [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(std::bit_width(most)); }
+};
+
+/// Which half-spaces of a primitive stand for its curved surface.
+struct IsCurved {
+  glm::dvec3 own_normal;  ///< of length 1, in the primitive's axes
+
+  bool operator()(const model::Cube& /*cube*/) const { return false; }
+  bool operator()(const model::Polyhedron& /*polyhedron*/) const { return false; }
+  bool operator()(const model::Sphere& /*sphere*/) const { return true; }
+  bool operator()(const model::Cylinder& /*cylinder*/) const { return std::abs(own_normal.z) <= end_cosine; }
+};
+
+/// Degrees between neighbours of so many facets of a curved surface.
+double angle_between(const model::Shape& shape, std::size_t curved) {
+  const double radians = std::holds_alternative<model::Sphere>(shape)
+                             ? std::sqrt(4 * std::numbers::pi / static_cast<double>(curved))
+                             : 2 * std::numbers::pi / static_cast<double>(curved);
+  return radians * 180 / std::numbers::pi;
+}
+
+std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Convex& solid,
+                            const facet::PlaneTable& planes, double crease) {
+  std::vector<bool> curved;
+  for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    const glm::dvec3& normal = planes.planes()[halfspace.plane].normal;
+    const glm::dvec3 own = glm::transpose(glm::dmat3(primitive.transform)) * normal;
+    curved.push_back(std::visit(IsCurved{glm::normalize(own)}, primitive.shape));
+  }
+  const auto count = static_cast<std::size_t>(std::count(curved.begin(), curved.end(), true));
+  if (count == 0 || angle_between(primitive.shape, count) >= crease) curved.assign(curved.size(), false);
+  return curved;
+}
+
+/// 0 is for where nothing is seen.
+Numbers number(const model::Tree& tree, const facet::Scene& scene, const EdgeSettings& settings) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
+    const facet::Convex& solid = scene.solids[i];
+    const std::uint32_t whole = ++numbers.most;
+    numbers.of_primitives.push_back(whole);
+    std::vector<std::uint32_t>& own = numbers.of_halfspaces.emplace_back(solid.halfspaces.size(), whole);
+    if (settings.between == Between::primitives) continue;
+    const std::vector<bool> curved = curved_of(tree.primitives[i], solid, scene.planes, settings.crease);
+    for (std::size_t h = 0; h < own.size(); ++h)
+      if (!curved[h]) own[h] = ++numbers.most;
+  }
+  return numbers;
+}
+
+/// The drawings of an EffectState, in this order.
+enum : std::size_t { here, right, below };
+
+constexpr std::array<glm::dvec2, 3> places{{{0, 0}, {1, 0}, {0, 1}}};
+
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+  emit::EffectState state;
+  // Lines are drawn in the finished picture, not in what is drawn within it.
+  if (drawing.nesting > 0) return state;
+  state.own = number(*drawing.tree, *drawing.scene, std::any_cast<const EdgeSettings&>(settings));
+  for (const glm::dvec2& place : places) {
+    view::Sampling sampling = drawing.view.sampling;
+    sampling.offset += place;
+    // Numbers have no part in any effect.
+    state.drawings.push_back(emit::make_drawing(
+        drawing.tree, drawing.scene, view::make_view(*drawing.scene, *drawing.tree, drawing.view.camera, sampling),
+        drawing.nesting + 1, {workshop.machine, workshop.options, {}}));
+  }
+  return state;
+}
+
+std::vector<emit::FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing) {
+  std::vector<emit::FieldRequest> requests;
+  constexpr std::string_view without = "take --set effects.edges.on=false";
+  for (const emit::EffectState& state : drawing.states) {
+    const auto* const numbers = std::any_cast<Numbers>(&state.own);
+    if (numbers == nullptr) continue;
+    const auto add = [&](std::string_view name, unsigned width, std::string_view what) {
+      requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
+    };
+    add("here", numbers->bits(), "number of a facet");
+    add("there", numbers->bits(), "number of a facet");
+    add("depth", drawing.view.sampling.z_bits, "depth of a neighbour");
+    add("line", 1, "edge");
+  }
+  return requests;
+}
+
+/// The numbers of what is seen in a drawing, into the field.
+void draw_numbers(const emit::EffectCall& call, emit::Broadcast& out, const emit::Drawing& drawing, isa::Field field) {
+  const auto& numbers = std::any_cast<const Numbers&>(call.state.own);
+  const emit::Paint paint = [&](const emit::Facet& facet) {
+    if (facet.at == emit::At::cap) return numbers.of_primitives[facet.primitive];
+    const std::vector<facet::Halfspace>& all = drawing.scene->solids[facet.primitive].halfspaces;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const facet::Halfspace& one) {
+      return one.plane == facet.halfspace.plane && one.positive == facet.halfspace.positive;
+    });
+    return numbers.of_halfspaces[facet.primitive].at(static_cast<std::size_t>(found - all.begin()));
+  };
+  emit::Layout layout = call.context.layout;
+  layout.depth = layout.of("edges", "depth");
+  layout.colour = field;
+  layout.candidate_colour = {};
+  layout.owner = {};
+  const emit::Context elsewhere = emit::with_layout(call.context, layout);
+  emit::Context context = emit::context_of(drawing, elsewhere);
+  context.called = {};
+  context.paint = &paint;
+  out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
+  context.base.width > 0 ? out.plain(Opcode::enable_load, context.base) : out.plain(Opcode::enable_all);
+  out.plain(Opcode::set_constant, layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
+  out.plain(Opcode::set_constant, field, {}, 0);
+  emit::emit_surfaces(context, out);
+}
+
+void finish(const emit::EffectCall& call, emit::Broadcast& out) {
+  const emit::Context& context = call.context;
+  const isa::Field own = context.layout.of("edges", "here");
+  const isa::Field other = context.layout.of("edges", "there");
+  const isa::Field line = context.layout.of("edges", "line");
+  const auto plain = [&](Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0) {
+    out.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    out.plain(opcode, first, second, constant);
+  };
+  draw_numbers(call, out, *call.state.drawings[here], own);
+  plain(Opcode::enable_all);
+  plain(Opcode::set_constant, line, {}, 0);
+  for (const std::size_t neighbour : {right, below}) {
+    draw_numbers(call, out, *call.state.drawings[neighbour], other);
+    plain(Opcode::enable_all);
+    plain(Opcode::field_eq, own, other);
+    plain(Opcode::enable_invert);
+    plain(Opcode::enable_or, line);
+    plain(Opcode::enable_store, line);
+  }
+  if (context.base.width > 0) plain(Opcode::enable_and, context.base);
+  const glm::dvec3& colour = std::any_cast<const EdgeSettings&>(call.settings).colour;
+  plain(Opcode::set_constant, context.layout.colour, {},
+        isa::pack_colour({colour.r, colour.g, colour.b}, context.options.colour_bits));
+}
+
+}  // namespace
+
+const emit::Effect edges{
+    .section = {"effects.edges", "lines where facets or primitives meet, as in a technical drawing", false, keys,
+                scene::blank_section<EdgeSettings>, scene::keep_effect},
+    .technique =
+        "after Saito and Takahashi, Comprehensible Rendering of 3-D Shapes, SIGGRAPH 1990: pixels are compared "
+        "with their neighbours by what is seen there; as pixels cannot ask a neighbour, the numbers of facets "
+        "are drawn three times: here, moved by a column and moved by a row",
+    .prepare = prepare,
+    .fields = fields,
+    .finish = finish};
+
+}  // namespace csgsim::effects

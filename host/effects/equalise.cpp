@@ -1,0 +1,223 @@
+#include "host/effects/equalise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
+#include "hw/machines/regions.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+using isa::Opcode;
+
+struct Settings {
+  std::int64_t samples = 16;
+  std::int64_t reach = 0;
+};
+
+constexpr std::int64_t most_samples = 64;
+
+constexpr std::array keys{
+    scene::integer_key<&Settings::samples>("samples", "a side", 1, most_samples,
+                                           "of the lattice of pixels whose levels are counted"),
+    scene::integer_key<&Settings::reach>("reach", "pixels", 0, isa::max_array_side,
+                                         "of a sample in all four directions; 0: the whole picture")};
+
+/// Bits of a count of samples, and one more for dividing.
+unsigned count_bits(const Settings& settings) {
+  return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(settings.samples * settings.samples))) + 1;
+}
+
+emit::EffectState prepare(const std::any& /*settings*/, const emit::Drawing& /*drawing*/,
+                          const emit::Workshop& workshop) {
+  const machines::Machine& machine = workshop.machine;
+  if (!machines::has_global_or(machine) || machines::regions(machine).size() > 1) {
+    throw InputError(fmt::format(
+        "the effect equalise asks for levels of pixels by a global OR over the whole picture, which {} does "
+        "not have; take a machine that does, such as pixel-planes-4, or leave the effect out by --set "
+        "effects.equalise.on=false",
+        machine.name));
+  }
+  return {};
+}
+
+/// Bits of the widest channel that there is.
+constexpr unsigned most_level_bits = isa::channel_widths(isa::most_colour_bits)[1];
+
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/) {
+  const unsigned count = count_bits(std::any_cast<const Settings&>(settings));
+  return {{.name = "rank", .width = most_level_bits + count, .what = "rank", .is_scratch = true},
+          {.name = "seen", .width = 1, .what = "seen", .is_scratch = true},
+          {.name = "counted", .width = count, .what = "count", .is_scratch = true}};
+}
+
+isa::Field part(isa::Field field, unsigned begin, unsigned width) {
+  return {static_cast<std::uint16_t>(field.base + begin), static_cast<std::uint16_t>(width)};
+}
+
+/// Equalises one picture, a channel after another.
+class Equaliser {
+ public:
+  Equaliser(const emit::EffectCall& call, emit::Broadcast& out)
+      : context_(call.context),
+        out_(out),
+        settings_(std::any_cast<const Settings&>(call.settings)),
+        rank_(context_.layout.of("equalise", "rank")),
+        seen_(context_.layout.of("equalise", "seen")),
+        counted_(context_.layout.of("equalise", "counted")),
+        // Outside the drawing of surfaces the mask is free.
+        sample_(context_.layout.mask) {}
+
+  void emit() {
+    out_.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    const std::vector<view::PixelRect> samples = lattice();
+    if (samples.empty()) return;
+    out_.plain(Opcode::enable_all);
+    out_.equals(context_.layout.depth, static_cast<std::uint32_t>(context_.farthest()));
+    out_.plain(Opcode::enable_invert);
+    out_.plain(Opcode::enable_store, seen_);
+    out_.plain(Opcode::enable_all);
+    out_.plain(Opcode::set_constant, counted_, {}, 0);
+    unsigned base = context_.layout.colour.width;
+    bool is_first = true;
+    for (const unsigned width : isa::channel_widths(context_.options.colour_bits)) {
+      base -= width;
+      emit_channel(part(context_.layout.colour, base, width), samples, is_first);
+      is_first = false;
+    }
+  }
+
+ private:
+  /// The pixels of the lattice at which something may be seen.
+  [[nodiscard]] std::vector<view::PixelRect> lattice() const {
+    std::vector<view::PixelRect> pixels;
+    const auto place = [&](std::int64_t i, std::uint32_t side) {
+      return static_cast<std::int32_t>((2 * i + 1) * side / (2 * settings_.samples));
+    };
+    for (std::int64_t row = 0; row < settings_.samples; ++row) {
+      for (std::int64_t column = 0; column < settings_.samples; ++column) {
+        const std::int32_t x = place(column, context_.view.sampling.width);
+        const std::int32_t y = place(row, context_.view.sampling.height);
+        if (may_be_seen({x, y, x, y})) pixels.push_back({x, y, x, y});
+      }
+    }
+    return pixels;
+  }
+
+  [[nodiscard]] bool may_be_seen(const view::PixelRect& pixel) const {
+    // What other cameras see is not in this drawing's plan.
+    const bool is_alone = std::none_of(context_.called.begin(), context_.called.end(),
+                                       [](const emit::CalledEffect& one) { return one.effect->around != nullptr; });
+    const std::vector<emit::PlannedSurface>& surfaces = context_.plan.surfaces;
+    return !is_alone || std::any_of(surfaces.begin(), surfaces.end(), [&](const emit::PlannedSurface& one) {
+      return !view::common(one.block.pixels, pixel).empty();
+    });
+  }
+
+  void emit_channel(isa::Field level, const std::vector<view::PixelRect>& samples, bool counts_samples) {
+    const isa::Field told = part(rank_, 0, level.width);
+    const isa::Field rank = part(rank_, level.width, counted_.width);
+    out_.plain(Opcode::enable_all);
+    out_.plain(Opcode::set_constant, rank, {}, 0);
+    for (const view::PixelRect& sample : samples) {
+      out_.plain(Opcode::enable_load, seen_);
+      out_.clip(sample, context_.plan.pixels());
+      const std::size_t begin = out_.size();
+      tell(level, told);
+      count(sample, told, level, rank, counts_samples);
+      skip_if_none(begin);
+    }
+    scale(level);
+  }
+
+  /// The level of the enabled pixel to all pixels, bit by bit.
+  void tell(isa::Field level, isa::Field told) {
+    out_.plain(Opcode::enable_store, sample_);
+    out_.plain(Opcode::enable_all);
+    out_.plain(Opcode::set_constant, told, {}, 0);
+    for (unsigned bit = 0; bit < level.width; ++bit) {
+      out_.plain(Opcode::enable_load, sample_);
+      out_.plain(Opcode::enable_and, part(level, bit, 1));
+      const std::size_t begin = out_.size();
+      out_.plain(Opcode::enable_all);
+      out_.plain(Opcode::set_constant, part(told, bit, 1), {}, 1);
+      skip_if_none(begin);
+    }
+  }
+
+  /// One more for the pixels in the sample's reach whose level is above the one told.
+  void count(const view::PixelRect& sample, isa::Field told, isa::Field level, isa::Field rank, bool counts_samples) {
+    out_.plain(Opcode::enable_all);
+    if (settings_.reach > 0) {
+      const auto reach = static_cast<std::int32_t>(settings_.reach);
+      const view::PixelRect all = context_.plan.pixels();
+      out_.clip(view::common(all, {sample.x0 - reach, sample.y0 - reach, sample.x1 + reach, sample.y1 + reach}), all);
+    }
+    if (counts_samples) {
+      out_.plain(Opcode::enable_store, sample_);
+      out_.plain(Opcode::add, counted_, sample_);
+    }
+    out_.plain(Opcode::field_lt, told, level);
+    out_.plain(Opcode::enable_store, sample_);
+    out_.plain(Opcode::add, rank, sample_);
+  }
+
+  void skip_if_none(std::size_t begin) {
+    out_.insert(begin, {Opcode::skip_if_none, {}, {}, out_.size() - begin, out_.origin});
+  }
+
+  /// The level becomes 2^width * rank / counted, or all ones where that is more, by long division: the rank and what is
+  /// left of it move up a bit at a time, below them zeros.
+  void scale(isa::Field level) {
+    out_.plain(Opcode::enable_all);
+    out_.equals(counted_, 0);
+    out_.plain(Opcode::enable_invert);
+    out_.plain(Opcode::enable_and, seen_);
+    out_.plain(Opcode::enable_store, sample_);
+    out_.plain(Opcode::set_constant, level, {}, 0);
+    out_.plain(Opcode::set_constant, part(rank_, 0, level.width), {}, 0);
+    for (unsigned bit = level.width; bit-- > 0;) {
+      const isa::Field rest = part(rank_, bit, counted_.width);
+      out_.plain(Opcode::enable_load, sample_);
+      out_.plain(Opcode::field_le, counted_, rest);
+      // a - b = not (not a + b)
+      out_.plain(Opcode::bit_not, rest, rest);
+      out_.plain(Opcode::add, rest, counted_);
+      out_.plain(Opcode::bit_not, rest, rest);
+      out_.plain(Opcode::set_constant, part(level, bit, 1), {}, 1);
+    }
+  }
+
+  const emit::Context& context_;
+  emit::Broadcast& out_;
+  const Settings& settings_;
+  isa::Field rank_;     ///< and below it the level that is told
+  isa::Field seen_;     ///< 1 where something is seen
+  isa::Field counted_;  ///< samples that reach the pixel
+  isa::Field sample_;   ///< 1 at the sample; also what is added to a count
+};
+
+void enhance(const emit::EffectCall& call, emit::Broadcast& out) { Equaliser(call, out).emit(); }
+
+}  // namespace
+
+const emit::Effect equalise{
+    .section = {"effects.equalise",
+                "where something is seen, each channel's level becomes its rank among those of a lattice of pixels",
+                false, keys, scene::blank_section<Settings>, scene::keep_effect},
+    .technique =
+        "Fuchs et al., SIGGRAPH 1985: adaptive histogram equalisation by broadcasting levels, with which every pixel "
+        "compares its own; here the levels of a lattice of pixels, asked for bit by bit by the global OR",
+    .prepare = prepare,
+    .fields = fields,
+    .enhance = enhance};
+
+}  // namespace csgsim::effects

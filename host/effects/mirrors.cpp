@@ -1,0 +1,338 @@
+#include "host/effects/mirrors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/effects/blend.h"
+#include "host/effects/reflection.h"
+#include "host/emit/early_out.h"
+#include "host/emit/surface.h"
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+using emit::FieldRequest;
+using isa::Field;
+using isa::Opcode;
+
+constexpr std::string_view effect = "mirrors";
+constexpr std::string_view without = "take --set effects.mirrors.on=false";
+constexpr unsigned most_depth = 4;
+constexpr std::size_t most_mirrors = 256;  ///< of a picture, those in mirrors counted each time
+
+struct Settings {
+  unsigned depth = 1;
+};
+
+constexpr std::array keys{
+    scene::integer_key<&Settings::depth>("depth", "", 1, most_depth, "mirrors that are seen in one another")};
+
+/// A face that mirrors.
+struct Face {
+  std::uint32_t primitive;
+  facet::Halfspace halfspace;
+};
+
+/// Faces in one plane, and what they show.
+struct Mirror {
+  std::vector<Face> faces;
+  unsigned reflectance = 0;  ///< in 1/256, from 1 to 256
+  std::shared_ptr<const emit::Drawing> drawing;
+  view::FixedLinear plane;  ///< as the drawing has it
+};
+
+struct Prepared {
+  std::vector<Mirror> mirrors;
+  unsigned level = 0;          ///< mirrors on the way to the drawing
+  std::uint32_t surfaces = 0;  ///< most that a segment of the drawing has
+  unsigned colour_bits = 0;
+};
+
+/// The cosine to the axis from which on a face of a cylinder is one of its ends.
+constexpr double end_cosine = 1 - 1e-9;
+
+/// Whether a face is flat because the solid is, and not a facet of a curved surface. `normal`: in the primitive's own
+/// axes, of length 1.
+struct IsFlat {
+  glm::dvec3 normal;
+
+  bool operator()(const model::Cube& /*cube*/) const { return true; }
+  bool operator()(const model::Polyhedron& /*polyhedron*/) const { return true; }
+  bool operator()(const model::Sphere& /*sphere*/) const { return false; }
+  bool operator()(const model::Cylinder& /*cylinder*/) const { return std::abs(normal.z) > end_cosine; }
+};
+
+bool is_flat(const emit::Drawing& drawing, const Face& face) {
+  const model::Primitive& primitive = drawing.tree->primitives[face.primitive];
+  const glm::dvec3& normal = drawing.scene->planes.planes()[face.halfspace.plane].normal;
+  return std::visit(IsFlat{glm::normalize(glm::transpose(glm::dmat3(primitive.transform)) * normal)}, primitive.shape);
+}
+
+/// In 1/256.
+unsigned reflectance_of(const lighting::Finish& finish) {
+  if (finish.opacity < 1) return 0;
+  return static_cast<unsigned>(view::to_fixed(finish.material.mirror, part_bits).value_or(0));
+}
+
+/// Whether the face is turned to the eye, and not seen edge-on.
+bool is_seen(const emit::Drawing& drawing, const Face& face) {
+  const view::ScreenPlane& plane = drawing.view.planes[face.halfspace.plane];
+  const csg::PositiveTree& positive = drawing.plan.positive;
+  const bool is_cut = positive.nodes[positive.leaf_of[face.primitive]].complemented;
+  return plane.kind == view::PlaneKind::surface && plane.representable &&
+         view::side_of(plane, face.halfspace) == (is_cut ? view::Side::back : view::Side::front);
+}
+
+std::vector<Face> mirroring_faces(const emit::Drawing& drawing, std::uint32_t primitive) {
+  std::vector<Face> faces;
+  for (const facet::Halfspace& halfspace : drawing.scene->solids[primitive].halfspaces) {
+    const Face face{primitive, halfspace};
+    if (is_seen(drawing, face) && is_flat(drawing, face)) faces.push_back(face);
+  }
+  return faces;
+}
+
+/// The pixels that may show one of the primitives.
+view::PixelRect pixels_of(const emit::Drawing& drawing, const std::vector<Face>& faces) {
+  view::PixelRect pixels;
+  for (const emit::SegmentPlan& segment : drawing.plan.segments) {
+    for (const emit::PlannedSurface& one : segment.surfaces) {
+      const bool shows = std::any_of(faces.begin(), faces.end(), [&](const Face& face) {
+        return std::find(one.set.begin(), one.set.end(), face.primitive) != one.set.end();
+      });
+      if (shows) pixels = pixels.empty() ? one.block.pixels : view::hull(pixels, one.block.pixels);
+    }
+  }
+  return drawing.reflection && !pixels.empty() ? view::common(pixels, drawing.reflection->pixels) : pixels;
+}
+
+/// Faces in one plane that mirror alike, together.
+std::vector<Mirror> mirrors_of(const emit::Drawing& drawing) {
+  std::vector<Mirror> mirrors;
+  for (std::uint32_t i = 0; i < drawing.look.finishes.size(); ++i) {
+    const unsigned reflectance = reflectance_of(drawing.look.finishes[i]);
+    if (reflectance == 0) continue;
+    for (const Face& face : mirroring_faces(drawing, i)) {
+      const auto same = [&](const Mirror& one) {
+        return one.reflectance == reflectance && one.faces.front().halfspace.plane == face.halfspace.plane;
+      };
+      const auto found = std::find_if(mirrors.begin(), mirrors.end(), same);
+      if (found != mirrors.end()) {
+        found->faces.push_back(face);
+      } else {
+        mirrors.push_back({{face}, reflectance, nullptr, {}});
+      }
+    }
+  }
+  std::erase_if(mirrors, [&](const Mirror& one) { return pixels_of(drawing, one.faces).empty(); });
+  return mirrors;
+}
+
+/// Has the mirror show something. False if it is seen so nearly edge-on that nothing is to be seen in it.
+bool look_into(Mirror& mirror, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+  const std::uint32_t plane = mirror.faces.front().halfspace.plane;
+  const Reflected reflected_model = reflected(*drawing.tree, *drawing.scene, plane);
+  const std::uint32_t image = reflected_model.of_planes[plane].plane;
+  view::View view =
+      view::make_view(*reflected_model.scene, *reflected_model.tree, drawing.view.camera, drawing.view.sampling);
+  const view::ScreenPlane seen = view.planes[image];
+  if (seen.kind != view::PlaneKind::surface || !seen.representable) return false;
+  const unsigned count = drawing.reflection ? drawing.reflection->count + 1 : 1;
+  mirror.plane = seen.linear;
+  mirror.drawing = emit::make_drawing(
+      reflected_model.tree, reflected_model.scene, std::move(view), drawing.nesting + 1, workshop,
+      emit::Reflection{count, image, pixels_of(drawing, mirror.faces),
+                       reflected(drawing.look.lighting, *drawing.scene, plane, drawing.view.camera)});
+  return true;
+}
+
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+  Prepared ready;
+  ready.level = drawing.reflection ? drawing.reflection->count : 0;
+  ready.colour_bits = workshop.options.colour_bits;
+  for (const emit::SegmentPlan& segment : drawing.plan.segments)
+    for (const emit::PlannedSurface& one : segment.surfaces) ready.surfaces = std::max(ready.surfaces, one.number);
+  emit::EffectState state;
+  const unsigned depth = std::any_cast<const Settings&>(settings).depth;
+  std::size_t all = 0;
+  for (Mirror& mirror : ready.level < depth ? mirrors_of(drawing) : std::vector<Mirror>()) {
+    if (!look_into(mirror, drawing, workshop)) continue;
+    all += emit::with_inner(*mirror.drawing).size();
+    if (all > most_mirrors) {
+      throw InputError(fmt::format(
+          "more than {} mirrors are seen, those in mirrors counted each time; {}", most_mirrors,
+          depth > 1 ? "take --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
+    }
+    state.drawings.push_back(mirror.drawing);
+    ready.mirrors.push_back(std::move(mirror));
+  }
+  state.own = std::move(ready);
+  return state;
+}
+
+std::string numbered(std::string_view name, unsigned level) { return std::string(name) + std::to_string(level); }
+
+std::vector<FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing) {
+  using isa::FieldRole;
+  unsigned levels = 0;
+  unsigned colour_bits = 0;
+  std::uint32_t surfaces = 1;
+  for (const emit::Drawing* const one : emit::with_inner(drawing)) {
+    for (const emit::EffectState& state : one->states) {
+      const auto* const ready = std::any_cast<Prepared>(&state.own);
+      if (ready == nullptr) continue;
+      levels = std::max(levels, ready->level);
+      surfaces = std::max(surfaces, ready->surfaces);
+      colour_bits = ready->colour_bits;
+    }
+  }
+  std::vector<FieldRequest> all;
+  for (unsigned level = 1; level <= levels; ++level) {
+    all.push_back({numbered("depth", level), FieldRole::effect, drawing.view.sampling.z_bits, "depth", without});
+    all.push_back({numbered("colour", level), FieldRole::effect, colour_bits, "colour", without});
+    all.push_back({numbered("owner", level), FieldRole::effect, static_cast<unsigned>(std::bit_width(surfaces)),
+                   "owner", without});
+    all.push_back({numbered("flag", level), FieldRole::effect, 1, "mirror", without});
+  }
+  if (levels > 0) all.push_back({"product", FieldRole::scratch, 2 * part_bits, "product", without, true});
+  return all;
+}
+
+/// Shows what is in one mirror.
+class Showing {
+ public:
+  Showing(const emit::Context& context, emit::Broadcast& out, const Mirror& mirror, unsigned level)
+      : context_(context),
+        out_(out),
+        mirror_(mirror),
+        depth_(field("depth", level)),
+        colour_(field("colour", level)),
+        owner_(field("owner", level)),
+        flag_(field("flag", level)) {}
+
+  void run() {
+    if (!flag_faces()) return;
+    const std::size_t begin = out_.size();
+    draw();
+    out_.origin = origin;
+    out_.plain(Opcode::enable_load, flag_);
+    emit_blend(out_, context_.layout.colour, colour_, mirror_.reflectance, context_.layout.of(effect, "product"));
+    emit_early_out(context_, out_, begin, origin);
+  }
+
+ private:
+  static constexpr isa::Origin origin{isa::Purpose::effect, isa::no_primitive, isa::no_node};
+
+  [[nodiscard]] Field field(std::string_view name, unsigned level) const {
+    return context_.layout.of(effect, numbered(name, level));
+  }
+
+  /// E and flag := where one of the faces is seen. False if that is nowhere, and nothing was broadcast.
+  bool flag_faces() {
+    bool is_first = true;
+    for (const emit::PlannedSurface& planned : context_.plan.surfaces) {
+      if (!has_face(planned)) continue;
+      const emit::Surface surface = emit::surface_of(context_, planned, emit::deciding_sides(context_, planned));
+      for (const emit::Facet& facet : surface.facets) {
+        if (surface.nothing || !is_face(facet) || &facet != &first_in_plane(surface, facet)) continue;
+        out_.origin = {isa::Purpose::effect, facet.primitive, isa::no_node};
+        flag_facet(planned, surface, facet);
+        if (!is_first) out_.plain(Opcode::enable_or, flag_);
+        out_.plain(Opcode::enable_store, flag_);
+        is_first = false;
+      }
+    }
+    return !is_first;
+  }
+
+  [[nodiscard]] bool has_face(const emit::PlannedSurface& planned) const {
+    return std::any_of(mirror_.faces.begin(), mirror_.faces.end(), [&](const Face& face) {
+      return std::find(planned.set.begin(), planned.set.end(), face.primitive) != planned.set.end();
+    });
+  }
+
+  [[nodiscard]] bool is_face(const emit::Facet& facet) const {
+    return facet.at == emit::At::plane &&
+           std::any_of(mirror_.faces.begin(), mirror_.faces.end(), [&](const Face& face) {
+             return face.primitive == facet.primitive && face.halfspace == facet.halfspace;
+           });
+  }
+
+  /// Whose the plane is where facets of several solids that make one coincide.
+  static const emit::Facet& first_in_plane(const emit::Surface& surface, const emit::Facet& facet) {
+    return *std::find_if(surface.facets.begin(), surface.facets.end(), [&](const emit::Facet& one) {
+      return one.at == emit::At::plane && one.halfspace.plane == facet.halfspace.plane;
+    });
+  }
+
+  /// E := where the facet is seen.
+  void flag_facet(const emit::PlannedSurface& planned, const emit::Surface& surface, const emit::Facet& facet) {
+    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
+    out_.equals(context_.layout.owner, planned.number);
+    if (surface.facets.size() > 1)
+      out_.surface(Opcode::linear_eq, context_.layout.depth, plane_of(context_, facet), surface.block.pixels);
+  }
+
+  void draw() {
+    emit::Layout layout = context_.layout;
+    layout.depth = depth_;
+    layout.colour = colour_;
+    layout.owner = owner_;
+    emit::Context inner = with_layout(context_of(*mirror_.drawing, context_), layout);
+    inner.base = flag_;
+    inner.beyond_plane = &mirror_.plane;
+    emit_drawing(inner, out_);
+  }
+
+  const emit::Context& context_;
+  emit::Broadcast& out_;
+  const Mirror& mirror_;
+  Field depth_;   ///< of what the mirror shows
+  Field colour_;  ///< of what the mirror shows
+  Field owner_;   ///< of what the mirror shows
+  Field flag_;    ///< 1 where the mirror is seen
+};
+
+void compose(const emit::EffectCall& call, emit::Broadcast& out) {
+  const auto& ready = std::any_cast<const Prepared&>(call.state.own);
+  for (const Mirror& mirror : ready.mirrors) Showing(call.context, out, mirror, ready.level + 1).run();
+}
+
+}  // namespace
+
+const emit::Effect mirrors{
+    .section = {"effects.mirrors",
+                "flat faces of materials with mirror above 0 (those of cubes and polyhedra, the ends of cylinders; no "
+                "curved sides, nothing see-through) show what is before them",
+                false, keys, scene::blank_section<Settings>, scene::keep_effect},
+    .technique =
+        "the model is reflected in the face's plane and drawn where the face is seen, as far as it is behind the plane "
+        "(Diefenbach, Badler, Multi-Pass Pipeline Rendering: Realism for Dynamic Environments, I3D 1997, with a flag "
+        "bit and depth fields in place of the stencil)",
+    .called_by =
+        [](const emit::Look& look) {
+          return std::any_of(look.finishes.begin(), look.finishes.end(),
+                             [](const lighting::Finish& one) { return reflectance_of(one) > 0; });
+        },
+    .prepare = prepare,
+    .fields = fields,
+    .needs_owners = true,
+    .compose = compose};
+
+}  // namespace csgsim::effects

@@ -1,0 +1,276 @@
+#include "host/effects/textures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/effects/texels.h"
+#include "host/emit/early_out.h"
+#include "host/emit/facet_colour.h"
+#include "host/emit/facet_geometry.h"
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+using isa::Opcode;
+
+enum class Pattern : std::uint8_t { checker, stripes, table };
+
+constexpr std::array<std::string_view, 3> patterns{"checker", "stripes", "table"};
+
+/// What lies on the facets of some primitives.
+struct Texture : scene::Chosen {
+  Pattern pattern = Pattern::checker;
+  glm::dvec3 first{1};
+  glm::dvec3 second{0};
+  scene::ColourTable texels;  ///< a row for each step along v; repeated in both directions
+  double size = 1;
+  double u0 = 0;
+  double v0 = 0;
+
+  [[nodiscard]] unsigned column_bits() const { return static_cast<unsigned>(std::bit_width(texels[0].size())) - 1; }
+  [[nodiscard]] unsigned row_bits() const { return static_cast<unsigned>(std::bit_width(texels.size())) - 1; }
+  [[nodiscard]] unsigned bits() const { return column_bits() + row_bits(); }
+};
+
+/// The last that holds for a primitive counts.
+using Settings = std::vector<Texture>;
+
+constexpr std::size_t most_texels = 8;  ///< of a table, a row or a column
+constexpr double most_lines = 512;      ///< between the texels of one facet in perspective
+constexpr double least_size = 1e-9;     ///< model units
+
+constexpr std::array keys = scene::joined(
+    scene::chosen_keys<Texture>,
+    std::array{
+        scene::choice_key<&Texture::pattern>("pattern", patterns, "what is repeated; stripes follow v"),
+        scene::colour_key<&Texture::first>("first", "of the texel at u0, v0: red, green, blue"),
+        scene::colour_key<&Texture::second>("second", "of the others"),
+        scene::colour_table_key<&Texture::texels>("texels",
+                                                  "of a table: rows along v of colours along u; 1, 2, 4 or 8 of each"),
+        scene::number_key<&Texture::size>("size", "model units", least_size, scene::any_number, "side of a texel"),
+        scene::number_key<&Texture::u0>(
+            "u0", "model units", -scene::any_number, scene::any_number,
+            "where the texture begins along u; u and v are the model axes most nearly in the facet"),
+        scene::number_key<&Texture::v0>("v0", "model units", -scene::any_number, scene::any_number,
+                                        "where it begins along v")});
+
+void check_table(const scene::ColourTable& texels) {
+  const auto is_side = [](std::size_t count) { return std::has_single_bit(count) && count <= most_texels; };
+  if (texels.empty()) throw InputError("pattern = \"table\" without its colours; add texels = [[[r, g, b], ...], ...]");
+  if (!is_side(texels.size()) || !is_side(texels[0].size())) {
+    throw InputError(
+        fmt::format("texels has {} rows of {} colours; make it 1, 2, 4 or 8 of each", texels.size(), texels[0].size()));
+  }
+}
+
+/// Patterns of two colours become tables too.
+void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
+  auto& texture = std::any_cast<Texture&>(read);
+  scene::complete(texture);
+  if (texture.pattern == Pattern::table) {
+    check_table(texture.texels);
+  } else if (!texture.texels.empty()) {
+    throw InputError("texels are those of a table; add pattern = \"table\", or leave them out");
+  } else if (texture.pattern == Pattern::checker) {
+    texture.texels = {{texture.first, texture.second}, {texture.second, texture.first}};
+  } else {
+    texture.texels = {{texture.first, texture.second}};
+  }
+  scene::keep_entry<Texture>(scene, section, std::move(read));
+}
+
+const Settings& settings_of(const std::any& settings) { return std::any_cast<const Settings&>(settings); }
+
+const Texture* texture_of(const Settings& settings, const model::Primitive& primitive) {
+  const auto found = std::find_if(settings.rbegin(), settings.rend(),
+                                  [&](const Texture& one) { return lighting::is_chosen(one, primitive); });
+  return found == settings.rend() ? nullptr : &*found;
+}
+
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
+  for (const model::Primitive& primitive : drawing.tree->primitives) {
+    const Texture* const texture = texture_of(settings_of(settings), primitive);
+    const bool is_named = texture != nullptr && (texture->of_colour || texture->from_line);
+    if (!is_named || !std::holds_alternative<model::Sphere>(primitive.shape)) continue;
+    throw InputError(
+        fmt::format("{}:{}:{}: textures are for flat facets, and this is a sphere; name cubes, polyhedra or cylinders, "
+                    "whose ends are flat, in [[effects.textures]]",
+                    drawing.tree->file, primitive.location.line, primitive.location.column));
+  }
+  return {};
+}
+
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/) {
+  unsigned bits = 0;
+  for (const Texture& one : settings_of(settings)) bits = std::max(bits, one.bits());
+  return {{"facet", isa::FieldRole::effect, 1, "pixels of a textured facet"},
+          {"texel", isa::FieldRole::effect, bits, "number of a texel"}};
+}
+
+/// Whether the facet is flat as the model means it, not one of many that stand for a curved surface.
+bool is_flat(const emit::Context& context, const emit::Facet& facet) {
+  if (facet.at != emit::At::plane) return false;
+  const model::Primitive& primitive = context.tree.primitives[facet.primitive];
+  if (std::holds_alternative<model::Cylinder>(primitive.shape)) return emit::is_end(emit::own_normal(context, facet));
+  return !std::holds_alternative<model::Sphere>(primitive.shape);
+}
+
+/// One textured facet being coloured. The number of a texel is its column, and above these bits its row.
+class Shader {
+ public:
+  Shader(const emit::Context& context, emit::Broadcast& out, const emit::Facet& facet, const Texture& texture,
+         const view::PixelRect& pixels)
+      : context_(context),
+        out_(out),
+        facet_(facet),
+        texture_(texture),
+        pixels_(pixels),
+        in_facet_(context.layout.of("textures", "facet")),
+        texel_(context.layout.of("textures", "texel")) {}
+
+  void emit(isa::Field colour) {
+    out_.plain(Opcode::enable_store, in_facet_);
+    const std::size_t begin = out_.size();
+    const TexelCoordinates at = texel_coordinates(context_, facet_, {texture_.size, {texture_.u0, texture_.v0}});
+    const isa::Field column = part(0, texture_.column_bits());
+    const isa::Field row = part(texture_.column_bits(), texture_.row_bits());
+    if (context_.view.camera.projection == view::Projection::orthographic) {
+      emit_periodic(at.u, column);
+      emit_periodic(at.v, row);
+    } else {
+      check_lines((column.width > 0 ? count_lines(at.u) : 0) + (row.width > 0 ? count_lines(at.v) : 0));
+      emit_lines(at.u, column);
+      emit_lines(at.v, row);
+    }
+    emit_colours(colour);
+    emit::emit_early_out(context_, out_, begin, out_.origin);
+  }
+
+ private:
+  [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const {
+    return {static_cast<std::uint16_t>(texel_.base + begin), static_cast<std::uint16_t>(width)};
+  }
+
+  [[noreturn]] void fail(std::string_view what) const {
+    const model::Location& location = context_.tree.primitives[facet_.primitive].location;
+    throw InputError(fmt::format("{}:{}:{}: {}", context_.tree.file, location.line, location.column, what));
+  }
+
+  [[noreturn]] void fail_size() const {
+    fail("the texels of this primitive's texture are too large or too small for the picture; change its size");
+  }
+
+  void check_lines(double count) const {
+    if (count <= most_lines) return;
+    fail(
+        fmt::format("{:.0f} lines between texels cross a face of this primitive, and in perspective each is an "
+                    "instruction; {:.0f} are the most: make the texture's size {:.3g} or larger, or take an "
+                    "orthographic view, where they are periodic",
+                    count, most_lines, texture_.size * count / most_lines * 1.01));
+  }
+
+  /// Bits of floor(coordinate): of a linear expression, those above its fraction.
+  void emit_periodic(const TexelCoordinate& coordinate, isa::Field number) {
+    if (number.width == 0) return;
+    const auto linear = periodic(coordinate, number.width, context_.view.sampling);
+    if (!linear) fail_size();
+    for (unsigned bit = 0; bit < number.width; ++bit) {
+      out_.plain(Opcode::enable_load, in_facet_);
+      out_.stripe(linear->linear, linear->fraction_bits + bit + 1);
+      out_.plain(Opcode::enable_store, {static_cast<std::uint16_t>(number.base + bit), 1});
+    }
+  }
+
+  /// Counted in pixel memory: each line that a pixel is beyond changes the bits that counting changes there.
+  void emit_lines(const TexelCoordinate& coordinate, isa::Field number) {
+    if (number.width == 0) return;
+    const std::uint64_t all = (1U << number.width) - 1;
+    const auto lines = lines_of(coordinate, context_.view.sampling);
+    if (!lines) fail_size();
+    std::uint64_t start = static_cast<std::uint64_t>(lines->first) & all;
+    std::vector<TexelLine> crossing;
+    for (const TexelLine& line : lines->lines) {
+      const bool is_beyond = line.line ? view::range_over(*line.line, pixels_).low >= 0 : line.is_beyond;
+      if (is_beyond) start ^= changed(line) & all;
+      if (!is_beyond && line.line && view::range_over(*line.line, pixels_).high >= 0) crossing.push_back(line);
+    }
+    out_.plain(Opcode::enable_load, in_facet_);
+    out_.plain(Opcode::set_constant, number, {}, start);
+    for (const TexelLine& line : crossing) {
+      out_.plain(Opcode::enable_load, in_facet_);
+      out_.edge(Opcode::edge_not_negative, *line.line, pixels_);
+      const std::uint64_t bits = changed(line) & all;
+      out_.plain(Opcode::xor_constant, {number.base, static_cast<std::uint16_t>(std::bit_width(bits))}, {}, bits);
+    }
+  }
+
+  /// Bits in which the number of the texel beyond the line differs from that before.
+  static std::uint64_t changed(const TexelLine& line) {
+    return static_cast<std::uint64_t>(line.number) ^ static_cast<std::uint64_t>(line.number - 1);
+  }
+
+  /// The colour that most texels have everywhere, then the others texel by texel.
+  void emit_colours(isa::Field field) {
+    std::vector<std::uint32_t> colours;
+    std::map<std::uint32_t, std::size_t> counts;
+    for (const auto& row : texture_.texels)
+      for (const glm::dvec3& texel : row) {
+        colours.push_back(emit::facet_colour(context_, facet_, texel));
+        ++counts[colours.back()];
+      }
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& one, const auto& other) { return one.second < other.second; });
+    out_.plain(Opcode::enable_load, in_facet_);
+    out_.plain(Opcode::set_constant, field, {}, most->first);
+    for (std::size_t texel = 0; texel < colours.size(); ++texel) {
+      if (colours[texel] == most->first) continue;
+      out_.plain(Opcode::enable_load, in_facet_);
+      for (unsigned bit = 0; bit < texture_.bits(); ++bit) {
+        out_.plain(((texel >> bit) & 1U) != 0 ? Opcode::enable_and : Opcode::enable_and_not, part(bit, 1));
+      }
+      out_.plain(Opcode::set_constant, field, {}, colours[texel]);
+    }
+  }
+
+  const emit::Context& context_;
+  emit::Broadcast& out_;
+  const emit::Facet& facet_;
+  const Texture& texture_;
+  const view::PixelRect& pixels_;
+  isa::Field in_facet_;
+  isa::Field texel_;
+};
+
+bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
+           const view::PixelRect& pixels) {
+  if (!is_flat(call.context, facet)) return false;
+  const Texture* const texture = texture_of(settings_of(call.settings), call.context.tree.primitives[facet.primitive]);
+  if (texture == nullptr) return false;
+  Shader(call.context, out, facet, *texture, pixels).emit(field);
+  return true;
+}
+
+}  // namespace
+
+const emit::Effect textures{
+    .section = {"effects.textures", "patterns on flat facets, a table for those of some primitives", true, keys,
+                scene::blank_section<Texture>, keep},
+    .technique =
+        "Fuchs et al., SIGGRAPH 1985: textures are painted by comparing linear expressions at every pixel; here an "
+        "orthographic pattern is bits of one such expression, and in perspective each boundary is a line",
+    .prepare = prepare,
+    .fields = fields,
+    .shade = shade};
+
+}  // namespace csgsim::effects
