@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "host/effects/shadow_receivers.h"
+#include "host/effects/shadow_parts.h"
 #include "host/emit/broadcast.h"
 
 namespace csgsim::effects {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/effects/shadow_broadcast.h"
+#include "host/effects/shadow_parts.h"
 #include "host/effects/shadow_receivers.h"
 #include "host/effects/shadow_volumes.h"
 #include "hw/base/error.h"
@@ -97,14 +98,6 @@ std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Dra
   return all;
 }
 
-/// What the near plane cuts open is a section that no light has come to: it is shown as if it were lit.
-void clear_at_near(const emit::Context& context, emit::Broadcast& out, isa::Field flag) {
-  out.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
-  context.base.width > 0 ? out.plain(isa::Opcode::enable_load, context.base) : out.plain(isa::Opcode::enable_all);
-  out.equals(context.layout.depth, 0);
-  out.plain(isa::Opcode::set_constant, flag, {}, 0);
-}
-
 emit::Shadows light(const emit::EffectCall& call, emit::Broadcast& out) {
   const emit::Context& context = call.context;
   const auto field = [&](std::string_view name) { return context.layout.of("shadows", name); };
@@ -112,13 +105,13 @@ emit::Shadows light(const emit::EffectCall& call, emit::Broadcast& out) {
   const auto& lights = std::any_cast<const Prepared&>(call.state.own);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Receivers receivers = receivers_of(context, lights[i].light);
-    const std::vector<ShadowPart> parts =
-        parts_that_touch(lights[i].volumes, receivers, context.view.sampling.fraction_bits);
-    if (parts.empty()) continue;
-    const isa::Field flag = field(flag_name(i));
-    emit_shadows(context, out, parts, flag, field("marks"));
-    if (receivers.reach_near) clear_at_near(context, out, flag);
-    result.bits.push_back({lights[i].light, flag});
+    const ShadowParts found = parts_that_touch(lights[i].volumes, receivers, context.view.sampling.fraction_bits);
+    if (found.parts.empty()) continue;
+    emit::ShadowBit bit{lights[i].light, field(flag_name(i)), {}};
+    emit_shadows(context, out, found.parts, bit.bit, field("marks"));
+    for (const std::size_t one : found.touched)
+      bit.facets.emplace_back(receivers.facets[one].primitive, receivers.facets[one].halfspace);
+    result.bits.push_back(std::move(bit));
   }
   return result;
 }

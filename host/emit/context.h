@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "host/emit/broadcast.h"
@@ -38,6 +39,8 @@ struct EffectState {
 struct ShadowBit {
   std::size_t light = 0;  ///< index into Lighting::lights
   isa::Field bit;         ///< 1 where its light does not reach what is seen
+  /// Facets that have some of the shadow; of others the bit says nothing. Each a primitive and a half-space of it.
+  std::vector<std::pair<std::uint32_t, facet::Halfspace>> facets;
 };
 
 /// Where lights are in shadow.

@@ -55,6 +55,8 @@ void drop_unseen(Drawing& drawing) {
   }
 }
 
+}  // namespace
+
 bool is_drawn(const Context& context, const PlannedSurface& planned) {
   if (context.drawn != nullptr) return (*context.drawn)[planned.primitive()];
   for (std::size_t i = 0; i < context.called.size(); ++i) {
@@ -63,8 +65,6 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
   }
   return true;
 }
-
-}  // namespace
 
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Scene> scene, view::View view,

@@ -54,6 +54,9 @@ std::vector<const Drawing*> with_inner(const Drawing& drawing);
 /// The same region, fields and settings, for another drawing.
 Context context_of(const Drawing& drawing, const Context& outer);
 
+/// Whether the surface is one of those that emit_surfaces draws.
+bool is_drawn(const Context& context, const PlannedSurface& planned);
+
 /// Half-spaces and primitives that surfaces were drawn of.
 struct Kept {
   std::uint32_t primitives = 0;

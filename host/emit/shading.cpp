@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "host/emit/early_out.h"
@@ -21,13 +22,12 @@ using isa::Opcode;
 /// Lights whose shadows meet on one facet: there are twice as many colours with each.
 constexpr std::size_t most_shadows = 6;
 
-/// The lighting without some of its lights.
-lighting::Lighting without(const lighting::Lighting& lighting, const std::vector<ShadowBit>& bits, std::uint32_t dark) {
-  lighting::Lighting left = lighting;
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    if (((dark >> i) & 1U) != 0) left.lights[bits[i].light].colour = {0, 0, 0};
-  }
-  return left;
+using ShadowBits = std::vector<const ShadowBit*>;
+
+/// The lighting without a light.
+lighting::Lighting without(lighting::Lighting lighting, std::size_t light) {
+  lighting.lights[light].colour = {0, 0, 0};
+  return lighting;
 }
 
 std::vector<isa::Instruction> colour_under(const Context& context, const Facet& facet, const view::PixelRect& pixels,
@@ -40,12 +40,16 @@ std::vector<isa::Instruction> colour_under(const Context& context, const Facet& 
   return std::move(segment.instructions);
 }
 
-/// Those of the lights whose shadow changes the facet's colour.
-std::vector<ShadowBit> that_matter(const Context& context, const Facet& facet, const view::PixelRect& pixels,
-                                   const std::vector<ShadowBit>& bits) {
-  std::vector<ShadowBit> matter;
-  for (const ShadowBit& bit : bits)
-    if (light_matters(context, facet, pixels, bit.light)) matter.push_back(bit);
+/// Those that fall on the facet and change its colour.
+ShadowBits that_matter(const Context& context, const Facet& facet, const view::PixelRect& pixels,
+                       const std::vector<ShadowBit>& bits) {
+  ShadowBits matter;
+  if (facet.at != At::plane) return matter;
+  for (const ShadowBit& bit : bits) {
+    const std::pair facet_of{facet.primitive, facet.halfspace};
+    const bool falls_on = std::find(bit.facets.begin(), bit.facets.end(), facet_of) != bit.facets.end();
+    if (falls_on && light_matters(context, facet, pixels, bit.light)) matter.push_back(&bit);
+  }
   if (matter.size() > most_shadows) {
     throw InputError(fmt::format("the shadows of {} lights meet on one facet; let {} at most throw shadows",
                                  matter.size(), most_shadows));
@@ -56,18 +60,20 @@ std::vector<ShadowBit> that_matter(const Context& context, const Facet& facet, c
 /// The facet's colour, and over it that without each set of lights where all of these are in shadow: sets after those
 /// that they hold.
 void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
-                          const view::PixelRect& pixels, const Shadows& shadows) {
-  const std::vector<ShadowBit> bits = that_matter(context, facet, pixels, shadows.bits);
-  if (!bits.empty()) out.plain(Opcode::enable_store, shadows.spare);
+                          const view::PixelRect& pixels, const ShadowBits& bits, isa::Field spare) {
+  if (!bits.empty()) out.plain(Opcode::enable_store, spare);
   emit_colour(context, out, facet, field, pixels);
   const std::uint32_t sets = 1U << bits.size();
   for (int size = 1; size <= static_cast<int>(bits.size()); ++size) {
     for (std::uint32_t dark = 1; dark < sets; ++dark) {
       if (std::popcount(dark) != size) continue;
-      out.plain(Opcode::enable_load, shadows.spare);
-      for (std::size_t i = 0; i < bits.size(); ++i)
-        if (((dark >> i) & 1U) != 0) out.plain(Opcode::enable_and, bits[i].bit);
-      const lighting::Lighting lights = without(context.lighting(), bits, dark);
+      out.plain(Opcode::enable_load, spare);
+      lighting::Lighting lights = context.lighting();
+      for (std::size_t i = 0; i < bits.size(); ++i) {
+        if (((dark >> i) & 1U) == 0) continue;
+        out.plain(Opcode::enable_and, bits[i]->bit);
+        lights = without(std::move(lights), bits[i]->light);
+      }
       Context lit = context;
       lit.lights = &lights;
       emit_colour(lit, out, facet, field, pixels);
@@ -85,7 +91,7 @@ bool has_shaders(const Context& context) {
 }
 
 bool light_matters(const Context& context, const Facet& facet, const view::PixelRect& pixels, std::size_t light) {
-  const lighting::Lighting dark = without(context.lighting(), {{light, {}}}, 1);
+  const lighting::Lighting dark = without(context.lighting(), light);
   return colour_under(context, facet, pixels, context.lighting()) != colour_under(context, facet, pixels, dark);
 }
 
@@ -107,15 +113,16 @@ void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa
 void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
                         isa::Field depth, const Shadows& shadows) {
   const isa::Field mask = context.layout.mask;
-  const bool mask_first = has_shaders(context) || !shadows.bits.empty();
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     const Facet& facet = surface.facets[i];
     const bool is_rest = i + 1 == surface.facets.size();
     out.origin = origin_of(isa::Purpose::shade, planned, facet);
     if (i > 0) out.plain(Opcode::enable_load, mask);
     if (!is_rest) out.surface(Opcode::linear_eq, depth, plane_of(context, facet), surface.block.pixels);
+    const ShadowBits bits = that_matter(context, facet, surface.block.pixels, shadows.bits);
+    const bool mask_first = has_shaders(context) || !bits.empty();
     if (!is_rest && mask_first) out.plain(Opcode::set_constant, mask, {}, 0);
-    emit_shadowed_colour(context, out, facet, context.layout.colour, surface.block.pixels, shadows);
+    emit_shadowed_colour(context, out, facet, context.layout.colour, surface.block.pixels, bits, shadows.spare);
     if (!is_rest && !mask_first) out.plain(Opcode::set_constant, mask, {}, 0);
   }
 }

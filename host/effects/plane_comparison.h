@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host/effects/shadow_volumes.h"
+#include "host/view/fixed_point.h"
+
+namespace csgsim::effects {
+
+/// Lines that are not negative where points of a receiver's plane, floor(F) deep, may be in a half-space, or out of it.
+/// Where the one for out is negative, they are certainly in.
+class PlaneComparison {
+ public:
+  PlaneComparison(const view::FixedLinear& receiver, unsigned fraction_bits)
+      : receiver_(receiver), last_((std::int64_t{1} << fraction_bits) - 1) {}
+
+  [[nodiscard]] view::FixedLinear in(const ShadowPlane& plane) const {
+    switch (plane.side) {
+      case view::Side::front: return minus(receiver_, plane.linear, plane.is_strict ? -1 : last_);
+      case view::Side::back: return minus(plane.linear, receiver_, -1);
+      case view::Side::edge_positive: return plane.linear;
+      case view::Side::edge_negative: return minus({}, plane.linear, -1);
+    }
+    return plane.linear;
+  }
+
+  [[nodiscard]] view::FixedLinear out(const ShadowPlane& plane) const {
+    switch (plane.side) {
+      case view::Side::front: return minus(plane.linear, receiver_, plane.is_strict ? last_ : -1);
+      case view::Side::back: return minus(receiver_, plane.linear, last_);
+      case view::Side::edge_positive: return minus({}, plane.linear, -1);
+      case view::Side::edge_negative: return plane.linear;
+    }
+    return plane.linear;
+  }
+
+ private:
+  static view::FixedLinear minus(const view::FixedLinear& a, const view::FixedLinear& b, std::int64_t more) {
+    return {a.a - b.a, a.b - b.b, a.c - b.c + more};
+  }
+
+  view::FixedLinear receiver_;
+  std::int64_t last_;  ///< the greatest fraction of a depth step
+};
+
+}  // namespace csgsim::effects

@@ -1,0 +1,185 @@
+#include "host/effects/shadow_parts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/effects/plane_comparison.h"
+
+namespace csgsim::effects {
+
+namespace {
+
+/// Outlines that are clipped to find out what others cover, for all volumes of a region. Beyond, nothing counts as
+/// covered.
+constexpr std::uint64_t most_work = 20'000'000;
+
+/// Parts of an outline that others have not covered yet, beyond which it counts as not covered.
+constexpr std::size_t most_open = 24;
+
+bool overlap(const view::PixelRect& a, const view::PixelRect& b) { return !view::common(a, b).empty(); }
+
+/// Some of a receiver that a volume takes.
+struct Touch {
+  std::size_t receiver = 0;
+  Outline outline;
+  view::PixelRect pixels;
+};
+
+struct Volume {
+  std::vector<ShadowPlane> planes;
+  std::uint32_t primitive = 0;
+  std::vector<Touch> touches;
+};
+
+/// Volumes over receivers, which are made fewer and simpler while what they take together stays the same.
+class Covering {
+ public:
+  Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits)
+      : receivers_(receivers.facets), fraction_bits_(fraction_bits), volumes_of_(receivers.facets.size()) {
+    for (const SeenVolume& one : volumes) {
+      Volume volume{one.planes, one.primitive, {}};
+      volume.touches = touches(volume.planes);
+      if (volume.touches.empty()) continue;
+      for (const Touch& touch : volume.touches) volumes_of_[touch.receiver].push_back({volumes_.size(), touch.pixels});
+      volumes_.push_back(std::move(volume));
+    }
+  }
+
+  /// Volumes with fewer planes take more, so that others may be left out after all.
+  void reduce() {
+    leave_out_redundant();
+    for (std::size_t i = 0; i < volumes_.size(); ++i) {
+      if (!volumes_[i].touches.empty()) reduce_planes(i);
+    }
+    leave_out_redundant();
+  }
+
+  [[nodiscard]] ShadowParts take() const {
+    ShadowParts result;
+    for (const Volume& volume : volumes_) {
+      if (volume.touches.empty()) continue;
+      ShadowPart part{volume.planes, {}, volume.primitive};
+      for (const Touch& touch : touches(volume.planes)) part.pixels = view::hull(part.pixels, touch.pixels);
+      for (const Touch& touch : volume.touches) result.touched.push_back(touch.receiver);
+      result.parts.push_back(std::move(part));
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] PlaneComparison comparison(std::size_t receiver) const {
+    return {receivers_[receiver].plane, fraction_bits_};
+  }
+
+  /// What planes, but for one, leave of an outline on a receiver.
+  static Outline clipped(Outline outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
+                         std::size_t but) {
+    for (std::size_t i = 0; i < planes.size() && !outline.empty(); ++i) {
+      if (i == but) continue;
+      const view::FixedLinear line = compared.in(planes[i]);
+      outline = outline.is_beyond(line) ? Outline{} : outline.clipped(line);
+    }
+    return outline;
+  }
+
+  [[nodiscard]] std::vector<Touch> touches(const std::vector<ShadowPlane>& planes) const {
+    std::vector<Touch> found;
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+      Outline inside = clipped(receivers_[i].outline, comparison(i), planes, planes.size());
+      if (inside.empty()) continue;
+      const view::PixelRect pixels = inside.pixels();
+      found.push_back({i, std::move(inside), pixels});
+    }
+    return found;
+  }
+
+  /// Appends the parts of an outline that the planes may leave out.
+  void subtract(Outline outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
+                std::vector<Outline>& left) {
+    work_ += planes.size();
+    if (std::any_of(planes.begin(), planes.end(),
+                    [&](const ShadowPlane& plane) { return outline.is_beyond(compared.in(plane)); })) {
+      left.push_back(std::move(outline));
+      return;
+    }
+    for (const ShadowPlane& plane : planes) {
+      Outline outside = outline.clipped(compared.out(plane));
+      if (!outside.empty()) left.push_back(std::move(outside));
+      outline = outline.clipped(compared.in(plane));
+      if (outline.empty()) return;
+    }
+  }
+
+  /// Whether the volumes but one take all of that part of a receiver.
+  [[nodiscard]] bool is_covered(std::size_t receiver, const Outline& part, std::size_t but) {
+    if (work_ > most_work) return false;
+    const PlaneComparison compared = comparison(receiver);
+    const view::PixelRect pixels = part.pixels();
+    std::vector<Outline> open{part};
+    for (const auto& [index, rect] : volumes_of_[receiver]) {
+      if (index == but || volumes_[index].touches.empty() || !overlap(rect, pixels)) continue;
+      std::vector<Outline> left;
+      for (Outline& one : open) subtract(std::move(one), compared, volumes_[index].planes, left);
+      open = std::move(left);
+      if (open.empty()) return true;
+      if (open.size() > most_open) return false;
+    }
+    return false;
+  }
+
+  void leave_out_redundant() {
+    for (std::size_t i = 0; i < volumes_.size(); ++i) {
+      if (!volumes_[i].touches.empty() && is_redundant(i)) volumes_[i].touches.clear();
+    }
+  }
+
+  [[nodiscard]] bool is_redundant(std::size_t index) {
+    const std::vector<Touch>& all = volumes_[index].touches;
+    return std::all_of(all.begin(), all.end(),
+                       [&](const Touch& touch) { return is_covered(touch.receiver, touch.outline, index); });
+  }
+
+  /// Leaves out planes that keep nothing but what other volumes take.
+  void reduce_planes(std::size_t index) {
+    std::vector<ShadowPlane>& planes = volumes_[index].planes;
+    for (std::size_t i = 0; i < planes.size();) {
+      if (is_plane_redundant(index, i)) {
+        planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(i));
+      } else {
+        ++i;
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_plane_redundant(std::size_t index, std::size_t plane) {
+    const std::vector<ShadowPlane>& planes = volumes_[index].planes;
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+      const PlaneComparison compared = comparison(i);
+      const view::FixedLinear out = compared.out(planes[plane]);
+      if (receivers_[i].outline.is_beyond(out)) continue;
+      const Outline more = clipped(receivers_[i].outline.clipped(out), compared, planes, plane);
+      if (!more.empty() && !is_covered(i, more, index)) return false;
+    }
+    return true;
+  }
+
+  const std::vector<Receiver>& receivers_;
+  unsigned fraction_bits_;
+  std::vector<Volume> volumes_;  ///< those that are left out touch nothing
+  std::vector<std::vector<std::pair<std::size_t, view::PixelRect>>> volumes_of_;  ///< by receiver
+  std::uint64_t work_ = 0;
+};
+
+}  // namespace
+
+ShadowParts parts_that_touch(const std::vector<SeenVolume>& volumes, const Receivers& receivers,
+                             unsigned fraction_bits) {
+  Covering covering(volumes, receivers, fraction_bits);
+  covering.reduce();
+  ShadowParts result = covering.take();
+  std::sort(result.touched.begin(), result.touched.end());
+  result.touched.erase(std::unique(result.touched.begin(), result.touched.end()), result.touched.end());
+  return result;
+}
+
+}  // namespace csgsim::effects
