@@ -21,6 +21,21 @@ constexpr std::string_view effects_prefix = "effects.";
 constexpr std::string_view on_key = "on";   ///< of every effect
 constexpr std::size_t most_in_list = 1000;  ///< tables
 
+/// The first value in the node that was not in the file but set; null if there is none.
+const toml::node* set_value(const toml::node& node) {
+  const toml::source_region& place = node.source();
+  if (place.path && place.path->starts_with(set_mark)) return &node;
+  const toml::node* found = nullptr;
+  const auto look = [&](const toml::node& inner) {
+    if (found == nullptr) found = set_value(inner);
+  };
+  if (const toml::table* const table = node.as_table())
+    for (const auto& [key, inner] : *table) look(inner);
+  if (const toml::array* const list = node.as_array())
+    for (const toml::node& inner : *list) look(inner);
+  return found;
+}
+
 class Reader {
  public:
   Reader(std::string_view file, std::span<const Section> effects) : file_(file), effects_(effects) {}
@@ -51,10 +66,9 @@ class Reader {
   void check_keys(const toml::table& table, std::span<const std::string_view> known, std::string_view prefix) const {
     for (const auto& [key, node] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const bool was_set = node.source().path && node.source().path->starts_with(set_mark);
       const std::string message = fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix,
                                               printable(key.str()), nearest(key.str(), known));
-      if (was_set) fail(node, message);
+      if (const toml::node* const value = set_value(node)) fail(*value, message);
       throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));
     }
   }

@@ -79,6 +79,16 @@ std::optional<double> near_of(const ModelOptions& options) {
   return projection_of(options) == view::Projection::perspective ? options.scene().camera.near : std::nullopt;
 }
 
+/// Whatever the scene or the model calls for.
+void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
+  for (const scene::Section& section : effects::sections()) {
+    const auto is_named = [&](const std::string& name) { return section.name == "effects." + name; };
+    if (std::none_of(names.begin(), names.end(), is_named)) continue;
+    std::erase_if(scene.effects, [&](const scene::CalledEffect& one) { return one.name == section.name; });
+    scene.effects.push_back({section.name, {}, false});
+  }
+}
+
 }  // namespace
 
 const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
@@ -89,6 +99,7 @@ const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
   } catch (const scene::SetError& error) {
     throw UsageError(error.what());
   }
+  switch_off(effects_off_, loaded.scene);
   scene_ = std::make_shared<const LoadedScene>(std::move(loaded));
   return *scene_;
 }
@@ -96,13 +107,7 @@ const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
 ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names) const {
   ModelOptions fewer = *this;
   fewer.scene_ = nullptr;
-  for (const std::string& name : names) {
-    const std::vector<scene::Section> sections = effects::sections();
-    const bool is_list = std::any_of(sections.begin(), sections.end(), [&](const scene::Section& one) {
-      return one.is_list && one.name == "effects." + name;
-    });
-    fewer.sets.push_back("effects." + name + (is_list ? ".0" : "") + ".on=false");
-  }
+  fewer.effects_off_ = names;
   return fewer;
 }
 

@@ -72,6 +72,7 @@ struct ModelOptions {
   [[nodiscard]] const LoadedScene& loaded_scene() const;
 
   mutable std::shared_ptr<const LoadedScene> scene_;
+  std::vector<std::string> effects_off_;
 };
 
 /// `all`, and the names of the prunings that can be left out.

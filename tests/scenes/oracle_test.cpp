@@ -19,9 +19,9 @@ namespace {
 constexpr std::uint32_t side = 64;  // pixels of a picture
 
 /// Effects that rays do not know, whose own tests judge them: off, so that all the rest is judged.
-const std::vector<std::string> not_judged{"effects.smooth.on=false",    "effects.textures.0.on=false",
-                                          "effects.equalise.on=false",  "effects.edges.on=false",
-                                          "effects.depth_cue.on=false", "effects.antialias.adaptive=false"};
+const std::vector<std::string> not_judged{"effects.smooth.on=false", "effects.equalise.on=false",
+                                          "effects.edges.on=false", "effects.depth_cue.on=false",
+                                          "effects.antialias.adaptive=false"};
 
 bool names(const testing::SceneFile& file, const std::string& effect) {
   return file.text.find("[effects." + effect + "]") != std::string::npos;
@@ -39,6 +39,8 @@ std::vector<std::string> sets_for(const testing::SceneFile& file) {
     const bool is_samples = one.find("antialias") != std::string::npos;
     if (!is_samples || names(file, "antialias")) sets.push_back(one);
   }
+  for (std::size_t i = 0, at = 0; (at = file.text.find("[[effects.textures]]", at)) != std::string::npos; ++i, ++at)
+    sets.push_back("effects.textures." + std::to_string(i) + ".on=false");
   if (names(file, "cuts")) sets.emplace_back("effects.cuts.0.hatch=0");
   if (file.text.find("screen-door") != std::string::npos) sets.emplace_back("effects.transparency.on=false");
   return sets;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "host/effects/rows.h"
 #include "host/read/read.h"
@@ -61,23 +62,22 @@ std::vector<SceneFile> scene_files() {
 
 DrawnScene compile_scene(const SceneFile& file, std::uint32_t width, std::uint32_t height,
                          const std::vector<std::string>& sets) {
-  DrawnScene drawn;
-  drawn.scene = scene::read_scene(file.text, file.name + ".toml", sets, effects::sections());
-  drawn.setup.camera = file.camera;
-  drawn.setup.sampling.width = width;
-  drawn.setup.sampling.height = height;
-  drawn.setup.options.scene = drawn.scene;
-  drawn.setup.options.effects = effects::all();
+  scene::Scene scene = scene::read_scene(file.text, file.name + ".toml", sets, effects::sections());
   machines::Machine machine = kinds::load("pixel-planes-4");
   machines::set_picture_size(machine, {width, height});
   machine.array.memory_bits = ample_bits;
-  Compiled& compiled = drawn.compiled;
-  compiled.tree = effects::reshaped(read::read_csg_file(file.model), drawn.scene);
-  compiled.scene = facet::make_scene(compiled.tree);
-  compiled.view = view::make_view(compiled.scene, compiled.tree, file.camera, drawn.setup.sampling);
-  compiled.program = emit::compile(compiled.tree, compiled.scene, compiled.view, machine, drawn.setup.options);
-  isa::validate(compiled.program);
-  return drawn;
+  view::Sampling sampling;
+  sampling.width = width;
+  sampling.height = height;
+  emit::Options options;
+  options.scene = scene;
+  options.effects = effects::all();
+  model::Tree tree = effects::reshaped(read::read_csg_file(file.model), scene);
+  facet::Scene facets = facet::make_scene(tree);
+  view::View view = view::make_view(facets, tree, file.camera, sampling);
+  isa::Program program = emit::compile(tree, facets, view, machine, options);
+  isa::validate(program);
+  return {{std::move(tree), std::move(facets), std::move(view), std::move(program)}, std::move(scene)};
 }
 
 }  // namespace csgsim::testing

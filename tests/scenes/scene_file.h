@@ -23,7 +23,6 @@ std::vector<SceneFile> scene_files();
 struct DrawnScene {
   Compiled compiled;
   scene::Scene scene;
-  Setup setup;
 };
 DrawnScene compile_scene(const SceneFile& file, std::uint32_t width, std::uint32_t height,
                          const std::vector<std::string>& sets = {});

@@ -60,3 +60,9 @@ TEST_CASE("what is wrong with a key that is set is told with it") {
   CHECK(error_of_set("ambient.intensity.x=2").find("unknown key") == std::string::npos);
   CHECK_FALSE(error_of_set("ambient.intensity.x=2").empty());
 }
+
+TEST_CASE("a table that is set and not known is told with the key that was set") {
+  CHECK_THROWS_AS(set({"effects.smoth.on=true"}), scene::SetError);
+  CHECK(error_of_set("effects.smoth.on=true").find("--set effects.smoth.on=true") != std::string::npos);
+  CHECK_THROWS_AS(set({"lihgts.0.intensity=1"}), scene::SetError);
+}
