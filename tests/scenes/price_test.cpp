@@ -1,0 +1,106 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hw/kinds/load.h"
+#include "hw/machines/clocks.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/stats.h"
+#include "tests/scenes/scene_file.h"
+
+using namespace csgsim;
+
+namespace {
+
+constexpr std::uint32_t side = 256;  // pixels of a picture
+
+testing::SceneFile vehicle(const std::string& scene) {
+  return {"vehicle",
+          scene,
+          testing::model_path("terrain_vehicle"),
+          {{560, -590, 420}, {-5, 0, 68}, view::Projection::orthographic}};
+}
+
+sim::Stats run(const testing::Compiled& compiled) {
+  machines::Machine machine = kinds::load("pixel-planes-4");
+  machines::adopt(machine, compiled.program);
+  sim::StatsObserver stats(compiled.program);
+  const std::array<sim::Observer*, 1> observers{&stats};
+  sim::make_functional_engine(machine)->run(compiled.program, observers);
+  return stats.stats();
+}
+
+/// Clocks of the surfaces of all primitives that have pixels in the rectangle of this one.
+std::uint64_t work_in_rectangle(const testing::Compiled& compiled, const sim::Stats& stats, std::size_t primitive) {
+  std::uint64_t clocks = 0;
+  const view::PixelRect& own = compiled.view.extents[primitive].pixels;
+  for (std::size_t i = 0; i < compiled.tree.primitives.size(); ++i) {
+    if (!common(compiled.view.extents[i].pixels, own).empty()) clocks += stats.by_primitive[i].clocks;
+  }
+  return clocks;
+}
+
+std::string only_line(const model::Primitive& primitive) {
+  return "from_line = " + std::to_string(primitive.location.line) + "\n";
+}
+
+/// Worst price of an effect on one primitive, in work of its rectangle, over all that `price` gives one for.
+template <class Price>
+double worst_ratio(const std::string& effect, const Price& price) {
+  const testing::DrawnScene plain = testing::compile_scene(vehicle(""), side, side);
+  const sim::Stats stats = run(plain.compiled);
+  double worst = 0;
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < plain.compiled.tree.primitives.size(); ++i) {
+    const std::uint64_t clocks = price(plain.compiled, i);
+    const std::uint64_t work = work_in_rectangle(plain.compiled, stats, i);
+    if (clocks == 0 || work == 0) continue;
+    const double ratio = static_cast<double>(clocks) / static_cast<double>(work);
+    worst = std::max(worst, ratio);
+    sum += ratio;
+    ++count;
+  }
+  MESSAGE(effect, ": ", count, " primitives, ", worst, " of their rectangles' work at most, ", sum / count,
+          " on average");
+  return worst;
+}
+
+/// Clocks billed to the second effect of a scene, the first being flat shading.
+std::uint64_t billed(const std::string& scene) {
+  const sim::Stats stats = run(testing::compile_scene(vehicle(scene), side, side).compiled);
+  return stats.by_effect.size() < 3 ? 0 : stats.by_effect[1].clocks;
+}
+
+constexpr double most = 1.2;
+
+}  // namespace
+
+TEST_CASE("glass on one primitive of the vehicle costs 1.2 times the work of its rectangle at most") {
+  CHECK(worst_ratio("transparency", [](const testing::Compiled& compiled, std::size_t i) {
+          return billed("[[materials]]\n" + only_line(compiled.tree.primitives[i]) + "opacity = 0.5\n");
+        }) <= most);
+}
+
+TEST_CASE("the shadow of one primitive of the vehicle costs 1.2 times the work of its rectangle at most") {
+  CHECK(worst_ratio("shadows", [](const testing::Compiled& compiled, std::size_t i) {
+          return billed("[[lights]]\ndirection = [-0.5, 0.75, -0.9]\n[effects.shadows]\n" +
+                        only_line(compiled.tree.primitives[i]));
+        }) <= most);
+}
+
+TEST_CASE("smoothness of one primitive of the vehicle costs 1.2 times the work of its rectangle at most") {
+  const testing::DrawnScene smooth = testing::compile_scene(vehicle("[effects.smooth]\n"), side, side);
+  const machines::Machine machine = kinds::load("pixel-planes-4");
+  CHECK(worst_ratio("smooth", [&](const testing::Compiled& /*compiled*/, std::size_t i) {
+          std::uint64_t clocks = 0;
+          for (const isa::Segment& segment : smooth.compiled.program.segments)
+            for (const isa::Instruction& one : segment.instructions)
+              if (one.origin.effect == 1 && one.origin.primitive == i) clocks += machines::clocks(one, machine);
+          return clocks;
+        }) <= most);
+}
