@@ -53,6 +53,7 @@ void choose_settings(Options& options, const machines::Machine& machine) {
   const model::Tree tree = read_model(options.model);
   const facet::Faceting faceting = faceting_of(options.model, machine, tree);
   const view::Camera camera = camera_of(options.model, machine, facet::make_scene(tree, faceting));
+  refuse_see_through(options.model, tree, camera);
   study::Meter meter(tree, {camera}, machine, emit_options_of(options.model));
   const auto chosen =
       study::cheapest(meter, study::grid(sampling_of(options.model, machine), faceting), *options.max_wrong_pixels);
@@ -81,10 +82,12 @@ void run(Options& options) {
   if (options.max_wrong_pixels) choose_settings(options, machine);
   const CompiledModel compiled = compile_model(options.model, machine);
   Judge judge;
-  if (options.check)
+  if (options.check) {
+    refuse_see_through(options.model, compiled.tree, compiled.camera);
     judge = [&compiled](const sim::Frame& frame, nlohmann::ordered_json& json) {
       return verdict(compiled, frame, json);
     };
+  }
   run_program(compiled.program, machine, options.run, outputs, judge);
 }
 

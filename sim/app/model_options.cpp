@@ -8,6 +8,7 @@
 
 #include "host/effects/rows.h"
 #include "host/emit/compile.h"
+#include "host/emit/effect.h"
 #include "host/facet/scene.h"
 #include "host/read/read.h"
 #include "host/read/source.h"
@@ -233,6 +234,17 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
 
 std::vector<std::filesystem::path> ModelOptions::inputs() const {
   return input_files(scene_file.empty() ? std::vector{model} : std::vector{model, scene_file}, {machine});
+}
+
+void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera) {
+  const emit::Options emit = emit_options_of(options);
+  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  for (const emit::CalledEffect& one : emit::called_effects(emit, look)) {
+    if (!one.effect->sees_through) continue;
+    throw InputError(fmt::format(
+        "{}: the exact picture that others are held against knows opaque solids alone; add --set effects.{}.on=false",
+        printable(options.model), one.effect->name()));
+  }
 }
 
 ModelFile read_model_file(const ModelOptions& options) {

@@ -89,6 +89,10 @@ view::Sampling sampling_of(const ModelOptions& options, const machines::Machine&
 emit::Options emit_options_of(const ModelOptions& options);
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene);
 
+/// Throws InputError where what is seen through would be held against an exact picture, which knows opaque solids
+/// alone.
+void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera);
+
 /// A model's file as it was read.
 struct ModelFile {
   model::Tree tree;

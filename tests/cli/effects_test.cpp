@@ -108,6 +108,9 @@ TEST_CASE("alpha in a model calls for transparency by itself, and can be told no
                              (folder / "s.json") + " -o " + (folder / "p.png") + " ";
   REQUIRE(run(render).code == 0);
   CHECK(json(folder / "s.json")["effects"] == nlohmann::json::array({"flat", "transparency"}));
-  REQUIRE(run(render + "--set effects.transparency.on=false").code == 0);
+  const Outcome judged = run(render + "--check");
+  CHECK(judged.code == 1);
+  CHECK(judged.err.find("--set effects.transparency.on=false") != std::string::npos);
+  REQUIRE(run(render + "--check --set effects.transparency.on=false").code == 0);
   CHECK(json(folder / "s.json")["effects"] == nlohmann::json::array({"flat"}));
 }
