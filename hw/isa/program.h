@@ -60,10 +60,10 @@ struct Segment {
 };
 
 /// What a field of pixel memory holds, for pictures, stats and waves.
-#define CSGSIM_FIELD_ROLES(R)                                                                                      \
-  R(scratch)                                                                                                       \
-  R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label) R(shown) R(owner) \
-      R(effect)
+// While surfaces are drawn; then all.
+#define CSGSIM_SURFACE_ROLES(R) \
+  R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label)
+#define CSGSIM_FIELD_ROLES(R) CSGSIM_SURFACE_ROLES(R) R(shown) R(owner) R(effect)
 
 enum class FieldRole : std::uint8_t {
 #define CSGSIM_FIELD_ROLE_ENUMERATOR(name) name,
