@@ -213,6 +213,7 @@ void put_change(toml::table& root, const std::string& change, std::string_view f
   const auto found = figures.find(key);
   if (found == figures.end()) {
     std::vector<std::string_view> known;
+    known.reserve(figures.size());
     for (const auto& [name, table] : figures) known.push_back(name);
     throw InputError(fmt::format("{}: unknown figure '{}'; the nearest known is '{}'", file, printable(key),
                                  known.empty() ? "none" : nearest(key, known)));
