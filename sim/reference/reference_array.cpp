@@ -130,7 +130,7 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
     case Opcode::add:
       if (e) put(pixel, first, bits(first) + bits(second));
       break;
-    case Opcode::stripe: enable_[pixel] = e && (sum >> (linear.width - 1U) & 1) != 0; break;
+    case Opcode::stripe: enable_[pixel] = e && streams && (sum >> (linear.width - 1U) & 1) != 0; break;
   }
 }
 

@@ -16,7 +16,7 @@ using namespace csgsim;
 
 namespace {
 
-constexpr std::uint32_t side = 64;  // pixels of a picture
+constexpr std::uint32_t side = 40;  // pixels of a picture
 
 /// Effects that rays do not know, whose own tests judge them: off, so that all the rest is judged.
 const std::vector<std::string> not_judged{"effects.smooth.on=false", "effects.equalise.on=false",
