@@ -9,14 +9,18 @@ Usage: ./setup.sh COMMAND
   demo   draw a model at both fidelity levels; pictures and counts in build/demo/
   test   build everything and run the whole test suite
   build  build build/release/csgsim
-  asan   build with address and undefined-behaviour sanitizers and run the suite
-  clang  build everything with clang, warnings as errors
+  asan   build everything with clang, warnings as errors, with address and undefined-behaviour sanitizers, and run the
+         suite
   fuzz MINUTES [RUNS]
          build the fuzzers and run them for so long in all, each for RUNS cases at most
   tsan   run under the thread sanitizer what works on several threads
   flags  build without optimisation, and for this very processor, and hold both against the golden figures
   faults fail every write, fsync and rename of every command, one at a time, and print what came of it
-  bench  build and run the benchmarks
+  bench  build and run the benchmarks of kernels
+  performance
+         measure the figures of docs/performance.md here, and write its tables and plots
+  screenshots
+         draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
          changed since
@@ -24,9 +28,11 @@ Usage: ./setup.sh COMMAND
 TEXT
 }
 
-build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libcli11-dev
-  tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev"
-test_packages="doctest-dev librapidcheck-dev gnuplot-nox"
+build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libpng-dev
+  libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
+  libcgal-dev libpolyclipping-dev libpugixml-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
+  fonts-liberation"
+test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind"
 clang_packages="clang libclang-rt-14-dev"
 
 as_root() {
@@ -79,7 +85,7 @@ fuzz() {
 
 tsan() {
   # shellcheck disable=SC2086
-  need $build_packages $test_packages
+  need $build_packages $test_packages $clang_packages
   cmake --preset tsan -DCSGSIM_BUILD_TESTS=ON
   cmake --build --preset tsan
   # Where addresses are spread too far for the sanitizer's shadow memory, they are not spread.
@@ -145,20 +151,42 @@ demo() {
   echo "  functional.json, cycle.json            every count"
 }
 
+# Puts the tables that csgsim bench makes between the marks of the page.
+performance() {
+  # shellcheck disable=SC2086
+  need $build_packages gnuplot-nox openscad povray xvfb xauth
+  build release -DCSGSIM_BUILD_TESTS=OFF
+  out=build/performance
+  xvfb-run -a build/release/csgsim bench tests/models/carburettor.csg tests/models/terrain_vehicle.csg --rounds 3 -o "$out"
+  awk -v tables="$out/bench.md" '
+    /^<!-- end/ { skipping = 0 }
+    !skipping { print }
+    /^<!-- measured/ { print ""; while ((getline line <tables) > 0) print line; skipping = 1 }
+  ' docs/performance.md >"$out/performance.md"
+  mkdir -p docs/pictures/performance
+  cp "$out"/growth_*.svg docs/pictures/performance/
+  mv "$out/performance.md" docs/performance.md
+}
+
 case "${1:-}" in
   demo) demo ;;
+  performance) performance ;;
   build)
     # shellcheck disable=SC2086
     need $build_packages
     build release -DCSGSIM_BUILD_TESTS=OFF
     ;;
-  test | asan)
+  test)
     # shellcheck disable=SC2086
     need $build_packages $test_packages
-    preset=release
-    [ "$1" = asan ] && preset=asan
-    build "$preset" -DCSGSIM_BUILD_TESTS=ON
-    ctest --preset "$preset" -j "$(nproc)"
+    build release -DCSGSIM_BUILD_TESTS=ON
+    ctest --preset release -j "$(nproc)"
+    ;;
+  asan)
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages $clang_packages libbenchmark-dev
+    build asan -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
+    ctest --preset asan -j "$(nproc)"
     ;;
   flags)
     # shellcheck disable=SC2086
@@ -181,10 +209,11 @@ case "${1:-}" in
     build release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
     for benchmark in build/release/bench_*; do "$benchmark"; done
     ;;
-  clang)
+  screenshots)
     # shellcheck disable=SC2086
-    need $build_packages $test_packages $clang_packages libbenchmark-dev
-    build clang -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
+    need $build_packages gtkwave xvfb imagemagick
+    build release
+    PATH=$PWD/build/release:$PATH tests/waves/screenshots.sh
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;

@@ -8,8 +8,6 @@ target_compile_options(csgsim_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum -Wnon-virtual-dtor -Werror
   # GCC 12 sees overlapping copies in std::string where there are none (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  # With sanitizers it takes moved-from variants for uninitialised.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CSGSIM_SANITIZED}>>:-Wno-maybe-uninitialized>
   # The same doubles on every machine and at every optimisation level.
   -ffp-contract=off)
 if(CSGSIM_SANITIZE)
@@ -28,5 +26,6 @@ function(csgsim_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/csgsim>)
   target_link_libraries(csgsim_${name} PUBLIC ${ROOM_LINK} PRIVATE $<BUILD_INTERFACE:csgsim_flags> ${ROOM_PRIVATE_LINK})
+  csgsim_use_precompiled(csgsim_${name} rooms)
   set_property(GLOBAL APPEND PROPERTY CSGSIM_ROOMS csgsim_${name})
 endfunction()

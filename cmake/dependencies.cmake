@@ -7,10 +7,21 @@ find_package(fmt REQUIRED)
 find_package(hwy REQUIRED)
 find_package(Boost REQUIRED)
 find_package(Threads REQUIRED)
+find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 
-# Debian's CMake package of OpenImageIO asks for its command line tools and Python modules; pkg-config does not.
+# Of the module of picture formats. Debian's CMake package of OpenImageIO asks for its command line tools and Python modules; pkg-config does not.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO)
+
+# Of 2-D shapes and meshes.
+pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET GLOBAL polyclipping)
+find_package(pugixml REQUIRED)
+
+# Of the module of text.
+pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET GLOBAL fontconfig)
+pkg_check_modules(freetype REQUIRED IMPORTED_TARGET GLOBAL freetype2)
+pkg_check_modules(harfbuzz REQUIRED IMPORTED_TARGET GLOBAL harfbuzz)
 
 # Debian's SystemC has no CMake package.
 find_library(SYSTEMC_LIBRARY systemc REQUIRED)
@@ -18,3 +29,4 @@ find_path(SYSTEMC_INCLUDE_DIR systemc REQUIRED)
 
 # And the command line.
 find_package(CLI11 REQUIRED)
+pkg_check_modules(libedit REQUIRED IMPORTED_TARGET libedit)

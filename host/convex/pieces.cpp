@@ -1,13 +1,12 @@
 #include "host/convex/pieces.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <iterator>
 #include <string>
 #include <utility>
 
-#include "host/convex/clip.h"
 #include "host/convex/merge.h"
+#include "host/convex/outside.h"
 #include "host/convex/solid_products.h"
 #include "hw/base/error.h"
 
@@ -63,34 +62,11 @@ class Division {
   void take_away(Part part) {
     const facet::Convex& solid = scene_.solids[part.taken_away.back()];
     part.taken_away.pop_back();
-    Polytope both = part.polytope;
-    for (const facet::Halfspace& halfspace : solid.halfspaces) {
-      both = clip(std::move(both), halfspace, scene_.planes);
-      if (both.empty()) {
-        open_.push_back(std::move(part));
-        return;
-      }
-    }
-    Polytope rest = std::move(part.polytope);
-    for (const facet::Halfspace& halfspace : solid.halfspaces) {
-      if (!is_wall(halfspace, both, rest)) continue;
-      open(clip(rest, opposite(halfspace), scene_.planes), part.taken_away);
-      rest = clip(std::move(rest), halfspace, scene_.planes);
-    }
-  }
-
-  /// Whether the plane is between the common part, which has a face on it, and some of the rest.
-  [[nodiscard]] bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& rest) const {
-    const bool has_face = std::any_of(both.faces.begin(), both.faces.end(),
-                                      [&](const Face& face) { return face.halfspace == halfspace; });
-    const facet::Plane plane = outward_plane(halfspace, scene_.planes);
-    return has_face && std::any_of(rest.vertices.begin(), rest.vertices.end(), [&](const glm::dvec3& vertex) {
-             return glm::dot(plane.normal, vertex) + plane.offset > tolerance(scene_.planes);
-           });
+    for (Polytope& polytope : outside(std::move(part.polytope), solid, scene_.planes))
+      open(std::move(polytope), part.taken_away);
   }
 
   void open(Polytope polytope, const std::vector<std::uint32_t>& taken_away) {
-    if (polytope.empty()) return;
     const facet::Box box = box_of(polytope);
     Part part{std::move(polytope), {}};
     std::copy_if(taken_away.begin(), taken_away.end(), std::back_inserter(part.taken_away),

@@ -68,8 +68,9 @@ struct Branch {
 
 class Enumeration {
  public:
-  Enumeration(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use)
-      : scene_(scene), tree_(tree), use_(use), reaches_(reaches(scene, tree)) {}
+  Enumeration(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
+              std::uint64_t most)
+      : scene_(scene), tree_(tree), use_(use), most_(most), reaches_(reaches(scene, tree)) {}
 
   void operator()() {
     branches_.push_back({std::make_shared<const Partial>(), tree_.root});
@@ -170,8 +171,8 @@ class Enumeration {
   }
 
   void add(std::vector<Branch>& found, Branch branch) {
-    if (++operands_ > most_operands) {
-      throw InputError("multiplying the model out to products takes more than " + std::to_string(most_operands) +
+    if (++operands_ > most_) {
+      throw InputError("multiplying the model out to products takes more than " + std::to_string(most_) +
                        " choices of an operand of a union; intersect or subtract fewer unions of solids that overlap");
     }
     found.push_back(std::move(branch));
@@ -188,6 +189,7 @@ class Enumeration {
   const facet::Scene& scene_;
   const PositiveTree& tree_;
   const std::function<void(SolidProduct)>& use_;
+  std::uint64_t most_;
   std::vector<Reach> reaches_;
   std::vector<Branch> branches_;
   std::uint64_t operands_ = 0;
@@ -195,9 +197,9 @@ class Enumeration {
 
 }  // namespace
 
-void for_each_product(const facet::Scene& scene, const PositiveTree& tree,
-                      const std::function<void(SolidProduct)>& use) {
-  if (tree.root != model::no_index) Enumeration(scene, tree, use)();
+void for_each_product(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
+                      std::uint64_t most) {
+  if (tree.root != model::no_index) Enumeration(scene, tree, use, most)();
 }
 
 }  // namespace csgsim::convex

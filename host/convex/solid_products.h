@@ -26,8 +26,8 @@ inline constexpr std::uint64_t most_operands = 1'000'000;
 ///
 /// A union of complements, from A - (B * C), is worked out without overlap, A - B and A * B - C: intersections of many
 /// of them then have many empty products. Other unions overlap as their operands do. Throws InputError past
-/// most_operands.
+/// `most` operands chosen.
 void for_each_product(const facet::Scene& scene, const csg::PositiveTree& tree,
-                      const std::function<void(SolidProduct)>& use);
+                      const std::function<void(SolidProduct)>& use, std::uint64_t most = most_operands);
 
 }  // namespace csgsim::convex

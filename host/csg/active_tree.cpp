@@ -75,29 +75,29 @@ struct Pruner::Pruned {
   std::uint32_t node = model::no_index;  ///< in the active tree, if it depends
 };
 
-Pruner::Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning)
-    : scene_(scene), view_(view), tree_(tree), pruning_(pruning) {
-  subtrees_.resize(tree.nodes.size());
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const PositiveNode& node = tree.nodes[i];
-    Subtree& subtree = subtrees_[i];
-    if (node.is_leaf) {
-      const view::Extent& extent = view.extents[node.primitive];
-      subtree = {node.complemented, extent.pixels, extent.z_low, extent.z_high, extent.box};
-      continue;
-    }
-    subtree.in_elsewhere = node.op == PositiveOperator::intersect;
-    for (const std::uint32_t child : node.children) {
-      const Subtree& below = subtrees_[child];
-      subtree.in_elsewhere = node.op == PositiveOperator::intersect ? subtree.in_elsewhere && below.in_elsewhere
-                                                                    : subtree.in_elsewhere || below.in_elsewhere;
-      if (below.pixels.empty()) continue;
-      subtree.z_low = subtree.pixels.empty() ? below.z_low : std::min(subtree.z_low, below.z_low);
-      subtree.z_high = subtree.pixels.empty() ? below.z_high : std::max(subtree.z_high, below.z_high);
-      subtree.pixels = hull(subtree.pixels, below.pixels);
-      subtree.box = hull(subtree.box, below.box);
-    }
+namespace {
+
+/// Primitives of an I-tree that are looked at one after another rather than found by the index.
+constexpr std::uint32_t few_primitives = 32;
+
+/// Intersections above a primitive whose other operands are looked for each by itself; those of the others together,
+/// with what is between them.
+constexpr unsigned few_intersections = 8;
+
+BoxIndex index_of(const view::View& view) {
+  std::vector<BoxIndex::Entry> entries;
+  for (std::uint32_t i = 0; i < view.extents.size(); ++i) {
+    const view::Extent& extent = view.extents[i];
+    if (!extent.pixels.empty()) entries.push_back({picture_box(extent.pixels, extent.z_low, extent.z_high, i, i), i});
   }
+  return BoxIndex(entries);
+}
+
+}  // namespace
+
+Pruner::Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning)
+    : scene_(scene), view_(view), tree_(tree), pruning_(pruning), paths_(tree) {
+  if (pruning.picture && view.extents.size() > few_primitives) boxes_ = index_of(view);
 }
 
 Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
@@ -116,14 +116,55 @@ Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect
   return block.z_low > block.z_high ? Block{} : block;
 }
 
-bool Pruner::disjoint(const Subtree& subtree, const Place& place) const {
+bool Pruner::disjoint(std::uint32_t primitive, const Place& place) const {
   const Block& block = place.block;
+  const view::Extent& extent = view_.extents[primitive];
   const bool picture =
-      common(subtree.pixels, block.pixels).empty() || subtree.z_low > block.z_high || subtree.z_high < block.z_low;
+      common(extent.pixels, block.pixels).empty() || extent.z_low > block.z_high || extent.z_high < block.z_low;
   return (pruning_.picture && picture) ||
-         (pruning_.space && std::any_of(place.set.begin(), place.set.end(), [&](std::uint32_t primitive) {
-            return csg::disjoint(subtree.box, view_.extents[primitive].box);
+         (pruning_.space && std::any_of(place.set.begin(), place.set.end(), [&](std::uint32_t other) {
+            return csg::disjoint(extent.box, view_.extents[other].box);
           }));
+}
+
+/// Appends the primitives from `first` up to, but without, `end` that are not disjoint from the place, in order.
+void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const {
+  const std::size_t begin = found.size();
+  if (!boxes_ || end - first <= few_primitives) {
+    for (std::uint32_t i = first; i < end; ++i) found.push_back(i);
+  } else {
+    const Block& block = place.block;
+    boxes_->meeting(picture_box(block.pixels, block.z_low, block.z_high, first, end - 1), found);
+  }
+  const auto is_elsewhere = [&](std::uint32_t one) { return one < first || one >= end || disjoint(one, place); };
+  const auto new_begin = found.begin() + static_cast<std::ptrdiff_t>(begin);
+  found.erase(std::remove_if(new_begin, found.end(), is_elsewhere), found.end());
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end());
+}
+
+std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, const Block& block) const {
+  const Place place{block, set};
+  std::vector<std::uint32_t> found;
+  const std::uint32_t leaf = tree_.leaf_of[set.front()];
+  std::uint32_t operand = paths_.operand_above(leaf);
+  // The primitives from `first` to `last` have been looked at, or are not of the I-tree.
+  std::uint32_t first = set.front();
+  std::uint32_t last = first;
+  for (unsigned i = 0; operand != model::no_index; ++i) {
+    const bool all_others = i == few_intersections;
+    const std::uint32_t node = all_others ? paths_.top_intersection(leaf) : tree_.nodes[operand].parent;
+    if (!all_others) {
+      first = paths_.first(operand);
+      last = paths_.last(operand);
+    }
+    find(paths_.first(node), first, place, found);
+    find(last + 1, paths_.last(node) + 1, place, found);
+    first = paths_.first(node);
+    last = paths_.last(node);
+    operand = all_others ? model::no_index : paths_.operand_above(node);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 /// What is known of a leaf, complemented or not.
@@ -139,66 +180,119 @@ Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
   return known == Known::in ? Known::out : Known::in;
 }
 
-Pruner::Pruned Pruner::prune(std::uint32_t root, const Place& place, ActiveTree& into) const {
-  // One for each node on the way down; no tree is too deep for it.
+/// What is known of a leaf that is not disjoint from the place.
+Known Pruner::known(const PositiveNode& leaf, const Place& place) const {
+  const bool in_set = std::binary_search(place.set.begin(), place.set.end(), leaf.primitive);
+  return in_set ? Known::in : leaf_known(leaf, place);
+}
+
+/// The leading ones of some primitives that are below a node; the first is.
+Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
+  return from.first(
+      static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));
+}
+
+/// Whether a child of the node that has none of these primitives decides the node by what it is elsewhere.
+bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const {
+  std::uint32_t deciding = paths_.deciding_children(node);
+  while (deciding > 0 && !meeting.empty()) {
+    const std::uint32_t child = paths_.child_towards(node, meeting.front());
+    if (paths_.decides_elsewhere(child)) --deciding;
+    meeting = meeting.subspan(below(child, meeting).size());
+  }
+  return deciding > 0;
+}
+
+/// What a walk through a part of the tree does next: it visits the operators on the way down in which primitives that
+/// meet the place come together. No tree is too deep for it.
+class Pruner::Walk {
+ public:
+  Walk(const Pruner& pruner, const Place& place, ActiveTree& into) : pruner_(pruner), place_(place), into_(into) {}
+
+  /// `meeting`: the primitives at or below the root that are not disjoint from the place; one at least.
+  Pruned prune(std::uint32_t root, Primitives meeting) {
+    bool has_result = !begin(root, meeting);
+    while (!open_.empty()) {
+      Visit& visit = open_.back();
+      const bool is_decided = has_result && !take_result(visit);
+      if (!is_decided && !visit.left.empty()) {
+        const std::uint32_t child = pruner_.paths_.child_towards(visit.node, visit.left.front());
+        const Primitives some = pruner_.below(child, visit.left);
+        visit.left = visit.left.subspan(some.size());
+        has_result = !begin(child, some);
+        continue;
+      }
+      if (!is_decided) finish(visit);
+      open_.pop_back();
+      has_result = true;
+    }
+    return result_;
+  }
+
+ private:
   struct Visit {
     std::uint32_t node;
-    std::size_t next = 0;
+    Primitives left;         ///< those at or below children that have not been visited
+    std::size_t first_node;  ///< of those that are added to the active tree for it
     std::vector<std::uint32_t> kept{};
   };
-  std::vector<Visit> path{{root}};
-  Pruned result;
-  const auto decided = [&](std::uint32_t index) -> Known {
-    const Subtree& subtree = subtrees_[index];
-    if (disjoint(subtree, place)) return subtree.in_elsewhere ? Known::in : Known::out;
-    const PositiveNode& node = tree_.nodes[index];
-    if (!node.is_leaf) return Known::depends;
-    const bool in_set = std::binary_search(place.set.begin(), place.set.end(), node.primitive);
-    return in_set ? Known::in : leaf_known(node, place);
-  };
-  while (!path.empty()) {
-    Visit& visit = path.back();
-    const PositiveNode& node = tree_.nodes[visit.node];
-    if (visit.next == 0) {
-      result = {decided(visit.node), model::no_index};
-      if (result.known != Known::depends || node.is_leaf) {
-        if (result.known == Known::depends) {
-          result.node = static_cast<std::uint32_t>(into.nodes.size());
-          into.nodes.push_back({true, node.complemented, node.op, node.primitive, 0, {}, {}});
-        }
-        path.pop_back();
-        continue;
-      }
-    } else {
-      // The child before has come back with `result`.
-      const Known dominant = node.op == PositiveOperator::intersect ? Known::out : Known::in;
-      if (result.known == dominant) {
-        path.pop_back();
-        continue;
-      }
-      if (result.known == Known::depends) keep(into, result.node, node.op, visit.kept);
+
+  /// False if it has the result at once; else its operands have to be visited.
+  bool begin(std::uint32_t top, Primitives some) {
+    const TreePaths& paths = pruner_.paths_;
+    const std::vector<std::uint32_t>& leaf_of = pruner_.tree_.leaf_of;
+    const std::uint32_t index = paths.above(leaf_of[some.front()], leaf_of[some.back()]);
+    const PositiveNode& node = pruner_.tree_.nodes[index];
+    if (paths.is_decided_between(index, top) || pruner_.is_decided_elsewhere(index, some)) {
+      result_ = {paths.in_elsewhere(top) ? Known::in : Known::out, model::no_index};
+      return false;
     }
-    if (visit.next < node.children.size()) {
-      const std::uint32_t child = node.children[visit.next++];
-      path.push_back({child});
-      continue;
+    if (!node.is_leaf) {
+      open_.push_back({index, some, into_.nodes.size()});
+      return true;
     }
-    join_leaves(into, node.op, visit.kept);
-    if (visit.kept.empty()) {
-      result = {node.op == PositiveOperator::intersect ? Known::in : Known::out, model::no_index};
-    } else if (visit.kept.size() == 1) {
-      result = {Known::depends, visit.kept.front()};
-    } else {
-      std::stable_sort(visit.kept.begin(), visit.kept.end(),
-                       [&](std::uint32_t a, std::uint32_t b) { return into.nodes[a].bits > into.nodes[b].bits; });
-      const std::uint32_t bits = bits_needed(into.nodes, visit.kept);
-      result = {Known::depends, static_cast<std::uint32_t>(into.nodes.size())};
-      into.nodes.push_back({false, false, node.op, model::no_index, bits, std::move(visit.kept), {}});
-    }
-    path.pop_back();
+    result_ = {pruner_.known(node, place_), model::no_index};
+    if (result_.known == Known::depends) add({true, node.complemented, node.op, node.primitive, 0, {}, {}});
+    return false;
   }
-  return result;
-}
+
+  /// The result of an operand of the visit's; false if it decides the operator.
+  bool take_result(Visit& visit) {
+    const PositiveOperator op = pruner_.tree_.nodes[visit.node].op;
+    if (result_.known == (op == PositiveOperator::intersect ? Known::out : Known::in)) {
+      into_.nodes.resize(visit.first_node);
+      return false;
+    }
+    if (result_.known == Known::depends) keep(into_, result_.node, op, visit.kept);
+    return true;
+  }
+
+  void finish(Visit& visit) {
+    const PositiveOperator op = pruner_.tree_.nodes[visit.node].op;
+    std::vector<std::uint32_t>& kept = visit.kept;
+    pruner_.join_leaves(into_, op, kept);
+    if (kept.empty()) {
+      result_ = {op == PositiveOperator::intersect ? Known::in : Known::out, model::no_index};
+    } else if (kept.size() == 1) {
+      result_ = {Known::depends, kept.front()};
+    } else {
+      std::stable_sort(kept.begin(), kept.end(),
+                       [&](std::uint32_t a, std::uint32_t b) { return into_.nodes[a].bits > into_.nodes[b].bits; });
+      add({false, false, op, model::no_index, bits_needed(into_.nodes, kept), std::move(kept), {}});
+    }
+  }
+
+  void add(ActiveNode node) {
+    result_ = {Known::depends, static_cast<std::uint32_t>(into_.nodes.size())};
+    into_.nodes.push_back(std::move(node));
+  }
+
+  const Pruner& pruner_;
+  const Place& place_;
+  ActiveTree& into_;
+  std::vector<Visit> open_;
+  Pruned result_;
+};
 
 /// Complemented leaves of a union, and others of an intersection, become one (thesis 7.3.2).
 void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const {
@@ -218,23 +312,47 @@ void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std:
   });
 }
 
+/// Adds what is left of the operands of an intersection above the set's first primitive; false if that is nothing.
+/// `meeting`: the primitives below it that are not disjoint from the place, and the set's first.
+bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const {
+  const std::uint32_t own = paths_.child_towards(node, place.set.front());
+  Walk walk(*this, place, into);
+  while (!meeting.empty()) {
+    const std::uint32_t child = paths_.child_towards(node, meeting.front());
+    const Primitives some = below(child, meeting);
+    meeting = meeting.subspan(some.size());
+    if (child == own) continue;
+    const Pruned pruned = walk.prune(child, some);
+    if (pruned.known == Known::out) return false;
+    if (pruned.known == Known::depends) keep(into, pruned.node, PositiveOperator::intersect, into.operands);
+  }
+  return true;
+}
+
 ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& block) const {
   ActiveTree active;
+  ActiveTree nothing{true, {}, {}};
   const Place place{block, set};
-  std::uint32_t below = tree_.leaf_of[set.front()];
-  for (std::uint32_t at = tree_.nodes[below].parent; at != model::no_index; below = at, at = tree_.nodes[at].parent) {
-    if (tree_.nodes[at].op != PositiveOperator::intersect) continue;
-    for (const std::uint32_t sibling : tree_.nodes[at].children) {
-      if (sibling == below) continue;
-      const Pruned pruned = prune(sibling, place, active);
-      if (pruned.known == Known::out) {
-        active = {};
-        active.nothing = true;
-        return active;
-      }
-      if (pruned.known == Known::depends) keep(active, pruned.node, PositiveOperator::intersect, active.operands);
+  const std::uint32_t leaf = tree_.leaf_of[set.front()];
+  std::vector<std::uint32_t> found = meeting(set, block);
+  auto begin = found.insert(std::lower_bound(found.begin(), found.end(), set.front()), set.front());
+  auto end = begin + 1;
+  std::uint32_t at = leaf;
+  // Upwards, from one node to the next that has more of what was found.
+  while (begin != found.begin() || end != found.end()) {
+    std::uint32_t node = model::no_index;
+    if (begin != found.begin()) node = paths_.above(leaf, tree_.leaf_of[*(begin - 1)]);
+    if (end != found.end()) node = std::min(node, paths_.above(leaf, tree_.leaf_of[*end]));
+    begin = std::lower_bound(found.begin(), begin, paths_.first(node));
+    end = std::upper_bound(end, found.end(), paths_.last(node));
+    if (paths_.is_out_between(at, paths_.child_towards(node, set.front()))) return nothing;
+    if (tree_.nodes[node].op == PositiveOperator::intersect) {
+      const Primitives meeting(begin, end);
+      if (is_decided_elsewhere(node, meeting) || !add_operands(node, meeting, place, active)) return nothing;
     }
+    at = node;
   }
+  if (paths_.is_out_between(at, tree_.root)) return nothing;
   join_leaves(active, PositiveOperator::intersect, active.operands);
   return active;
 }

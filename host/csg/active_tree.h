@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "host/csg/box_index.h"
 #include "host/csg/convex_sets.h"
 #include "host/csg/locate.h"
 #include "host/csg/positive_tree.h"
 #include "host/csg/pruning.h"
+#include "host/csg/tree_paths.h"
 #include "host/facet/scene.h"
 #include "host/view/projection.h"
 
@@ -43,6 +46,9 @@ struct ActiveTree {
 };
 
 /// Prunes I-trees for regions of the picture. Keeps references to its arguments.
+///
+/// Of an I-tree only what has a primitive that may meet the block is visited; such primitives are found by an index of
+/// boxes, and the rest of the tree is what it is where none of its primitives is.
 class Pruner {
  public:
   Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {});
@@ -53,31 +59,34 @@ class Pruner {
   /// Over a block of the set's, which has pixels.
   [[nodiscard]] ActiveTree active_tree(std::span<const std::uint32_t> set, const Block& block) const;
 
- private:
-  struct Subtree {
-    bool in_elsewhere = false;  ///< what the subtree is where none of its primitives is
-    view::PixelRect pixels;     ///< where any of its primitives can be
-    std::int64_t z_low = 0;
-    std::int64_t z_high = -1;
-    facet::Box box;
-  };
+  /// The primitives of the set's I-tree that may meet the block: the others are disjoint from it by the prunings
+  /// `picture` and `space`. In tree order; some that are not of the I-tree may be among them.
+  [[nodiscard]] std::vector<std::uint32_t> meeting(std::span<const std::uint32_t> set, const Block& block) const;
 
+ private:
   struct Pruned;
+  class Walk;
   /// Where a set's surface is looked at.
   struct Place {
     Block block;
     std::span<const std::uint32_t> set;
   };
-  [[nodiscard]] bool disjoint(const Subtree& subtree, const Place& place) const;
+  using Primitives = std::span<const std::uint32_t>;
+  [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& place) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
-  [[nodiscard]] Pruned prune(std::uint32_t node, const Place& place, ActiveTree& into) const;
+  [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
+  [[nodiscard]] Primitives below(std::uint32_t node, Primitives from) const;
+  [[nodiscard]] bool is_decided_elsewhere(std::uint32_t node, Primitives meeting) const;
+  [[nodiscard]] bool add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const;
   void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;
+  void find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const;
 
   const facet::Scene& scene_;
   const view::View& view_;
   const PositiveTree& tree_;
   Pruning pruning_;
-  std::vector<Subtree> subtrees_;
+  TreePaths paths_;
+  std::optional<BoxIndex> boxes_;  ///< of the primitives, by pixels, depths and number; if picture pruning is asked for
 };
 
 }  // namespace csgsim::csg

@@ -80,4 +80,15 @@ Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t pr
   return inside ? Known::in : Known::depends;
 }
 
+bool holds(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block) {
+  const view::Extent& extent = view.extents[primitive];
+  const bool is_inside = !block.pixels.empty() && !extent.empty() &&
+                         common(extent.pixels, block.pixels) == block.pixels && extent.z_low <= block.z_high &&
+                         extent.z_high >= block.z_low;
+  const std::vector<facet::Halfspace>& halfspaces = scene.solids[primitive].halfspaces;
+  return is_inside && std::all_of(halfspaces.begin(), halfspaces.end(), [&](const facet::Halfspace& halfspace) {
+           return locate(view, halfspace, block) == Known::in;
+         });
+}
+
 }  // namespace csgsim::csg

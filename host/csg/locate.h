@@ -33,4 +33,7 @@ Known locate(const view::View& view, const view::ScreenPlane& plane, bool positi
 /// The same for a convex primitive: out if one half-space is out, in if all are in and the block is inside its extent.
 Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block);
 
+/// Whether that is known to be in, found with no more half-spaces than that takes.
+bool holds(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block);
+
 }  // namespace csgsim::csg

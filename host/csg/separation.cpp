@@ -17,11 +17,25 @@ constexpr double certainty = 1e-9;
 /// to stay below the certainty.
 constexpr double coarsest = 1e-6;
 
-/// The point farthest along a direction.
+/// The first of the points that are farthest along a direction.
 const glm::dvec3& support(std::span<const glm::dvec3> points, const glm::dvec3& direction) {
-  return *std::max_element(points.begin(), points.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::dot(a, direction) < glm::dot(b, direction);
-  });
+  std::size_t best = 0;
+  double most = glm::dot(points[0], direction);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double along = glm::dot(points[i], direction);
+    if (!(most < along)) continue;
+    most = along;
+    best = i;
+  }
+  return points[best];
+}
+
+/// As glm::min() and glm::max(), of which compilers make several times as many instructions.
+void widen(glm::dvec3& low, glm::dvec3& high, const glm::dvec3& point) {
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = point[axis] < low[axis] ? point[axis] : low[axis];
+    high[axis] = point[axis] > high[axis] ? point[axis] : high[axis];
+  }
 }
 
 }  // namespace
@@ -31,10 +45,7 @@ bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> se
   glm::dvec3 low = first.front();
   glm::dvec3 high = low;
   for (const auto points : {first, second}) {
-    for (const glm::dvec3& point : points) {
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
+    for (const glm::dvec3& point : points) widen(low, high, point);
   }
   // Scaled so that no unit dominates, but not so far that the rounding of coordinates would count.
   const glm::dvec3 coarse = coarsest * glm::max(glm::abs(low), glm::abs(high));

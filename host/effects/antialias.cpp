@@ -6,10 +6,10 @@
 #include <array>
 #include <bit>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "host/effects/blend.h"
 #include "host/emit/early_out.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
@@ -45,18 +45,12 @@ void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
   scene::keep_effect(scene, section, std::move(read));
 }
 
-/// Of the camera's own drawing.
-struct Ready {
-  unsigned colour_bits = 0;
-};
-
 bool is_shifted(const view::View& view) { return view.sampling.offset != glm::dvec2(0); }
 
 emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
   emit::EffectState state;
   // What is drawn within a sample, and the samples themselves, have no samples of their own.
   if (drawing.nesting > 0 || is_shifted(drawing.view)) return state;
-  state.own = Ready{workshop.options.colour_bits};
   const auto count = static_cast<std::size_t>(std::any_cast<const SampleSettings&>(settings).samples);
   for (const glm::dvec2& offset : sample_offsets(count)) {
     if (offset == glm::dvec2(0)) continue;
@@ -79,15 +73,10 @@ unsigned log2_of(const SampleSettings& settings) {
   return static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(settings.samples)));
 }
 
-unsigned colour_bits_of(const emit::Drawing& drawing) {
-  for (const emit::EffectState& state : drawing.states)
-    if (const auto* const ready = std::any_cast<Ready>(&state.own)) return ready->colour_bits;
-  throw std::logic_error("anti-aliasing was not prepared");
-}
-
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing,
+                                       const emit::Workshop& workshop) {
   const auto& set = std::any_cast<const SampleSettings&>(settings);
-  const std::array<unsigned, 3> widths = isa::channel_widths(colour_bits_of(drawing));
+  const std::array<unsigned, 3> widths = isa::channel_widths(workshop.options.colour_bits);
   const unsigned more = log2_of(set);
   std::vector<emit::FieldRequest> requests;
   const auto add = [&](std::string_view name, unsigned width, std::string_view what, std::string_view without) {
@@ -107,11 +96,6 @@ std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Dra
   return requests;
 }
 
-/// The low bits of a field, or those from `from` on.
-isa::Field part(isa::Field field, unsigned from, unsigned width) {
-  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
-}
-
 /// A channel of the picture, and what its samples are added up in.
 struct Channel {
   isa::Field colour;
@@ -119,13 +103,11 @@ struct Channel {
   isa::Field newer;  ///< of those that are not in the sum yet; of width 0 if there is no such field
 };
 
-std::array<Channel, 3> channels_of(const emit::Context& context, const SampleSettings& settings) {
-  const std::array<unsigned, 3> widths = isa::channel_widths(context.options.colour_bits);
+std::array<Channel, 3> sums_of(const emit::Context& context, const SampleSettings& settings) {
+  const std::array<isa::Field, 3> colours = channels_of(context.layout.colour);
   std::array<Channel, 3> channels;
-  unsigned from = context.layout.colour.width;
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    from -= widths[i];
-    channels[i] = {part(context.layout.colour, from, widths[i]), context.layout.of("antialias", sum_names[i]), {}};
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    channels[i] = {colours[i], context.layout.of("antialias", sum_names[i]), {}};
     if (is_adaptive(settings)) channels[i].newer = context.layout.of("antialias", newer_names[i]);
   }
   return channels;
@@ -138,7 +120,7 @@ class Samples {
       : context_(call.context),
         settings_(std::any_cast<const SampleSettings&>(call.settings)),
         out_(out),
-        channels_(channels_of(call.context, settings_)) {}
+        channels_(sums_of(call.context, settings_)) {}
 
   void clear(isa::Field Channel::*sum, std::uint64_t value) {
     for (const Channel& one : channels_) plain(Opcode::set_constant, one.*sum, {}, value);
@@ -155,12 +137,12 @@ class Samples {
 
   /// The sum, divided by 2^shift, to the picture.
   void divide(unsigned shift) {
-    for (const Channel& one : channels_) plain(Opcode::copy, one.colour, part(one.sum, shift, one.colour.width));
+    for (const Channel& one : channels_) plain(Opcode::copy, one.colour, part_of(one.sum, shift, one.colour.width));
   }
 
   /// Adds what makes a division by 2^shift round to the nearest.
   void add_half(unsigned shift) {
-    const isa::Field half = part(context_.layout.of("antialias", "more"), 0, shift);
+    const isa::Field half = part_of(context_.layout.of("antialias", "more"), 0, shift);
     plain(Opcode::set_constant, half, {}, std::uint64_t{1} << (shift - 1));
     for (const Channel& one : channels_) plain(Opcode::add, one.sum, half);
   }
@@ -172,21 +154,21 @@ class Samples {
     for (const Channel& one : channels_) {
       if (settings_.least_difference >= std::int64_t{1} << one.colour.width) continue;
       const unsigned width = one.colour.width + shift;
-      is_less(part(one.sum, 0, width), part(one.newer, 0, width), shift, bit);
-      is_less(part(one.newer, 0, width), part(one.sum, 0, width), shift, bit);
+      is_less(part_of(one.sum, 0, width), part_of(one.newer, 0, width), shift, bit);
+      is_less(part_of(one.newer, 0, width), part_of(one.sum, 0, width), shift, bit);
     }
   }
 
   void plain(Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0) {
-    out_.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    out_.origin = emit::effect_origin;
     out_.plain(opcode, first, second, constant);
   }
 
  private:
   /// Sets the bit, at any pixel, where `less` + 2^shift least_difference <= `greater`.
   void is_less(isa::Field less, isa::Field greater, unsigned shift, isa::Field bit) {
-    const isa::Field more = part(context_.layout.of("antialias", "more"), 0, less.width + 1U);
-    const isa::Field other = part(context_.layout.of("antialias", "other"), 0, less.width + 1U);
+    const isa::Field more = part_of(context_.layout.of("antialias", "more"), 0, less.width + 1U);
+    const isa::Field other = part_of(context_.layout.of("antialias", "other"), 0, less.width + 1U);
     plain(Opcode::enable_all);
     plain(Opcode::set_constant, more, {}, static_cast<std::uint64_t>(settings_.least_difference) << shift);
     plain(Opcode::add, more, less);
@@ -303,7 +285,7 @@ class Refinement {
       samples_.add_half(last);
       samples_.divide(last);
     }
-    emit::emit_early_out(call_.context, out_, begin, {isa::Purpose::effect, isa::no_primitive, isa::no_node});
+    emit::emit_early_out(call_.context, out_, begin, emit::effect_origin);
   }
 
   const emit::EffectCall& call_;

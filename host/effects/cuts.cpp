@@ -116,9 +116,7 @@ bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet
   const Cut& cut = std::any_cast<const Cuts&>(call.settings).at(section);
   if (cut.hatch == 0) return true;
   emit_lines(out, cut, context.view.sampling.offset);
-  out.plain(
-      isa::Opcode::set_constant, field, {},
-      isa::pack_colour({cut.hatch_colour.r, cut.hatch_colour.g, cut.hatch_colour.b}, context.options.colour_bits));
+  out.plain(isa::Opcode::set_constant, field, {}, emit::packed(cut.hatch_colour, context.options.colour_bits));
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/effects/blend.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
@@ -40,10 +41,9 @@ constexpr std::array keys{
 struct Fading {
   double begin = 0;
   double end = 0;
-  unsigned colour_bits = 0;
 };
 
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
   const auto& set = std::any_cast<const CueSettings&>(settings);
   const isa::DepthScale& scale = drawing.view.depth;
   const double near = set.near.value_or(scale.near);
@@ -57,29 +57,16 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
   }
   const unsigned z_bits = drawing.view.sampling.z_bits;
   emit::EffectState state;
-  state.own =
-      Fading{isa::depth_of(scale, z_bits, near), isa::depth_of(scale, z_bits, far), workshop.options.colour_bits};
+  state.own = Fading{isa::depth_of(scale, z_bits, near), isa::depth_of(scale, z_bits, far)};
   return state;
 }
 
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/,
+                                       const emit::Workshop& workshop) {
   const auto bits = static_cast<unsigned>(std::any_cast<const CueSettings&>(settings).bits);
-  std::vector<emit::FieldRequest> requests;
-  for (const emit::EffectState& state : drawing.states) {
-    const auto* const fading = std::any_cast<Fading>(&state.own);
-    if (fading == nullptr) continue;
-    const unsigned channel = isa::channel_widths(fading->colour_bits)[1];
-    const auto add = [&](std::string_view name, unsigned width) {
-      requests.push_back({std::string(name), isa::FieldRole::scratch, width, "", "", true});
-    };
-    add("faded", bits + 1);
-    add("sum", channel + bits);
-  }
-  return requests;
-}
-
-isa::Field part(isa::Field field, unsigned from, unsigned width) {
-  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
+  const unsigned channel = isa::channel_widths(workshop.options.colour_bits)[1];
+  return {{.name = "faded", .width = bits + 1, .what = "faded part", .is_scratch = true},
+          {.name = "sum", .width = channel + bits, .what = "sum", .is_scratch = true}};
 }
 
 /// Works where the drawing is made.
@@ -93,20 +80,14 @@ class Fader {
         faded_(context_.layout.of("depth_cue", "faded")) {}
 
   void fade(std::uint32_t cue) {
-    out_.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    out_.origin = emit::effect_origin;
     weigh();
-    unsigned from = context_.layout.colour.width;
-    for (const unsigned width : isa::channel_widths(context_.layout.colour.width)) {
-      from -= width;
-      blend(part(context_.layout.colour, from, width), (cue >> from) & ((1U << width) - 1));
-    }
+    for (const isa::Field channel : channels_of(context_.layout.colour))
+      blend(channel,
+            cue >> static_cast<unsigned>(channel.base - context_.layout.colour.base) & ((1U << channel.width) - 1));
   }
 
  private:
-  void everywhere() {
-    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
-  }
-
   /// E stays 1 from that depth on.
   void from_depth(std::int64_t step) {
     out_.surface(Opcode::linear_le, context_.layout.depth, {0, 0, step << context_.view.sampling.fraction_bits},
@@ -115,7 +96,7 @@ class Fader {
 
   /// How many of 2^bits parts have faded, to the nearest; none where nothing is seen.
   void weigh() {
-    everywhere();
+    emit::enable_drawing(context_, out_);
     out_.plain(Opcode::set_constant, faded_, {}, 0);
     const std::uint64_t all = std::uint64_t{1} << bits_;
     for (std::uint64_t faded = 1; faded <= all; ++faded) {
@@ -133,26 +114,26 @@ class Fader {
   /// channel := ((2^bits - faded) * channel + faded * cue + half) / 2^bits. What is left of the channel is
   /// 1 + (2^bits - 1 - faded) parts: one, and those of the bits that `faded` has not; none where its top bit is 1.
   void blend(isa::Field channel, std::uint32_t level) {
-    const isa::Field sum = part(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
-    const auto from = [&](unsigned bit) { return part(sum, bit, sum.width - bit); };
-    everywhere();
+    const isa::Field sum = part_of(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
+    const auto from = [&](unsigned bit) { return part_of(sum, bit, sum.width - bit); };
+    emit::enable_drawing(context_, out_);
     out_.plain(Opcode::set_constant, sum, {}, std::uint64_t{1} << (bits_ - 1));
     for (unsigned bit = 0; bit < channel.width; ++bit)
       if ((level >> bit & 1U) != 0) out_.plain(Opcode::add, from(bit), narrowed(faded_, sum.width - bit));
-    out_.plain(Opcode::enable_and_not, part(faded_, bits_, 1));
+    out_.plain(Opcode::enable_and_not, part_of(faded_, bits_, 1));
     out_.plain(Opcode::add, sum, channel);
     for (unsigned bit = 0; bit < bits_; ++bit) {
-      everywhere();
-      out_.plain(Opcode::enable_and_not, part(faded_, bits_, 1));
-      out_.plain(Opcode::enable_and_not, part(faded_, bit, 1));
+      emit::enable_drawing(context_, out_);
+      out_.plain(Opcode::enable_and_not, part_of(faded_, bits_, 1));
+      out_.plain(Opcode::enable_and_not, part_of(faded_, bit, 1));
       out_.plain(Opcode::add, from(bit), channel);
     }
-    everywhere();
-    out_.plain(Opcode::copy, channel, part(sum, bits_, channel.width));
+    emit::enable_drawing(context_, out_);
+    out_.plain(Opcode::copy, channel, part_of(sum, bits_, channel.width));
   }
 
   static isa::Field narrowed(isa::Field field, unsigned width) {
-    return part(field, 0, std::min<unsigned>(field.width, width));
+    return part_of(field, 0, std::min<unsigned>(field.width, width));
   }
 
   const emit::Context& context_;
@@ -165,8 +146,8 @@ class Fader {
 void finish(const emit::EffectCall& call, emit::Broadcast& out) {
   const emit::Options& options = call.context.options;
   const std::optional<glm::dvec3> colour = std::any_cast<const CueSettings&>(call.settings).colour;
-  const std::uint32_t cue = colour ? isa::pack_colour({colour->r, colour->g, colour->b}, options.colour_bits)
-                                   : emit::packed_background(options.scene, options.colour_bits);
+  const std::uint32_t cue =
+      colour ? emit::packed(*colour, options.colour_bits) : emit::packed_background(options.scene, options.colour_bits);
   Fader(call, out).fade(cue);
 }
 

@@ -5,16 +5,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <memory>
 #include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "hw/isa/colour_format.h"
+#include "host/emit/facet_geometry.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {
@@ -39,9 +36,6 @@ constexpr std::array keys{
     scene::number_key<&EdgeSettings::crease>("crease", "degrees", 0, 180,
                                              "facets of a ball, or around a cylinder, that meet at less count as one")};
 
-/// The cosine to the axis from which on a facet of a cylinder is one of its ends.
-constexpr double end_cosine = 1 - 1e-9;
-
 /// A number for each half-space of a primitive, and for where it has none; the same for those between which there is no
 /// edge.
 struct Numbers {
@@ -50,16 +44,6 @@ struct Numbers {
   std::uint32_t most = 0;
 
   [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(std::bit_width(most)); }
-};
-
-/// Which half-spaces of a primitive stand for its curved surface.
-struct IsCurved {
-  glm::dvec3 own_normal;  ///< of length 1, in the primitive's axes
-
-  bool operator()(const model::Cube& /*cube*/) const { return false; }
-  bool operator()(const model::Polyhedron& /*polyhedron*/) const { return false; }
-  bool operator()(const model::Sphere& /*sphere*/) const { return true; }
-  bool operator()(const model::Cylinder& /*cylinder*/) const { return std::abs(own_normal.z) <= end_cosine; }
 };
 
 /// Degrees between neighbours of so many facets of a curved surface.
@@ -73,11 +57,8 @@ double angle_between(const model::Shape& shape, std::size_t curved) {
 std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Convex& solid,
                             const facet::PlaneTable& planes, double crease) {
   std::vector<bool> curved;
-  for (const facet::Halfspace& halfspace : solid.halfspaces) {
-    const glm::dvec3& normal = planes.planes()[halfspace.plane].normal;
-    const glm::dvec3 own = glm::transpose(glm::dmat3(primitive.transform)) * normal;
-    curved.push_back(std::visit(IsCurved{glm::normalize(own)}, primitive.shape));
-  }
+  for (const facet::Halfspace& halfspace : solid.halfspaces)
+    curved.push_back(!emit::is_flat(primitive, planes.planes()[halfspace.plane].normal));
   const auto count = static_cast<std::size_t>(std::count(curved.begin(), curved.end(), true));
   if (count == 0 || angle_between(primitive.shape, count) >= crease) curved.assign(curved.size(), false);
   return curved;
@@ -120,7 +101,8 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
   return state;
 }
 
-std::vector<emit::FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing) {
+std::vector<emit::FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing,
+                                       const emit::Workshop& /*workshop*/) {
   std::vector<emit::FieldRequest> requests;
   constexpr std::string_view without = "take --set effects.edges.on=false";
   for (const emit::EffectState& state : drawing.states) {
@@ -158,7 +140,7 @@ void draw_numbers(const emit::EffectCall& call, emit::Broadcast& out, const emit
   context.called = {};
   context.paint = &paint;
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
-  context.base.width > 0 ? out.plain(Opcode::enable_load, context.base) : out.plain(Opcode::enable_all);
+  emit::enable_drawing(context, out);
   out.plain(Opcode::set_constant, layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
   out.plain(Opcode::set_constant, field, {}, 0);
   emit::emit_surfaces(context, out);
@@ -170,7 +152,7 @@ void finish(const emit::EffectCall& call, emit::Broadcast& out) {
   const isa::Field other = context.layout.of("edges", "there");
   const isa::Field line = context.layout.of("edges", "line");
   const auto plain = [&](Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0) {
-    out.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    out.origin = emit::effect_origin;
     out.plain(opcode, first, second, constant);
   };
   draw_numbers(call, out, *call.state.drawings[here], own);
@@ -186,8 +168,7 @@ void finish(const emit::EffectCall& call, emit::Broadcast& out) {
   }
   if (context.base.width > 0) plain(Opcode::enable_and, context.base);
   const glm::dvec3& colour = std::any_cast<const EdgeSettings&>(call.settings).colour;
-  plain(Opcode::set_constant, context.layout.colour, {},
-        isa::pack_colour({colour.r, colour.g, colour.b}, context.options.colour_bits));
+  plain(Opcode::set_constant, context.layout.colour, {}, emit::packed(colour, context.options.colour_bits));
 }
 
 }  // namespace

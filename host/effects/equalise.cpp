@@ -7,6 +7,7 @@
 #include <bit>
 #include <vector>
 
+#include "host/effects/blend.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/opcodes.h"
@@ -52,15 +53,12 @@ emit::EffectState prepare(const std::any& /*settings*/, const emit::Drawing& /*d
 /// Bits of the widest channel that there is.
 constexpr unsigned most_level_bits = isa::channel_widths(isa::most_colour_bits)[1];
 
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/) {
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/,
+                                       const emit::Workshop& /*workshop*/) {
   const unsigned count = count_bits(std::any_cast<const Settings&>(settings));
   return {{.name = "rank", .width = most_level_bits + count, .what = "rank", .is_scratch = true},
           {.name = "seen", .width = 1, .what = "seen", .is_scratch = true},
           {.name = "counted", .width = count, .what = "count", .is_scratch = true}};
-}
-
-isa::Field part(isa::Field field, unsigned begin, unsigned width) {
-  return {static_cast<std::uint16_t>(field.base + begin), static_cast<std::uint16_t>(width)};
 }
 
 /// Equalises one picture, a channel after another.
@@ -77,7 +75,7 @@ class Equaliser {
         sample_(context_.layout.mask) {}
 
   void emit() {
-    out_.origin = {isa::Purpose::effect, isa::no_primitive, isa::no_node};
+    out_.origin = emit::effect_origin;
     const std::vector<view::PixelRect> samples = lattice();
     if (samples.empty()) return;
     out_.plain(Opcode::enable_all);
@@ -86,11 +84,9 @@ class Equaliser {
     out_.plain(Opcode::enable_store, seen_);
     out_.plain(Opcode::enable_all);
     out_.plain(Opcode::set_constant, counted_, {}, 0);
-    unsigned base = context_.layout.colour.width;
     bool is_first = true;
-    for (const unsigned width : isa::channel_widths(context_.options.colour_bits)) {
-      base -= width;
-      emit_channel(part(context_.layout.colour, base, width), samples, is_first);
+    for (const isa::Field channel : channels_of(context_.layout.colour)) {
+      emit_channel(channel, samples, is_first);
       is_first = false;
     }
   }
@@ -123,8 +119,8 @@ class Equaliser {
   }
 
   void emit_channel(isa::Field level, const std::vector<view::PixelRect>& samples, bool counts_samples) {
-    const isa::Field told = part(rank_, 0, level.width);
-    const isa::Field rank = part(rank_, level.width, counted_.width);
+    const isa::Field told = part_of(rank_, 0, level.width);
+    const isa::Field rank = part_of(rank_, level.width, counted_.width);
     out_.plain(Opcode::enable_all);
     out_.plain(Opcode::set_constant, rank, {}, 0);
     for (const view::PixelRect& sample : samples) {
@@ -145,10 +141,10 @@ class Equaliser {
     out_.plain(Opcode::set_constant, told, {}, 0);
     for (unsigned bit = 0; bit < level.width; ++bit) {
       out_.plain(Opcode::enable_load, sample_);
-      out_.plain(Opcode::enable_and, part(level, bit, 1));
+      out_.plain(Opcode::enable_and, part_of(level, bit, 1));
       const std::size_t begin = out_.size();
       out_.plain(Opcode::enable_all);
-      out_.plain(Opcode::set_constant, part(told, bit, 1), {}, 1);
+      out_.plain(Opcode::set_constant, part_of(told, bit, 1), {}, 1);
       skip_if_none(begin);
     }
   }
@@ -183,16 +179,16 @@ class Equaliser {
     out_.plain(Opcode::enable_and, seen_);
     out_.plain(Opcode::enable_store, sample_);
     out_.plain(Opcode::set_constant, level, {}, 0);
-    out_.plain(Opcode::set_constant, part(rank_, 0, level.width), {}, 0);
+    out_.plain(Opcode::set_constant, part_of(rank_, 0, level.width), {}, 0);
     for (unsigned bit = level.width; bit-- > 0;) {
-      const isa::Field rest = part(rank_, bit, counted_.width);
+      const isa::Field rest = part_of(rank_, bit, counted_.width);
       out_.plain(Opcode::enable_load, sample_);
       out_.plain(Opcode::field_le, counted_, rest);
       // a - b = not (not a + b)
       out_.plain(Opcode::bit_not, rest, rest);
       out_.plain(Opcode::add, rest, counted_);
       out_.plain(Opcode::bit_not, rest, rest);
-      out_.plain(Opcode::set_constant, part(level, bit, 1), {}, 1);
+      out_.plain(Opcode::set_constant, part_of(level, bit, 1), {}, 1);
     }
   }
 

@@ -19,7 +19,9 @@ using isa::Field;
 using isa::Opcode;
 
 constexpr std::string_view effect = "transparency";
-constexpr std::string_view without = "take --set effects.transparency.method=screen-door";
+constexpr std::string_view without =
+    "take --set effects.transparency.method=screen-door, or draw what is see-through as if it were opaque by --set "
+    "effects.transparency.on=false";
 
 constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
 
@@ -51,19 +53,13 @@ class Peeling {
       peel_behind(2);
       finish_sums();
     }
-    emit_early_out(context_, out_, begin, origin);
+    emit_early_out(context_, out_, begin, emit::effect_origin);
   }
 
  private:
-  static constexpr isa::Origin origin{isa::Purpose::effect, isa::no_primitive, isa::no_node};
-
   [[nodiscard]] Field field(std::string_view name) const { return context_.layout.of(effect, name); }
   [[nodiscard]] Field sum(std::size_t channel) const { return field(sum_names.at(channel)); }
   [[nodiscard]] Field mask() const { return context_.layout.mask; }
-
-  void enable_drawing() {
-    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
-  }
 
   /// The nearest panes behind `beyond` and before the opaque surfaces, into `depth` and the panes' colour.
   void peel(Field depth, Field beyond) {
@@ -74,8 +70,8 @@ class Peeling {
     emit::Context inner = with_layout(context_, layout);
     inner.beyond = beyond;
     inner.drawn = &panes_.drawn;
-    out_.origin = origin;
-    enable_drawing();
+    out_.origin = emit::effect_origin;
+    enable_drawing(context_, out_);
     out_.plain(Opcode::copy, depth, context_.layout.depth);
     if (layout.owner.width > 0) out_.plain(Opcode::set_constant, layout.owner, {}, 0);
     emit_surfaces(inner, out_);
@@ -84,8 +80,8 @@ class Peeling {
 
   /// E and mask := where there is a pane before the opaque surface.
   void keep_found(Field depth) {
-    out_.origin = origin;
-    enable_drawing();
+    out_.origin = emit::effect_origin;
+    enable_drawing(context_, out_);
     out_.plain(Opcode::field_lt, depth, context_.layout.depth);
     out_.plain(Opcode::enable_store, mask());
   }
@@ -125,7 +121,7 @@ class Peeling {
     out_.plain(Opcode::enable_load, mask());
     out_.plain(Opcode::copy, last_, field("next"));
     peel_behind(layer + 1);
-    emit_early_out(context_, out_, begin, origin);
+    emit_early_out(context_, out_, begin, emit::effect_origin);
   }
 
   void add_layer() {

@@ -5,20 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/effects/blend.h"
 #include "host/effects/reflection.h"
 #include "host/emit/early_out.h"
+#include "host/emit/facet_geometry.h"
 #include "host/emit/surface.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
@@ -57,31 +53,15 @@ struct Mirror {
   view::FixedLinear plane;  ///< as the drawing has it
 };
 
-struct Prepared {
+struct PreparedMirrors {
   std::vector<Mirror> mirrors;
   unsigned level = 0;          ///< mirrors on the way to the drawing
   std::uint32_t surfaces = 0;  ///< most that a segment of the drawing has
-  unsigned colour_bits = 0;
-};
-
-/// The cosine to the axis from which on a face of a cylinder is one of its ends.
-constexpr double end_cosine = 1 - 1e-9;
-
-/// Whether a face is flat because the solid is, and not a facet of a curved surface. `normal`: in the primitive's own
-/// axes, of length 1.
-struct IsFlat {
-  glm::dvec3 normal;
-
-  bool operator()(const model::Cube& /*cube*/) const { return true; }
-  bool operator()(const model::Polyhedron& /*polyhedron*/) const { return true; }
-  bool operator()(const model::Sphere& /*sphere*/) const { return false; }
-  bool operator()(const model::Cylinder& /*cylinder*/) const { return std::abs(normal.z) > end_cosine; }
 };
 
 bool is_flat(const emit::Drawing& drawing, const Face& face) {
-  const model::Primitive& primitive = drawing.tree->primitives[face.primitive];
-  const glm::dvec3& normal = drawing.scene->planes.planes()[face.halfspace.plane].normal;
-  return std::visit(IsFlat{glm::normalize(glm::transpose(glm::dmat3(primitive.transform)) * normal)}, primitive.shape);
+  return emit::is_flat(drawing.tree->primitives[face.primitive],
+                       drawing.scene->planes.planes()[face.halfspace.plane].normal);
 }
 
 /// In 1/256.
@@ -163,9 +143,8 @@ bool look_into(Mirror& mirror, const emit::Drawing& drawing, const emit::Worksho
 }
 
 emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
-  Prepared ready;
+  PreparedMirrors ready;
   ready.level = drawing.reflection ? drawing.reflection->count : 0;
-  ready.colour_bits = workshop.options.colour_bits;
   for (const emit::SegmentPlan& segment : drawing.plan.segments)
     for (const emit::PlannedSurface& one : segment.surfaces) ready.surfaces = std::max(ready.surfaces, one.number);
   emit::EffectState state;
@@ -188,24 +167,23 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
 
 std::string numbered(std::string_view name, unsigned level) { return std::string(name) + std::to_string(level); }
 
-std::vector<FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing) {
+std::vector<FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing,
+                                 const emit::Workshop& workshop) {
   using isa::FieldRole;
   unsigned levels = 0;
-  unsigned colour_bits = 0;
   std::uint32_t surfaces = 1;
   for (const emit::Drawing* const one : emit::with_inner(drawing)) {
     for (const emit::EffectState& state : one->states) {
-      const auto* const ready = std::any_cast<Prepared>(&state.own);
+      const auto* const ready = std::any_cast<PreparedMirrors>(&state.own);
       if (ready == nullptr) continue;
       levels = std::max(levels, ready->level);
       surfaces = std::max(surfaces, ready->surfaces);
-      colour_bits = ready->colour_bits;
     }
   }
   std::vector<FieldRequest> all;
   for (unsigned level = 1; level <= levels; ++level) {
     all.push_back({numbered("depth", level), FieldRole::effect, drawing.view.sampling.z_bits, "depth", without});
-    all.push_back({numbered("colour", level), FieldRole::effect, colour_bits, "colour", without});
+    all.push_back({numbered("colour", level), FieldRole::effect, workshop.options.colour_bits, "colour", without});
     all.push_back({numbered("owner", level), FieldRole::effect, static_cast<unsigned>(std::bit_width(surfaces)),
                    "owner", without});
     all.push_back({numbered("flag", level), FieldRole::effect, 1, "mirror", without});
@@ -230,15 +208,13 @@ class Showing {
     if (!flag_faces()) return;
     const std::size_t begin = out_.size();
     draw();
-    out_.origin = origin;
+    out_.origin = emit::effect_origin;
     out_.plain(Opcode::enable_load, flag_);
     emit_blend(out_, context_.layout.colour, colour_, mirror_.reflectance, context_.layout.of(effect, "product"));
-    emit_early_out(context_, out_, begin, origin);
+    emit_early_out(context_, out_, begin, emit::effect_origin);
   }
 
  private:
-  static constexpr isa::Origin origin{isa::Purpose::effect, isa::no_primitive, isa::no_node};
-
   [[nodiscard]] Field field(std::string_view name, unsigned level) const {
     return context_.layout.of(effect, numbered(name, level));
   }
@@ -283,7 +259,7 @@ class Showing {
 
   /// E := where the facet is seen.
   void flag_facet(const emit::PlannedSurface& planned, const emit::Surface& surface, const emit::Facet& facet) {
-    context_.base.width > 0 ? out_.plain(Opcode::enable_load, context_.base) : out_.plain(Opcode::enable_all);
+    emit::enable_drawing(context_, out_);
     out_.equals(context_.layout.owner, planned.number);
     if (surface.facets.size() > 1)
       out_.surface(Opcode::linear_eq, context_.layout.depth, plane_of(context_, facet), surface.block.pixels);
@@ -310,7 +286,7 @@ class Showing {
 };
 
 void compose(const emit::EffectCall& call, emit::Broadcast& out) {
-  const auto& ready = std::any_cast<const Prepared&>(call.state.own);
+  const auto& ready = std::any_cast<const PreparedMirrors&>(call.state.own);
   for (const Mirror& mirror : ready.mirrors) Showing(call.context, out, mirror, ready.level + 1).run();
 }
 

@@ -37,14 +37,19 @@ Outline::Outline(const view::PixelRect& pixels) {
 Outline Outline::clipped(const view::FixedLinear& fixed) const {
   const Line line(fixed);
   Outline left;
+  if (empty()) return left;
+  left.corners_.reserve(corners_.size() + 1);
+  const double value_first = line.at(corners_.front());
+  double value = value_first;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const bool is_last = i + 1 == corners_.size();
     const glm::dvec2& here = corners_[i];
-    const glm::dvec2& next = corners_[(i + 1) % corners_.size()];
-    const double value = line.at(here);
-    const double value_next = line.at(next);
+    const glm::dvec2& next = is_last ? corners_.front() : corners_[i + 1];
+    const double value_next = is_last ? value_first : line.at(next);
     if (value >= 0) left.corners_.push_back(here);
     if ((value >= 0) != (value_next >= 0))
       left.corners_.push_back(here + (next - here) * (value / (value - value_next)));
+    value = value_next;
   }
   return left;
 }

@@ -23,31 +23,18 @@ struct Settings {
   Casters casters;
 };
 
-template <auto member>
-constexpr scene::Key line_key(std::string_view name, std::string_view meaning) {
-  return {name,
-          scene::ValueKind::integer,
-          "",
-          1,
-          4'294'967'295.0,
-          meaning,
-          [](std::any& section, const scene::Value& value) {
-            std::any_cast<Settings&>(section).casters.*member =
-                static_cast<std::uint32_t>(std::get<std::int64_t>(value));
-          },
-          {}};
-}
-
 constexpr double last_light = 1000;
 
 constexpr std::array keys{
     scene::integer_key<&Settings::light>("light", "", 0, last_light,
                                          "the only one that throws shadows, by its number in the scene, from 0; "
                                          "all do, if not given"),
-    line_key<&Casters::from_line>("from_line",
-                                  "primitives from this line of the model on throw shadows; all do, if "
-                                  "not given"),
-    line_key<&Casters::to_line>("to_line", "to this line; from_line if not given")};
+    scene::integer_key<&Settings::casters, &Casters::from_line>(
+        "from_line", "", 1, scene::last_line,
+        "primitives from this line of the model on throw shadows; all do, if "
+        "not given"),
+    scene::integer_key<&Settings::casters, &Casters::to_line>("to_line", "", 1, scene::last_line,
+                                                              "to this line; from_line if not given")};
 
 void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
   const Casters& casters = std::any_cast<const Settings&>(read).casters;
@@ -84,7 +71,8 @@ constexpr std::size_t most_marks = 8;
 std::string flag_name(std::size_t index) { return fmt::format("flag{}", index); }
 
 /// A flag a light, a spare bit, and marks, as far as Z1 has room for them.
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing,
+                                       const emit::Workshop& /*workshop*/) {
   const std::size_t lights = lights_of(std::any_cast<const Settings&>(settings), drawing.look.lighting).size();
   const auto request = [](const std::string& name, std::size_t width) {
     return emit::FieldRequest{name, isa::FieldRole::scratch, static_cast<unsigned>(width), "shadow", {}, true};

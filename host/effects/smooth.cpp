@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/effects/blend.h"
 #include "host/emit/facet_colour.h"
 #include "host/emit/facet_geometry.h"
 #include "host/view/projection.h"
@@ -39,7 +40,6 @@ struct TrueNormal {
     return glm::length(vertex) > 0 ? std::optional(glm::normalize(vertex)) : std::nullopt;
   }
   std::optional<glm::dvec3> operator()(const model::Cylinder& cylinder) const {
-    if (emit::is_end(of_facet)) return std::nullopt;
     // A cone's apex has no normal of its own; there it is the facet's.
     const bool is_apex = std::hypot(vertex.x, vertex.y) <= 1e-9 * std::max(cylinder.r1, cylinder.r2);
     const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
@@ -63,8 +63,8 @@ glm::dvec3 top_levels(unsigned colour_bits) {
 /// the eye.
 std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& facet) {
   std::vector<Sample> samples;
-  if (facet.at != emit::At::plane) return samples;
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
+  if (facet.at != emit::At::plane || emit::is_flat(primitive, emit::outward(context, facet))) return samples;
   const glm::dmat4 to_own = glm::inverse(primitive.transform);
   const double sign = context.complemented(facet.primitive) ? -1.0 : 1.0;
   const glm::dvec3 facet_normal = sign * emit::own_normal(context, facet);
@@ -148,7 +148,7 @@ double greatest_difference(const std::vector<Sample>& samples) {
 }
 
 /// The expressions of red, green and blue; the pixel's level is the floor. Nothing if coefficients do not fit.
-std::optional<std::array<view::FixedLinear, 3>> channels_of(const Fit& fitted, const view::Sampling& sampling) {
+std::optional<std::array<view::FixedLinear, 3>> expressions_of(const Fit& fitted, const view::Sampling& sampling) {
   std::array<view::FixedLinear, 3> channels;
   const glm::dvec2 centre((sampling.width - 1.0) / 2.0, (sampling.height - 1.0) / 2.0);
   for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -179,22 +179,17 @@ bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet
   if (greatest_difference(samples) < std::any_cast<const Settings&>(call.settings).least_difference) return false;
   const std::optional<Fit> fitted = fit(samples);
   if (!fitted) return false;
-  const auto channels = channels_of(*fitted, context.view.sampling);
+  const auto channels = expressions_of(*fitted, context.view.sampling);
   if (!channels) return false;
   // What the expressions leave out keeps the colour of the facet.
   out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
   const view::PixelRect box = box_of(samples, pixels);
   out.clip(box, pixels);
-  const std::array<unsigned, 3> widths = isa::channel_widths(context.options.colour_bits);
-  for (std::size_t i = 0; i < channels->size(); ++i) {
-    emit_clamp(out, (*channels)[i], std::int64_t{1} << (widths[i] + context.view.sampling.fraction_bits), box);
+  const std::array<isa::Field, 3> levels = channels_of(field);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    emit_clamp(out, (*channels)[i], std::int64_t{1} << (levels[i].width + context.view.sampling.fraction_bits), box);
   }
-  unsigned base = field.base + field.width;
-  for (std::size_t i = 0; i < channels->size(); ++i) {
-    base -= widths[i];
-    const isa::Field channel{static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(widths[i])};
-    out.surface(isa::Opcode::load_linear, channel, (*channels)[i], box);
-  }
+  for (std::size_t i = 0; i < levels.size(); ++i) out.surface(isa::Opcode::load_linear, levels[i], (*channels)[i], box);
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/effects/blend.h"
 #include "host/effects/texels.h"
 #include "host/emit/early_out.h"
 #include "host/emit/facet_colour.h"
@@ -111,19 +112,12 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
   return {};
 }
 
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/) {
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/,
+                                       const emit::Workshop& /*workshop*/) {
   unsigned bits = 0;
   for (const Texture& one : settings_of(settings)) bits = std::max(bits, one.bits());
   return {{"facet", isa::FieldRole::effect, 1, "pixels of a textured facet"},
           {"texel", isa::FieldRole::effect, bits, "number of a texel"}};
-}
-
-/// Whether the facet is flat as the model means it, not one of many that stand for a curved surface.
-bool is_flat(const emit::Context& context, const emit::Facet& facet) {
-  if (facet.at != emit::At::plane) return false;
-  const model::Primitive& primitive = context.tree.primitives[facet.primitive];
-  if (std::holds_alternative<model::Cylinder>(primitive.shape)) return emit::is_end(emit::own_normal(context, facet));
-  return !std::holds_alternative<model::Sphere>(primitive.shape);
 }
 
 /// One textured facet being coloured. The number of a texel is its column, and above these bits its row.
@@ -158,9 +152,7 @@ class Shader {
   }
 
  private:
-  [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const {
-    return {static_cast<std::uint16_t>(texel_.base + begin), static_cast<std::uint16_t>(width)};
-  }
+  [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const { return part_of(texel_, begin, width); }
 
   [[noreturn]] void fail(std::string_view what) const {
     const model::Location& location = context_.tree.primitives[facet_.primitive].location;
@@ -188,7 +180,7 @@ class Shader {
     for (unsigned bit = 0; bit < number.width; ++bit) {
       out_.plain(Opcode::enable_load, in_facet_);
       out_.stripe(linear->linear, linear->fraction_bits + bit + 1);
-      out_.plain(Opcode::enable_store, {static_cast<std::uint16_t>(number.base + bit), 1});
+      out_.plain(Opcode::enable_store, part_of(number, bit, 1));
     }
   }
 
@@ -211,7 +203,7 @@ class Shader {
       out_.plain(Opcode::enable_load, in_facet_);
       out_.edge(Opcode::edge_not_negative, *line.line, pixels_);
       const std::uint64_t bits = changed(line) & all;
-      out_.plain(Opcode::xor_constant, {number.base, static_cast<std::uint16_t>(std::bit_width(bits))}, {}, bits);
+      out_.plain(Opcode::xor_constant, part_of(number, 0, static_cast<unsigned>(std::bit_width(bits))), {}, bits);
     }
   }
 
@@ -254,10 +246,12 @@ class Shader {
 
 bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
            const view::PixelRect& pixels) {
-  if (!is_flat(call.context, facet)) return false;
-  const Texture* const texture = texture_of(settings_of(call.settings), call.context.tree.primitives[facet.primitive]);
+  const emit::Context& context = call.context;
+  const model::Primitive& primitive = context.tree.primitives[facet.primitive];
+  if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward(context, facet))) return false;
+  const Texture* const texture = texture_of(settings_of(call.settings), primitive);
   if (texture == nullptr) return false;
-  Shader(call.context, out, facet, *texture, pixels).emit(field);
+  Shader(context, out, facet, *texture, pixels).emit(field);
   return true;
 }
 

@@ -30,21 +30,20 @@ constexpr std::array keys{
                                           "see-through surfaces that a pixel shows behind one another, the nearest; if "
                                           "not given, as many as their rectangles let lie there, 16 at most")};
 
-/// What is prepared for a drawing.
-struct Prepared {
+/// What is prepared for a drawing. Clang tells what is in a std::any by the name of its type, unnamed namespaces left
+/// out: effects that look for theirs among others' have a name of their own for it.
+struct PreparedPanes {
   Panes panes;                    ///< method layers
   std::vector<unsigned> pattern;  ///< method screen-door: by primitive, pixels of every 4 x 4
-  unsigned colour_bits = 0;
-  bool has_owners = false;
 };
 
 const Settings& settings_of(const std::any& settings) { return std::any_cast<const Settings&>(settings); }
-const Prepared& prepared(const emit::EffectCall& call) { return std::any_cast<const Prepared&>(call.state.own); }
+const PreparedPanes& prepared(const emit::EffectCall& call) {
+  return std::any_cast<const PreparedPanes&>(call.state.own);
+}
 
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
-  Prepared ready;
-  ready.colour_bits = workshop.options.colour_bits;
-  ready.has_owners = emit::any_needs_owners(workshop.called);
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
+  PreparedPanes ready;
   emit::EffectState state;
   const bool is_layered = settings_of(settings).method == Method::layers;
   if (is_layered) ready.panes = panes_of(drawing, settings_of(settings).layers.value_or(most_layers));
@@ -58,20 +57,22 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
 }
 
 /// What was prepared for each of the drawings.
-std::vector<const Prepared*> all_prepared(const emit::Drawing& drawing) {
-  std::vector<const Prepared*> all;
+std::vector<const PreparedPanes*> all_prepared(const emit::Drawing& drawing) {
+  std::vector<const PreparedPanes*> all;
   for (const emit::Drawing* const one : emit::with_inner(drawing))
     for (const emit::EffectState& state : one->states)
-      if (const auto* const ready = std::any_cast<Prepared>(&state.own)) all.push_back(ready);
+      if (const auto* const ready = std::any_cast<PreparedPanes>(&state.own)) all.push_back(ready);
   return all;
 }
 
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing) {
+std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing,
+                                       const emit::Workshop& workshop) {
   if (settings_of(settings).method != Method::layers) return {};
-  const std::vector<const Prepared*> all = all_prepared(drawing);
+  const std::vector<const PreparedPanes*> all = all_prepared(drawing);
   std::vector<const Panes*> panes(all.size());
-  std::transform(all.begin(), all.end(), panes.begin(), [](const Prepared* one) { return &one->panes; });
-  return layer_fields(drawing.view.sampling.z_bits, all.front()->colour_bits, panes, all.front()->has_owners);
+  std::transform(all.begin(), all.end(), panes.begin(), [](const PreparedPanes* one) { return &one->panes; });
+  return layer_fields(drawing.view.sampling.z_bits, workshop.options.colour_bits, panes,
+                      emit::any_needs_owners(workshop.called));
 }
 
 void admit(const emit::EffectCall& call, emit::Broadcast& out, const emit::PlannedSurface& planned) {

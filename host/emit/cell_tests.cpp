@@ -1,7 +1,7 @@
 #include "host/emit/cell_tests.h"
 
 #include <algorithm>
-#include <set>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -13,32 +13,27 @@ using view::PixelRect;
 using Indices = std::vector<std::size_t>;
 using Pixel = std::pair<std::int32_t, std::int32_t>;
 
+/// The corners of a cell, and of the half-spaces that are open there the first that leads at each.
+struct Corners {
+  std::array<Pixel, 4> pixels;
+  std::array<std::size_t, 4> leaders{};
+};
+
 class Counting {
  public:
   Counting(std::span<const view::FixedLinear> planes, std::int64_t sign, std::int64_t step)
-      : planes_(planes), sign_(sign), step_(step) {}
+      : planes_(planes), sign_(sign), step_(step), settled_(planes.size(), false) {}
 
   /// The cell's tests and, with `quarters`, those of its quarters.
-  void count(const PixelRect& cell, Indices open, bool quarters) {
-    const std::vector<Pixel> corners{{cell.x0, cell.y0}, {cell.x1, cell.y0}, {cell.x0, cell.y1}, {cell.x1, cell.y1}};
-    std::set<std::size_t> leaders;
-    for (const Pixel& corner : corners) leaders.insert(leader_at(corner, open));
-    settled_.insert(leaders.begin(), leaders.end());
+  void count(const PixelRect& cell, const Indices& open, bool quarters) {
+    const Corners corners = corners_of(cell, open);
+    for (const std::size_t leader : corners.leaders) settled_[leader] = true;
     if (is_settled(open)) return;
     tests += open.size();
-    const auto is_near = [&](std::size_t one, const Pixel& corner) {
-      return value(one, corner) + step_ > value(leader_at(corner, open), corner);
-    };
-    const auto is_beyond = [&](std::size_t far, std::size_t near) {
-      return std::all_of(corners.begin(), corners.end(),
-                         [&](const Pixel& corner) { return value(near, corner) + step_ <= value(far, corner); });
-    };
     Indices left;
     for (const std::size_t one : open) {
-      if (std::any_of(corners.begin(), corners.end(), [&](const Pixel& corner) { return is_near(one, corner); }))
-        settled_.insert(one);
-      if (std::none_of(leaders.begin(), leaders.end(), [&](std::size_t leader) { return is_beyond(leader, one); }))
-        left.push_back(one);
+      if (is_near(one, corners)) settled_[one] = true;
+      if (!is_behind_a_leader(one, corners)) left.push_back(one);
     }
     const std::int32_t longer = std::max(cell.x1 - cell.x0, cell.y1 - cell.y0) + 1;
     if (!quarters || longer <= 2 || is_settled(left)) return;
@@ -57,19 +52,40 @@ class Counting {
     return sign_ * (planes_[one].a * pixel.first + planes_[one].b * pixel.second + planes_[one].c);
   }
 
-  [[nodiscard]] std::size_t leader_at(const Pixel& corner, const Indices& open) const {
-    return *std::max_element(open.begin(), open.end(),
-                             [&](std::size_t a, std::size_t b) { return value(a, corner) < value(b, corner); });
+  [[nodiscard]] Corners corners_of(const PixelRect& cell, const Indices& open) const {
+    Corners corners{{{{cell.x0, cell.y0}, {cell.x1, cell.y0}, {cell.x0, cell.y1}, {cell.x1, cell.y1}}}};
+    std::transform(corners.pixels.begin(), corners.pixels.end(), corners.leaders.begin(), [&](const Pixel& corner) {
+      return *std::max_element(open.begin(), open.end(),
+                               [&](std::size_t a, std::size_t b) { return value(a, corner) < value(b, corner); });
+    });
+    return corners;
+  }
+
+  /// Whether it comes as near as a depth step to the leader at a corner.
+  [[nodiscard]] bool is_near(std::size_t one, const Corners& corners) const {
+    for (std::size_t i = 0; i < corners.pixels.size(); ++i) {
+      const Pixel& corner = corners.pixels[i];
+      if (value(one, corner) + step_ > value(corners.leaders[i], corner)) return true;
+    }
+    return false;
+  }
+
+  /// Whether one of the leaders is beyond it by a depth step at every corner.
+  [[nodiscard]] bool is_behind_a_leader(std::size_t one, const Corners& corners) const {
+    return std::any_of(corners.leaders.begin(), corners.leaders.end(), [&](std::size_t leader) {
+      return std::all_of(corners.pixels.begin(), corners.pixels.end(),
+                         [&](const Pixel& corner) { return value(one, corner) + step_ <= value(leader, corner); });
+    });
   }
 
   [[nodiscard]] bool is_settled(const Indices& open) const {
-    return std::all_of(open.begin(), open.end(), [&](std::size_t one) { return settled_.contains(one); });
+    return std::all_of(open.begin(), open.end(), [&](std::size_t one) { return settled_[one]; });
   }
 
   std::span<const view::FixedLinear> planes_;
   std::int64_t sign_;
   std::int64_t step_;
-  std::set<std::size_t> settled_;
+  std::vector<bool> settled_;  ///< whether it is known to stay
 };
 
 }  // namespace
@@ -80,7 +96,7 @@ std::uint64_t count_cell_tests(std::span<const view::FixedLinear> planes, std::i
   Indices all;
   for (std::size_t i = 0; i < planes.size(); ++i) all.push_back(i);
   Counting counting(planes, sign, step);
-  counting.count(pixels, std::move(all), quarters);
+  counting.count(pixels, all, quarters);
   return counting.tests;
 }
 

@@ -18,6 +18,7 @@
 #include "host/emit/evaluation.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/pieces.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
 
@@ -35,17 +36,28 @@ struct ShapeName {
   std::string operator()(const model::Polyhedron&) const { return "polyhedron"; }
 };
 
+std::string name_of(const model::Primitive& primitive) {
+  const std::string shape =
+      primitive.node.empty() ? std::visit(ShapeName{}, primitive.shape) : std::string(primitive.node);
+  return fmt::format("{}@{}:{}", shape, primitive.location.line, primitive.location.column);
+}
+
 /// Of the drawing that has the most: an effect's drawings may have some more behind those of the model.
-std::vector<std::string> primitive_names(const std::vector<const Drawing*>& drawings) {
-  std::vector<std::string> names;
+void name_primitives(const std::vector<const Drawing*>& drawings, isa::Facts& facts) {
+  std::vector<std::uint32_t> pieces;
+  std::size_t named = 0;
   for (const Drawing* const drawing : drawings) {
-    for (std::size_t i = names.size(); i < drawing->tree->primitives.size(); ++i) {
-      const model::Primitive& primitive = drawing->tree->primitives[i];
-      names.push_back(std::visit(ShapeName{}, primitive.shape) + "@" + std::to_string(primitive.location.line) + ":" +
-                      std::to_string(primitive.location.column));
+    const std::vector<model::Primitive>& all = drawing->tree->primitives;
+    for (; named < all.size(); ++named) {
+      if (all[named].continues) {
+        ++pieces.back();
+      } else {
+        facts.primitives.push_back(name_of(all[named]));
+        pieces.push_back(1);
+      }
     }
   }
-  return names;
+  isa::set_piece_counts(pieces, facts);
 }
 
 isa::ModelFacts model_facts(const model::Tree& tree, const facet::Scene& scene) {
@@ -71,6 +83,20 @@ struct Input {
   std::span<const CalledEffect> called;
 };
 
+/// Instructions that a half-space takes where it is drawn and compared a few times. Room for more than there will be
+/// takes no memory until it is written, and saves the copies of a vector that grows.
+constexpr std::size_t room_for_halfspace = 8;
+
+/// From so many on; below, growing costs nothing that counts.
+constexpr std::size_t many_halfspaces = 10'000;
+
+std::size_t halfspaces_drawn(const Context& context) {
+  std::size_t count = 0;
+  for (const PlannedSurface& one : context.plan.surfaces)
+    for (const std::uint32_t primitive : one.set) count += context.scene.solids[primitive].halfspaces.size();
+  return count;
+}
+
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
 isa::Segment compile_segment(const Context& context, std::span<const Drawing* const> drawings,
                              ScanConversions& counts) {
@@ -82,6 +108,8 @@ isa::Segment compile_segment(const Context& context, std::span<const Drawing* co
     return one->plan.segments[context.segment].surfaces.empty();
   });
   if (is_empty && !is_whole) return segment;
+  const std::size_t halfspaces = halfspaces_drawn(context);
+  if (halfspaces >= many_halfspaces) segment.instructions.reserve(room_for_halfspace * halfspaces);
   Broadcast out(segment, sampling);
   const Kept kept = emit_picture(context, out);
   segment.facts.kept_primitives = kept.primitives;
@@ -130,7 +158,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
                                     memory_bits);
   isa::Program program;
   program.shape = {sampling.width, sampling.height, memory_bits};
-  program.facts.primitives = primitive_names(drawings);
+  name_primitives(drawings, program.facts);
   program.facts.depth_scale = drawing.view.depth;
   program.facts.model = model_facts(input.tree, input.scene);
   program.facts.fields = named_fields(layout);

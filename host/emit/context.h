@@ -93,4 +93,10 @@ struct Context {
 /// The same drawing into other fields.
 Context with_layout(const Context& context, const Layout& layout);
 
+/// E := where the context's drawing is made: its base, or everywhere.
+void enable_drawing(const Context& context, Broadcast& out);
+
+/// Of what an effect broadcasts that serves no surface.
+inline constexpr isa::Origin effect_origin{isa::Purpose::effect, isa::no_primitive, isa::no_node};
+
 }  // namespace csgsim::emit

@@ -7,6 +7,7 @@
 #include "host/emit/context.h"
 #include "host/emit/display_model.h"
 #include "host/emit/halfspaces.h"
+#include "host/emit/region_index.h"
 
 namespace csgsim::emit {
 
@@ -15,11 +16,19 @@ namespace {
 /// The half-spaces that the divider looks at; none of a primitive that is out of its list.
 struct Listed {
   std::vector<bool> primitives;
-  std::vector<std::vector<facet::Halfspace>> halfspaces;
+  std::vector<std::vector<facet::Halfspace>> halfspaces;  ///< sorted
 
   [[nodiscard]] bool has(const Facet& facet) const {
     const std::vector<facet::Halfspace>& own = halfspaces[facet.primitive];
-    return std::find(own.begin(), own.end(), facet.halfspace) != own.end();
+    return std::binary_search(own.begin(), own.end(), facet.halfspace, is_less);
+  }
+
+  void sort() {
+    for (std::vector<facet::Halfspace>& own : halfspaces) std::sort(own.begin(), own.end(), is_less);
+  }
+
+  static bool is_less(const facet::Halfspace& a, const facet::Halfspace& b) {
+    return a.plane != b.plane ? a.plane < b.plane : !a.positive && b.positive;
   }
 };
 
@@ -41,6 +50,7 @@ class Counter {
     Listed listed;
     listed.primitives.assign(scene_.solids.size(), true);
     for (std::uint32_t i = 0; i < scene_.solids.size(); ++i) listed.halfspaces.push_back(sent(i));
+    listed.sort();
     return listed;
   }
 
@@ -73,13 +83,23 @@ class Counter {
       listed.primitives[i] = !nothing;
       if (nothing) listed.halfspaces[i].clear();
     }
+    listed.sort();
     return listed;
   }
 
   std::vector<SquareCounts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
     const Plan plan = make_plan(tree_, scene_, view_, {squares.begin(), squares.end()}, options_.pruning);
     std::vector<SquareCounts> counts;
-    for (const SegmentPlan& segment : plan.segments) counts.push_back(square(segment, listed));
+    const csg::Pruner pruner(scene_, view_, positive_, options_.pruning);
+    const std::vector<csg::ConvexSet> sets = csg::convex_sets(positive_, true);
+    const std::vector<std::vector<std::uint32_t>> active = sets_in(squares, sets, view_);
+    const auto boxes = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      SquareCounts& square = counts.emplace_back();
+      square.counts.boxes = boxes;
+      for (const std::uint32_t number : active[i]) add_set(square, sets[number], plan.segments[i], pruner, listed);
+      add_surfaces(square, plan.segments[i], listed);
+    }
     return counts;
   }
 
@@ -136,29 +156,28 @@ class Counter {
     return count;
   }
 
-  [[nodiscard]] SquareCounts square(const SegmentPlan& segment, const Listed& listed) const {
-    SquareCounts square;
-    division::Counts& counts = square.counts;
-    counts.boxes = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
-    const csg::Pruner pruner(scene_, view_, positive_, options_.pruning);
-    for (const csg::ConvexSet& set : csg::convex_sets(positive_, true)) {
-      const bool is_listed = std::all_of(set.begin(), set.end(), [&](auto one) { return listed.primitives[one]; });
-      if (!is_listed || !has_box(set, segment)) continue;
-      division::Counts surface;
-      surface.halfspaces = halfspaces_of(set, listed);
-      const csg::Block block = pruner.block_of(set, segment.pixels());
-      if (!block.pixels.empty()) look_at_tree(set, block, listed, surface);
-      counts += surface;
-      square.at_hand.halfspaces = std::max(square.at_hand.halfspaces, surface.halfspaces);
-      square.at_hand.nodes = std::max(square.at_hand.nodes, surface.nodes);
-    }
+  /// What looking at a set in a square takes.
+  void add_set(SquareCounts& square, const csg::ConvexSet& set, const SegmentPlan& segment, const csg::Pruner& pruner,
+               const Listed& listed) const {
+    const bool is_listed = std::all_of(set.begin(), set.end(), [&](auto one) { return listed.primitives[one]; });
+    if (!is_listed || !has_box(set, segment)) return;
+    division::Counts surface;
+    surface.halfspaces = halfspaces_of(set, listed);
+    const csg::Block block = pruner.block_of(set, segment.pixels());
+    if (!block.pixels.empty()) look_at_tree(set, block, listed, surface);
+    square.counts += surface;
+    square.at_hand.halfspaces = std::max(square.at_hand.halfspaces, surface.halfspaces);
+    square.at_hand.nodes = std::max(square.at_hand.nodes, surface.nodes);
+  }
+
+  /// What thinning out the half-spaces of the surfaces that are left takes.
+  void add_surfaces(SquareCounts& square, const SegmentPlan& segment, const Listed& listed) const {
     const Context context = context_of(segment);
     for (const PlannedSurface& planned : segment.surfaces) {
       const bool is_listed =
           std::all_of(planned.set.begin(), planned.set.end(), [&](auto one) { return listed.primitives[one]; });
-      if (is_listed) thin_out(context, planned, listed, counts);
+      if (is_listed) thin_out(context, planned, listed, square.counts);
     }
-    return square;
   }
 
   /// The nodes above the set's first leaf, the other operands of the intersections among them, and whatever is below

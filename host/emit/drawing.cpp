@@ -137,7 +137,7 @@ Context with_layout(const Context& context, const Layout& layout) {
 
 void emit_setup(const Context& context, Broadcast& out) {
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
-  context.base.width > 0 ? out.plain(isa::Opcode::enable_load, context.base) : out.plain(isa::Opcode::enable_all);
+  enable_drawing(context, out);
   out.plain(isa::Opcode::set_constant, context.layout.depth, {}, static_cast<std::uint64_t>(context.farthest()));
   out.plain(isa::Opcode::set_constant, context.layout.colour, {},
             packed_background(context.options.scene, context.options.colour_bits));

@@ -25,7 +25,7 @@ std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& 
   std::vector<EffectFields> all;
   for (const CalledEffect& one : workshop.called) {
     if (one.effect->fields == nullptr) continue;
-    all.push_back({one.effect->name(), one.effect->fields(one.settings, drawing)});
+    all.push_back({one.effect->name(), one.effect->fields(one.settings, drawing, workshop)});
   }
   return all;
 }

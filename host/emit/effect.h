@@ -37,7 +37,8 @@ struct Effect {
   /// Throws InputError where the settings do not fit the model. Called once for each drawing.
   EffectState (*prepare)(const std::any& settings, const Drawing& drawing, const Workshop& workshop) = nullptr;
   /// Bits of pixel memory besides those of every picture; of `drawing`, the camera's own.
-  std::vector<FieldRequest> (*fields)(const std::any& settings, const Drawing& drawing) = nullptr;
+  std::vector<FieldRequest> (*fields)(const std::any& settings, const Drawing& drawing,
+                                      const Workshop& workshop) = nullptr;
   bool needs_owners = false;  ///< colours are found after all surfaces, by the number of the surface that is seen
   bool sees_through = false;  ///< a primitive whose opacity is below 1 hides nothing
 

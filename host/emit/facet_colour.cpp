@@ -1,7 +1,6 @@
 #include "host/emit/facet_colour.h"
 
 #include "host/emit/facet_geometry.h"
-#include "hw/isa/colour_format.h"
 
 namespace csgsim::emit {
 
@@ -30,7 +29,7 @@ std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm
   const glm::dvec3 normal =
       facet.at == At::cap ? glm::dvec3(0, 0, -1) : in_camera_axes(context.view.camera, outward(context, facet));
   const glm::dvec3 seen = lighting::lit(light, finish.material, colour, {place, normal});
-  return isa::pack_colour({seen.r, seen.g, seen.b}, context.options.colour_bits);
+  return packed(seen, context.options.colour_bits);
 }
 
 }  // namespace csgsim::emit

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <variant>
 
 namespace csgsim::emit {
 
@@ -14,6 +15,11 @@ constexpr double on_plane = 1e-6;
 
 /// The cosine to the axis from which on a facet of a cylinder is one of its ends.
 constexpr double end_cosine = 1 - 1e-9;
+
+/// A normal in the primitive's own axes, of length 1.
+glm::dvec3 in_own_axes(const model::Primitive& primitive, const glm::dvec3& normal) {
+  return glm::normalize(glm::transpose(glm::dmat3(primitive.transform)) * normal);
+}
 
 }  // namespace
 
@@ -28,11 +34,14 @@ glm::dvec3 outward(const Context& context, const Facet& facet) {
 }
 
 glm::dvec3 own_normal(const Context& context, const Facet& facet) {
-  const glm::dmat3 linear(context.tree.primitives[facet.primitive].transform);
-  return glm::normalize(glm::transpose(linear) * outward(context, facet));
+  return in_own_axes(context.tree.primitives[facet.primitive], outward(context, facet));
 }
 
-bool is_end(const glm::dvec3& own_normal) { return std::abs(own_normal.z) > end_cosine; }
+bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal) {
+  if (std::holds_alternative<model::Sphere>(primitive.shape)) return false;
+  return !std::holds_alternative<model::Cylinder>(primitive.shape) ||
+         std::abs(in_own_axes(primitive, normal).z) > end_cosine;
+}
 
 std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet) {
   const std::vector<glm::dvec3>& all = context.scene.solids[facet.primitive].vertices;

@@ -16,8 +16,9 @@ glm::dvec3 outward(const Context& context, const Facet& facet);
 /// The same in the primitive's own axes, of length 1.
 glm::dvec3 own_normal(const Context& context, const Facet& facet);
 
-/// Whether a facet of a cylinder with that normal in its own axes is one of its ends.
-bool is_end(const glm::dvec3& own_normal);
+/// Whether a facet with that normal, model space, to either side, is flat in the model: not one of many that stand for
+/// a curved surface.
+bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal);
 
 /// The vertices of a facet, model space, in no order; all of the solid's for a cap.
 std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet);

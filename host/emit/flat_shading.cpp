@@ -1,5 +1,7 @@
 #include "host/emit/flat_shading.h"
 
+#include <array>
+
 #include "host/emit/facet_colour.h"
 #include "hw/isa/opcodes.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "host/emit/effect.h"
 
 namespace csgsim::emit {

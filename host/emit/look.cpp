@@ -4,17 +4,22 @@
 
 namespace csgsim::emit {
 
-std::uint32_t packed_background(const scene::Scene& scene, unsigned colour_bits) {
-  const glm::dvec3 colour = scene.background.colour.value_or(lighting::background_colour);
+std::uint32_t packed(const glm::dvec3& colour, unsigned colour_bits) {
   return isa::pack_colour({colour.r, colour.g, colour.b}, colour_bits);
+}
+
+std::uint32_t packed_background(const scene::Scene& scene, unsigned colour_bits) {
+  return packed(scene.background.colour.value_or(lighting::background_colour), colour_bits);
 }
 
 Look make_look(const scene::Scene& scene, const model::Tree& tree, const csg::PositiveTree& positive,
                const view::Camera& camera) {
   Look look{lighting::lighting_of(scene, camera), {}};
   look.finishes.reserve(tree.primitives.size());
+  bool is_cut = false;
   for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
-    const bool is_cut = positive.nodes[positive.leaf_of[i]].complemented;
+    // Of pieces of one node the first says it: what the node itself takes away is a hole in it, not a cut.
+    if (!tree.primitives[i].continues) is_cut = positive.nodes[positive.leaf_of[i]].complemented;
     look.finishes.push_back(lighting::finish_of(scene, tree.primitives[i], is_cut));
   }
   return look;

@@ -15,6 +15,9 @@ struct Look {
   std::vector<lighting::Finish> finishes;  ///< one a primitive
 };
 
+/// A colour, red, green, blue in [0, 1], as a field of so many bits holds it.
+std::uint32_t packed(const glm::dvec3& colour, unsigned colour_bits);
+
 /// Where nothing is seen, as a field of so many bits holds it.
 std::uint32_t packed_background(const scene::Scene& scene, unsigned colour_bits);
 

@@ -1,39 +1,68 @@
 #include "host/emit/plan.h"
 
 #include <algorithm>
+#include <limits>
+
+#include "host/emit/region_index.h"
 
 namespace csgsim::emit {
 
 namespace {
 
-/// Whether a solid that nothing is taken from fills the block's pixels one depth step before the block, so that no
-/// surface in it is seen.
-bool hides(const PlannedSurface& front, const csg::Block& block, const facet::Scene& scene, const view::View& view,
-           const csg::PositiveTree& positive) {
-  if (!front.active.operands.empty() || positive.nodes[positive.leaf_of[front.primitive()]].complemented) return false;
-  const std::int64_t before = block.z_low - 1;
-  return std::all_of(front.set.begin(), front.set.end(), [&](std::uint32_t primitive) {
-    return csg::locate(view, scene, primitive, {block.pixels, before, before}) == csg::Known::in;
-  });
-}
+/// Solids that nothing is taken from, as what hides surfaces behind them.
+class Hiders {
+ public:
+  Hiders(const std::vector<PlannedSurface>& surfaces, const csg::PositiveTree& positive, const facet::Scene& scene,
+         const view::View& view, const std::vector<double>& opacity)
+      : surfaces_(surfaces), scene_(scene), view_(view), index_(entries(surfaces, positive, view, opacity)) {}
+
+  /// Whether one of them fills the block's pixels one depth step before the block, so that no surface in it is seen. It
+  /// may be hidden itself: what hides it hides the other too.
+  [[nodiscard]] bool hide(const csg::Block& block) const {
+    if (block.z_low <= 0) return false;
+    const std::int64_t before = block.z_low - 1;
+    return index_.any_covering(csg::picture_box(block.pixels, before, before), [&](std::uint32_t number) {
+      const PlannedSurface& front = surfaces_[number];
+      return front.block.z_low < block.z_low &&
+             std::all_of(front.set.begin(), front.set.end(), [&](std::uint32_t primitive) {
+               return csg::holds(view_, scene_, primitive, {block.pixels, before, before});
+             });
+    });
+  }
+
+ private:
+  static csg::BoxIndex entries(const std::vector<PlannedSurface>& surfaces, const csg::PositiveTree& positive,
+                               const view::View& view, const std::vector<double>& opacity) {
+    std::vector<csg::BoxIndex::Entry> boxes;
+    for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+      const PlannedSurface& one = surfaces[i];
+      const bool is_whole =
+          one.active.operands.empty() && !positive.nodes[positive.leaf_of[one.primitive()]].complemented;
+      const bool is_opaque = opacity.empty() || opacity[one.primitive()] >= 1;
+      if (!is_whole || !is_opaque) continue;
+      csg::Block block{view.extents[one.primitive()].pixels, 0, std::numeric_limits<std::int64_t>::max()};
+      for (const std::uint32_t primitive : one.set) {
+        const view::Extent& extent = view.extents[primitive];
+        block = {common(block.pixels, extent.pixels), std::max(block.z_low, extent.z_low),
+                 std::min(block.z_high, extent.z_high)};
+      }
+      boxes.push_back({csg::picture_box(block.pixels, block.z_low, block.z_high), i});
+    }
+    return csg::BoxIndex(boxes);
+  }
+
+  const std::vector<PlannedSurface>& surfaces_;
+  const facet::Scene& scene_;
+  const view::View& view_;
+  csg::BoxIndex index_;
+};
 
 void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Scene& scene,
                  const view::View& view, const std::vector<double>& opacity) {
-  // A solid that hides another may be hidden itself: what hides it hides the other too.
-  std::vector<const PlannedSurface*> nearest_first;
-  for (const PlannedSurface& one : plan.surfaces)
-    if (opacity.empty() || opacity[one.primitive()] >= 1) nearest_first.push_back(&one);
-  std::stable_sort(nearest_first.begin(), nearest_first.end(),
-                   [](const PlannedSurface* a, const PlannedSurface* b) { return a->block.z_low < b->block.z_low; });
-  const auto hidden = [&](const PlannedSurface& one) {
-    for (const PlannedSurface* front : nearest_first) {
-      if (front->block.z_low >= one.block.z_low) return false;
-      if (hides(*front, one.block, scene, view, positive)) return true;
-    }
-    return false;
-  };
+  if (plan.surfaces.size() < 2) return;
+  const Hiders hiders(plan.surfaces, positive, scene, view, opacity);
   std::vector<bool> drop;
-  for (const PlannedSurface& one : plan.surfaces) drop.push_back(one.block.z_low > 0 && hidden(one));
+  for (const PlannedSurface& one : plan.surfaces) drop.push_back(hiders.hide(one.block));
   std::size_t index = 0;
   std::erase_if(plan.surfaces, [&](const PlannedSurface&) { return drop[index++]; });
 }
@@ -53,23 +82,23 @@ std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, con
   return result;
 }
 
-/// Counts the primitives that have pixels in the region, pruned or not.
-void count_active(SegmentPlan& plan, const facet::Scene& scene, const view::View& view) {
+/// Counts the primitives that have pixels in each region, pruned or not.
+void count_active(std::vector<SegmentPlan>& segments, const std::vector<isa::Region>& regions,
+                  const facet::Scene& scene, const view::View& view) {
+  RegionIndex index(regions);
   for (std::size_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
     const view::Extent& extent = view.extents[primitive];
-    if (extent.empty() || common(extent.pixels, plan.pixels()).empty()) continue;
-    ++plan.active_primitives;
-    plan.active_halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size());
+    if (extent.empty()) continue;
+    index.for_each(extent.pixels, [&](std::uint32_t region) {
+      ++segments[region].active_primitives;
+      segments[region].active_halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size());
+    });
   }
 }
 
 }  // namespace
 
-view::PixelRect SegmentPlan::pixels() const {
-  const auto x = static_cast<std::int32_t>(region.x);
-  const auto y = static_cast<std::int32_t>(region.y);
-  return {x, y, x + static_cast<std::int32_t>(region.width) - 1, y + static_cast<std::int32_t>(region.height) - 1};
-}
+view::PixelRect SegmentPlan::pixels() const { return pixels_of(region); }
 
 std::uint32_t Plan::depth() const {
   std::uint32_t deepest = 0;
@@ -86,11 +115,14 @@ Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::V
   plan.positive = csg::make_positive(tree);
   const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), opacity);
   const csg::Pruner pruner(scene, view, plan.positive, pruning);
-  for (const isa::Region& region : regions) {
-    SegmentPlan& segment = plan.segments.emplace_back();
-    segment.region = region;
-    count_active(segment, scene, view);
-    for (const csg::ConvexSet& set : sets) {
+  const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
+  plan.segments.resize(regions.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];
+  count_active(plan.segments, regions, scene, view);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    SegmentPlan& segment = plan.segments[i];
+    for (const std::uint32_t number : active_sets[i]) {
+      const csg::ConvexSet& set = sets[number];
       const csg::Block block = pruner.block_of(set, segment.pixels());
       if (block.pixels.empty()) continue;
       csg::ActiveTree active = pruner.active_tree(set, block);

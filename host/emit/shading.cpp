@@ -131,7 +131,7 @@ void emit_seen_colours(const Context& context, Broadcast& out, const PlannedSurf
   const Surface surface = surface_of(context, planned, deciding_sides(context, planned));
   if (surface.nothing) return;
   out.origin = {isa::Purpose::shade, planned.primitive(), isa::no_node};
-  context.base.width > 0 ? out.plain(Opcode::enable_load, context.base) : out.plain(Opcode::enable_all);
+  enable_drawing(context, out);
   out.equals(context.layout.owner, planned.number);
   const std::size_t begin = out.size();
   if (surface.facets.size() > 1) out.plain(Opcode::enable_store, context.layout.mask);

@@ -136,7 +136,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
   Surface surface = surface_of(context, planned, sides);
   if (surface.nothing) return surface;
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
-  context.base.width > 0 ? out.plain(Opcode::enable_load, context.base) : out.plain(Opcode::enable_all);
+  enable_drawing(context, out);
   out.clip(block.pixels, context.plan.pixels());
   surface.begin = out.size();
   for (const std::uint32_t primitive : planned.set) emit_edges(context, out, primitive, sides.column);

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "host/facet/degrees.h"
+#include "host/model/degrees.h"
 #include "hw/base/error.h"
 
 namespace csgsim::facet {
@@ -70,14 +70,15 @@ void add_hull(Solid& solid, double radius) {
   constexpr std::uint32_t meridians = 48;
   constexpr std::uint32_t parallels = 24;
   // Half a mesh both ways: the hull's faces are no nearer to the centre than the radius.
-  const double outer = radius / (cos_degrees(180.0 / meridians) * cos_degrees(90.0 / parallels));
+  const double outer = radius / (model::cos_degrees(180.0 / meridians) * model::cos_degrees(90.0 / parallels));
   for (std::uint32_t row = 0; row <= parallels; ++row) {
     const double polar = 180.0 * row / parallels;
     for (std::uint32_t i = 0; i < meridians; ++i) {
       const double around = 360.0 * i / meridians;
       const auto index = static_cast<std::uint32_t>(solid.vertices.size());
-      solid.vertices.emplace_back(outer * sin_degrees(polar) * cos_degrees(around),
-                                  outer * sin_degrees(polar) * sin_degrees(around), outer * cos_degrees(polar));
+      solid.vertices.emplace_back(outer * model::sin_degrees(polar) * model::cos_degrees(around),
+                                  outer * model::sin_degrees(polar) * model::sin_degrees(around),
+                                  outer * model::cos_degrees(polar));
       solid.edges.push_back({index, row * meridians + (i + 1) % meridians});
       if (row > 0) solid.edges.push_back({index - meridians, index});
     }
@@ -97,8 +98,8 @@ Solid covered_ball(double radius, double tolerance) {
   for (const Row& row : fewest_cells(theta)) {
     for (std::uint64_t i = 0; i < row.cells; ++i) {
       const double around = 360.0 * static_cast<double>(i) / static_cast<double>(row.cells);
-      const glm::dvec3 normal(std::sin(row.middle) * cos_degrees(around), std::sin(row.middle) * sin_degrees(around),
-                              std::cos(row.middle));
+      const glm::dvec3 normal(std::sin(row.middle) * model::cos_degrees(around),
+                              std::sin(row.middle) * model::sin_degrees(around), std::cos(row.middle));
       solid.faces.push_back({{normal, -inner}, {}});
     }
   }

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "host/facet/fragments.h"
+#include "host/model/fragments.h"
 #include "hw/base/error.h"
 
 namespace csgsim::facet {
@@ -14,8 +14,9 @@ std::uint32_t fragments_within(double radius, double tolerance) {
   // 1 - cos(a) = 2 sin^2(a / 2), which is exact for small angles too.
   const double angle = 2.0 * std::asin(std::sqrt(tolerance / (2.0 * radius)));
   const double count = std::ceil(std::numbers::pi / angle * (1.0 - 1e-12));
-  if (!(count <= max_fragments)) {
-    throw InputError("a circle needs more than " + std::to_string(max_fragments) + " fragments; raise the tolerance");
+  if (!(count <= model::max_fragments)) {
+    throw InputError("a circle needs more than " + std::to_string(model::max_fragments) +
+                     " fragments; raise the tolerance");
   }
   return static_cast<std::uint32_t>(count);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/facet/solid.h"
@@ -28,9 +28,6 @@ class PlaneTable {
   /// Offsets are compared relative to `diagonal`, the size of the model, about `centre`, so that a model far from the
   /// origin loses nothing.
   PlaneTable(const glm::dvec3& centre, double diagonal);
-  ~PlaneTable();
-  PlaneTable(PlaneTable&&) noexcept;
-  PlaneTable& operator=(PlaneTable&&) noexcept;
 
   /// The canonical half-space of a plane in model space.
   Halfspace add(const Plane& plane);
@@ -41,11 +38,15 @@ class PlaneTable {
   [[nodiscard]] double diagonal() const { return diagonal_; }
 
  private:
-  struct Index;
+  [[nodiscard]] std::optional<std::uint32_t> find(const Plane& canonical) const;
+  void enter(std::uint32_t plane);
+
   glm::dvec3 centre_;
   double diagonal_;
   std::vector<Plane> planes_;
-  std::unique_ptr<Index> index_;
+  /// A hash table of planes by the cell of a grid in which they are, with open addressing: of a size that is a power of
+  /// two, and half empty at least.
+  std::vector<std::uint32_t> slots_;
 };
 
 }  // namespace csgsim::facet

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -24,6 +23,7 @@ std::vector<std::array<std::uint32_t, 2>> edges_of(const Solid& solid) {
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  edges.shrink_to_fit();
   return edges;
 }
 
@@ -33,18 +33,35 @@ Box box_of(const std::vector<glm::dvec3>& points) {
   return box;
 }
 
-Convex make_convex(const Solid& solid, PlaneTable& planes) {
-  Convex convex;
-  std::set<std::pair<std::uint32_t, bool>> seen;
-  for (const Face& face : solid.faces) {
-    const Halfspace halfspace = planes.add(face.plane);
-    if (seen.emplace(halfspace.plane, halfspace.positive).second) convex.halfspaces.push_back(halfspace);
+/// Turns solids into convexes one after another.
+class Maker {
+ public:
+  explicit Maker(PlaneTable& planes) : planes_(planes) {}
+
+  Convex make(Solid solid) {
+    Convex convex;
+    ++count_;
+    convex.halfspaces.reserve(solid.faces.size());
+    for (const Face& face : solid.faces) {
+      const Halfspace halfspace = planes_.add(face.plane);
+      if (is_new(halfspace)) convex.halfspaces.push_back(halfspace);
+    }
+    convex.edges = edges_of(solid);
+    convex.vertices = std::move(solid.vertices);
+    convex.box = box_of(convex.vertices);
+    return convex;
   }
-  convex.vertices = solid.vertices;
-  convex.edges = edges_of(solid);
-  convex.box = box_of(solid.vertices);
-  return convex;
-}
+
+ private:
+  bool is_new(const Halfspace& halfspace) {
+    if (planes_.planes().size() > last_of_.size()) last_of_.resize(2 * planes_.planes().size());
+    return std::exchange(last_of_[halfspace.plane][halfspace.positive ? 1 : 0], count_) != count_;
+  }
+
+  PlaneTable& planes_;
+  std::uint32_t count_ = 0;                            ///< solids so far
+  std::vector<std::array<std::uint32_t, 2>> last_of_;  ///< by plane and side: the number of the last solid that has it
+};
 
 Solid make_solid_at(const model::Tree& tree, const model::Primitive& primitive, const Faceting& faceting) {
   try {
@@ -99,6 +116,8 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
   std::vector<Solid> solids;
   std::vector<Box> boxes;
   Box all;
+  solids.reserve(tree.primitives.size());
+  boxes.reserve(tree.primitives.size());
   for (const model::Primitive& primitive : tree.primitives) {
     solids.push_back(make_solid_at(tree, primitive, faceting));
     boxes.push_back(box_of(solids.back().vertices));
@@ -108,7 +127,9 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
       {},
       PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : glm::length(all.high - all.low)),
       {}};
-  for (const Solid& solid : solids) scene.solids.push_back(make_convex(solid, scene.planes));
+  Maker maker(scene.planes);
+  scene.solids.reserve(solids.size());
+  for (Solid& solid : solids) scene.solids.push_back(maker.make(std::exchange(solid, {})));
   scene.box = fold_boxes(tree, boxes);
   return scene;
 }

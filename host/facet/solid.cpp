@@ -9,8 +9,8 @@
 #include <string>
 
 #include "host/facet/covered_ball.h"
-#include "host/facet/degrees.h"
-#include "host/facet/fragments.h"
+#include "host/model/degrees.h"
+#include "host/model/fragments.h"
 #include "hw/base/error.h"
 
 namespace csgsim::facet {
@@ -46,7 +46,7 @@ struct Ring {
 /// at the middle of the facet, where a polygon of n corners has radius r cos(180/n).
 Plane lateral_plane(const Ring& low, const Ring& high, std::uint32_t index, std::uint32_t count) {
   const double middle = 360.0 * (static_cast<double>(index) + 0.5) / count;
-  const double apothem = cos_degrees(180.0 / count);
+  const double apothem = model::cos_degrees(180.0 / count);
   const double low_radius = low.radius * apothem;
   const double high_radius = high.radius * apothem;
   const double rise = high.z - low.z;
@@ -55,7 +55,7 @@ Plane lateral_plane(const Ring& low, const Ring& high, std::uint32_t index, std:
   const double radial = rise / length;
   const double axial = -run / length;
   const double offset = -(radial * low_radius + axial * low.z);
-  return {{radial * cos_degrees(middle), radial * sin_degrees(middle), axial}, offset};
+  return {{radial * model::cos_degrees(middle), radial * model::sin_degrees(middle), axial}, offset};
 }
 
 /// The convex solid between a stack of rings, lowest first, closed by flat caps where the outermost radius is not 0.
@@ -71,7 +71,8 @@ Solid lathe(std::span<const Ring> stack, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
       if (i == 0 || ring.radius > 0.0) {
         const double angle = 360.0 * i / count;
-        solid.vertices.emplace_back(ring.radius * cos_degrees(angle), ring.radius * sin_degrees(angle), ring.z);
+        solid.vertices.emplace_back(ring.radius * model::cos_degrees(angle), ring.radius * model::sin_degrees(angle),
+                                    ring.z);
       }
       corners.push_back(static_cast<std::uint32_t>(solid.vertices.size() - 1));
     }
@@ -101,12 +102,12 @@ struct Local {
 
 Solid ball(const model::Sphere& sphere, const Local& local) {
   if (local.tolerance) return covered_ball(sphere.radius, *local.tolerance);
-  const std::uint32_t count = fragments(sphere.radius, local.control(sphere.facets));
-  const std::uint32_t levels = rings(count);
+  const std::uint32_t count = model::fragments(sphere.radius, local.control(sphere.facets));
+  const std::uint32_t levels = model::rings(count);
   std::vector<Ring> stack;
   for (std::uint32_t i = levels; i-- > 0;) {
     const double polar = 180.0 * (static_cast<double>(i) + 0.5) / levels;
-    stack.push_back({sphere.radius * sin_degrees(polar), sphere.radius * cos_degrees(polar)});
+    stack.push_back({sphere.radius * model::sin_degrees(polar), sphere.radius * model::cos_degrees(polar)});
   }
   return lathe(stack, count);
 }
@@ -116,7 +117,7 @@ Solid frustum(const model::Cylinder& cylinder, const Local& local) {
   // The distance to a slanted side is measured across it.
   const double slant = cylinder.height / std::hypot(cylinder.height, cylinder.r1 - cylinder.r2);
   const std::uint32_t count = local.tolerance ? fragments_within(radius, *local.tolerance / slant)
-                                              : fragments(radius, local.control(cylinder.facets));
+                                              : model::fragments(radius, local.control(cylinder.facets));
   const double low = cylinder.center ? -cylinder.height / 2.0 : 0.0;
   const Ring stack[] = {{cylinder.r1, low}, {cylinder.r2, low + cylinder.height}};
   return lathe(stack, count);
@@ -140,7 +141,11 @@ Plane polygon_plane(std::span<const glm::dvec3> points, const Corners& corners) 
 Solid polyhedron(const model::Polyhedron& shape) {
   Solid solid;
   solid.vertices = shape.points;
-  for (const Corners& corners : shape.faces) solid.faces.push_back({polygon_plane(shape.points, corners), corners});
+  for (std::size_t i = 0; i < shape.faces.size(); ++i) {
+    const Plane plane = shape.planes.empty() ? polygon_plane(shape.points, shape.faces[i])
+                                             : Plane{glm::dvec3(shape.planes[i]), shape.planes[i].w};
+    solid.faces.push_back({plane, shape.faces[i]});
+  }
   return solid;
 }
 

@@ -1,12 +1,15 @@
 #include "host/model/tree.h"
 
+#include <algorithm>
+
 namespace csgsim::model {
 
 Counts count(const Tree& tree) {
   Counts counts;
-  counts.primitives = tree.primitives.size();
+  counts.primitives = static_cast<std::uint64_t>(std::count_if(tree.primitives.begin(), tree.primitives.end(),
+                                                               [](const Primitive& one) { return !one.continues; }));
   for (const Node& node : tree.nodes) {
-    if (node.is_leaf) continue;
+    if (node.is_leaf || node.of_pieces) continue;
     const std::uint64_t binary = node.children.size() - 1;
     switch (node.op) {
       case Operator::unite: counts.unions += binary; break;

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -43,6 +46,9 @@ struct Cylinder {
 struct Polyhedron {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> faces;
+  /// Of each face: its outward normal, of length 1, and its distance from the origin along it, negated. Pieces of one
+  /// solid say the same plane in the same numbers. None: the planes of the corners.
+  std::vector<glm::dvec4> planes{};
 };
 
 using Shape = std::variant<Cube, Sphere, Cylinder, Polyhedron>;
@@ -55,7 +61,7 @@ struct Location {
 
 inline constexpr std::uint32_t no_index = 0xffffffffU;
 
-/// A solid of the model, in place.
+/// A convex solid of the model, in place: what a node of the file stands for, or one of the pieces of that.
 struct Primitive {
   Shape shape;
   glm::dmat4 transform{1};           ///< object to model space; the last row is 0 0 0 1
@@ -63,6 +69,8 @@ struct Primitive {
   Location location;
   double opacity = 1;                ///< alpha of the colour: from 0, clear, to 1, opaque
   std::uint32_t section = no_index;  ///< number of the cutting plane that it stands for, if it is none of the file's
+  std::string_view node{};           ///< what the file calls it, if that is not its shape's name
+  bool continues = false;            ///< a piece of the same node of the file as the primitive before it
 };
 
 enum class Operator : std::uint8_t { unite, subtract, intersect };
@@ -74,20 +82,22 @@ struct Node {
   Operator op = Operator::unite;
   std::uint32_t primitive = no_index;   ///< leaf: index into Tree::primitives
   std::vector<std::uint32_t> children;  ///< operator: indices into Tree::nodes, each smaller than the node's own
+  bool of_pieces = false;               ///< operator: of the pieces of one node of the file
 };
 
 /// A CSG tree. Children precede their parents in `nodes`, so a single pass in order is a postorder traversal and no
 /// tree is too deep. Primitives are in tree order (left to right). An empty model has no nodes and root == no_index.
 struct Tree {
   std::string file;
+  std::vector<std::filesystem::path> imports{};  ///< other files that it is made of
   std::vector<Primitive> primitives;
   std::vector<Node> nodes;
   std::uint32_t root = no_index;
 };
 
-/// Numbers of binary operators: an operator over k children counts k - 1.
+/// Of the nodes of the file. Numbers of binary operators: an operator over k children counts k - 1.
 struct Counts {
-  std::uint64_t primitives = 0;
+  std::uint64_t primitives = 0;  ///< each once, whatever its pieces
   std::uint64_t unions = 0;
   std::uint64_t differences = 0;
   std::uint64_t intersections = 0;

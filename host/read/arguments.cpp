@@ -66,6 +66,25 @@ std::optional<bool> Arguments::boolean(std::string_view name) const {
   return value->value().number != 0;
 }
 
+std::optional<std::string> Arguments::text(std::string_view name) const {
+  const std::optional<ValueView> value = find(name);
+  if (!value) return std::nullopt;
+  if (!value->is(ValueKind::string)) fail(*value, "{} of {}() must be a \"string\"", name, node_->name);
+  std::string text(
+      source_->text().substr(value->value().offset + std::size_t{1}, static_cast<std::size_t>(value->value().number)));
+  for (std::size_t at = text.find("\\\""); at != std::string::npos; at = text.find("\\\"", at + 1)) text.erase(at, 1);
+  return text;
+}
+
+bool Arguments::names_file() const {
+  const std::optional<std::string> name = text("file");
+  const bool is_empty = name && name->empty();
+  if (is_empty) source_->tell(statement_->offset, fmt::format("{}() names no file, and is empty", node_->name));
+  return !is_empty;
+}
+
+std::filesystem::path Arguments::file(std::string_view name) const { return source_->file(name, statement_->offset); }
+
 ValueView Arguments::required(std::string_view name, std::string_view form) const {
   const std::optional<ValueView> value = find(name);
   if (!value) fail("{}() lacks its {}; add {}", node_->name, name, form);

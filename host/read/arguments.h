@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -51,6 +53,14 @@ class Arguments {
   [[nodiscard]] bool is_undefined(std::string_view name) const;
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
   [[nodiscard]] std::optional<bool> boolean(std::string_view name) const;
+  /// A string as it stands between its quotes, but for \\", which is a quote.
+  [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
+
+  /// Whether a file is named; if its name is empty, that is told, and the node is empty as in OpenSCAD.
+  [[nodiscard]] bool names_file() const;
+
+  /// See Source::file(); a refusal is at the name of the node.
+  [[nodiscard]] std::filesystem::path file(std::string_view name) const;
 
   /// The vector of that name; absence is an error, which shows `form` (`size = [x, y, z]`).
   [[nodiscard]] ValueView required(std::string_view name, std::string_view form) const;

@@ -4,10 +4,13 @@
 
 #include <utility>
 
+#include "host/flat/combine.h"
+#include "host/flat/place.h"
 #include "host/read/limits.h"
 #include "host/read/placement.h"
-#include "host/read/solids.h"
+#include "host/solids/sweep.h"
 #include "hw/base/error.h"
+#include "hw/base/messages.h"
 
 namespace csgsim::read {
 
@@ -22,13 +25,33 @@ const NodeType& usable_node(Source& source, const Statement& statement) {
   return *node;
 }
 
+/// What is below a node, of which these are the first node and the first primitive.
+model::Tree subtree(const model::Tree& tree, std::uint32_t root, std::uint32_t node, std::uint32_t primitive) {
+  model::Tree part;
+  part.file = tree.file;
+  for (std::uint32_t i = node; i <= root; ++i) {
+    model::Node copy = tree.nodes[i];
+    for (std::uint32_t& child : copy.children) child -= node;
+    if (copy.is_leaf) {
+      part.primitives.push_back(tree.primitives[copy.primitive]);
+      copy.primitive -= primitive;
+    }
+    part.nodes.push_back(std::move(copy));
+  }
+  part.root = root - node;
+  return part;
+}
+
 }  // namespace
 
-TreeBuilder::TreeBuilder(Source& source) : source_(source), open_(1) { tree_.file = source.name(); }
+TreeBuilder::TreeBuilder(Source& source, const Options& options) : source_(source), options_(options), open_(1) {
+  tree_.file = source.name();
+}
 
-TreeBuilder::OpenNode TreeBuilder::make_open(std::string_view name) const {
+TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
   OpenNode open;
-  open.name = name;
+  open.offset = statement.offset;
+  open.location = source_.locate(statement.offset);
   open.transform = open_.back().transform;
   open.colour = open_.back().colour;
   open.first_child = children_.size();
@@ -44,47 +67,75 @@ void TreeBuilder::begin(const Statement& statement) {
     return;
   }
   const NodeType& node = usable_node(source_, statement);
-  if (open_.back().is_solid) {
+  if (!open_.back().takes_children) {
     source_.fail(statement.offset,
                  fmt::format("{0}() has no children; put {1}() beside it, in a union() or difference()",
                              open_.back().name, node.name));
   }
   const Arguments arguments(source_, statement, node);
-  open_.push_back(make_open(node.name));
+  open_.push_back(make_open(statement));
   OpenNode& open = open_.back();
+  open.name = node.name;
   switch (node.kind) {
     case NodeKind::unite: break;
     case NodeKind::subtract: open.op = model::Operator::subtract; break;
     case NodeKind::intersect: open.op = model::Operator::intersect; break;
-    case NodeKind::transform: open.transform = open.transform * read_matrix(arguments); break;
+    case NodeKind::transform: open.transform = open.transform * placement(arguments); break;
     case NodeKind::colour: {
       const std::optional<Colour> colour = read_colour(arguments);
       if (!open.colour) open.colour = colour;
       break;
     }
-    case NodeKind::cube:
-    case NodeKind::sphere:
-    case NodeKind::cylinder:
-    case NodeKind::polyhedron: add_solid(node, statement, arguments); break;
+    case NodeKind::solid: add_solid(node, arguments); break;
+    case NodeKind::made:
+      open.maker = node.maker(arguments);
+      open.takes_children = node.has_children;
+      open.dimensions = node.dimensions;
+      open.outer = std::exchange(open.transform, glm::dmat4(1));
+      break;
     case NodeKind::unsupported:
     case NodeKind::source: break;
   }
 }
 
-void TreeBuilder::add_solid(const NodeType& node, const Statement& statement, const Arguments& arguments) {
+/// The matrix of the innermost statement.
+glm::dmat4 TreeBuilder::placement(const Arguments& arguments) {
+  const glm::dmat4 written = read_matrix(arguments);
+  if (!options_.restores_rotations || empties(written) || is_along_axes(written)) return written;
+  const std::optional<glm::dmat4> found = restored(written);
+  if (!found && restored_.as_written++ == 0) restored_.first_as_written = open_.back().location;
+  if (found) ++restored_.restored;
+  return found.value_or(written);
+}
+
+void TreeBuilder::tell_restored() const {
+  if (!options_.restores_rotations) return;
+  std::string line = fmt::format("{}: {} of {} rotated matrices restored", source_.name(), restored_.restored,
+                                 restored_.restored + restored_.as_written);
+  if (restored_.as_written > 0)
+    line += fmt::format("; the first that stays as written is at {}:{}", restored_.first_as_written.line,
+                        restored_.first_as_written.column);
+  tell_line(line);
+}
+
+void TreeBuilder::add_solid(const NodeType& node, const Arguments& arguments) {
   OpenNode& open = open_.back();
-  open.is_solid = true;
-  std::optional<model::Shape> shape = read_solid(node.kind, arguments);
-  if (!shape || empties(open.transform)) return;
-  if (tree_.primitives.size() >= max_primitives) {
-    arguments.fail("more than {} solids; split the model", max_primitives);
-  }
+  open.takes_children = false;
+  std::optional<model::Shape> shape = node.solid(arguments);
+  if (shape && !empties(open.transform)) add_leaf(open, *std::move(shape), open.transform);
+}
+
+void TreeBuilder::add_leaf(const OpenNode& open, model::Shape shape, const glm::dmat4& transform) {
+  if (tree_.primitives.size() >= max_primitives)
+    source_.fail(open.offset, fmt::format("more than {} solids; split the model", max_primitives));
   children_.push_back(static_cast<std::uint32_t>(tree_.nodes.size()));
   model::Node& leaf = tree_.nodes.emplace_back();
   leaf.is_leaf = true;
   leaf.primitive = static_cast<std::uint32_t>(tree_.primitives.size());
   model::Primitive& primitive = tree_.primitives.emplace_back();
-  primitive = {std::move(*shape), open.transform, {}, source_.locate(statement.offset)};
+  primitive.shape = std::move(shape);
+  primitive.transform = transform;
+  primitive.location = open.location;
   if (!open.colour) return;
   primitive.colour = open.colour->rgb;
   primitive.opacity = open.colour->opacity;
@@ -98,29 +149,117 @@ void TreeBuilder::end() {
   }
 }
 
-void TreeBuilder::close_innermost() {
-  const OpenNode open = open_.back();
-  open_.pop_back();
-  const auto first = children_.begin() + static_cast<std::ptrdiff_t>(open.first_child);
-  const bool is_empty = open.is_empty || first == children_.end();
-  if (is_empty) {
-    tree_.nodes.resize(open.first_node);
-    tree_.primitives.resize(open.first_primitive);
-    children_.erase(first, children_.end());
-  } else if (children_.end() - first > 1) {
-    model::Node& node = tree_.nodes.emplace_back();
-    node.op = open.op;
-    node.children.assign(first, children_.end());
-    children_.erase(first, children_.end());
-    children_.push_back(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
+/// The operands of a node, each as a tree of its own.
+Operands TreeBuilder::take_operands(OpenNode& open) {
+  Operands operands{std::exchange(open.areas, {}), {}};
+  auto node = static_cast<std::uint32_t>(open.first_node);
+  auto primitive = static_cast<std::uint32_t>(open.first_primitive);
+  for (std::size_t child = open.first_child; child < children_.size(); ++child) {
+    operands.solids.push_back(subtree(tree_, children_[child], node, primitive));
+    node = children_[child] + 1;
+    primitive += static_cast<std::uint32_t>(operands.solids.back().primitives.size());
   }
+  drop_operands(open);
+  return operands;
+}
+
+void TreeBuilder::drop_operands(const OpenNode& open) {
+  tree_.nodes.resize(open.first_node);
+  tree_.primitives.resize(open.first_primitive);
+  children_.resize(open.first_child);
+}
+
+/// Puts what the node makes of its operands in their place.
+void TreeBuilder::make(OpenNode& open) {
+  Made made;
+  try {
+    made = open.maker(take_operands(open));
+  } catch (const InputError& error) {
+    source_.fail(open.offset, fmt::format("{}(): {}", open.name, error.what()));
+  }
+  if (empties(open.outer)) return;
+  add_pieces(open, std::move(made.pieces));
+  if (!made.holes.empty()) open.op = model::Operator::subtract;
+  add_pieces(open, std::move(made.holes));
+  if (!made.area.empty()) open.areas.push_back(flat::transformed(made.area, open.outer));
+}
+
+void TreeBuilder::add_pieces(const OpenNode& open, std::vector<model::Polyhedron> pieces) {
+  for (model::Polyhedron& piece : pieces) {
+    add_leaf(open, std::move(piece), open.outer);
+    model::Primitive& primitive = tree_.primitives.back();
+    primitive.node = open.name;
+    primitive.continues = tree_.primitives.size() - 1 > open.first_primitive;
+  }
+}
+
+/// What an operator makes of areas.
+flat::Area TreeBuilder::combined(OpenNode& open) const {
+  if (open.areas.size() == 1) return std::move(open.areas.front());
+  switch (open.op) {
+    case model::Operator::unite: return flat::unite(open.areas);
+    case model::Operator::subtract: return flat::subtract(open.areas);
+    case model::Operator::intersect: return flat::intersect(open.areas);
+  }
+  return {};
+}
+
+void TreeBuilder::close_innermost() {
+  if (open_.back().maker) make(open_.back());
+  OpenNode open = std::move(open_.back());
+  open_.pop_back();
+  if (open.is_empty) {
+    drop_operands(open);
+    open.areas.clear();
+  } else {
+    join_operands(open, static_cast<bool>(open.maker));
+  }
+  hand_on(open, open.areas.empty() ? flat::Area{} : combined(open));
+}
+
+/// Several trees become one.
+void TreeBuilder::join_operands(const OpenNode& open, bool of_pieces) {
+  const auto first = children_.begin() + static_cast<std::ptrdiff_t>(open.first_child);
+  if (children_.end() - first < 2) return;
+  model::Node& node = tree_.nodes.emplace_back();
+  node.op = open.op;
+  node.of_pieces = of_pieces;
+  node.children.assign(first, children_.end());
+  children_.erase(first, children_.end());
+  children_.push_back(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
+}
+
+/// To the statement around it. Areas that are not in another node are plates, as OpenSCAD shows them.
+void TreeBuilder::hand_on(OpenNode& open, flat::Area area) {
   if (open_.empty()) return;
+  const bool is_file = open_.size() == 1;
+  const std::uint32_t dimensions = !area.empty() ? 2 : children_.size() > open.first_child ? 3 : 0;
+  if (dimensions != 0 && !goes_with(open, dimensions)) return drop_operands(open);
+  if (is_file && dimensions == 2) {
+    open.outer = glm::dmat4(1);
+    add_pieces(open, solids::linear_extrude(area, {.height = 1, .center = true}));
+    open.op = model::Operator::unite;
+    join_operands(open, true);
+  } else if (dimensions == 2) {
+    open_.back().areas.push_back(std::move(area));
+  }
   OpenNode& parent = open_.back();
-  if (is_empty) {
+  if (dimensions == 0) {
     parent.is_empty |= parent.op == model::Operator::intersect;
     parent.is_empty |= parent.op == model::Operator::subtract && !parent.has_operands;
   }
   parent.has_operands = true;
+}
+
+/// Whether an operand can be one of the statement around it; as in OpenSCAD the first says what goes with it.
+bool TreeBuilder::goes_with(const OpenNode& open, std::uint32_t dimensions) {
+  OpenNode& parent = open_.back();
+  if (parent.dimensions == 0) parent.dimensions = dimensions;
+  if (parent.dimensions == dimensions) return true;
+  source_.tell(open.offset,
+               fmt::format("{}() is {}, and where {} shapes are taken it is left out, as OpenSCAD does", open.name,
+                           dimensions == 2 ? "flat" : "solid", dimensions == 2 ? "solid" : "flat"));
+  return false;
 }
 
 model::Tree TreeBuilder::finish() {
@@ -128,7 +267,9 @@ model::Tree TreeBuilder::finish() {
     throw InputError(fmt::format("{}: there is no model in it; export one from OpenSCAD", source_.name()));
   }
   close_innermost();
+  tell_restored();
   if (!children_.empty()) tree_.root = children_.back();
+  tree_.imports = source_.files();
   return std::move(tree_);
 }
 

@@ -11,6 +11,8 @@
 #include "host/read/arguments.h"
 #include "host/read/nodes.h"
 #include "host/read/placement.h"
+#include "host/read/read.h"
+#include "host/read/restore.h"
 #include "host/read/source.h"
 #include "host/read/syntax.h"
 
@@ -19,7 +21,7 @@ namespace csgsim::read {
 /// Makes the tree of the statements it is told of, without empty parts. Statements under `%` and `*` are passed over.
 class TreeBuilder : public StatementVisitor {
  public:
-  explicit TreeBuilder(Source& source);
+  TreeBuilder(Source& source, const Options& options);
 
   void begin(const Statement& statement) override;
   void end() override;
@@ -31,22 +33,41 @@ class TreeBuilder : public StatementVisitor {
   /// A statement that has not ended; the first one stands for the file. A solid is a union of itself.
   struct OpenNode {
     model::Operator op = model::Operator::unite;
-    bool is_solid = false;
-    bool is_empty = false;      ///< whatever other operands it has
-    bool has_operands = false;  ///< empty ones too
+    bool takes_children = true;
+    std::uint32_t dimensions = 0;  ///< which its operands have to be: said by its node, or the first that is not empty
+    bool is_empty = false;         ///< whatever other operands it has
+    bool has_operands = false;     ///< empty ones too
     std::string_view name;
-    glm::dmat4 transform{1};
+    std::uint32_t offset = 0;  ///< of the statement
+    model::Location location;
+    glm::dmat4 transform{1};  ///< from the space of its children to the model's, or to that of the node they make
     std::optional<Colour> colour;
     std::size_t first_child = 0;      ///< in children_, from here on its own
     std::size_t first_node = 0;       ///< in tree_.nodes
     std::size_t first_primitive = 0;  ///< in tree_.primitives
+    std::vector<flat::Area> areas;    ///< operands that are areas
+    Maker maker;                      ///< of a node that is made
+    glm::dmat4 outer{1};              ///< of a node that is made: from its own space on
   };
 
-  [[nodiscard]] OpenNode make_open(std::string_view name) const;
-  void add_solid(const NodeType& node, const Statement& statement, const Arguments& arguments);
+  [[nodiscard]] OpenNode make_open(const Statement& statement) const;
+  [[nodiscard]] glm::dmat4 placement(const Arguments& arguments);
+  void tell_restored() const;
+  void add_solid(const NodeType& node, const Arguments& arguments);
+  void add_leaf(const OpenNode& open, model::Shape shape, const glm::dmat4& transform);
+  void make(OpenNode& open);
+  void add_pieces(const OpenNode& open, std::vector<model::Polyhedron> pieces);
+  [[nodiscard]] Operands take_operands(OpenNode& open);
+  void drop_operands(const OpenNode& open);
+  [[nodiscard]] flat::Area combined(OpenNode& open) const;
   void close_innermost();
+  void join_operands(const OpenNode& open, bool of_pieces);
+  void hand_on(OpenNode& open, flat::Area area);
+  [[nodiscard]] bool goes_with(const OpenNode& open, std::uint32_t dimensions);
 
   Source& source_;
+  Options options_;
+  RestoredCount restored_;
   model::Tree tree_;
   std::vector<OpenNode> open_;
   std::vector<std::uint32_t> children_;  ///< finished operands of the open frames

@@ -29,8 +29,16 @@ struct truth : word<'t', 'r', 'u', 'e'> {};
 struct falsehood : word<'f', 'a', 'l', 's', 'e'> {};
 struct undefined : word<'u', 'n', 'd', 'e', 'f'> {};
 
-struct character : peg::sor<peg::seq<peg::one<'\\'>, peg::any>, peg::any> {};
-struct string_end : peg::until<peg::one<'"'>, character> {};
+/// OpenSCAD writes what is in a string as it is, quotes among it. So a quote ends a string only where what follows can
+/// follow a value: the end of the arguments, another one by its name, or one that is no string.
+struct passed_over : peg::star<peg::sor<peg::space, line_comment, peg::seq<comment_open, comment_end>>> {};
+struct next_argument : peg::sor<peg::seq<identifier, passed_over, peg::one<'='>>, decimal, non_finite, peg::one<'['>,
+                                truth, falsehood, undefined> {};
+struct after_string
+    : peg::sor<peg::seq<peg::one<','>, passed_over, next_argument>,
+               peg::seq<peg::one<')'>, passed_over, peg::sor<peg::one<';', '{'>, peg::eof>>, peg::one<']'>> {};
+struct closing_quote : peg::seq<peg::one<'"'>, peg::at<passed_over, after_string>> {};
+struct string_end : peg::until<closing_quote> {};
 struct string_open : peg::one<'"'> {};
 struct text : peg::if_must<string_open, string_end> {};
 

@@ -14,7 +14,4 @@ inline constexpr std::size_t max_primitives = 1'000'000;
 inline constexpr std::size_t max_vector_depth = 8;    ///< brackets in brackets
 inline constexpr std::size_t max_values = 4'000'000;  ///< numbers, vectors, ... in one statement
 
-/// Points times faces of a polyhedron: the cost of checking that it is convex, a second or two.
-inline constexpr std::uint64_t max_points_times_faces = std::uint64_t{1} << 30U;
-
 }  // namespace csgsim::read

@@ -6,7 +6,13 @@
 #include <algorithm>
 #include <array>
 
+#include "host/read/areas.h"
+#include "host/read/hulls.h"
+#include "host/read/imports.h"
+#include "host/read/polyhedron.h"
+#include "host/read/solids.h"
 #include "host/read/source.h"
+#include "host/read/sweeps.h"
 #include "hw/base/nearest.h"
 
 namespace csgsim::read {
@@ -28,7 +34,29 @@ constexpr std::array cylinder_parameters{"h"sv,  "r1"sv, "r2"sv,  "center"sv, "r
                                          "d1"sv, "d2"sv, "$fn"sv, "$fa"sv,    "$fs"sv};
 constexpr std::array polyhedron_parameters{"points"sv, "faces"sv, "convexity"sv, "triangles"sv};
 
+constexpr std::array square_parameters{"size"sv, "center"sv};
+constexpr std::array circle_parameters{"r"sv, "d"sv, "$fn"sv, "$fa"sv, "$fs"sv};
+constexpr std::array polygon_parameters{"points"sv, "paths"sv};
+constexpr std::array text_parameters{"text"sv,   "size"sv,     "font"sv,      "halign"sv, "valign"sv, "spacing"sv,
+                                     "script"sv, "language"sv, "direction"sv, "$fn"sv,    "$fa"sv,    "$fs"sv};
+constexpr std::array offset_parameters{"r"sv, "delta"sv, "chamfer"sv, "$fn"sv, "$fa"sv, "$fs"sv};
+constexpr std::array linear_extrude_parameters{"height"sv, "center"sv, "twist"sv, "slices"sv, "scale"sv, "file"sv,
+                                               "layer"sv,  "origin"sv, "$fn"sv,   "$fa"sv,    "$fs"sv};
+constexpr std::array resize_parameters{"newsize"sv, "auto"sv};
+constexpr std::array projection_parameters{"cut"sv};
+constexpr std::array surface_parameters{"file"sv, "center"sv, "invert"sv};
+constexpr std::array import_parameters{"file"sv, "layer"sv, "convexity"sv, "origin"sv,   "scale"sv, "center"sv,
+                                       "dpi"sv,  "width"sv, "height"sv,    "filename"sv, "id"sv};
+constexpr std::array rotate_extrude_parameters{"angle"sv, "file"sv, "layer"sv, "origin"sv,
+                                               "scale"sv, "$fn"sv,  "$fa"sv,   "$fs"sv};
+
 constexpr NodeType operator_node(std::string_view name, NodeKind kind) { return {name, kind, {}, 0, common_extras}; }
+constexpr NodeType leaf(std::string_view name, Names parameters, MakerReader reader) {
+  return {name, NodeKind::made, parameters, parameters.size(), solid_extras, nullptr, reader, false};
+}
+constexpr NodeType made(std::string_view name, Names parameters, MakerReader reader, std::uint32_t dimensions) {
+  return {name, NodeKind::made, parameters, parameters.size(), solid_extras, nullptr, reader, true, dimensions};
+}
 constexpr NodeType unsupported(std::string_view name) { return {name, NodeKind::unsupported, {}, 0, {}}; }
 constexpr NodeType source(std::string_view name) { return {name, NodeKind::source, {}, 0, {}}; }
 
@@ -40,27 +68,27 @@ constexpr std::array node_types{
     operator_node("intersection", NodeKind::intersect),
     NodeType{"multmatrix", NodeKind::transform, matrix_parameters, 1, common_extras},
     NodeType{"color", NodeKind::colour, colour_parameters, 2, common_extras},
-    NodeType{"cube", NodeKind::cube, cube_parameters, 2, solid_extras},
-    NodeType{"sphere", NodeKind::sphere, sphere_parameters, 1, common_extras},
-    NodeType{"cylinder", NodeKind::cylinder, cylinder_parameters, 4, common_extras},
-    NodeType{"polyhedron", NodeKind::polyhedron, polyhedron_parameters, 3, solid_extras},
-    unsupported("circle"),
+    NodeType{"cube", NodeKind::solid, cube_parameters, 2, solid_extras, read_cube},
+    NodeType{"sphere", NodeKind::solid, sphere_parameters, 1, common_extras, read_sphere},
+    NodeType{"cylinder", NodeKind::solid, cylinder_parameters, 4, common_extras, read_cylinder},
+    leaf("polyhedron", polyhedron_parameters, read_polyhedron),
+    leaf("import", import_parameters, read_import),
+    leaf("square", square_parameters, read_square),
+    leaf("circle", circle_parameters, read_circle),
+    leaf("polygon", polygon_parameters, read_polygon),
+    leaf("text", text_parameters, read_text),
+    made("offset", offset_parameters, read_offset, 2),
+    made("linear_extrude", linear_extrude_parameters, read_linear_extrude, 2),
+    made("rotate_extrude", rotate_extrude_parameters, read_rotate_extrude, 2),
+    made("hull", {}, read_hull, 0),
+    made("minkowski", {}, read_minkowski, 0),
+    made("resize", resize_parameters, read_resize, 0),
+    made("projection", projection_parameters, read_projection, 3),
+    leaf("surface", surface_parameters, read_surface),
     unsupported("fill"),
     unsupported("glide"),
-    unsupported("hull"),
-    unsupported("import"),
-    unsupported("linear_extrude"),
-    unsupported("minkowski"),
-    unsupported("offset"),
-    unsupported("polygon"),
-    unsupported("projection"),
-    unsupported("resize"),
     unsupported("roof"),
-    unsupported("rotate_extrude"),
-    unsupported("square"),
     unsupported("subdiv"),
-    unsupported("surface"),
-    unsupported("text"),
     unsupported("dxf_linear_extrude"),
     unsupported("dxf_rotate_extrude"),
     unsupported("import_dxf"),

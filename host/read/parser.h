@@ -28,7 +28,7 @@ class Parser {
   void add_true(std::string_view text) { add_value(text, ValueKind::boolean, 1); }
   void add_false(std::string_view text) { add_value(text, ValueKind::boolean, 0); }
   void add_undefined(std::string_view text) { add_value(text, ValueKind::undefined); }
-  void add_string(std::string_view text) { add_value(text, ValueKind::string); }
+  void add_string(std::string_view text) { add_value(text, ValueKind::string, static_cast<double>(text.size() - 2)); }
   void open_vector(std::string_view text);
   void close_vector(std::string_view text);
   void finish_leaf(std::string_view text);

@@ -7,9 +7,9 @@
 
 namespace csgsim::read {
 
-model::Tree read_csg_text(std::string_view text, std::string_view name) {
-  Source source(text, name);
-  TreeBuilder builder(source);
+model::Tree read_csg_text(std::string_view text, std::string_view name, const Options& options) {
+  Source source(text, name, options.imports_from);
+  TreeBuilder builder(source, options);
   if (const std::optional<std::uint32_t> root = find_root(source)) {
     RootFilter filter(builder, *root);
     visit_statements(source, filter);
@@ -19,10 +19,10 @@ model::Tree read_csg_text(std::string_view text, std::string_view name) {
   return builder.finish();
 }
 
-model::Tree read_csg_file(const std::filesystem::path& path) {
+model::Tree read_csg_file(const std::filesystem::path& path, const Options& options) {
   const std::string name = path.string();
   const std::string text = load(name);
-  return read_csg_text(text, name);
+  return read_csg_text(text, name, options);
 }
 
 }  // namespace csgsim::read

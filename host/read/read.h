@@ -8,14 +8,22 @@
 
 namespace csgsim::read {
 
+struct Options {
+  /// Rotations of multmatrix() nodes are restored from the six digits that OpenSCAD writes (restore.h), and how many
+  /// are is told.
+  bool restores_rotations = false;
+  /// Files that the model imports have to be in this folder or below it; empty: the model's own.
+  std::filesystem::path imports_from{};
+};
+
 /// Reads an OpenSCAD `.csg` file. Throws InputError with file:line:column.
 ///
 /// What stays: a tree without empty parts. Solids of zero, negative or non-finite size and solids flattened by a
 /// singular matrix are empty; an empty operand empties an intersection, an empty first operand a difference, and other
 /// empty operands vanish; operators left with one child are replaced by it.
-model::Tree read_csg_file(const std::filesystem::path& path);
+model::Tree read_csg_file(const std::filesystem::path& path, const Options& options = {});
 
 /// The same from text; `name` stands for the file in messages.
-model::Tree read_csg_text(std::string_view text, std::string_view name);
+model::Tree read_csg_text(std::string_view text, std::string_view name, const Options& options = {});
 
 }  // namespace csgsim::read

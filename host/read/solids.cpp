@@ -2,27 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "host/read/polyhedron.h"
+#include "host/read/measures.h"
 
 namespace csgsim::read {
 
 namespace {
 
-/// OpenSCAD raises $fa and $fs to this.
-constexpr double least_facet_control = 0.01;
-
-model::FacetControl read_facets(const Arguments& arguments) {
-  model::FacetControl facets;
-  facets.fn = arguments.number("$fn").value_or(facets.fn);
-  facets.fa = std::max(arguments.number("$fa").value_or(facets.fa), least_facet_control);
-  facets.fs = std::max(arguments.number("$fs").value_or(facets.fs), least_facet_control);
-  return facets;
-}
-
 bool is_size(double value) { return value > 0 && std::isfinite(value); }
 bool is_size_or_zero(double value) { return value == 0 || is_size(value); }
+
+}  // namespace
 
 std::optional<model::Shape> read_cube(const Arguments& arguments) {
   const ValueView size = arguments.required("size", "size = [x, y, z]");
@@ -35,14 +25,6 @@ std::optional<model::Shape> read_cube(const Arguments& arguments) {
   const bool center = arguments.boolean("center").value_or(false);
   if (!std::ranges::all_of(sides, is_size)) return std::nullopt;
   return model::Cube{{sides[0], sides[1], sides[2]}, center};
-}
-
-/// A radius that the file may give as a diameter.
-std::optional<double> read_radius(const Arguments& arguments, std::string_view radius, std::string_view diameter) {
-  const std::optional<double> r = arguments.number(radius);
-  const std::optional<double> d = arguments.number(diameter);
-  if (r && d) arguments.fail("{} and {} are both given; take one out", radius, diameter);
-  return d ? *d / 2 : r;
 }
 
 std::optional<model::Shape> read_sphere(const Arguments& arguments) {
@@ -67,25 +49,6 @@ std::optional<model::Shape> read_cylinder(const Arguments& arguments) {
   const bool is_solid = is_size(height) && is_size_or_zero(*r1) && is_size_or_zero(*r2) && (*r1 > 0 || *r2 > 0);
   if (!is_solid) return std::nullopt;
   return model::Cylinder{height, *r1, *r2, center, facets};
-}
-
-}  // namespace
-
-std::optional<model::Shape> read_solid(NodeKind kind, const Arguments& arguments) {
-  switch (kind) {
-    case NodeKind::cube: return read_cube(arguments);
-    case NodeKind::sphere: return read_sphere(arguments);
-    case NodeKind::cylinder: return read_cylinder(arguments);
-    case NodeKind::polyhedron: return read_polyhedron(arguments);
-    case NodeKind::unite:
-    case NodeKind::subtract:
-    case NodeKind::intersect:
-    case NodeKind::transform:
-    case NodeKind::colour:
-    case NodeKind::unsupported:
-    case NodeKind::source: break;
-  }
-  throw std::logic_error("a node that is no solid was read as one");
 }
 
 }  // namespace csgsim::read

@@ -4,12 +4,13 @@
 
 #include "host/model/tree.h"
 #include "host/read/arguments.h"
-#include "host/read/nodes.h"
 
 namespace csgsim::read {
 
-/// The solid of a `cube`, `sphere`, `cylinder` or `polyhedron` node; nothing if it is empty. Throws std::logic_error
-/// for a node of another kind.
-std::optional<model::Shape> read_solid(NodeKind kind, const Arguments& arguments);
+// Nothing if the solid is empty.
+
+std::optional<model::Shape> read_cube(const Arguments& arguments);
+std::optional<model::Shape> read_sphere(const Arguments& arguments);
+std::optional<model::Shape> read_cylinder(const Arguments& arguments);
 
 }  // namespace csgsim::read

@@ -86,7 +86,7 @@ struct Control : tao::pegtl::normal<Rule> {
     if constexpr (std::same_as<Rule, grammar::comment_end>) {
       parser.fail_in_quote("this comment never ends; close it with */");
     } else if constexpr (std::same_as<Rule, grammar::string_end>) {
-      parser.fail_in_quote("this string never ends; close it with \"");
+      parser.fail_in_quote("this string never ends; close it with \" before `)` or `, name =`");
     } else if constexpr (std::same_as<Rule, grammar::arguments_open>) {
       parser.fail_without_arguments(parser.offset_of(in.current()));
     } else {

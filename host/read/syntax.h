@@ -14,7 +14,7 @@ enum class ValueKind : std::uint8_t { number, boolean, string, undefined, vector
 /// A value of a statement. The values of a statement stand in one list in the order of the text, so the elements of a
 /// vector follow it.
 struct Value {
-  double number = 0;         ///< of a number; of a boolean, 0 or 1
+  double number = 0;         ///< of a number; of a boolean, 0 or 1; of a string, how many bytes are between its quotes
   std::uint32_t offset = 0;  ///< where it is in the text
   ValueKind kind = ValueKind::undefined;
   std::uint32_t extent = 1;  ///< how many values it takes up in the list, with itself

@@ -197,6 +197,8 @@ View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera&
   view.camera = camera;
   view.sampling = sampling;
   view.depth = fit_depth(scene, tree, space, sampling);
+  view.planes.reserve(scene.planes.planes().size());
+  view.extents.reserve(scene.solids.size());
   for (const facet::Plane& plane : scene.planes.planes()) {
     view.planes.push_back(make_screen_plane(space, view.depth, sampling, to_eye(space, plane, scene.planes.centre())));
   }

@@ -8,45 +8,46 @@ namespace csgsim::array {
 /// What the ALU of every pixel does in one clock, with one bit of its operands or with several, bit after bit from the
 /// least significant: see function_of_bit. In the meanings E is the enable bit, K the carry bit, L the operand latch, P
 /// whether the pixel is part of the region, M[w] the memory bit written; x and y are the operands, k is the constant
-/// and maj(a, b, c) the carry of a full adder. Columns: function, reads x, reads y, writes memory, meaning.
+/// and maj(a, b, c) the carry of a full adder. Columns: function, reads x, reads y, writes memory, reads or
+/// writes K, may change enable or memory of a pixel that is not enabled, meaning.
 // clang-format off
-#define CSGSIM_ALU_FUNCTIONS(F)                                                                          \
-  F(idle,               false, false, false, "nothing")                                                  \
-  F(latch_x,            true,  false, false, "L := x")                                                   \
-  F(enable_all,         false, false, false, "E := P")                                                   \
-  F(enable_invert,      false, false, false, "E := P and not E")                                         \
-  F(enable_load,        true,  false, false, "E := x")                                                   \
-  F(enable_and,         true,  false, false, "E := E and x")                                             \
-  F(enable_and_not,     true,  false, false, "E := E and not x")                                         \
-  F(enable_or,          true,  false, false, "E := E or x")                                              \
-  F(enable_xor,         true,  false, false, "E := E xor x")                                             \
-  F(enable_equal,       true,  true,  false, "E := E and not (x xor y)")                                 \
-  F(compare_from_0,     true,  true,  false, "K := maj(x, not y, 0): first bit of x > y")                \
-  F(compare_from_1,     true,  true,  false, "K := maj(x, not y, 1): first bit of x >= y")               \
-  F(compare,            true,  true,  false, "K := maj(x, not y, K)")                                    \
-  F(compare_with_0,     true,  false, false, "K := maj(x, 1, K): x is longer than y")                    \
-  F(less_from_0,        true,  true,  false, "K := maj(x, not y, 0), E := E and not K")                  \
-  F(less_from_1,        true,  true,  false, "K := maj(x, not y, 1), E := E and not K")                  \
-  F(less,               true,  true,  false, "K := maj(x, not y, K), E := E and not K")                  \
-  F(sign_enable,        true,  false, false, "K := maj(not x, 0, K), E := E and K: x is the sign")       \
-  F(sign_enable_not,    true,  false, false, "K := maj(not x, 0, K), E := E and not K: x is the sign")   \
-  F(sign_select,        true,  false, false, "K := E and maj(not x, 0, K): x is the sign")               \
-  F(sign_select_not,    true,  false, false, "K := E and not maj(not x, 0, K): x is the sign")           \
-  F(enable_fits,        true,  false, false, "E := E and not (K and x): a bit beyond the field")         \
-  F(store_x,            true,  false, true,  "M[w] := x where E")                                        \
-  F(store_x_selected,   true,  false, true,  "M[w] := x where E and K")                                  \
-  F(store_not_x,        true,  false, true,  "M[w] := not x where E")                                    \
-  F(store_constant,     false, false, true,  "M[w] := k where E")                                        \
-  F(store_xor_constant, true,  false, true,  "M[w] := x xor k where E")                                  \
-  F(store_and,          true,  true,  true,  "M[w] := x and y where E")                                  \
-  F(store_or,           true,  true,  true,  "M[w] := x or y where E")                                   \
-  F(store_xor,          true,  true,  true,  "M[w] := x xor y where E")                                  \
-  F(store_and_not,      true,  true,  true,  "M[w] := x and not y where E")                              \
-  F(sum_from_0,         true,  true,  true,  "M[w] := x xor y where E, K := x and y: first bit of x + y")  \
-  F(sum,                true,  true,  true,  "M[w] := x xor y xor K where E, K := maj(x, y, K)")           \
-  F(sum_with_0,         false, true,  true,  "M[w] := y xor K where E, K := y and K: y is longer than x")  \
-  F(store_enable,       false, false, true,  "M[w] := E at every pixel")                                 \
-  F(answer,             false, false, false, "the wired OR of E goes to the controller")
+#define CSGSIM_ALU_FUNCTIONS(F)                                                                                         \
+  F(idle,               false, false, false, false, false, "nothing")                                                   \
+  F(latch_x,            true,  false, false, false, false, "L := x")                                                    \
+  F(enable_all,         false, false, false, false, true,  "E := P")                                                    \
+  F(enable_invert,      false, false, false, false, true,  "E := P and not E")                                          \
+  F(enable_load,        true,  false, false, false, true,  "E := x")                                                    \
+  F(enable_and,         true,  false, false, false, false, "E := E and x")                                              \
+  F(enable_and_not,     true,  false, false, false, false, "E := E and not x")                                          \
+  F(enable_or,          true,  false, false, false, true,  "E := E or x")                                               \
+  F(enable_xor,         true,  false, false, false, true,  "E := E xor x")                                              \
+  F(enable_equal,       true,  true,  false, false, false, "E := E and not (x xor y)")                                  \
+  F(compare_from_0,     true,  true,  false, true,  false, "K := maj(x, not y, 0): first bit of x > y")                 \
+  F(compare_from_1,     true,  true,  false, true,  false, "K := maj(x, not y, 1): first bit of x >= y")                \
+  F(compare,            true,  true,  false, true,  false, "K := maj(x, not y, K)")                                     \
+  F(compare_with_0,     true,  false, false, true,  false, "K := maj(x, 1, K): x is longer than y")                     \
+  F(less_from_0,        true,  true,  false, true,  false, "K := maj(x, not y, 0), E := E and not K")                   \
+  F(less_from_1,        true,  true,  false, true,  false, "K := maj(x, not y, 1), E := E and not K")                   \
+  F(less,               true,  true,  false, true,  false, "K := maj(x, not y, K), E := E and not K")                   \
+  F(sign_enable,        true,  false, false, true,  false, "K := maj(not x, 0, K), E := E and K: x is the sign")        \
+  F(sign_enable_not,    true,  false, false, true,  false, "K := maj(not x, 0, K), E := E and not K: x is the sign")    \
+  F(sign_select,        true,  false, false, true,  false, "K := E and maj(not x, 0, K): x is the sign")                \
+  F(sign_select_not,    true,  false, false, true,  false, "K := E and not maj(not x, 0, K): x is the sign")            \
+  F(enable_fits,        true,  false, false, true,  false, "E := E and not (K and x): a bit beyond the field")          \
+  F(store_x,            true,  false, true,  false, false, "M[w] := x where E")                                         \
+  F(store_x_selected,   true,  false, true,  true,  false, "M[w] := x where E and K")                                   \
+  F(store_not_x,        true,  false, true,  false, false, "M[w] := not x where E")                                     \
+  F(store_constant,     false, false, true,  false, false, "M[w] := k where E")                                         \
+  F(store_xor_constant, true,  false, true,  false, false, "M[w] := x xor k where E")                                   \
+  F(store_and,          true,  true,  true,  false, false, "M[w] := x and y where E")                                   \
+  F(store_or,           true,  true,  true,  false, false, "M[w] := x or y where E")                                    \
+  F(store_xor,          true,  true,  true,  false, false, "M[w] := x xor y where E")                                   \
+  F(store_and_not,      true,  true,  true,  false, false, "M[w] := x and not y where E")                               \
+  F(sum_from_0,         true,  true,  true,  true,  false, "M[w] := x xor y where E, K := x and y: first bit of x + y") \
+  F(sum,                true,  true,  true,  true,  false, "M[w] := x xor y xor K where E, K := maj(x, y, K)")          \
+  F(sum_with_0,         false, true,  true,  true,  false, "M[w] := y xor K where E, K := y and K: y is longer than x") \
+  F(store_enable,       false, false, true,  false, true,  "M[w] := E at every pixel")                                  \
+  F(answer,             false, false, false, false, false, "the wired OR of E goes to the controller")
 // clang-format on
 
 enum class AluFunction : std::uint8_t {
@@ -60,11 +61,13 @@ struct AluInfo {
   bool reads_x;
   bool reads_y;
   bool writes;
+  bool has_carry;
+  bool acts_where_disabled;
   std::string_view meaning;
 };
 
 inline constexpr AluInfo alu_table[] = {
-#define CSGSIM_ALU_ROW(name, reads_x, reads_y, writes, meaning) AluInfo{#name, reads_x, reads_y, writes, meaning},
+#define CSGSIM_ALU_ROW(name, ...) AluInfo{#name, __VA_ARGS__},
     CSGSIM_ALU_FUNCTIONS(CSGSIM_ALU_ROW)
 #undef CSGSIM_ALU_ROW
 };

@@ -10,207 +10,301 @@ namespace csgsim::array::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <std::size_t max_lanes>
-using Tag = hn::CappedTag<std::uint64_t, max_lanes>;
+// Of lambdas that work on vectors: out of line they would keep these in memory.
+#undef CSGSIM_BODY
+#define CSGSIM_BODY HWY_ATTR __attribute__((always_inline))
 
-/// Planes are whole cache lines, eight words.
-using PlaneTag = Tag<8>;
-using Vector = hn::Vec<PlaneTag>;
+using BlockTag = hn::CappedTag<std::uint64_t, block_words>;
+using Vector = hn::Vec<BlockTag>;
 
-HWY_ATTR inline Vector majority(Vector a, Vector b, Vector c) {
-  return hn::Or(hn::And(a, b), hn::And(c, hn::Or(a, b)));
+constexpr unsigned most_bits = 64;  ///< of a stream
+alignas(64) constexpr std::uint64_t first_shifts[block_words] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+HWY_ATTR HWY_INLINE Vector load(const std::uint64_t* words) { return hn::Load(BlockTag(), words); }
+
+HWY_ATTR HWY_INLINE void store(Vector value, std::uint64_t* words) { hn::Store(value, BlockTag(), words); }
+
+/// a where the mask is 1, b elsewhere.
+HWY_ATTR HWY_INLINE Vector select(Vector mask, Vector a, Vector b) { return hn::IfVecThenElse(mask, a, b); }
+
+HWY_ATTR HWY_INLINE Vector majority(Vector a, Vector b, Vector c) { return select(hn::Xor(a, b), c, a); }
+
+/// The bits of b*y, y being the row of each word of a block, spread over its pixels. In one row all words have the
+/// same.
+template <bool one_row>
+struct RowMasks {
+  alignas(64) std::uint64_t masks[one_row ? most_bits : most_bits * block_words];
+
+  HWY_ATTR HWY_INLINE void set(const StreamTable& table, std::size_t first_word, std::size_t row_words) {
+    if (one_row) {
+      const std::uint64_t product = table.b * (first_word / row_words);
+      const BlockTag d;
+      const Vector step = hn::Set(d, std::uint64_t{hn::Lanes(d)});
+      const Vector low = hn::Set(d, std::uint64_t{1});
+      const Vector all = hn::Set(d, product);
+      Vector shift = hn::Load(d, first_shifts);
+      for (unsigned bit = 0; bit < table.bits; bit += static_cast<unsigned>(hn::Lanes(d))) {
+        store(hn::Sub(hn::Zero(d), hn::And(hn::Shr(all, shift), low)), masks + bit);
+        shift = hn::Add(shift, step);
+      }
+      return;
+    }
+    for (std::size_t word = 0; word < block_words; ++word) {
+      const std::uint64_t product = table.b * ((first_word + word) / row_words);
+      for (unsigned bit = 0; bit < table.bits; ++bit) masks[bit * block_words + word] = 0 - (product >> bit & 1U);
+    }
+  }
+
+  [[nodiscard]] HWY_ATTR HWY_INLINE Vector at(unsigned bit, std::size_t word) const {
+    if (one_row) return hn::Set(BlockTag(), masks[bit]);
+    return load(masks + bit * block_words + word);
+  }
+};
+
+/// The adders of the last levels: a stream's bit at some pixels after another.
+template <bool one_row>
+class Adders {
+ public:
+  HWY_ATTR HWY_INLINE Adders(const RowMasks<one_row>& rows, const StreamTable& table, std::size_t column_word,
+                             std::size_t word)
+      : rows_(rows),
+        columns_(table.columns == nullptr ? nullptr : table.columns + column_word),
+        stride_(table.stride),
+        word_(word) {}
+
+  /// The bits from that one on.
+  HWY_ATTR HWY_INLINE void seek(unsigned bit, unsigned& next, Vector& carry) const {
+    if (bit < next) {
+      next = 0;
+      carry = hn::Zero(BlockTag());
+    }
+    Vector c = carry;
+    for (; next < bit; ++next) c = majority(column(next), rows_.at(next, word_), c);
+    carry = c;
+  }
+
+  HWY_ATTR HWY_INLINE Vector take(unsigned bit, Vector& carry) const {
+    const Vector x = column(bit);
+    const Vector y = rows_.at(bit, word_);
+    const Vector half = hn::Xor(x, y);
+    const Vector sum = hn::Xor(half, carry);
+    carry = select(half, carry, x);
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] HWY_ATTR HWY_INLINE Vector column(unsigned bit) const {
+    return hn::LoadU(BlockTag(), columns_ + bit * stride_);
+  }
+
+  const RowMasks<one_row>& rows_;
+  const std::uint64_t* columns_;
+  std::size_t stride_;
+  std::size_t word_;
+};
+
+/// A vector of a block's pixels, and the state of the tree's adders there.
+struct Registers {
+  Vector enable;
+  Vector carry;
+  Vector tree_carry;
+  unsigned next_bit;  ///< of the stream
+};
+
+/// Calls body(i, x) for each step of a run, with its operand x.
+template <bool one_row, class Body>
+HWY_ATTR HWY_INLINE void with_x(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits, bool latch,
+                                Registers& r, Body body) {
+  if (run.from_tree) {
+    adders.seek(run.stream_bit, r.next_bit, r.tree_carry);
+    Vector carry = r.tree_carry;
+    for (unsigned i = 0; i < run.count; ++i) body(i, adders.take(run.stream_bit + i, carry));
+    r.tree_carry = carry;
+    r.next_bit = run.stream_bit + run.count;
+    return;
+  }
+  const std::uint64_t* x = bits + run.x * block_words;
+  if (!run.latches || !latch) {
+    for (unsigned i = 0; i < run.count; ++i) body(i, load(x + i * block_words));
+    return;
+  }
+  Vector last = hn::Zero(BlockTag());
+  for (unsigned i = 0; i < run.count; ++i) {
+    last = load(x + i * block_words);
+    body(i, last);
+  }
+  store(last, bits + PixelBits{}.latch(0) * block_words);
 }
 
-HWY_ATTR inline Vector load(const std::uint64_t* plane, std::size_t i) { return hn::Load(PlaneTag(), plane + i); }
+/// Carries out a run on a vector of pixels. `bits`: the vector's first word of bit 0.
+template <bool one_row>
+HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits,
+                                 const std::uint64_t* present, Effects effects, Registers& r) {
+  const BlockTag d;
+  const Vector zero = hn::Zero(d);
+  const Vector ones = hn::Not(zero);
+  Vector e = r.enable;
+  Vector k = run.carry_in == CarryIn::keep ? r.carry : run.carry_in == CarryIn::one ? ones : zero;
+  const std::uint64_t* const y = bits + run.y * block_words;
+  std::uint64_t* const w = bits + run.write * block_words;
+  const auto y_at = [&](unsigned i) CSGSIM_BODY { return load(y + i * block_words); };
+  const auto constant = [&](unsigned i) CSGSIM_BODY { return hn::Set(d, 0 - (run.constant >> i & 1U)); };
+  const auto put = [&](unsigned i, Vector mask, Vector value)
+                       CSGSIM_BODY { store(select(mask, value, load(w + i * block_words)), w + i * block_words); };
+  const auto each_x = [&](auto body) CSGSIM_BODY { with_x(run, adders, bits, effects.latch, r, body); };
+  const auto on_enable = [&](auto f) CSGSIM_BODY { each_x([&](unsigned, Vector x) CSGSIM_BODY { e = f(e, x); }); };
+  const auto put_of_x = [&](auto f)
+                            CSGSIM_BODY { each_x([&](unsigned i, Vector x) CSGSIM_BODY { put(i, e, f(i, x)); }); };
+  const auto sign = [&](auto then) CSGSIM_BODY {
+    each_x([&](unsigned, Vector x) CSGSIM_BODY {
+      k = hn::AndNot(x, k);
+      then();
+    });
+  };
+  switch (run.function) {
+    case AluFunction::latch_x:
+      if (effects.latch) each_x([&](unsigned i, Vector x) CSGSIM_BODY { store(x, w + i * block_words); });
+      break;
+    case AluFunction::enable_all: e = load(present); break;
+    case AluFunction::enable_invert: e = hn::AndNot(e, load(present)); break;
+    case AluFunction::enable_load: on_enable([](Vector, Vector x) CSGSIM_BODY { return x; }); break;
+    case AluFunction::enable_and: on_enable([](Vector a, Vector x) CSGSIM_BODY { return hn::And(a, x); }); break;
+    case AluFunction::enable_and_not: on_enable([](Vector a, Vector x) CSGSIM_BODY { return hn::AndNot(x, a); }); break;
+    case AluFunction::enable_or: on_enable([](Vector a, Vector x) CSGSIM_BODY { return hn::Or(a, x); }); break;
+    case AluFunction::enable_xor: on_enable([](Vector a, Vector x) CSGSIM_BODY { return hn::Xor(a, x); }); break;
+    case AluFunction::enable_equal:
+      each_x([&](unsigned i, Vector x) CSGSIM_BODY { e = hn::AndNot(hn::Xor(x, y_at(i)), e); });
+      break;
+    case AluFunction::compare:
+      each_x([&](unsigned i, Vector x) CSGSIM_BODY { k = select(hn::Xor(x, y_at(i)), x, k); });
+      break;
+    case AluFunction::compare_with_0: each_x([&](unsigned, Vector x) CSGSIM_BODY { k = hn::Or(x, k); }); break;
+    case AluFunction::less:
+      each_x([&](unsigned i, Vector x) CSGSIM_BODY {
+        k = select(hn::Xor(x, y_at(i)), x, k);
+        e = hn::AndNot(k, e);
+      });
+      break;
+    case AluFunction::sign_enable: sign([&]() CSGSIM_BODY { e = hn::And(e, k); }); break;
+    case AluFunction::sign_enable_not: sign([&]() CSGSIM_BODY { e = hn::AndNot(k, e); }); break;
+    case AluFunction::sign_select: sign([&]() CSGSIM_BODY { k = hn::And(e, k); }); break;
+    case AluFunction::sign_select_not: sign([&]() CSGSIM_BODY { k = hn::AndNot(k, e); }); break;
+    case AluFunction::enable_fits:
+      each_x([&](unsigned, Vector x) CSGSIM_BODY { e = hn::AndNot(hn::And(k, x), e); });
+      break;
+    case AluFunction::store_x: put_of_x([](unsigned, Vector x) CSGSIM_BODY { return x; }); break;
+    case AluFunction::store_x_selected: {
+      const Vector mask = hn::And(e, k);
+      each_x([&](unsigned i, Vector x) CSGSIM_BODY { put(i, mask, x); });
+      break;
+    }
+    case AluFunction::store_not_x: put_of_x([](unsigned, Vector x) CSGSIM_BODY { return hn::Not(x); }); break;
+    case AluFunction::store_constant:
+      for (unsigned i = 0; i < run.count; ++i) put(i, e, constant(i));
+      break;
+    case AluFunction::store_xor_constant:
+      put_of_x([&](unsigned i, Vector x) CSGSIM_BODY { return hn::Xor(x, constant(i)); });
+      break;
+    case AluFunction::store_and: put_of_x([&](unsigned i, Vector x) CSGSIM_BODY { return hn::And(x, y_at(i)); }); break;
+    case AluFunction::store_or: put_of_x([&](unsigned i, Vector x) CSGSIM_BODY { return hn::Or(x, y_at(i)); }); break;
+    case AluFunction::store_xor: put_of_x([&](unsigned i, Vector x) CSGSIM_BODY { return hn::Xor(x, y_at(i)); }); break;
+    case AluFunction::store_and_not:
+      put_of_x([&](unsigned i, Vector x) CSGSIM_BODY { return hn::AndNot(y_at(i), x); });
+      break;
+    case AluFunction::sum:
+      each_x([&](unsigned i, Vector x) CSGSIM_BODY {
+        const Vector added_to = y_at(i);
+        const Vector half = hn::Xor(x, added_to);
+        put(i, e, hn::Xor(half, k));
+        k = select(half, k, x);
+      });
+      break;
+    case AluFunction::sum_with_0:
+      for (unsigned i = 0; i < run.count; ++i) {
+        const Vector added_to = y_at(i);
+        put(i, e, hn::Xor(added_to, k));
+        k = hn::And(added_to, k);
+      }
+      break;
+    case AluFunction::store_enable:
+      for (unsigned i = 0; i < run.count; ++i) store(e, w + i * block_words);
+      break;
+    case AluFunction::idle:
+    case AluFunction::answer:
+    case AluFunction::compare_from_0:
+    case AluFunction::compare_from_1:
+    case AluFunction::less_from_0:
+    case AluFunction::less_from_1:
+    case AluFunction::sum_from_0: break;  // of which there is no run
+  }
+  r.enable = e;
+  r.carry = k;
+}
 
-HWY_ATTR inline void store(Vector value, std::uint64_t* plane, std::size_t i) {
-  hn::Store(value, PlaneTag(), plane + i);
+template <bool one_row>
+HWY_ATTR HWY_INLINE void run_blocks(std::span<const Run> runs, std::span<const StreamTable> tables,
+                                    const Blocks& blocks, std::span<const std::uint32_t> numbers, Effects effects) {
+  const BlockTag d;
+  static constexpr StreamTable no_stream;
+  RowMasks<one_row> rows;
+  for (const std::uint32_t number : numbers) {
+    const std::size_t first_word = number * block_words;
+    const std::size_t column_word = first_word % blocks.row_words;
+    for (std::size_t word = 0; word < block_words; word += hn::Lanes(d)) {
+      std::uint64_t* const bits = blocks.bits + number * blocks.stride + word;
+      std::uint64_t* const enable = blocks.enable + first_word + word;
+      Registers r{.enable = effects.enabled ? load(enable) : hn::Zero(d),
+                  .carry = load(bits + PixelBits::carry * block_words),
+                  .tree_carry = hn::Zero(d),
+                  .next_bit = 0};
+      const StreamTable* table = &no_stream;
+      for (const Run& one : runs) {
+        if (one.from_tree && table != &tables[one.stream]) {
+          table = &tables[one.stream];
+          rows.set(*table, first_word, blocks.row_words);
+          r.next_bit = 0;
+          r.tree_carry = hn::Zero(d);
+        }
+        run_one<one_row>(one, Adders<one_row>(rows, *table, column_word + word, word), bits,
+                         blocks.present + first_word + word, effects, r);
+      }
+      if (effects.enabled) store(r.enable, enable);
+      if (effects.carry) store(r.carry, bits + PixelBits::carry * block_words);
+    }
+  }
+}
+
+void RunBlocks(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
+               std::span<const std::uint32_t> numbers, Effects effects) {
+  if (blocks.row_words % block_words == 0) return run_blocks<true>(runs, tables, blocks, numbers, effects);
+  return run_blocks<false>(runs, tables, blocks, numbers, effects);
 }
 
 /// Calls body(i) for the first word of every vector.
 template <class Body>
-HWY_ATTR inline void each(std::size_t words, Body body) {
-  for (std::size_t i = 0; i < words; i += hn::Lanes(PlaneTag())) body(i);
+HWY_ATTR HWY_INLINE void each(std::size_t words, Body body) {
+  for (std::size_t i = 0; i < words; i += hn::Lanes(BlockTag())) body(i);
 }
 
-/// E := f(E, x)
-template <class F>
-HWY_ATTR inline void enable_from_x(const AluPlanes& p, F f) {
-  each(p.words, [&](std::size_t i) HWY_ATTR { store(f(load(p.enable, i), load(p.x, i)), p.enable, i); });
-}
-
-/// M[w] := value(i) where mask(i)
-template <class Mask, class Value>
-HWY_ATTR inline void store_where(const AluPlanes& p, Mask mask, Value value) {
-  each(p.words, [&](std::size_t i) HWY_ATTR {
-    const Vector m = mask(i);
-    store(hn::Or(hn::And(m, value(i)), hn::AndNot(m, load(p.write, i))), p.write, i);
-  });
-}
-
-/// K := carry of x - y; with `disable`, E := E and not K.
-template <bool disable, class CarryIn>
-HWY_ATTR inline void compare(const AluPlanes& p, CarryIn carry_in) {
-  each(p.words, [&](std::size_t i) HWY_ATTR {
-    const Vector carry = majority(load(p.x, i), hn::Not(load(p.y, i)), carry_in(i));
-    store(carry, p.carry, i);
-    if (disable) store(hn::AndNot(carry, load(p.enable, i)), p.enable, i);
-  });
-}
-
-/// M[w] := x + y + K where E, K := its carry.
-template <class X, class CarryIn>
-HWY_ATTR inline void sum(const AluPlanes& p, X x, CarryIn carry_in) {
-  each(p.words, [&](std::size_t i) HWY_ATTR {
-    const Vector a = x(i);
-    const Vector b = load(p.y, i);
-    const Vector c = carry_in(i);
-    const Vector enable = load(p.enable, i);
-    store(majority(a, b, c), p.carry, i);
-    store(hn::Or(hn::And(enable, hn::Xor(hn::Xor(a, b), c)), hn::AndNot(enable, load(p.write, i))), p.write, i);
-  });
-}
-
-/// The step on the sign bit x: `plane` := E and (or and not) the comparison's result.
-template <bool invert>
-HWY_ATTR inline void sign(const AluPlanes& p, std::uint64_t* plane) {
-  each(p.words, [&](std::size_t i) HWY_ATTR {
-    const Vector result = hn::AndNot(load(p.x, i), load(p.carry, i));
-    const Vector enable = load(p.enable, i);
-    store(result, p.carry, i);
-    store(invert ? hn::AndNot(result, enable) : hn::And(result, enable), plane, i);
-  });
-}
-
-void AluStep(AluFunction function, const AluPlanes& p) {
-  const PlaneTag d;
-  const Vector zero = hn::Zero(d);
-  const Vector ones = hn::Not(zero);
-  const auto enable = [&](std::size_t i) HWY_ATTR { return load(p.enable, i); };
-  const auto selected = [&](std::size_t i) HWY_ATTR { return hn::And(load(p.enable, i), load(p.carry, i)); };
-  const auto carry = [&](std::size_t i) HWY_ATTR { return load(p.carry, i); };
-  const auto always_0 = [&](std::size_t) HWY_ATTR { return zero; };
-  const auto always_1 = [&](std::size_t) HWY_ATTR { return ones; };
-  const auto x = [&](std::size_t i) HWY_ATTR { return load(p.x, i); };
-  switch (function) {
-    case AluFunction::idle:
-    case AluFunction::answer: return;
-    case AluFunction::latch_x: return each(p.words, [&](std::size_t i) HWY_ATTR { store(x(i), p.latch, i); });
-    case AluFunction::enable_all:
-      return each(p.words, [&](std::size_t i) HWY_ATTR { store(load(p.present, i), p.enable, i); });
-    case AluFunction::enable_invert:
-      return each(p.words,
-                  [&](std::size_t i) HWY_ATTR { store(hn::AndNot(enable(i), load(p.present, i)), p.enable, i); });
-    case AluFunction::enable_load: return each(p.words, [&](std::size_t i) HWY_ATTR { store(x(i), p.enable, i); });
-    case AluFunction::enable_and: return enable_from_x(p, [](Vector e, Vector a) HWY_ATTR { return hn::And(e, a); });
-    case AluFunction::enable_and_not:
-      return enable_from_x(p, [](Vector e, Vector a) HWY_ATTR { return hn::AndNot(a, e); });
-    case AluFunction::enable_or: return enable_from_x(p, [](Vector e, Vector a) HWY_ATTR { return hn::Or(e, a); });
-    case AluFunction::enable_xor: return enable_from_x(p, [](Vector e, Vector a) HWY_ATTR { return hn::Xor(e, a); });
-    case AluFunction::enable_equal:
-      return each(p.words, [&](std::size_t i)
-                               HWY_ATTR { store(hn::AndNot(hn::Xor(x(i), load(p.y, i)), enable(i)), p.enable, i); });
-    case AluFunction::compare_from_0: return compare<false>(p, always_0);
-    case AluFunction::compare_from_1: return compare<false>(p, always_1);
-    case AluFunction::compare: return compare<false>(p, carry);
-    case AluFunction::compare_with_0:
-      return each(p.words, [&](std::size_t i) HWY_ATTR { store(hn::Or(x(i), carry(i)), p.carry, i); });
-    case AluFunction::less_from_0: return compare<true>(p, always_0);
-    case AluFunction::less_from_1: return compare<true>(p, always_1);
-    case AluFunction::less: return compare<true>(p, carry);
-    case AluFunction::sign_enable: return sign<false>(p, p.enable);
-    case AluFunction::sign_enable_not: return sign<true>(p, p.enable);
-    case AluFunction::sign_select: return sign<false>(p, p.carry);
-    case AluFunction::sign_select_not: return sign<true>(p, p.carry);
-    case AluFunction::enable_fits:
-      return each(p.words,
-                  [&](std::size_t i) HWY_ATTR { store(hn::AndNot(hn::And(carry(i), x(i)), enable(i)), p.enable, i); });
-    case AluFunction::store_x: return store_where(p, enable, x);
-    case AluFunction::store_x_selected: return store_where(p, selected, x);
-    case AluFunction::store_not_x: return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::Not(x(i)); });
-    case AluFunction::store_constant:
-      return p.constant ? store_where(p, enable, always_1) : store_where(p, enable, always_0);
-    case AluFunction::store_xor_constant:
-      return AluStep(p.constant ? AluFunction::store_not_x : AluFunction::store_x, p);
-    case AluFunction::store_and:
-      return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::And(x(i), load(p.y, i)); });
-    case AluFunction::store_or:
-      return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::Or(x(i), load(p.y, i)); });
-    case AluFunction::store_xor:
-      return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::Xor(x(i), load(p.y, i)); });
-    case AluFunction::store_and_not:
-      return store_where(p, enable, [&](std::size_t i) HWY_ATTR { return hn::AndNot(load(p.y, i), x(i)); });
-    case AluFunction::sum_from_0: return sum(p, x, always_0);
-    case AluFunction::sum: return sum(p, x, carry);
-    case AluFunction::sum_with_0: return sum(p, always_0, carry);
-    case AluFunction::store_enable: return each(p.words, [&](std::size_t i) HWY_ATTR { store(enable(i), p.write, i); });
+void FindOnes(const std::uint64_t* plane, std::span<std::uint8_t> flags) {
+  const BlockTag d;
+  for (std::size_t block = 0; block < flags.size(); ++block) {
+    Vector any = hn::Zero(d);
+    each(block_words, [&](std::size_t i) HWY_ATTR { any = hn::Or(any, load(plane + block * block_words + i)); });
+    flags[block] = hn::AllTrue(d, hn::Eq(any, hn::Zero(d))) ? 0 : 1;
   }
-}
-
-/// One vector of a node: the stream to the left child, its sum with the multiplicand and the carry to the right.
-template <bool first, bool multiplicand, class D>
-HWY_ATTR inline void node_step(D d, const std::uint64_t* in, std::uint64_t* carry, std::uint64_t* left,
-                               std::uint64_t* right) {
-  const auto v = hn::LoadU(d, in);
-  hn::StoreU(v, d, left);
-  if (first) {
-    hn::StoreU(multiplicand ? hn::Not(v) : v, d, right);
-    hn::StoreU(multiplicand ? v : hn::Zero(d), d, carry);
-  } else {
-    const auto c = hn::LoadU(d, carry);
-    const auto half = hn::Xor(v, c);
-    hn::StoreU(multiplicand ? hn::Not(half) : half, d, right);
-    hn::StoreU(multiplicand ? hn::Or(v, c) : hn::And(v, c), d, carry);
-  }
-}
-
-/// `row` words a node, a multiple of the lanes.
-template <bool first, bool multiplicand, class D>
-HWY_ATTR HWY_INLINE void nodes_step(D d, const TreeLevel& level, std::size_t row) {
-  const TreeLevel l = level;  // a copy of its own, which the stores below cannot change
-  const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t p = 0; p < l.right_children; ++p) {
-    for (std::size_t i = 0; i < row; i += lanes) {
-      std::uint64_t* left = l.out + 2 * p * row + i;
-      node_step<first, multiplicand>(d, l.in + p * row + i, l.carry + p * row + i, left, left + row);
-    }
-  }
-  if (l.right_children == l.nodes) return;
-  const std::size_t p = l.right_children;
-  for (std::size_t i = 0; i < row; ++i) l.out[2 * p * row + i] = l.in[p * row + i];
-}
-
-/// A row that is one vector gets a loop of its own.
-template <bool first, bool multiplicand, class D>
-HWY_ATTR inline void rows_step(D d, const TreeLevel& level) {
-  if (level.row_words == hn::MaxLanes(d)) return nodes_step<first, multiplicand>(d, level, hn::MaxLanes(d));
-  return nodes_step<first, multiplicand>(d, level, level.row_words);
-}
-
-template <std::size_t max_lanes>
-HWY_ATTR inline void level_step(const TreeLevel& level, bool first, bool multiplicand) {
-  const Tag<max_lanes> d;
-  if (first) return multiplicand ? rows_step<true, true>(d, level) : rows_step<true, false>(d, level);
-  return multiplicand ? rows_step<false, true>(d, level) : rows_step<false, false>(d, level);
-}
-
-void TreeLevelStep(const TreeLevel& level, bool first, bool multiplicand) {
-  if (level.row_words % 8 == 0) return level_step<8>(level, first, multiplicand);
-  if (level.row_words % 4 == 0) return level_step<4>(level, first, multiplicand);
-  if (level.row_words % 2 == 0) return level_step<2>(level, first, multiplicand);
-  return level_step<1>(level, first, multiplicand);
 }
 
 std::uint64_t CountOnes(const std::uint64_t* plane, std::size_t words) {
-  Vector count = hn::Zero(PlaneTag());
-  each(words, [&](std::size_t i) HWY_ATTR { count = hn::Add(count, hn::PopulationCount(load(plane, i))); });
-  return hn::GetLane(hn::SumOfLanes(PlaneTag(), count));
+  Vector count = hn::Zero(BlockTag());
+  each(words, [&](std::size_t i) HWY_ATTR { count = hn::Add(count, hn::PopulationCount(load(plane + i))); });
+  return hn::GetLane(hn::SumOfLanes(BlockTag(), count));
 }
 
 bool AnyOnes(const std::uint64_t* plane, std::size_t words) {
-  const PlaneTag d;
+  const BlockTag d;
   for (std::size_t i = 0; i < words; i += hn::Lanes(d)) {
-    if (!hn::AllTrue(d, hn::Eq(load(plane, i), hn::Zero(d)))) return true;
+    if (!hn::AllTrue(d, hn::Eq(load(plane + i), hn::Zero(d)))) return true;
   }
   return false;
 }
@@ -221,15 +315,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace csgsim::array::kernels {
 
-HWY_EXPORT(AluStep);
-HWY_EXPORT(TreeLevelStep);
+HWY_EXPORT(RunBlocks);
+HWY_EXPORT(FindOnes);
 HWY_EXPORT(CountOnes);
 HWY_EXPORT(AnyOnes);
 
-void alu_step(AluFunction function, const AluPlanes& planes) { HWY_DYNAMIC_DISPATCH(AluStep)(function, planes); }
+void run(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
+         std::span<const std::uint32_t> numbers, Effects effects) {
+  HWY_DYNAMIC_DISPATCH(RunBlocks)(runs, tables, blocks, numbers, effects);
+}
 
-void tree_level_step(const TreeLevel& level, bool first, bool multiplicand) {
-  HWY_DYNAMIC_DISPATCH(TreeLevelStep)(level, first, multiplicand);
+void find_ones(const std::uint64_t* plane, std::span<std::uint8_t> flags) {
+  HWY_DYNAMIC_DISPATCH(FindOnes)(plane, flags);
 }
 
 std::uint64_t count_ones(const std::uint64_t* plane, std::size_t words) {

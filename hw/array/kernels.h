@@ -2,42 +2,48 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
-#include "hw/array/array_step.h"
+#include "hw/array/step_log.h"
 
-/// The loops over whole planes, compiled for every vector unit and chosen at run time.
+/// The loops over pixels, compiled for every vector unit and chosen at run time.
 namespace csgsim::array::kernels {
 
-/// The planes of one bit of a step. Operands that the function does not use may be null. `words` is a multiple of 8.
-struct AluPlanes {
-  const std::uint64_t* x = nullptr;
-  const std::uint64_t* y = nullptr;
-  const std::uint64_t* present = nullptr;
+/// Pixels are worked on in blocks of so many words, a cache line of each of a pixel's bits.
+inline constexpr std::size_t block_words = 8;
+
+/// Bit j of a*x + c at every column x is row j of `columns`, `stride` words each; the words of a row of pixels are
+/// repeated there until all blocks have theirs beside each other, wherever in a row they begin.
+struct StreamTable {
+  const std::uint64_t* columns = nullptr;
+  std::size_t stride = 0;
+  std::uint64_t b = 0;
+  unsigned bits = 0;  ///< 1 to 64
+};
+
+/// Word i of block n is word n * block_words + i of the pixels, whose rows are `row_words` long. Of the pixel's bits
+/// (PixelBits) bit k of block n is at `bits` + n * `stride` + k * block_words.
+struct Blocks {
+  std::uint64_t* bits = nullptr;
+  std::size_t stride = 0;  ///< words
   std::uint64_t* enable = nullptr;
-  std::uint64_t* carry = nullptr;
-  std::uint64_t* latch = nullptr;
-  std::uint64_t* write = nullptr;
-  bool constant = false;
-  std::size_t words = 0;
+  const std::uint64_t* present = nullptr;
+  std::size_t row_words = 1;
 };
 
-/// One bit of what every pixel's ALU does in a clock.
-void alu_step(AluFunction function, const AluPlanes& planes);
-
-/// One clock of one level of the Y tree. Node p's stream is row p of `in`; its left child (row 2p of `out`) gets it
-/// as it is, its right child (row 2p + 1) gets in + multiplicand + carry. Rows hold `row_words` words; the last node
-/// has a right child only if `right_children` == `nodes`.
-struct TreeLevel {
-  const std::uint64_t* in = nullptr;
-  std::uint64_t* carry = nullptr;
-  std::uint64_t* out = nullptr;
-  std::size_t nodes = 0;
-  std::size_t right_children = 0;
-  std::size_t row_words = 0;
+/// What of the steps counts.
+struct Effects {
+  bool enabled = true;  ///< they find the enable bits that are there and change them; else all are 0
+  bool carry = true;
+  bool latch = true;
 };
 
-/// `first`: the carries start from 0. `multiplicand`: the bit on the level's broadcast wire.
-void tree_level_step(const TreeLevel& level, bool first, bool multiplicand);
+/// Carries out runs on those blocks. `tables`: of the streams.
+void run(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
+         std::span<const std::uint32_t> numbers, Effects effects);
+
+/// Sets flags[n] to whether block n of a plane has any ones.
+void find_ones(const std::uint64_t* plane, std::span<std::uint8_t> flags);
 
 /// Ones in `words` words (a multiple of 8).
 std::uint64_t count_ones(const std::uint64_t* plane, std::size_t words);

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
 
-#include "hw/array/multiplier_tree.h"
 #include "hw/array/plane.h"
+#include "hw/array/stream_bit.h"
 
 namespace csgsim::array {
 
@@ -18,48 +19,68 @@ struct RootBits {
   constexpr bool operator==(const RootBits&) const = default;
 };
 
-/// A wire that reaches its end `length` clocks later (0 to 63).
-class DelayLine {
- public:
-  explicit DelayLine(unsigned length) : length_(length) {}
+/// ceil(log2(leaves)), 0 for one leaf.
+constexpr unsigned tree_levels(std::uint32_t leaves) {
+  unsigned levels = 0;
+  while ((std::uint64_t{1} << levels) < leaves) ++levels;
+  return levels;
+}
 
-  /// What comes out while `bit` goes in.
-  [[nodiscard]] bool out(bool bit) const { return length_ == 0 ? bit : ((bits_ >> (length_ - 1)) & 1U) != 0; }
-  void shift(bool bit) { bits_ = (bits_ << 1U) | (bit ? 1U : 0U); }
-
- private:
-  unsigned length_;
-  std::uint64_t bits_ = 0;
+/// What is at a level of a tree on the way to a pixel, in the middle of a clock.
+struct LevelProbe {
+  Token token;          ///< of the bit that enters the level
+  bool stream = false;  ///< that bit
+  bool carry = false;   ///< that the level's adder, if there is a right child, adds to it
 };
 
 /// The Linear Expression Evaluator (thesis 7.2.1): an X tree over the columns, whose leaves A*x + C each enter a Y tree
 /// over the rows. Bit j of A*x + B*y + C reaches the pixels levels() clocks after bit j of A, B and C entered, for
 /// instructions of any width, back to back.
+///
+/// A tree of n levels multiplies by the leaf's coordinate, one serial adder with carry and one delay a level. A node of
+/// level k (root 0) covers 2^(n-k) leaves. It passes the incoming stream, one clock later, to its left child, and the
+/// stream plus the multiplicand to its right child, whose leaves have coordinate bit n-1-k set. All levels share the
+/// multiplicand wire. The stream reaches level k after k clocks and the multiplicand n-1 clocks after the stream's
+/// first bit, so at level k it is worth 2^(n-1-k) times itself, and counts as 0 before.
+///
+/// What the registers hold follows from the coefficients' bits that have entered, which are kept instead of them.
 class LinearEvaluator {
  public:
   explicit LinearEvaluator(PlaneShape shape);
 
   /// Clocks from the roots to the pixels: ceil(log2 width) + ceil(log2 height).
-  [[nodiscard]] unsigned levels() const { return columns_.levels() + rows_.levels(); }
+  [[nodiscard]] unsigned levels() const { return x_levels_ + y_levels_; }
+  [[nodiscard]] unsigned x_levels() const { return x_levels_; }
+  [[nodiscard]] unsigned y_levels() const { return y_levels_; }
 
   /// Is a bit on its way to the pixels?
-  [[nodiscard]] bool any_active() const { return columns_.any_active() || rows_.any_active(); }
+  [[nodiscard]] bool any_active() const { return active_ > 0; }
 
-  /// One clock. `leaves` (shape.words() words) are the registers at the pixels; they are written in clocks in which a
-  /// bit reaches them, and hold otherwise. Returns whether one did. Bits beyond the row's width are undefined. With no
-  /// level at all `leaves` are wires: they show `root` at once.
-  bool clock(const RootBits& root, std::span<std::uint64_t> leaves);
+  /// One clock. `leaves` are the registers at the pixels; they are written in clocks in which a bit reaches them, and
+  /// hold otherwise. Returns whether one did. With no level at all `leaves` are wires: they show `root` at once. The
+  /// bits of a stream enter one after the other, the first with number 0.
+  bool clock(const RootBits& root, StreamBit& leaves);
+
+  /// What is at a level of the X or of the Y tree, while `root` is on the wires, on the way to a pixel. Level 0 is the
+  /// tree's root; the last are its leaves: those of the X tree enter the Y tree, those of the Y tree are the registers
+  /// at the pixels.
+  [[nodiscard]] LevelProbe x_level(unsigned level, std::uint32_t x, const RootBits& root) const;
+  [[nodiscard]] LevelProbe y_level(unsigned level, Place pixel, const RootBits& root) const;
 
   /// Empties the trees.
   void clear();
 
  private:
-  bool clock_single_row(const RootBits& root, bool multiplicand, std::span<std::uint64_t> leaves);
+  [[nodiscard]] StreamBit entering(const RootBits& root) const;
+  [[nodiscard]] StreamBit at(unsigned level, const RootBits& root) const;
 
-  ColumnTree columns_;
-  RowTree rows_;
-  DelayLine a_;
-  DelayLine b_;
+  PlaneShape shape_;
+  unsigned x_levels_;
+  unsigned y_levels_;
+  StreamBit last_;               ///< that entered
+  std::vector<StreamBit> bits_;  ///< a ring: what has come to the levels after the first
+  std::size_t oldest_ = 0;
+  unsigned active_ = 0;  ///< of them
 };
 
 }  // namespace csgsim::array

@@ -6,88 +6,137 @@
 
 namespace csgsim::array {
 
+namespace {
+
+constexpr std::uint32_t byte_bits = 8;
+
+/// Of 8 x 8 bits, a row a byte, bit c of row r becomes bit r of row c.
+constexpr std::uint64_t transposed(std::uint64_t rows) {
+  const auto swap = [&](unsigned distance, std::uint64_t upper) {
+    const std::uint64_t differ = (rows ^ (rows >> distance)) & upper;
+    rows ^= differ ^ (differ << distance);
+  };
+  swap(7, 0x00aa00aa00aa00aaU);
+  swap(14, 0x0000cccc0000ccccU);
+  swap(28, 0x00000000f0f0f0f0U);
+  return rows;
+}
+
+}  // namespace
+
 PixelArray::PixelArray(const isa::ArrayShape& shape, unsigned alu_bits)
-    : shape_{shape.width, shape.height},
-      memory_(shape.memory_bits, Words(shape_.padded_words())),
-      enable_(shape_.padded_words()),
-      carry_(shape_.padded_words()),
-      latch_(alu_bits, Words(shape_.padded_words())),
-      present_(shape_.padded_words()) {
-  reset(shape.width, shape.height);
+    : shape_{shape.width, shape.height}, pixels_(shape_, {}, {alu_bits, shape.memory_bits}) {
+  select(shape.width, shape.height);
+}
+
+PixelArray::PixelArray(std::span<const Place> pixels, std::uint32_t memory_bits, unsigned alu_bits)
+    : shape_{static_cast<std::uint32_t>(pixels.size()), 1},
+      places_(pixels.begin(), pixels.end()),
+      pixels_(shape_, pixels, {alu_bits, memory_bits}) {
+  const auto beyond = [&](std::uint32_t Place::*axis) {
+    std::uint32_t most = 0;
+    for (const Place& place : places_) most = std::max(most, place.*axis);
+    return most + 1;
+  };
+  select(beyond(&Place::x), beyond(&Place::y));
 }
 
 void PixelArray::reset(std::uint32_t width, std::uint32_t height) {
-  clear_memory(0, memory_bits());
+  pixels_.reset();
   select(width, height);
 }
 
-void PixelArray::clear_memory(std::uint32_t address, std::uint32_t bits) {
-  for (std::uint32_t bit = address; bit < address + bits; ++bit) std::fill(memory_[bit].begin(), memory_[bit].end(), 0);
-}
+void PixelArray::clear_memory(std::uint32_t address, std::uint32_t bits) { pixels_.clear_memory(address, bits); }
 
 void PixelArray::select(std::uint32_t width, std::uint32_t height) {
-  for (Words& plane : latch_) std::fill(plane.begin(), plane.end(), 0);
-  for (Words* plane : {&enable_, &carry_, &present_}) std::fill(plane->begin(), plane->end(), 0);
-  for (std::uint32_t y = 0; y < height; ++y) {
-    for (std::uint32_t x = 0; x < width; x += word_bits) present_[shape_.word_of(x, y)] = low_bits(width - x);
+  Words present(shape_.padded_words());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const bool is_present = places_[i].x < width && places_[i].y < height;
+    present[i / word_bits] |= std::uint64_t{is_present} << (i % word_bits);
   }
+  for (std::uint32_t y = 0; y < height && places_.empty(); ++y) {
+    for (std::uint32_t x = 0; x < width; x += word_bits) present[shape_.word_of(x, y)] = low_bits(width - x);
+  }
+  pixels_.select(present);
 }
 
-void PixelArray::step(const ArrayStep& step, std::span<const std::uint64_t> tree) {
-  if (step.function == AluFunction::idle || step.function == AluFunction::answer) return;
-  for (unsigned bit = 0; bit < step.bits; ++bit) bit_step(step, bit, tree);
+void PixelArray::step(const ArrayStep& step, const StreamBit& tree) { pixels_.push(step, tree); }
+
+bool PixelArray::any_enabled() const {
+  const std::span<const std::uint64_t> plane = enable();
+  return kernels::any_ones(plane.data(), plane.size());
 }
 
-void PixelArray::bit_step(const ArrayStep& step, unsigned bit, std::span<const std::uint64_t> tree) {
-  const AluFunction function = function_of_bit(step, bit);
-  const AluInfo& row = info(function);
-  const auto operand_x = [&]() -> const std::uint64_t* {
-    if (!row.reads_x) return nullptr;
-    switch (step.source) {
-      case OperandSource::tree: return tree.data();
-      case OperandSource::latch: return latch_[bit].data();
-      case OperandSource::memory: return memory_[step.x + bit].data();
-    }
-    return nullptr;
-  };
-  kernels::alu_step(function, {.x = operand_x(),
-                               .y = row.reads_y ? memory_[step.y + bit].data() : nullptr,
-                               .present = present_.data(),
-                               .enable = enable_.data(),
-                               .carry = carry_.data(),
-                               .latch = latch_[bit].data(),
-                               .write = row.writes ? memory_[step.write + bit].data() : nullptr,
-                               .constant = (step.constant >> bit & 1U) != 0,
-                               .words = shape_.padded_words()});
+std::uint64_t PixelArray::count_enabled() const {
+  const std::span<const std::uint64_t> plane = enable();
+  return kernels::count_ones(plane.data(), plane.size());
 }
 
-bool PixelArray::any_enabled() const { return kernels::any_ones(enable_.data(), enable_.size()); }
+std::span<const std::uint64_t> PixelArray::enable() const {
+  pixels_.settle();
+  return pixels_.enable();
+}
 
-std::uint64_t PixelArray::count_enabled() const { return kernels::count_ones(enable_.data(), enable_.size()); }
+Words PixelArray::memory(std::uint32_t address) const {
+  pixels_.settle_memory(address);
+  Words plane(shape_.padded_words());
+  const unsigned bit = pixels_.bits().memory(address);
+  for (std::size_t word = 0; word < plane.size(); ++word) plane[word] = pixels_.word(bit, word);
+  return plane;
+}
+
+void PixelArray::read_row(std::uint32_t address, std::uint32_t row, std::span<std::uint64_t> words) const {
+  pixels_.settle_memory(address);
+  const unsigned bit = pixels_.bits().memory(address);
+  const std::size_t first = shape_.word_of(0, row);
+  for (std::size_t i = 0; i < shape_.row_words(); ++i) words[i] = pixels_.word(bit, first + i);
+}
 
 void PixelArray::read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
                             std::span<std::uint32_t> values) const {
+  pixels_.settle();
   std::fill(values.begin(), values.end(), 0U);
-  for (std::uint32_t bit = 0; bit < field.width; ++bit) {
-    const Words& plane = memory_[field.base + bit];
+  for (std::uint32_t bit = 0; bit < field.width; bit += byte_bits) {
+    const auto base = static_cast<std::uint16_t>(field.base + bit);
+    const auto bits = static_cast<std::uint16_t>(std::min(field.width - bit, byte_bits));
     for (std::uint32_t y = 0; y < height; ++y) {
-      for (std::uint32_t x = 0; x < width; ++x) {
-        const auto value = static_cast<std::uint32_t>(plane[shape_.word_of(x, y)] >> (x % word_bits)) & 1U;
-        values[std::size_t{y} * width + x] |= value << bit;
+      for (std::uint32_t x = 0; x < width; x += byte_bits) {
+        std::uint64_t bytes = transposed(eight_pixels({base, bits}, x, y));
+        std::uint32_t* const value = &values[std::size_t{y} * width + x];
+        for (std::size_t i = 0; i < std::min(byte_bits, width - x); ++i, bytes >>= byte_bits)
+          value[i] |= static_cast<std::uint32_t>(bytes & 0xffU) << bit;
       }
     }
   }
 }
 
-PixelProbe PixelArray::probe(std::uint32_t x, std::uint32_t y, std::span<const std::uint64_t> tree) const {
-  std::uint32_t latch = 0;
-  for (unsigned bit = 0; bit < latch_.size(); ++bit) {
-    latch |= static_cast<std::uint32_t>(bit_of(latch_[bit], shape_, x, y)) << bit;
+/// Row r: bit r of the field, of up to 8 bits, at the 8 pixels from x on, a multiple of 8.
+std::uint64_t PixelArray::eight_pixels(isa::Field field, std::uint32_t x, std::uint32_t y) const {
+  std::uint64_t rows = 0;
+  for (unsigned bit = 0; bit < field.width; ++bit) {
+    const std::uint64_t word = pixels_.word(pixels_.bits().memory(field.base + bit), shape_.word_of(x, y));
+    rows |= (word >> (x % word_bits) & 0xffU) << (bit * byte_bits);
   }
-  return {.tree = bit_of(tree, shape_, x, y),
-          .carry = bit_of(carry_, shape_, x, y),
-          .enable = bit_of(enable_, shape_, x, y),
+  return rows;
+}
+
+PixelProbe PixelArray::probe(std::uint32_t x, std::uint32_t y, const StreamBit& tree) const {
+  pixels_.settle_registers();
+  const auto is_set = [&](unsigned bit) {
+    return (pixels_.word(bit, shape_.word_of(x, y)) >> (x % word_bits) & 1U) != 0;
+  };
+  std::uint32_t latch = 0;
+  for (unsigned bit = 0; bit < pixels_.bits().alu_bits; ++bit)
+    latch |= static_cast<std::uint32_t>(is_set(pixels_.bits().latch(bit))) << bit;
+  return {.tree = tree.at(places_.empty() ? Place{x, y} : places_[x]),
+          .carry = is_set(PixelBits::carry),
+          .enable = bit_of(pixels_.enable(), shape_, x, y),
           .latch = latch};
+}
+
+bool PixelArray::memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const {
+  pixels_.settle_memory(address);
+  return (pixels_.word(pixels_.bits().memory(address), shape_.word_of(x, y)) >> (x % word_bits) & 1U) != 0;
 }
 
 }  // namespace csgsim::array

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "hw/array/array_step.h"
+#include "hw/array/deferred_pixels.h"
 #include "hw/array/plane.h"
+#include "hw/array/stream_bit.h"
 #include "hw/isa/instruction.h"
 #include "hw/isa/program.h"
 
@@ -19,14 +21,18 @@ struct PixelProbe {
   std::uint32_t latch = 0;  ///< a bit a bit of the ALU
 };
 
-/// The pixel processors and memories of the whole array: each register and each memory bit is a plane.
+/// The pixel processors and memories of the whole array. Whoever looks sees what the steps so far leave; these are
+/// carried out only then.
 class PixelArray {
  public:
   /// `alu_bits`: most bits that a step may work on.
   PixelArray(const isa::ArrayShape& shape, unsigned alu_bits);
 
+  /// Of such an array, those pixels alone, side by side in a row: what they do is what they do in the whole.
+  PixelArray(std::span<const Place> pixels, std::uint32_t memory_bits, unsigned alu_bits);
+
   [[nodiscard]] const PlaneShape& shape() const { return shape_; }
-  [[nodiscard]] std::uint32_t memory_bits() const { return static_cast<std::uint32_t>(memory_.size()); }
+  [[nodiscard]] std::uint32_t memory_bits() const { return pixels_.bits().memory_bits; }
 
   /// Clears memory and registers, and selects.
   void reset(std::uint32_t width, std::uint32_t height);
@@ -38,38 +44,34 @@ class PixelArray {
   /// bits stay 0.
   void select(std::uint32_t width, std::uint32_t height);
 
-  /// One clock of all pixels; `tree` are the leaves of the multiplier trees (shape().padded_words() words).
-  void step(const ArrayStep& step, std::span<const std::uint64_t> tree);
+  /// One clock of all pixels; `tree` is at the leaves of the multiplier trees.
+  void step(const ArrayStep& step, const StreamBit& tree);
 
   [[nodiscard]] bool any_enabled() const;
   [[nodiscard]] std::uint64_t count_enabled() const;
 
-  [[nodiscard]] std::span<const std::uint64_t> enable() const { return enable_; }
-  [[nodiscard]] std::span<const std::uint64_t> memory(std::uint32_t address) const { return memory_[address]; }
+  /// Valid until the next change.
+  [[nodiscard]] std::span<const std::uint64_t> enable() const;
 
-  /// One memory bit of one row.
-  [[nodiscard]] std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const {
-    return std::span<const std::uint64_t>(memory_[address]).subspan(row * shape_.row_words(), shape_.row_words());
-  }
+  /// One memory bit of every pixel.
+  [[nodiscard]] Words memory(std::uint32_t address) const;
+
+  /// One memory bit of one row: shape().row_words() words.
+  void read_row(std::uint32_t address, std::uint32_t row, std::span<std::uint64_t> words) const;
 
   /// The field's values in a `width` x `height` corner of the array, in row order.
   void read_field(isa::Field field, std::uint32_t width, std::uint32_t height, std::span<std::uint32_t> values) const;
 
   /// `tree`: as in step.
-  [[nodiscard]] PixelProbe probe(std::uint32_t x, std::uint32_t y, std::span<const std::uint64_t> tree) const;
-  [[nodiscard]] bool memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const {
-    return bit_of(memory_[address], shape_, x, y);
-  }
+  [[nodiscard]] PixelProbe probe(std::uint32_t x, std::uint32_t y, const StreamBit& tree) const;
+  [[nodiscard]] bool memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const;
 
  private:
-  void bit_step(const ArrayStep& step, unsigned bit, std::span<const std::uint64_t> tree);
+  [[nodiscard]] std::uint64_t eight_pixels(isa::Field field, std::uint32_t x, std::uint32_t y) const;
 
   PlaneShape shape_;
-  std::vector<Words> memory_;
-  Words enable_;
-  Words carry_;
-  std::vector<Words> latch_;
-  Words present_;
+  std::vector<Place> places_;      ///< of the pixels in the whole array; empty if this is the whole
+  mutable DeferredPixels pixels_;  ///< which who looks settles
 };
 
 }  // namespace csgsim::array

@@ -48,6 +48,14 @@ struct PlaneShape {
   constexpr bool operator==(const PlaneShape&) const = default;
 };
 
+/// A pixel of an array.
+struct Place {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+
+  constexpr bool operator==(const Place&) const = default;
+};
+
 inline bool bit_of(std::span<const std::uint64_t> plane, PlaneShape shape, std::uint32_t x, std::uint32_t y) {
   return ((plane[shape.word_of(x, y)] >> (x % word_bits)) & 1U) != 0;
 }

@@ -48,8 +48,12 @@ void MemoryFile::fail(const std::error_code& error) const {
 std::string MemoryFile::path() const { return fmt::format("/proc/self/fd/{}", descriptor_.number()); }
 
 void MemoryFile::write(std::string_view bytes) {
-  if (const std::error_code error = write_all(descriptor_, bytes)) fail(error);
+  append(bytes);
   rewind();
+}
+
+void MemoryFile::append(std::string_view bytes) {
+  if (const std::error_code error = write_all(descriptor_, bytes)) fail(error);
 }
 
 void MemoryFile::rewind() const {

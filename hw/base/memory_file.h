@@ -25,13 +25,18 @@ class MemoryFile {
   /// Writes the bytes at its place, and goes back to its beginning.
   void write(std::string_view bytes);
 
+  /// Writes the bytes at its place, and stays behind them.
+  void append(std::string_view bytes);
+
+  /// Goes back to its beginning.
+  void rewind() const;
+
   /// All that was written. Throws if it cannot be read, or if a limit on the size of files has refused any write of
   /// this process since this file was made, so that something may be missing.
   [[nodiscard]] std::string content() const;
 
  private:
   [[noreturn]] void fail(const std::error_code& error) const;
-  void rewind() const;
 
   std::filesystem::path purpose_;
   Descriptor descriptor_;

@@ -72,8 +72,8 @@ inline constexpr std::uint8_t no_effect = 0xffU;
 /// Whom an instruction serves; stats and waves show it, machines ignore it.
 struct Origin {
   Purpose purpose = Purpose::setup;
-  std::uint32_t primitive = no_primitive;  ///< index into Program::primitives: whose surface is drawn
-  std::uint32_t node = no_node;            ///< the primitive it is compared with while classifying; the first of
+  std::uint32_t primitive = no_primitive;  ///< number of the piece (hw/isa/pieces.h) whose surface is drawn
+  std::uint32_t node = no_node;            ///< the piece it is compared with while classifying; the first of
                                  ///< several that are drawn as one solid, for its merge and shading; else no_node
   std::uint8_t effect = no_effect;  ///< index into CompileFacts::effects: what is paid for; else no_effect
 

@@ -260,7 +260,8 @@ void put_text_form(std::string& page) {
       "\n## The text form\n\n"
       "`csgsim disasm` prints a Program as text, and a text file is run like a binary one. One directive or "
       "instruction "
-      "stands\non a line; `#` begins a comment.\n\n```\n");
+      "stands\non a line; `#` begins a comment. The numbers of segments (`s0`) and of instructions through all of them "
+      "(`i0`),\nby which other commands name them, are comments.\n\n```\n");
   std::ostringstream printed;
   print(printed, parse(sample, "sample"));
   page += printed.view();
@@ -272,7 +273,8 @@ void put_text_form(std::string& page) {
       "- A constant or a count is decimal, or hexadecimal after `0x`.\n"
       "- After `;` stands the origin: the purpose, `pN` for a primitive, `against pN` for the one it is compared "
       "with,\n  `for eN` for the effect that it serves, counted from 0 in the order of `.compile`'s `effects`.\n"
-      "  Primitives count from 0 in the order of the `.primitive` lines. Without `;` the purpose is `{}`.\n"
+      "  Primitives count from 0 in the order of the `.primitive` lines; where one is drawn in several convex pieces,\n"
+      "  which its line tells by `pieces=3`, `pN.K` is one of them, from 0. Without `;` the purpose is `{}`.\n"
       "- In strings `\\\"` and `\\\\` stand for `\"` and `\\`, and `\\xNN` for the byte with that hexadecimal code.\n\n"
       "`.array` comes first. `.field NAME PLACE ROLE` and `.primitive \"NAME\"` stand once for each, and before the "
       "first\n`.segment`. The other directives take `key=value` pairs; what is left out is zero (`far`: 1):\n\n",

@@ -4,11 +4,13 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <type_traits>
 
 #include "hw/isa/bytes.h"
 #include "hw/isa/describe.h"
+#include "hw/isa/pieces.h"
 #include "hw/isa/quoting.h"
 
 namespace csgsim::isa {
@@ -100,6 +102,17 @@ void read(const json& value, std::string_view what, std::vector<Element>& member
   for (const json& element : value) read(element, what, member.emplace_back());
 }
 
+/// How many each primitive has.
+void read_pieces(const json& value, Facts& facts) {
+  std::vector<std::uint32_t> counts;
+  read(value, "pieces", counts);
+  const std::uint64_t all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  const bool has_none = std::find(counts.begin(), counts.end(), 0U) != counts.end();
+  if (has_none || counts.size() != facts.primitives.size() || all > most_pieces)
+    malformed("pieces", fmt::format("a number above 0 for each primitive, {} at most together", most_pieces));
+  set_piece_counts(counts, facts);
+}
+
 void read_segment(const json& value, bool divided, Segment& segment, std::uint64_t& count) {
   std::size_t members = 0;
   const auto add = [&](const char*, auto&) { ++members; };
@@ -177,6 +190,7 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
   json root = json::object();
   describe_header(program, [&](const char* name, const auto& record) { root[name] = members_by_name(record); });
   root["primitives"] = program.facts.primitives;
+  if (!program.facts.primitive_of_piece.empty()) root["pieces"] = piece_counts(program.facts);
   json& fields = root["fields"] = json::array();
   for (const NamedField& named : program.facts.fields) fields.push_back(field_row(named));
   json& segments = root["segments"] = json::array();
@@ -196,6 +210,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor) {
     describe(record, [&](const char* key, auto& member) { read(member_of(object, key), key, member); });
   });
   read(member_of(root, "primitives"), "primitives", program.facts.primitives);
+  if (const auto pieces = root.find("pieces"); pieces != root.end()) read_pieces(*pieces, program.facts);
   read(member_of(root, "fields"), "fields", program.facts.fields);
   if (const auto model = root.find("display_model"); model != root.end()) {
     std::string digits;

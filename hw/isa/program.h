@@ -18,6 +18,10 @@ struct Region {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
 
+  /// Whether that pixel of the picture is in it.
+  [[nodiscard]] constexpr bool holds(std::uint32_t column, std::uint32_t row) const {
+    return column >= x && column - x < width && row >= y && row - y < height;
+  }
   constexpr bool operator==(const Region&) const = default;
 };
 
@@ -140,7 +144,10 @@ struct ArrayShape {
 /// What people are told of a Program, in stats, pictures and waves. No hardware reads it.
 struct Facts {
   std::vector<NamedField> fields;
-  std::vector<std::string> primitives;  ///< a name for each primitive index that origins use
+  std::vector<std::string> primitives;  ///< a name for each
+  /// Of each piece that origins name the primitive it belongs to, in order (hw/isa/pieces.h); none: each primitive is
+  /// one piece.
+  std::vector<std::uint32_t> primitive_of_piece{};
   DepthScale depth_scale;
   ModelFacts model;
   CompileFacts compile;

@@ -8,7 +8,7 @@
 
 namespace csgsim::isa {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -59,7 +59,7 @@ std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view digits) {
 
 std::string word_or_quoted(std::string_view text) {
   tao::pegtl::memory_input<> in(text.data(), text.size(), "");
-  return tao::pegtl::parse<tao::pegtl::seq<grammar::word, tao::pegtl::eof>>(in) ? std::string(text) : quoted(text);
+  return tao::pegtl::parse<tao::pegtl::seq<grammar::word, tao::pegtl::eof>>(in) ? std::string(text) : in_quotes(text);
 }
 
 }  // namespace csgsim::isa

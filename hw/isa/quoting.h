@@ -10,7 +10,7 @@
 namespace csgsim::isa {
 
 /// The text as a string of the text form: in quotes, on one line, control characters as \xNN.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// What stands between the quotes of a string, its escapes replaced.
 std::string unescaped(std::string_view body);

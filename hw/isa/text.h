@@ -1,6 +1,8 @@
 #pragma once
 
 #include <iosfwd>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "hw/isa/program.h"
@@ -17,15 +19,16 @@ namespace csgsim::isa {
 ///     .field Z1 [0+:20] candidate_depth
 ///     .field in [40] stack
 ///     .primitive "tooth"
-///     .segment x=0 y=0 width=512 height=512 primitives=2 halfspaces=12
-///       enable_all                                   ; setup
-///       set_constant Z1, 1048575                     ; setup
-///       keep_max Z1, 12*x - 7*y + 991 (w35 >> 12)    ; render p0
-///       linear_ge Z1, 3*x (w30)                      ; classify p0 against p1
-///       enable_store in                              ; classify p0 against p1
-///       set_constant [41+:8], 0xff                   ; shade p0
+///     .segment x=0 y=0 width=512 height=512 primitives=2 halfspaces=12  # s0
+///       enable_all                                   ; setup                   # i0
+///       set_constant Z1, 1048575                     ; setup                   # i1
+///       keep_max Z1, 12*x - 7*y + 991 (w35 >> 12)    ; render p0               # i2
+///       linear_ge Z1, 3*x (w30)                      ; classify p0 against p1  # i3
+///       enable_store in                              ; classify p0 against p1  # i4
+///       set_constant [41+:8], 0xff                   ; shade p0                # i5
 ///
-/// - `#` begins a comment, which ends with its line. Blanks separate; how many does not matter.
+/// - `#` begins a comment, which ends with its line. Blanks separate; how many does not matter. print writes the
+///   numbers of segments and of instructions (hw/isa/instruction_numbers.h) as comments.
 /// - Directives that begin with a dot come first, `.array` before all others, and then the segments. `key=value` pairs
 ///   come in any order; what is left out is zero (near 0, far 1). Values are numbers, `true` or `false`, strings, and
 ///   lists of strings.
@@ -42,6 +45,12 @@ namespace csgsim::isa {
 ///
 /// print writes it so that parse reads the same Program back, doubles bit by bit.
 void print(std::ostream& out, const Program& program);
+
+/// An instruction as the text form has it, without its origin; `fields` give names.
+std::string text_of(const Instruction& instruction, std::span<const NamedField> fields);
+
+/// A linear expression as the text form has it.
+std::string text_of(const Linear& linear);
 
 /// Reads the text form; `name` is the file's in errors. The result is valid. Throws InputError, `name:line:column:
 /// what, and what to do`; unknown words name the nearest known one.

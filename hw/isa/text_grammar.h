@@ -87,8 +87,9 @@ struct operands {
 // Instructions.
 struct mnemonic : word {};
 struct purpose : word {};
-struct primitive : number {};
-struct node : number {};
+struct piece : seq<plus<digit>, opt<one<'.'>, plus<digit>>> {};
+struct primitive : piece {};
+struct node : piece {};
 struct effect : number {};
 struct against : seq<blanks, string<'a', 'g', 'a', 'i', 'n', 's', 't'>, blanks, one<'p'>> {};
 struct serves : seq<blanks, string<'f', 'o', 'r'>, blanks, one<'e'>> {};
@@ -126,7 +127,7 @@ struct directive_body {
     switch (reading.directive) {
       case Directive::field:
         return demand(std::type_identity<must<gap, new_field_name, gap, field_place, gap, role>>{});
-      case Directive::primitive:
+      case Directive::primitive: return demand(std::type_identity<must<gap, quoted_string, star<blanks, pair>>>{});
       case Directive::display_model: return demand(std::type_identity<must<gap, quoted_string>>{});
       case Directive::record:
       case Directive::segment: return demand(std::type_identity<star<blanks, pair>>{});

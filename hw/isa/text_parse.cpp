@@ -52,8 +52,8 @@ CSGSIM_WHEN(decimal) { reading.instruction.constant = Reading::number<std::uint6
 
 CSGSIM_WHEN(mnemonic) { reading.begin_instruction(matched); }
 CSGSIM_WHEN(purpose) { reading.set_purpose(matched); }
-CSGSIM_WHEN(primitive) { reading.instruction.origin.primitive = Reading::index(matched); }
-CSGSIM_WHEN(node) { reading.instruction.origin.node = Reading::index(matched); }
+CSGSIM_WHEN(primitive) { reading.instruction.origin.primitive = reading.piece(matched); }
+CSGSIM_WHEN(node) { reading.instruction.origin.node = reading.piece(matched); }
 CSGSIM_WHEN(effect) { reading.set_effect(matched); }
 
 CSGSIM_WHEN(directive_name) { reading.begin_directive(std::string(matched)); }

@@ -12,6 +12,7 @@
 
 #include "hw/isa/describe.h"
 #include "hw/isa/operands.h"
+#include "hw/isa/pieces.h"
 #include "hw/isa/quoting.h"
 #include "hw/isa/text.h"
 
@@ -20,6 +21,7 @@ namespace csgsim::isa {
 namespace {
 
 constexpr std::size_t origin_column = 56;
+constexpr std::size_t number_column = 84;
 constexpr std::size_t model_line = 48;  ///< bytes of a display model in a line
 
 using Buffer = fmt::memory_buffer;
@@ -34,19 +36,19 @@ std::string show(const Number& number) {
   return fmt::format("{}", number);
 }
 
-std::string show(const std::string& text) { return quoted(text); }
+std::string show(const std::string& text) { return in_quotes(text); }
 
 std::string show(const std::vector<std::string>& list) {
   std::string out;
-  for (const std::string& element : list) out += (out.empty() ? "" : ", ") + quoted(element);
+  for (const std::string& element : list) out += (out.empty() ? "" : ", ") + in_quotes(element);
   return '[' + out + ']';
 }
 
 template <class Record>
-void put_record(Buffer& out, std::string_view name, const Record& record) {
+void put_record(Buffer& out, std::string_view name, const Record& record, std::string_view comment = "") {
   put(out, ".{}", name);
   describe(record, [&](std::string_view key, const auto& value) { put(out, " {}={}", key, show(value)); });
-  put(out, "\n");
+  put(out, "{}\n", comment);
 }
 
 void put_place(Buffer& out, Field field) {
@@ -60,8 +62,8 @@ void put_place(Buffer& out, Field field) {
 /// The names of fields; of several names of one field the first.
 class FieldNames {
  public:
-  explicit FieldNames(const Program& program) {
-    for (const NamedField& named : program.facts.fields) names_.emplace(key_of(named.field), named.name);
+  explicit FieldNames(std::span<const NamedField> fields) {
+    for (const NamedField& named : fields) names_.emplace(key_of(named.field), named.name);
   }
 
   void put(Buffer& out, Field field) const {
@@ -118,21 +120,33 @@ void put_operand(Buffer& out, const Instruction& instruction, std::size_t operan
   }
 }
 
-void put_origin(Buffer& out, const Origin& origin) {
+void put_origin(Buffer& out, const Origin& origin, const Facts& facts) {
   put(out, "; {}", info(origin.purpose).name);
-  if (origin.primitive != no_primitive) put(out, " p{}", origin.primitive);
-  if (origin.node != no_node) put(out, " against p{}", origin.node);
+  if (origin.primitive != no_primitive) put(out, " {}", piece_label(facts, origin.primitive));
+  if (origin.node != no_node) put(out, " against {}", piece_label(facts, origin.node));
   if (origin.effect != no_effect) put(out, " for e{}", origin.effect);
 }
 
-void put_instruction(Buffer& out, const Instruction& instruction, const FieldNames& names) {
-  const std::size_t begin = out.size();
-  put(out, "  {}", name_of(instruction.opcode));
+void put_operation(Buffer& out, const Instruction& instruction, const FieldNames& names) {
+  put(out, "{}", name_of(instruction.opcode));
   for (std::size_t i = 0; i < max_operands; ++i) put_operand(out, instruction, i, names);
+}
+
+/// Blanks up to a column of the line that begins there, two at least.
+void put_blanks(Buffer& out, std::size_t begin, std::size_t column) {
   const std::size_t length = out.size() - begin;
-  put(out, "{:{}}", "", length < origin_column ? origin_column - length : 2);
-  put_origin(out, instruction.origin);
-  put(out, "\n");
+  put(out, "{:{}}", "", length + 2 < column ? column - length : 2);
+}
+
+void put_instruction(Buffer& out, const Instruction& instruction, std::uint64_t number, const FieldNames& names,
+                     const Facts& facts) {
+  const std::size_t begin = out.size();
+  put(out, "  ");
+  put_operation(out, instruction, names);
+  put_blanks(out, begin, origin_column);
+  put_origin(out, instruction.origin, facts);
+  put_blanks(out, begin, number_column);
+  put(out, "# i{}\n", number);
 }
 
 void put_display_model(Buffer& out, std::span<const std::uint8_t> bytes) {
@@ -148,8 +162,11 @@ void put_header(Buffer& out, const Program& program) {
     put_place(out, named.field);
     put(out, " {}\n", name_of(named.role));
   }
-  for (std::size_t i = 0; i < program.facts.primitives.size(); ++i)
-    put(out, ".primitive {}  # p{}\n", quoted(program.facts.primitives[i]), i);
+  for (std::uint32_t i = 0; i < program.facts.primitives.size(); ++i) {
+    put(out, ".primitive {}", in_quotes(program.facts.primitives[i]));
+    if (const std::uint32_t pieces = pieces_of(program.facts, i).count; pieces > 1) put(out, " pieces={}", pieces);
+    put(out, "  # p{}\n", i);
+  }
   put_display_model(out, program.display_model);
 }
 
@@ -161,20 +178,36 @@ void flush(Buffer& buffer, std::ostream& out) {
 }  // namespace
 
 void print(std::ostream& out, const Program& program) {
-  const FieldNames names(program);
+  const FieldNames names(program.facts.fields);
   Buffer buffer;
   put_header(buffer, program);
-  for (const Segment& segment : program.segments) {
+  std::uint64_t number = 0;
+  for (std::size_t s = 0; s < program.segments.size(); ++s) {
+    const Segment& segment = program.segments[s];
+    const std::string comment = fmt::format("  # s{}", s);
     put(buffer, "\n");
     if (program.display_model.empty()) {
-      put_record(buffer, "segment", segment);
+      put_record(buffer, "segment", segment, comment);
     } else {
-      put_record(buffer, "segment", DividedSegment<const Segment>{segment});
+      put_record(buffer, "segment", DividedSegment<const Segment>{segment}, comment);
     }
-    for (const Instruction& instruction : segment.instructions) put_instruction(buffer, instruction, names);
+    for (const Instruction& instruction : segment.instructions)
+      put_instruction(buffer, instruction, number++, names, program.facts);
     flush(buffer, out);
   }
   flush(buffer, out);
+}
+
+std::string text_of(const Instruction& instruction, std::span<const NamedField> fields) {
+  Buffer buffer;
+  put_operation(buffer, instruction, FieldNames(fields));
+  return fmt::to_string(buffer);
+}
+
+std::string text_of(const Linear& linear) {
+  Buffer buffer;
+  put_linear(buffer, linear);
+  return fmt::to_string(buffer);
 }
 
 }  // namespace csgsim::isa

@@ -13,6 +13,7 @@
 #include "hw/base/nearest.h"
 #include "hw/isa/describe.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/pieces.h"
 #include "hw/isa/quoting.h"
 #include "hw/isa/validate.h"
 
@@ -117,6 +118,7 @@ void Reading::begin_directive(const std::string& name) {
   if (std::ranges::find(names, name) == names.end()) refuse_word("directive", name, names);
   name_ = name;
   keys_seen_.clear();
+  if (directive == Directive::primitive && name != primitive_directive) set_pieces();
   directive = name == field_directive       ? Directive::field
               : name == primitive_directive ? Directive::primitive
               : name == model_directive     ? Directive::display_model
@@ -132,8 +134,45 @@ void Reading::begin_directive(const std::string& name) {
     refuse(".{} stands twice; keep one of them", name);
 }
 
+/// What the directives of the primitives have said.
+void Reading::set_pieces() {
+  std::uint64_t all = 0;
+  for (const std::uint32_t count : piece_counts_) all += count;
+  if (all > most_pieces) refuse("the primitives have {} pieces; there are {} at most", all, most_pieces);
+  set_piece_counts(piece_counts_, program_.facts);
+}
+
+std::uint32_t Reading::index(std::string_view digits) {
+  const auto value = number<std::uint32_t>(digits);
+  if (value == no_primitive) refuse_number(digits);
+  return value;
+}
+
+std::uint32_t Reading::piece(std::string_view label) const {
+  const std::size_t point = label.find('.');
+  const std::uint32_t primitive = index(label.substr(0, point));
+  const Facts& facts = program_.facts;
+  if (point == std::string_view::npos && facts.primitive_of_piece.empty()) return primitive;
+  const PieceRange range = pieces_of(facts, primitive);
+  const bool is_one = point == std::string_view::npos;
+  const std::uint32_t number = is_one ? 0 : index(label.substr(point + 1));
+  if (primitive >= facts.primitives.size() || number >= range.count)
+    refuse("the origin's p{} is none of the pieces that the Program lists", label);
+  if (is_one && range.count > 1)
+    refuse("p{0} has {1} pieces; name one of p{0}.0 to p{0}.{2}", primitive, range.count, range.count - 1);
+  return range.first + number;
+}
+
 void Reading::set_value() {
   if (!keys_seen_.insert(key).second) refuse("{} is given twice; keep one of them", key);
+  if (directive == Directive::primitive) {
+    if (key != "pieces") refuse("a primitive has no {}, but pieces", key);
+    piece_counts_.resize(program_.facts.primitives.size() + 1, 1);
+    std::uint32_t& count = piece_counts_.back();
+    assign(value, key, count);
+    if (count == 0) refuse("a primitive has one piece at least");
+    return;
+  }
   if (directive == Directive::segment) {
     const DividedSegment<Segment> segment{program_.segments.back()};
     if (program_.display_model.empty()) return assign_member(segment.segment, key, value);
@@ -151,7 +190,10 @@ void Reading::set_role(std::string_view name) {
 void Reading::end_directive() {
   switch (directive) {
     case Directive::record: return validate_header(program_);
-    case Directive::primitive: program_.facts.primitives.push_back(text); return;
+    case Directive::primitive:
+      program_.facts.primitives.push_back(text);
+      piece_counts_.resize(program_.facts.primitives.size(), 1);
+      return;
     case Directive::display_model: {
       const auto bytes = bytes_of(text);
       if (!bytes) refuse("a display model is hexadecimal digits, two a byte");
@@ -163,7 +205,7 @@ void Reading::end_directive() {
       named_.field = field;
       validate_field(named_, program_.shape);
       if (!fields_.emplace(named_.name, named_.field).second)
-        refuse("field {} is named twice; give each field a name of its own", quoted(named_.name));
+        refuse("field {} is named twice; give each field a name of its own", in_quotes(named_.name));
       program_.facts.fields.push_back(named_);
       return;
   }
@@ -221,6 +263,7 @@ void Reading::place_instruction(std::size_t line, std::size_t column) {
 Program Reading::finish(std::string_view name) {
   if (records_seen_.empty())
     refuse("{}: there is no .array; begin with .array width=... height=... memory_bits=...", name);
+  if (directive == Directive::primitive) set_pieces();
   for (const Skip& skip : skips_) {
     const std::vector<Instruction>& instructions = program_.segments[skip.segment].instructions;
     try {

@@ -71,15 +71,13 @@ class Reading {
   /// then.
   Program finish(std::string_view name);
 
-  /// The index of a primitive.
-  static std::uint32_t index(std::string_view digits) {
-    const auto value = number<std::uint32_t>(digits);
-    if (value == no_primitive) refuse_number(digits);
-    return value;
-  }
+  /// The number of a piece, from 4.2 for the third of primitive 4, or from 4 where that has one piece.
+  [[nodiscard]] std::uint32_t piece(std::string_view label) const;
 
  private:
   [[noreturn]] static void refuse_number(std::string_view digits);
+  static std::uint32_t index(std::string_view digits);
+  void set_pieces();
 
   struct Term {
     bool negative = false;
@@ -103,7 +101,8 @@ class Reading {
   std::set<std::string> keys_seen_;  ///< of the directive
   NamedField named_;
   Term term_;
-  std::string terms_seen_;  ///< the variables of the linear expression
+  std::vector<std::uint32_t> piece_counts_;  ///< of the primitives so far
+  std::string terms_seen_;                   ///< the variables of the linear expression
 };
 
 }  // namespace csgsim::isa

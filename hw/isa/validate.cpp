@@ -12,6 +12,7 @@
 #include "hw/isa/colour_format.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
+#include "hw/isa/pieces.h"
 
 namespace csgsim::isa {
 
@@ -116,9 +117,9 @@ void check_range(const Instruction& instruction, const Region& region) {
 }
 
 void check_index(std::uint32_t index, std::uint32_t none, const Program& program, std::string_view what) {
-  require(index == none || index < program.facts.primitives.size(),
+  require(index == none || index < piece_count(program.facts),
           "the origin's {} is p{}, of {} primitives; name one that the Program lists", what, index,
-          program.facts.primitives.size());
+          piece_count(program.facts));
 }
 
 /// Runs a check; what it throws gets the place in front.

@@ -27,4 +27,8 @@ struct FrameWords {
 /// The Program, which has to be valid, in words of that many bits.
 FrameWords frame_words(const isa::Program& program, unsigned link_width);
 
+/// The same, of which only the words of the instructions with those numbers, and of what stands around them, are made:
+/// `first` to before `end`. The others are 0.
+FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first, std::uint64_t end);
+
 }  // namespace csgsim::link

@@ -17,6 +17,28 @@ void LinkSource::load(FrameWords frame) {
   state_ = State::waiting;
 }
 
+void LinkSource::resume(FrameWords frame, std::size_t word, std::uint32_t clocks_left) {
+  frame_ = std::move(frame);
+  next_ = word;
+  left_ = clocks_left;
+  state_ = next_ == frame_.words.size() ? State::done : left_ == 0 ? State::blocked : State::sending;
+}
+
+std::string_view LinkSource::state() const {
+  switch (state_) {
+    case State::waiting: return "waiting";
+    case State::latent: return "latent";
+    case State::sending: return "sending";
+    case State::blocked: return "blocked";
+    case State::done: return "done";
+  }
+  return "";
+}
+
+std::optional<std::size_t> LinkSource::word() const {
+  return state_ == State::sending || state_ == State::blocked ? std::optional(next_) : std::nullopt;
+}
+
 void LinkSource::on_clock() {
   count();
   if (std::uint64_t instruction = 0; requests.nb_read(instruction)) return go_on_from(instruction);

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <systemc>
 
 #include "hw/isa/link_word.h"
@@ -27,6 +29,13 @@ class LinkSource final : public sc_core::sc_module {
   /// Puts a frame into the host's memory. Nothing of it is sent before a request. The account begins with the clock in
   /// which that for the frame's beginning is on its way.
   void load(FrameWords frame);
+
+  /// The same in the middle of the frame: that word is on the link, for so many more clocks; 0 if it waits for room.
+  void resume(FrameWords frame, std::size_t word, std::uint32_t clocks_left);
+
+  // For waves.
+  [[nodiscard]] std::string_view state() const;
+  [[nodiscard]] std::optional<std::size_t> word() const;  ///< that is on the link, counted from the frame's first
 
   /// Of the frame's clocks that are over.
   [[nodiscard]] const machines::LinkAccount& account() const { return account_; }

@@ -18,6 +18,9 @@ class Receiver {
   /// Is a whole command in the register?
   [[nodiscard]] bool holds() const { return command_.has_value(); }
 
+  /// Puts a command into the empty register.
+  void put(const isa::Command& command) { command_ = command; }
+
   /// The command in the register, which becomes empty.
   isa::Command take();
 

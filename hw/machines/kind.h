@@ -11,6 +11,7 @@
 #include "hw/machines/machine.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/schema.h"
+#include "hw/machines/timeline.h"
 #include "hw/machines/timing.h"
 
 namespace csgsim::machines {
@@ -52,7 +53,14 @@ struct Kind {
   std::uint64_t (*clocks)(const isa::Instruction& instruction, const Machine& machine);
   /// Worked out from these, without stepping.
   FrameTiming (*time)(const isa::Program& program, const Machine& machine, std::span<const Skip> skips);
+  /// When its instructions are carried out, from the same working-out; null for a kind that does not tell.
+  Timeline (*timeline)(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) = nullptr;
+  /// As machines::at_pixel, of a timeline that it told.
+  std::vector<ClockSpan> (*at_pixel)(const Timeline& timeline, const isa::Program& program, const Machine& machine,
+                                     std::uint32_t segment, std::uint32_t x, std::uint32_t y) = nullptr;
   Resources (*resources)(const Machine& machine, const isa::FrameHeader& header);
+  /// Whether its processors are the pixels of tests/rtl, whose area is known (hw/machines/area.h).
+  bool bit_serial_pixels = false;
 };
 
 }  // namespace csgsim::machines

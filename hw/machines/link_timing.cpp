@@ -20,18 +20,19 @@ void LinkTiming::request(std::uint64_t edge) {
   since_ = edge + link_.latency;
   sent_ = 0;
   read_ = 0;
+  sent_place_ = 0;
+  read_place_ = 0;
 }
 
 /// From that edge on there is room for the next word.
-std::uint64_t LinkTiming::room_edge() const {
-  return sent_ < link_.fifo_depth ? 0 : read_edges_[sent_ % link_.fifo_depth] + 1;
-}
+std::uint64_t LinkTiming::room_edge() const { return sent_ < link_.fifo_depth ? 0 : read_edges_[sent_place_] + 1; }
 
 void LinkTiming::store(std::uint64_t edge) {
   account_.sending += link_.word_clocks;
   account_.blocked += edge - since_ - link_.word_clocks;
   ++account_.words;
   ++sent_;
+  sent_place_ = after(sent_place_);
   since_ = edge;
 }
 
@@ -49,7 +50,11 @@ bool LinkTiming::send_before(std::uint64_t edge, std::uint64_t& stored) {
   return true;
 }
 
-void LinkTiming::read(std::uint64_t edge) { read_edges_[read_++ % link_.fifo_depth] = edge; }
+void LinkTiming::read(std::uint64_t edge) {
+  read_edges_[read_place_] = edge;
+  read_place_ = after(read_place_);
+  ++read_;
+}
 
 void LinkTiming::stop(std::uint64_t edge, bool words_left) {
   const std::uint64_t clocks = edge - since_;

@@ -47,15 +47,27 @@ class LinkTiming {
 
   [[nodiscard]] const LinkAccount& account() const { return account_; }
 
+  // Since the last request.
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words that went into the FIFO
+  [[nodiscard]] std::uint64_t words_read() const { return read_; }
+  /// Before that edge, clocks that the word on the link has still to be there; 0 if it waits for room.
+  [[nodiscard]] std::uint32_t clocks_left(std::uint64_t edge) const {
+    const std::uint64_t over = since_ + link_.word_clocks + 1;
+    return over > edge ? static_cast<std::uint32_t>(over - edge) : 0;
+  }
+
  private:
   [[nodiscard]] std::uint64_t room_edge() const;
   void store(std::uint64_t edge);
+  [[nodiscard]] std::size_t after(std::size_t place) const { return place + 1 == read_edges_.size() ? 0 : place + 1; }
 
   Link link_;
   std::uint64_t since_ = 0;  ///< the next word is on the link from that edge on
   std::uint64_t sent_ = 0;
   std::uint64_t read_ = 0;
   std::vector<std::uint64_t> read_edges_;  ///< of the last words read, a ring
+  std::size_t sent_place_ = 0;             ///< in the ring, of the next word to be sent
+  std::size_t read_place_ = 0;             ///< in the ring, of the next word to be read
   LinkAccount account_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,16 @@ inline constexpr auto display_activity_names =
 inline constexpr auto bus_activity_names = std::to_array<std::string_view>({"busy", "granting", "idle"});
 inline constexpr auto node_activity_names =
     std::to_array<std::string_view>({"receiving", "pruning", "sharing", "rendering", "waiting"});
+
+constexpr std::string_view name_of(DisplayActivity activity) {
+  return display_activity_names[static_cast<std::size_t>(activity)];
+}
+constexpr std::string_view name_of(BusActivity activity) {
+  return bus_activity_names[static_cast<std::size_t>(activity)];
+}
+constexpr std::string_view name_of(NodeActivity activity) {
+  return node_activity_names[static_cast<std::size_t>(activity)];
+}
 
 /// Clocks by activity.
 template <std::size_t activities>

@@ -135,11 +135,55 @@ std::uint64_t rendering_clocks(std::span<const isa::Instruction> list, const Nod
   const std::uint64_t stored =
       colour.width == 0 ? 0 : pass_clocks(own, colour_words * figures.operations.write, figures);
   if (list.empty()) return stored;
-  const std::uint64_t memory_words = words_of(machine.array.memory_bits, figures) + 1;
-  std::uint64_t clocks = pass_clocks(own, memory_words * figures.operations.write, figures) + stored +
-                         own.count() * colour_words * figures.operations.read + outer_clocks(own, figures);
+  std::uint64_t clocks = clearing_clocks(own, machine) + stored + own.count() * colour_words * figures.operations.read +
+                         outer_clocks(own, figures);
   for (const isa::Instruction& instruction : list) clocks += instruction_clocks(instruction, own, machine);
   return clocks;
+}
+
+std::uint64_t clearing_clocks(const NodePixels& own, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t memory_words = words_of(machine.array.memory_bits, figures) + 1;
+  return pass_clocks(own, memory_words * figures.operations.write, figures);
+}
+
+/// The loops of an order, from the outermost in, begin a row and a pixel of it as many times as there are before this.
+std::vector<machines::ClockSpan> spans_at_pixel(std::span<const isa::Instruction> list, const NodePixels& own,
+                                                std::uint32_t column, std::uint32_t row, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const NodePixels rows_above{.columns = own.columns, .rows = row};
+  const NodePixels one_row{.columns = own.columns, .rows = 1};
+  const NodePixels one_pixel{.columns = 1, .rows = 1};
+  const auto all = [&](const NodePixels& pixels) {
+    std::uint64_t clocks = outer_clocks(pixels, figures);
+    for (const isa::Instruction& instruction : list) clocks += instruction_clocks(instruction, pixels, machine);
+    return clocks;
+  };
+  std::uint64_t now = clearing_clocks(own, machine);
+  switch (figures.order) {
+    case RenderingOrder::segment: break;
+    case RenderingOrder::scan_line: now += all(rows_above); break;
+    case RenderingOrder::pixel: now += all(rows_above) + column * (all(one_pixel) - figures.loop.row); break;
+  }
+  std::vector<machines::ClockSpan> spans;
+  for (const isa::Instruction& instruction : list) {
+    const std::uint64_t at_each = pixel_clocks(instruction, machine);
+    std::uint64_t begin = now + fetch_clocks(instruction, figures);
+    switch (figures.order) {
+      case RenderingOrder::segment:
+        begin += sum_clocks(instruction, 2, figures) + row * (add_clocks(instruction, figures) + figures.loop.row) +
+                 (std::uint64_t{row} * own.columns + column) * (at_each + figures.loop.pixel);
+        now += instruction_clocks(instruction, own, machine);
+        break;
+      case RenderingOrder::scan_line:
+        begin += sum_clocks(instruction, 1, figures) + column * (at_each + figures.loop.pixel);
+        now += instruction_clocks(instruction, one_row, machine);
+        break;
+      case RenderingOrder::pixel: now += instruction_clocks(instruction, one_pixel, machine); break;
+    }
+    spans.push_back({begin, begin + at_each});
+  }
+  return spans;
 }
 
 double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region,

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "hw/machines/machine.h"
+#include "hw/machines/timeline.h"
 #include "hw/multi_processor/regions.h"
 
 /// Clocks of a node, worked out from the figures.
@@ -16,6 +18,15 @@ std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::
 /// Without a list they are set to the background. `colour`: of pixel memory; of width 0 where there is none.
 std::uint64_t rendering_clocks(std::span<const isa::Instruction> list, const NodePixels& own, isa::Field colour,
                                const machines::Machine& machine);
+
+/// For each instruction of the list, the clocks, counted from the rendering's first, in which it is carried out at one
+/// of the node's pixels.
+std::vector<machines::ClockSpan> spans_at_pixel(std::span<const isa::Instruction> list, const NodePixels& own,
+                                                std::uint32_t column, std::uint32_t row,
+                                                const machines::Machine& machine);
+
+/// Of these, the first, in which memory and enable of all of the node's pixels become 0.
+std::uint64_t clearing_clocks(const NodePixels& own, const machines::Machine& machine);
 
 /// No node takes more for a list at all pixels of a region; may be rounded.
 double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region,

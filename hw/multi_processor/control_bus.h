@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <systemc>
 #include <vector>
 
@@ -26,6 +27,10 @@ class ControlBus final : public sc_core::sc_module {
   void begin();
 
   [[nodiscard]] BusClocks account() const { return stays_.clocks(time_.now()); }
+
+  /// For waves. The master is who has the bus, if anybody has.
+  [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
+  [[nodiscard]] std::optional<std::uint32_t> master() const { return master_; }
 
  private:
   void on_request();

@@ -35,6 +35,7 @@ void DisplayProcessor::begin() {
   cell_tests_ = 0;
   sent_primitives_ = 0;
   sent_halfspaces_ = 0;
+  segment_ = {};
   stages_ = {};
   stays_.begin(DisplayActivity::receiving, time_.now());
   start_.notify(sc_core::SC_ZERO_TIME);
@@ -126,6 +127,7 @@ void DisplayProcessor::draw_segment(const isa::Region& segment) {
 }
 
 division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
+  segment_ = segment;
   division::Counts counts;
   division::Candidates left = divider_->survivors(segment, counts);
   box_tests_ += counts.boxes;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <systemc>
 #include <vector>
 
@@ -36,6 +37,10 @@ class DisplayProcessor final : public sc_core::sc_module {
   /// Adds what it has done.
   void tell(FrameAccount& counted) const;
 
+  /// For waves.
+  [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
+  [[nodiscard]] const isa::Region& segment() const { return segment_; }  ///< at hand; without pixels before the first
+
  private:
   void on_host_word();
   void work();
@@ -64,6 +69,7 @@ class DisplayProcessor final : public sc_core::sc_module {
   std::uint64_t words_ = 0;                   ///< sent, of all frames
   std::uint64_t barriers_ = 0;                ///< that the nodes come to with what they have been sent, of all frames
   std::uint64_t drawn_ = 0;
+  isa::Region segment_;  ///< that was divided last
   sc_core::sc_event start_{"start"};
   sc_core::sc_event model_received_{"model_received"};
 

@@ -133,6 +133,8 @@ const machines::Kind kind{
     .check = check,
     .clocks = pixel_clocks,
     .time = time_frame,
+    .timeline = timeline,
+    .at_pixel = at_pixel,
     .resources = resources,
 };
 

@@ -91,7 +91,7 @@ void ListRenderer::by_pixel() {
         const std::uint64_t before = processor_.clocks();
         const std::uint64_t sum = linear.width > 0 ? processor_.start(linear, x_of(column), y_of(row)) : 0;
         act(index, pixel, sum);
-        steps_[index].clocks = processor_.clocks() - before;
+        end(index, pixel, before);
       }
     });
     processor_.count_row();
@@ -104,7 +104,7 @@ void ListRenderer::along_row(std::size_t index, std::uint32_t row, std::uint64_t
     const std::uint64_t before = processor_.clocks();
     act(index, pixel, sum);
     if (linear.width > 0) processor_.add(linear, sum, step);
-    steps_[index].clocks = processor_.clocks() - before;
+    end(index, pixel, before);
   });
 }
 
@@ -115,6 +115,14 @@ void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) 
   step.enabled_pixels += memory_.enabled(pixel) ? 1U : 0U;
   processor_.act(list_[index], memory_, pixel, sum);
   if (keeps_[index] != kernel::Keep::nothing) step.pixels.copy(pixel, memory_);
+}
+
+/// At a pixel, where it has begun in that clock.
+void ListRenderer::end(std::size_t index, std::size_t pixel, std::uint64_t begun) {
+  steps_[index].clocks = processor_.clocks() - begun;
+  for (const Watched& one : watched_) {
+    if (one.pixel == pixel) one.moments->push_back({index, {begun, processor_.clocks()}, memory_.of(pixel)});
+  }
 }
 
 std::vector<std::uint32_t> ListRenderer::store_colours(isa::Field colour) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/isa/program.h"
+#include "hw/machines/timeline.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/node_state.h"
 #include "hw/multi_processor/regions.h"
@@ -14,6 +15,14 @@
 
 namespace csgsim::multi_processor {
 
+/// An instruction at a pixel, with the clocks in which it was carried out there, counted from the rendering's first,
+/// and the pixel after it.
+struct PixelMoment {
+  std::size_t index = 0;
+  machines::ClockSpan clocks{};
+  PixelMemory after;
+};
+
 /// Carries out a subsegment's list on a node's pixels of it, in the loops of the order, and clocks are counted as it
 /// does so.
 class ListRenderer {
@@ -21,6 +30,10 @@ class ListRenderer {
   /// `keeps`: what is to be kept after each instruction. All has to live as long as the renderer.
   ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
                std::span<const kernel::Keep> keeps, const NodePixels& own);
+
+  /// Has what becomes of one of the pixels, counted row by row, told to `moments`, which has to live as long as the
+  /// renderer.
+  void watch(std::size_t pixel, std::vector<PixelMoment>& moments) { watched_.push_back({pixel, &moments}); }
 
   /// Clears memory, and then carries out the list.
   void render();
@@ -35,6 +48,11 @@ class ListRenderer {
   [[nodiscard]] PixelMemory& memory() { return memory_; }
 
  private:
+  struct Watched {
+    std::size_t pixel = 0;
+    std::vector<PixelMoment>* moments = nullptr;
+  };
+
   template <class Visit>
   void for_each_pixel(const Visit& visit);
   template <class Visit>
@@ -45,6 +63,7 @@ class ListRenderer {
   void by_pixel();
   void fetch(const isa::Instruction& instruction);
   void act(std::size_t index, std::size_t pixel, std::uint64_t sum);
+  void end(std::size_t index, std::size_t pixel, std::uint64_t begun);
   void along_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
 
   [[nodiscard]] std::uint32_t x_of(std::uint32_t column) const { return own_.first_x + column * nodes_.width; }
@@ -58,6 +77,7 @@ class ListRenderer {
   WordProcessor processor_;
   PixelMemory memory_;
   std::vector<NodeState> steps_;
+  std::vector<Watched> watched_;
 };
 
 /// Clocks in which a node makes so many of its pixels show a colour that is at hand.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "hw/machines/machine.h"
@@ -9,5 +10,8 @@ namespace csgsim::multi_processor {
 
 /// For a description of this kind of machine.
 std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine);
+
+/// None: the whole machine is built for a wave.
+inline constexpr std::nullptr_t make_probed_machine = nullptr;
 
 }  // namespace csgsim::multi_processor

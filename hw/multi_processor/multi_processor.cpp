@@ -6,7 +6,9 @@
 
 #include "hw/division/division_check.h"
 #include "hw/multi_processor/make.h"
+#include "hw/multi_processor/taps.h"
 #include "hw/systemc/kernel.h"
+#include "hw/wave/segments.h"
 
 namespace csgsim::multi_processor {
 
@@ -85,7 +87,8 @@ kernel::RunReport MultiProcessor::run(const isa::Program& program, kernel::RunLi
   sc_core::sc_start();
   kernel::back_on_main_stack();
   retirement_.rethrow();
-  if (frames_.read() == before) throw std::logic_error("the multi-processor stands still in the middle of a frame");
+  if (frames_.read() == before && !kernel::is_stopped())
+    throw std::logic_error("the multi-processor stands still in the middle of a frame");
   return {.clocks = time_.now() - begun,
           .answers = {},
           .account = account(counted(), machine_.array),
@@ -121,6 +124,23 @@ std::vector<std::uint32_t> MultiProcessor::picture_of(const isa::Program& progra
     }
   }
   return picture;
+}
+
+std::vector<wave::Tap> MultiProcessor::taps(const isa::Program& program, const wave::Request& request) const {
+  wave::check_no_trees(request);
+  std::vector<wave::Tap> taps{
+      wave::number("host.words", 32, [this] { return wave::Number(host_word_.read().number); })};
+  const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
+  add(display_taps(display_));
+  add(bus_taps(bus_, lines_, machine_.array));
+  taps.push_back(wave::number("barrier.gathered", 32, [this] { return wave::Number(gathered_.read()); }));
+  taps.push_back(wave::number("barrier.released", 32, [this] { return wave::Number(released_.read()); }));
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) add(node_taps(node_name(i, machine_.array), nodes_[i]));
+  for (const wave::Pixel pixel : request.pixels) {
+    const std::size_t row = pixel.y % machine_.array.height;
+    add(pixel_taps(pixel, nodes_[row * machine_.array.width + pixel.x % machine_.array.width], program, machine_));
+  }
+  return taps;
 }
 
 std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {

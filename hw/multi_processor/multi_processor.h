@@ -33,6 +33,8 @@ class MultiProcessor final : public sc_core::sc_module, public kernel::ClockedMa
   /// Draws a frame, until the nodes have rendered the last subsegment.
   kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
 
+  [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
+
  private:
   void bind_masters();
   void begin(const isa::Program& program, kernel::RunListener& listener);

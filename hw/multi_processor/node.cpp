@@ -30,6 +30,7 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
 void Node::begin() {
   first_word_ = words_;
   tests_ = {};
+  rendering_ = {};
   stays_.begin(NodeActivity::waiting, time_.now());
 }
 
@@ -170,7 +171,9 @@ void Node::render(const List& list) {
   ListRenderer renderer(figures_, nodes_, list.instructions, keeps, own);
   renderer.render();
   const std::vector<std::uint32_t> colours = renderer.store_colours(records_.model().fields.colour);
+  rendering_ = {&list, time_.now()};
   spend(NodeActivity::rendering, renderer.clocks());
+  rendering_ = {};
   store(list.region, own, colours);
   for (NodeState& step : renderer.steps()) collector->after_instruction(number_, std::move(step));
   collector->after_subsegment(number_, list.region, {.pixels = std::move(renderer.memory())});

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <systemc>
 #include <vector>
 
@@ -17,6 +18,18 @@
 #include "hw/multi_processor/time_base.h"
 
 namespace csgsim::multi_processor {
+
+/// What a subsegment asks for, as it came over the bus.
+struct List {
+  isa::Region region;
+  std::vector<isa::Instruction> instructions;
+};
+
+/// What a node is at while it renders.
+struct Rendering {
+  const List* list = nullptr;  ///< null while it renders none
+  std::uint64_t begun = 0;     ///< clock, since the simulation began
+};
 
 /// A processor of the array, which holds every so-many-th pixel of every so-many-th row of the picture. The tree of the
 /// model comes over the bus, then what each segment leaves of it, from which the node divides the subsegment of its own
@@ -39,18 +52,18 @@ class Node final : public sc_core::sc_module {
   /// Adds what it has done.
   void tell(FrameAccount& counted) const;
 
+  // For waves.
+  [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
+  [[nodiscard]] const Rendering& rendering() const { return rendering_; }
+  /// It holds colours, of a frame that has begun or of the one before.
+  [[nodiscard]] bool has_image() const { return !image_.empty(); }
+
   /// The colour that it holds for a pixel of the picture.
   [[nodiscard]] std::uint32_t colour(std::uint32_t x, std::uint32_t y) const {
     return image_[std::size_t{y / nodes_.height} * image_columns_ + x / nodes_.width];
   }
 
  private:
-  /// A subsegment's, as it came over the bus.
-  struct List {
-    isa::Region region;
-    std::vector<isa::Instruction> instructions;
-  };
-
   void on_word();
   void begin_receiving();
   void take_record(const BusRequest& sent);
@@ -90,6 +103,8 @@ class Node final : public sc_core::sc_module {
   std::size_t lists_received_ = 0;  ///< whole ones
   sc_core::sc_event segment_received_{"segment_received"};
   sc_core::sc_event list_received_{"list_received"};
+
+  Rendering rendering_;
 
   std::uint64_t words_ = 0;     ///< sent, of all frames
   std::uint64_t arrivals_ = 0;  ///< at the barrier, of all frames

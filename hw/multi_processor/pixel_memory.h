@@ -32,6 +32,16 @@ class PixelMemory {
     return value & mask(field);
   }
 
+  /// One of them.
+  [[nodiscard]] PixelMemory of(std::size_t pixel) const {
+    PixelMemory one;
+    one.pixel_words_ = pixel_words_;
+    const auto first = memory_.begin() + static_cast<std::ptrdiff_t>(pixel * pixel_words_);
+    one.memory_.assign(first, first + static_cast<std::ptrdiff_t>(pixel_words_));
+    one.enable_ = {enable_[pixel]};
+    return one;
+  }
+
   /// Takes over a pixel of an equal memory.
   void copy(std::size_t pixel, const PixelMemory& from) {
     for (std::size_t i = 0; i < pixel_words_; ++i) {

@@ -44,6 +44,8 @@ class Stays {
     since_ = now;
   }
 
+  [[nodiscard]] Activity now() const { return activity_; }
+
   /// How long it has done what it does.
   [[nodiscard]] std::uint64_t since(std::uint64_t now) const { return now - since_; }
 

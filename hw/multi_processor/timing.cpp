@@ -14,6 +14,7 @@ namespace csgsim::multi_processor {
 
 namespace {
 
+using machines::ClockSpan;
 using machines::FrameTiming;
 using machines::Machine;
 /// Of the nodes, for a subsegment.
@@ -32,9 +33,11 @@ std::uint64_t& at(DisplayClocks& clocks, DisplayActivity activity) {
 /// A frame, stage after stage.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine)
+  /// `told`, unless null, is a blank timeline, which run() fills.
+  FrameModel(const isa::Program& program, const Machine& machine, machines::Timeline* told)
       : program_(program),
         machine_(machine),
+        told_(told),
         figures_(machines::own<Figures>(machine)),
         sizes_(sizes_of(program.display_model)),
         colour_(isa::field_of(program, isa::FieldRole::colour)) {
@@ -77,7 +80,10 @@ class FrameModel {
       ++counted_.active_segments;
       now += prune(parts);
       now += share(parts);
-      for (const isa::Segment& part : parts) now += render(part.instructions, part.region);
+      for (const isa::Segment& part : parts) {
+        if (told_ != nullptr) tell(part, now - 1);
+        now += render(part.instructions, part.region);
+      }
     } else {
       now += render({}, whole_of(parts));
     }
@@ -165,6 +171,26 @@ class FrameModel {
     return slowest + barrier();
   }
 
+  /// When the subsegment is rendered, which begins with that clock of the timeline: its clock 0 begins a clock after
+  /// the frame, where edges of the clock would first be.
+  void tell(const isa::Segment& part, std::uint64_t now) {
+    if (part.instructions.empty()) return;
+    const auto number = static_cast<std::size_t>(&part - program_.segments.data());
+    const auto widen = [now](ClockSpan& whole, const ClockSpan& one) {
+      whole.begin = whole.empty() ? now + one.begin : std::min(whole.begin, now + one.begin);
+      whole.end = std::max(whole.end, now + one.end);
+    };
+    for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
+      const NodePixels own = pixels_of(part.region, machine_.array, i / machine_.array.width, i % machine_.array.width);
+      if (own.count() == 0) continue;
+      widen(told_->cleared[number], {0, clearing_clocks(own, machine_)});
+      const auto first = spans_at_pixel(part.instructions, own, 0, 0, machine_);
+      const auto last = spans_at_pixel(part.instructions, own, own.columns - 1, own.rows - 1, machine_);
+      for (std::size_t index = 0; index < first.size(); ++index)
+        widen(told_->issued[number][index], {first[index].begin, last[index].end});
+    }
+  }
+
   static isa::Region whole_of(Subsegments parts) {
     const isa::Region& first = parts.front().region;
     const isa::Region& last = parts.back().region;
@@ -189,6 +215,7 @@ class FrameModel {
 
   const isa::Program& program_;
   const Machine& machine_;
+  machines::Timeline* told_;
   const Figures& figures_;
   const ModelSizes sizes_;
   isa::Field colour_;
@@ -201,12 +228,31 @@ class FrameModel {
 
 FrameClocks time_stages(const isa::Program& program, const Machine& machine) {
   check_fits(program, machine);
-  return FrameModel(program, machine).run();
+  return FrameModel(program, machine, nullptr).run();
 }
 
 FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {
   const FrameClocks timing = time_stages(program, machine);
   return {.clocks = timing.clocks, .account = account(timing.account, machine.array)};
+}
+
+machines::Timeline timeline(const isa::Program& program, const Machine& machine,
+                            std::span<const machines::Skip> /*skips*/) {
+  check_fits(program, machine);
+  machines::Timeline told = machines::blank_timeline(program);
+  FrameModel(program, machine, &told).run();
+  return told;
+}
+
+std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                          const Machine& machine, std::uint32_t segment, std::uint32_t x,
+                                          std::uint32_t y) {
+  const isa::Segment& part = program.segments[segment];
+  const isa::ArrayShape& nodes = machine.array;
+  const NodePixels own = pixels_of(part.region, nodes, y % nodes.height, x % nodes.width);
+  const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
+  const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
+  return machines::later(spans_at_pixel(part.instructions, own, column, row, machine), timeline.cleared[segment].begin);
 }
 
 }  // namespace csgsim::multi_processor

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
+#include "hw/machines/timeline.h"
 #include "hw/machines/timing.h"
 #include "hw/multi_processor/account.h"
 
@@ -21,5 +24,13 @@ FrameClocks time_stages(const isa::Program& program, const machines::Machine& ma
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  std::span<const machines::Skip> skips);
+
+/// When the first node begins with an instruction at its first pixel of the subsegment, until the last is through with
+/// its last; and when the node that has a pixel is at that.
+machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
+                            std::span<const machines::Skip> skips);
+std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t x,
+                                          std::uint32_t y);
 
 }  // namespace csgsim::multi_processor

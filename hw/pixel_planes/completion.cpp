@@ -19,6 +19,11 @@ void Completion::begin(std::span<const isa::Segment> segments) {
   answers_.clear();
 }
 
+void Completion::resume(std::uint32_t segment, std::uint32_t index) {
+  segments_begun_ = segment + 1;
+  index_ = index;
+}
+
 /// A question is accounted for later than its step reaches the pixels; any other command before its last word does.
 void Completion::complete() {
   Account account;

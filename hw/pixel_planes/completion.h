@@ -28,6 +28,9 @@ class Completion final : public sc_core::sc_module {
   /// The segments have to live until the program is done.
   void begin(std::span<const isa::Segment> segments);
 
+  /// After begin: the next instruction to be carried out is that one.
+  void resume(std::uint32_t segment, std::uint32_t index);
+
   /// Answers to the host's questions, in order, since begin.
   [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
 

@@ -7,6 +7,10 @@ std::ostream& operator<<(std::ostream& stream, const RootWord& word) {
                 << " c=" << word.bits.c;
 }
 
+std::ostream& operator<<(std::ostream& stream, const TreeWord& word) {
+  return stream << "bit " << word.bit.token.bit << " of " << word.bit.a << "x + " << word.bit.b << "y + " << word.bit.c;
+}
+
 std::ostream& operator<<(std::ostream& stream, const ControlWord& word) {
   return stream << word.ordinal << ' ' << (word.clears ? "clear" : array::info(word.step.function).name);
 }
@@ -30,6 +34,13 @@ void sc_trace(sc_core::sc_trace_file* file, const RootWord& word, const std::str
   sc_core::sc_trace(file, word.bits.b, name + ".b");
   sc_core::sc_trace(file, word.bits.c, name + ".c");
   sc_core::sc_trace(file, word.bits.token.bit, name + ".bit");
+}
+
+void sc_trace(sc_core::sc_trace_file* file, const TreeWord& word, const std::string& name) {
+  sc_core::sc_trace(file, word.bit.a, name + ".a");
+  sc_core::sc_trace(file, word.bit.b, name + ".b");
+  sc_core::sc_trace(file, word.bit.c, name + ".c");
+  sc_core::sc_trace(file, word.bit.token.bit, name + ".bit");
 }
 
 void sc_trace(sc_core::sc_trace_file* file, const ControlWord& word, const std::string& name) {

@@ -19,6 +19,13 @@ struct RootWord {
   constexpr bool operator==(const RootWord&) const = default;
 };
 
+/// In the registers between the trees and the pixels.
+struct TreeWord {
+  array::StreamBit bit;
+
+  constexpr bool operator==(const TreeWord&) const = default;
+};
+
 /// Clears so many memory bits of every pixel from that address on, and all registers. Pixels right of `width` or below
 /// `height` take no part until the next word that clears.
 struct ClearStep {
@@ -41,6 +48,7 @@ struct RefreshStep {
 /// Controller, through a delay line, to the pixels.
 struct ControlWord {
   array::ArrayStep step;
+  bool steps = false;   ///< `step` is one of an instruction of the host's
   bool clears = false;  ///< the pixels obey `clear` and not `step`
   ClearStep clear;
   bool refreshes = false;  ///< the scan-out latches the bit that `refresh` names; the pixels do nothing
@@ -74,6 +82,7 @@ struct Account {
 };
 
 std::ostream& operator<<(std::ostream& stream, const RootWord& word);
+std::ostream& operator<<(std::ostream& stream, const TreeWord& word);
 std::ostream& operator<<(std::ostream& stream, const ControlWord& word);
 std::ostream& operator<<(std::ostream& stream, const Answer& answer);
 std::ostream& operator<<(std::ostream& stream, const RefreshStep& step);
@@ -81,6 +90,7 @@ std::ostream& operator<<(std::ostream& stream, const FinishedPicture& picture);
 std::ostream& operator<<(std::ostream& stream, const Account& account);
 
 void sc_trace(sc_core::sc_trace_file* file, const RootWord& word, const std::string& name);
+void sc_trace(sc_core::sc_trace_file* file, const TreeWord& word, const std::string& name);
 void sc_trace(sc_core::sc_trace_file* file, const ControlWord& word, const std::string& name);
 void sc_trace(sc_core::sc_trace_file* file, const Answer& answer, const std::string& name);
 

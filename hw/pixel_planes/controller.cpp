@@ -18,6 +18,29 @@ Controller::Controller(sc_core::sc_module_name name, const array::Sequencer& seq
   sensitive << clock.pos();
 }
 
+void Controller::resume(const isa::Instruction& instruction, std::uint64_t ordinal, std::uint64_t first_clock) {
+  state_ = State::ready;
+  status_ = {};
+  status_.clocks = first_clock;
+  next_ordinal_ = ordinal;
+  receiver_.put(instruction);
+}
+
+std::string_view Controller::state() const {
+  switch (state_) {
+    case State::idle: return "idle";
+    case State::asking: return "asking";
+    case State::ready: return "ready";
+    case State::issuing: return "issuing";
+    case State::clearing: return "clearing";
+    case State::waiting: return "waiting";
+    case State::holding: return "holding";
+    case State::copying: return "copying";
+    case State::draining: return "draining";
+  }
+  return "";
+}
+
 void Controller::on_clock() {
   if (bool token = false; latched.nb_read(token)) unlatched_ = false;
   if (state_ == State::idle) begin_frame();
@@ -144,6 +167,7 @@ void Controller::issue() {
   root.write({step.root});
   ControlWord word;
   word.step = step.pixels;
+  word.steps = true;
   word.last = step.last;
   word.ordinal = status_.ordinal;
   control.write(word);

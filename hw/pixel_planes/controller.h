@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <systemc>
 
 #include "hw/array/sequencer.h"
@@ -55,12 +56,16 @@ class Controller final : public sc_core::sc_module {
 
   Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, const ControllerFigures& figures);
 
+  /// In the middle of a frame: the instruction is in the receiver and begins with that clock of the frame.
+  void resume(const isa::Instruction& instruction, std::uint64_t ordinal, std::uint64_t first_clock);
+
   /// Clocks counted for the frame that is being drawn or was drawn last, the final latency included.
   [[nodiscard]] std::uint64_t clocks() const { return status_.clocks; }
   [[nodiscard]] const ControllerAccount& account() const { return account_; }
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }  ///< of that frame, carried out
   [[nodiscard]] bool idle() const { return state_ == State::idle; }
   [[nodiscard]] const ControllerStatus& status() const { return status_; }
+  [[nodiscard]] std::string_view state() const;
 
  private:
   enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, holding, copying, draining };

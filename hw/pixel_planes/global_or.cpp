@@ -26,14 +26,25 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   }
 }
 
+void GlobalOr::foretell(std::vector<bool> answers) { foretold_.emplace(answers.begin(), answers.end()); }
+
+bool GlobalOr::any_enabled() {
+  if (!foretold_) return enable->any_enabled();
+  const bool found = foretold_->front();
+  foretold_->pop_front();
+  return found;
+}
+
 /// No pixel's enable changes while a question is at the pixels, so that the wire need not be looked at again.
 void GlobalOr::reduce() {
   const bool asked = question.read();
-  answer.write({.valid = asked, .any_enabled = asked && enable->any_enabled()});
+  answer.write({.valid = asked, .any_enabled = asked && any_enabled()});
 }
 
 /// From the last level to the first, so that each takes what the one before it held. Bits that nobody asks for stay.
+/// Sleeps while nobody asks.
 void GlobalOr::shift() {
+  if (!clock.posedge()) return;
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {
     levels_[i].asked = levels_[i - 1].asked;
     if (levels_[i].asked) gather(levels_[i - 1], levels_[i]);
@@ -42,11 +53,17 @@ void GlobalOr::shift() {
   if (levels_.front().asked) gather_enable(levels_.front());
   const Level& last = levels_.back();
   answer.write({.valid = last.asked, .any_enabled = last.asked && last.bits.front()});
+  const bool rests = std::none_of(levels_.begin(), levels_.end(), [](const Level& level) { return level.asked; });
+  if (rests && !question.read()) next_trigger(question.value_changed_event());
 }
 
 /// A gate of the first level has pixels that follow each other in row order.
-void GlobalOr::gather_enable(Level& level) const {
+void GlobalOr::gather_enable(Level& level) {
   std::fill(level.bits.begin(), level.bits.end(), false);
+  if (foretold_) {
+    level.bits.front() = any_enabled();
+    return;
+  }
   const std::span<const std::uint64_t> bits = enable->pixels().enable();
   for (std::size_t y = 0; y < shape_.height; ++y) {
     for (std::size_t word = 0; word < shape_.row_words(); ++word) {

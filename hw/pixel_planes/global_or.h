@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <systemc>
 #include <vector>
 
@@ -22,6 +24,9 @@ class GlobalOr final : public sc_core::sc_module {
   /// `fan_in`: inputs of a gate; 0 for one gate that settles within the clock.
   GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in);
 
+  /// What it finds of the next questions, in order, where not all pixels are there to be looked at.
+  void foretell(std::vector<bool> answers);
+
  private:
   /// The registers behind the gates of a level.
   struct Level {
@@ -29,14 +34,16 @@ class GlobalOr final : public sc_core::sc_module {
     std::vector<bool> bits;
   };
 
+  [[nodiscard]] bool any_enabled();
   void reduce();
   void shift();
-  void gather_enable(Level& level) const;
+  void gather_enable(Level& level);
   void gather(const Level& from, Level& to) const;
 
   array::PlaneShape shape_;
   std::uint32_t fan_in_;
   std::vector<Level> levels_;  ///< from the pixels on
+  std::optional<std::deque<bool>> foretold_;
 };
 
 }  // namespace csgsim::pixel_planes

@@ -112,7 +112,10 @@ const machines::Kind kind{
     .check = check,
     .clocks = instruction_clocks,
     .time = time_frame,
+    .timeline = timeline,
+    .at_pixel = at_pixel,
     .resources = resources,
+    .bit_serial_pixels = true,
 };
 
 }  // namespace csgsim::pixel_planes

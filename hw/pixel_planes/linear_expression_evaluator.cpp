@@ -19,7 +19,7 @@ LinearExpressionEvaluator::LinearExpressionEvaluator(sc_core::sc_module_name nam
 void LinearExpressionEvaluator::step() {
   if (trees_.levels() > 0 && !clock.posedge()) return;
   const array::RootBits& bits = root.read().bits;
-  if (trees_.clock(bits, leaves->next())) leaves->pass();
+  if (TreeWord word; trees_.clock(bits, word.bit)) leaves.write(word);
   if (!bits.token.active() && !trees_.any_active()) next_trigger(root.value_changed_event());
 }
 

@@ -4,10 +4,15 @@
 
 #include "hw/machines/machine.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/foretold.h"
 
 namespace csgsim::pixel_planes {
 
 /// For a description of this kind of machine.
 std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine);
+
+/// Of which the foretold pixels alone are built.
+std::unique_ptr<kernel::ClockedMachine> make_probed_machine(const machines::Machine& machine,
+                                                            const kernel::Foretold& foretold);
 
 }  // namespace csgsim::pixel_planes

@@ -1,9 +1,7 @@
 #include "hw/pixel_planes/pixel_planes.h"
 
-#include <sysc/tracing/sc_tracing_ids.h>
-
+#include <algorithm>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -11,14 +9,19 @@
 #include "hw/machines/timing.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/make.h"
+#include "hw/pixel_planes/probed.h"
+#include "hw/pixel_planes/taps.h"
 #include "hw/systemc/fit.h"
 #include "hw/systemc/kernel.h"
+#include "hw/wave/instruction_taps.h"
 
 namespace csgsim::pixel_planes {
 
 namespace {
 
 array::PlaneShape plane_shape(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
+
+array::Sequencer sequencer(const machines::Machine& machine) { return {machine.memory_reads, machine.alu_bits}; }
 
 ControllerFigures controller_figures(const machines::Machine& machine) {
   return {.link_width = machine.link.width,
@@ -36,26 +39,23 @@ bool fills_array(const isa::Program& program, array::PlaneShape shape) {
 
 }  // namespace
 
-PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine)
+PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
+                         const kernel::Foretold* foretold)
     : sc_core::sc_module(name),
       machine_(machine),
+      foretold_(foretold == nullptr ? std::nullopt : std::optional(*foretold)),
       latency_(machines::evaluator_latency(machine.array)),
-      clock_("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)),
+      clock_("clock", kernel::period_of(machine)),
       link_("link", static_cast<int>(machine.link.fifo_depth)),
-      tree_bits_("tree_bits", plane_shape(machine)),
       accounts_("accounts", static_cast<int>(latency_) + 2),
       host_("host", machine.link),
-      controller_("controller", array::Sequencer(machine.memory_reads, machine.alu_bits), controller_figures(machine)),
+      controller_("controller", sequencer(machine), controller_figures(machine)),
       control_delay_("control_delay", latency_),
       evaluator_("evaluator", plane_shape(machine)),
-      processors_("processors", machine.array, machine.alu_bits),
+      processors_("processors", machine.array, machine.alu_bits, foretold),
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       scan_out_("scan_out", plane_shape(machine), machines::own<Figures>(machine).scan_out_pixels,
-                machines::own<Figures>(machine).scan_out_port),
-      wave_("wave",
-            {clock_, controller_, processors_, root_, control_at_pixels_, answer_, refreshes_, pictures_, latched_,
-             video_},
-            machine.alu_bits) {
+                machines::own<Figures>(machine).scan_out_port) {
   SC_HAS_PROCESS(PixelPlanes);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
@@ -134,14 +134,14 @@ void PixelPlanes::collect() {
 }
 
 void PixelPlanes::run_until_shown() {
-  while (!showing_.empty()) {
+  while (!showing_.empty() && !kernel::is_stopped()) {
     sc_core::sc_start();
     collect();
   }
 }
 
 void PixelPlanes::check(std::span<const isa::Program> programs) const {
-  const array::PlaneShape shape = processors_.pixels().shape();
+  const array::PlaneShape shape = plane_shape(machine_);
   const isa::Field first = isa::frame_header(programs.front()).colour;
   for (const isa::Program& program : programs) {
     kernel::check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
@@ -163,23 +163,13 @@ std::vector<kernel::RunReport> PixelPlanes::run_sequence(std::span<const isa::Pr
   if (programs.empty()) return reports;
   check(programs);
   elaborate();
-  const std::optional<WaveRequest> wave = std::exchange(wave_request_, std::nullopt);
-  if (wave) wave_.arm(*wave, programs.front().segments);
-  try {
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      const std::uint64_t begun = begun_;
-      draw(programs[i], *listeners[i], reports[i]);
-      if (i > 0) reports[i - 1].interval_clocks = begun_ - begun;
-      if (i + 1 < programs.size()) reports[i].recorded = wave_.finish();
-    }
-    run_until_shown();
-  } catch (const sc_core::sc_report& report) {
-    if (!wave || std::string_view(report.get_msg_type()) != sc_core::SC_ID_TRACING_FOPEN_FAILED_) throw;
-    throw InputError(wave->file.native() +
-                     ": SystemC cannot open it for the waveform; allow more open files (ulimit -n), or check " +
-                     "the folder's permissions");
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const std::uint64_t begun = begun_;
+    draw(programs[i], *listeners[i], reports[i]);
+    if (i > 0) reports[i - 1].interval_clocks = begun_ - begun;
   }
-  reports.back().recorded = wave_.finish();
+  run_until_shown();
+  if (kernel::is_stopped()) return reports;
   reports.back().interval_clocks = machines::time_frame(programs.back(), machine_, completion_.skips()).interval_clocks;
   return reports;
 }
@@ -187,9 +177,8 @@ std::vector<kernel::RunReport> PixelPlanes::run_sequence(std::span<const isa::Pr
 void PixelPlanes::draw(const isa::Program& program, kernel::RunListener& listener, kernel::RunReport& report) {
   retirement_.begin(listener);
   completion_.begin(program.segments);
-  host_.load(link::frame_words(program, machine_.link.width));
-  waiting_frames_.nb_write(true);
-  while (drawn_ == programs_.read()) {
+  start(program);
+  while (drawn_ == programs_.read() && !kernel::is_stopped()) {
     sc_core::sc_start();
     collect();
   }
@@ -201,23 +190,111 @@ void PixelPlanes::draw(const isa::Program& program, kernel::RunListener& listene
   report.answers = completion_.answers();
   report.account = account(controller_.account(), host_.account(), machine_, controller_.instructions());
   if (isa::frame_header(program).colour.width > 0)
-    showing_.push_back({begun_, fills_array(program, processors_.pixels().shape()), &report});
+    showing_.push_back({begun_, fills_array(program, plane_shape(machine_)), &report});
   try {
     retirement_.rethrow();
   } catch (...) {
     run_until_shown();
-    wave_.finish();
     throw;
   }
 }
 
-void PixelPlanes::record(const WaveRequest& request) {
-  pixel_planes::check(request, processors_.pixels());
-  wave_request_ = request;
+void PixelPlanes::start(const isa::Program& program) {
+  if (foretold_) processors_.resume(processors_.pixels(), shown_field(program, machine_));
+  if (start_) return resume(program, *std::exchange(start_, std::nullopt));
+  if (foretold_) global_or_.foretell(foretold_->answers);
+  host_.load(link::frame_words(program, machine_.link.width));
+  waiting_frames_.nb_write(true);
+}
+
+/// The wires between controller and pixels carry nothing then: what the whole machine has on them is over before
+/// anybody looks.
+void PixelPlanes::resume(const isa::Program& program, const Start& start) {
+  const array::PixelReplay fresh(foretold_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
+  const array::PixelReplay replay = replay_until(program, foretold_->answers, start, fresh);
+  processors_.resume(replay.pixels(), shown_field(program, machine_));
+  tree_bits_.write({replay.tree()});
+  const auto asked = static_cast<std::ptrdiff_t>(start.questions);
+  global_or_.foretell({foretold_->answers.begin() + asked, foretold_->answers.end()});
+  link::FrameWords words = link::frame_words(program, machine_.link.width, start.ordinal + 1, start.end);
+  for (std::size_t i = start.moment.words_read; i < start.moment.words_sent; ++i) link_.nb_write(words.words[i]);
+  host_.resume(std::move(words), start.moment.words_sent, start.moment.clocks_left);
+  completion_.resume(start.segment, start.index);
+  controller_.resume(program.segments[start.segment].instructions[start.index], start.ordinal, start.moment.clock);
+}
+
+std::uint64_t PixelPlanes::skip_to(const isa::Program& program, wave::Window window) {
+  if (!foretold_) return 0;
+  start_ = start_before(program, machine_, *foretold_, window);
+  return start_ ? start_->moment.clock : 0;
+}
+
+std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave::Request& request) const {
+  std::vector<wave::Tap> taps = host_taps();
+  const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
+  add(controller_taps(program));
+  add(root_taps("root", root_));
+  add(control_taps("pixels", control_at_pixels_, program,
+                   [this] { return wave::Number(control_at_pixels_.read().ordinal); }));
+  taps.push_back(wave::bit("answer.valid", [this] { return answer_.read().valid; }));
+  taps.push_back(wave::bit("answer.any_enabled", [this] {
+    return answer_.read().valid ? wave::Number(answer_.read().any_enabled) : std::nullopt;
+  }));
+  add(scan_out_taps());
+  for (std::size_t i = 0; i < request.pixels.size(); ++i) {
+    const array::Place place = place_of(request.pixels[i], program, machine_);
+    const array::Place built = foretold_ ? array::Place{foretold_place(*foretold_, place), 0} : place;
+    add(pixel_taps(request.pixels[i], {processors_, evaluator_, control_at_pixels_, place, built, nullptr}, program,
+                   request.tree_levels, machine_.alu_bits));
+  }
+  return taps;
+}
+
+std::vector<wave::Tap> PixelPlanes::host_taps() const {
+  return {wave::text("host.state", [this] { return std::string(host_.state()); }),
+          wave::number("host.word", 32, [this] { return wave::Number(host_.word()); }),
+          wave::number("link.fill", 16,
+                       [this] { return wave::Number(static_cast<std::uint64_t>(link_.num_available())); })};
+}
+
+std::vector<wave::Tap> PixelPlanes::controller_taps(const isa::Program& program) const {
+  const auto at = [this] {
+    const ControllerStatus& status = controller_.status();
+    return status.busy ? wave::Number(status.ordinal) : std::nullopt;
+  };
+  std::vector<wave::Tap> taps = wave::instruction_taps("controller", program, at);
+  taps.push_back(wave::text("controller.state", [this] { return std::string(controller_.state()); }));
+  const auto of_status = [&](const char* name, unsigned width, auto read) {
+    taps.push_back(wave::number(name, width, [this, read] {
+      const ControllerStatus& status = controller_.status();
+      return status.busy ? wave::Number(read(status)) : std::nullopt;
+    }));
+  };
+  of_status("controller.bit", 8, [](const ControllerStatus& status) { return status.bit; });
+  of_status("controller.pass", 2, [](const ControllerStatus& status) { return status.pass; });
+  return taps;
+}
+
+std::vector<wave::Tap> PixelPlanes::scan_out_taps() const {
+  const auto shown = [this](std::uint64_t value) {
+    return scan_out_.is_showing() ? wave::Number(value) : std::nullopt;
+  };
+  return {
+      wave::number("scan_out.refreshes_asked", 2,
+                   [this] { return wave::Number(static_cast<std::uint64_t>(refreshes_.num_available())); }),
+      wave::bit("scan_out.picture_finished", [this] { return wave::Number(pictures_.num_available() > 0 ? 1 : 0); }),
+      wave::bit("scan_out.picture_latched", [this] { return wave::Number(latched_.num_available() > 0 ? 1 : 0); }),
+      wave::number("scan_out.row", 16, [this, shown] { return shown(scan_out_.row_latched()); }),
+      wave::hexadecimal("scan_out.video", 24, [this, shown] { return shown(video_.read()); })};
 }
 
 std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
   return std::make_unique<PixelPlanes>("pixel_planes", machine);
+}
+
+std::unique_ptr<kernel::ClockedMachine> make_probed_machine(const machines::Machine& machine,
+                                                            const kernel::Foretold& foretold) {
+  return std::make_unique<PixelPlanes>("pixel_planes", machine, &foretold);
 }
 
 }  // namespace csgsim::pixel_planes

@@ -17,10 +17,11 @@
 #include "hw/pixel_planes/global_or.h"
 #include "hw/pixel_planes/linear_expression_evaluator.h"
 #include "hw/pixel_planes/pixel_processors.h"
-#include "hw/pixel_planes/plane_channel.h"
+#include "hw/pixel_planes/probed.h"
 #include "hw/pixel_planes/scan_out.h"
-#include "hw/pixel_planes/wave.h"
+#include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/foretold.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_planes {
@@ -28,7 +29,10 @@ namespace csgsim::pixel_planes {
 /// The whole Pixel-planes machine.
 class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachine {
  public:
-  PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine);
+  /// `foretold`, unless null, says which pixels alone are built, for Programs of one segment; the picture that a run
+  /// reports is then of no use.
+  PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
+              const kernel::Foretold* foretold = nullptr);
 
   /// A frame begins with the clock in which the controller asks for it and ends when its last step has been carried
   /// out; then a Program with colours is scanned out.
@@ -40,8 +44,10 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   std::vector<kernel::RunReport> run_sequence(std::span<const isa::Program> programs,
                                               std::span<kernel::RunListener* const> listeners) override;
 
-  [[nodiscard]] bool can_record() const override { return true; }
-  void record(const WaveRequest& request) override;
+  [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
+
+  /// A machine of some pixels begins with an instruction.
+  std::uint64_t skip_to(const isa::Program& program, wave::Window window) override;
 
   [[nodiscard]] const PixelProcessors& processors() const { return processors_; }
   [[nodiscard]] const Controller& controller() const { return controller_; }
@@ -57,7 +63,12 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   };
 
   void elaborate();
+  void start(const isa::Program& program);
+  void resume(const isa::Program& program, const Start& start);
   void check(std::span<const isa::Program> programs) const;
+  [[nodiscard]] std::vector<wave::Tap> host_taps() const;
+  [[nodiscard]] std::vector<wave::Tap> controller_taps(const isa::Program& program) const;
+  [[nodiscard]] std::vector<wave::Tap> scan_out_taps() const;
   void draw(const isa::Program& program, kernel::RunListener& listener, kernel::RunReport& report);
   void collect();
   void run_until_shown();
@@ -65,9 +76,10 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   void on_done();
 
   const machines::Machine machine_;
+  const std::optional<kernel::Foretold> foretold_;
   const unsigned latency_;
 
-  sc_core::sc_clock clock_;
+  kernel::Clock clock_;
   sc_core::sc_fifo<isa::LinkWord> link_;
   sc_core::sc_fifo<std::uint64_t> requests_{"requests", 1};
   sc_core::sc_fifo<bool> waiting_frames_{"waiting_frames", 1};
@@ -79,7 +91,7 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   sc_core::sc_signal<ControlWord> control_at_pixels_{"control_at_pixels"};
   sc_core::sc_signal<bool> question_{"question"};
   sc_core::sc_signal<Answer> answer_{"answer"};
-  PlaneChannel tree_bits_;
+  sc_core::sc_signal<TreeWord, sc_core::SC_MANY_WRITERS> tree_bits_{"tree_bits"};
   sc_core::sc_signal<std::uint64_t> retired_{"retired"};
   sc_core::sc_fifo<Account> accounts_;
   sc_core::sc_signal<std::uint64_t> programs_{"programs"};
@@ -95,8 +107,7 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   Completion completion_{"completion"};
   kernel::Retirement retirement_{"retirement"};
   ScanOut scan_out_;
-  WaveRecorder wave_;
-  std::optional<WaveRequest> wave_request_;
+  std::optional<Start> start_;   ///< unless it is the frame's beginning
   std::deque<Showing> showing_;  ///< the oldest first
   std::uint64_t begun_ = 0;      ///< edge at which the frame that was drawn last began
   std::uint64_t drawn_ = 0;      ///< programs that are known to have been drawn

@@ -1,9 +1,16 @@
 #include "hw/pixel_planes/pixel_processors.h"
 
+#include <utility>
+
 namespace csgsim::pixel_planes {
 
-PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape, unsigned alu_bits)
-    : sc_core::sc_module(name), pixels_(shape, alu_bits) {
+PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape, unsigned alu_bits,
+                                 const kernel::Foretold* foretold)
+    : sc_core::sc_module(name),
+      pixels_(foretold == nullptr ? array::PixelArray(shape, alu_bits)
+                                  : array::PixelArray(foretold->pixels, shape.memory_bits, alu_bits)),
+      row_(pixels_.shape().row_words()) {
+  if (foretold != nullptr) foretold_.emplace(array::PlaneShape{shape.width, shape.height}, foretold->picture);
   SC_HAS_PROCESS(PixelProcessors);
   refresh.bind(*this);
   enable_lines.bind(*this);
@@ -17,13 +24,29 @@ void PixelProcessors::step() {
   if (!clock.posedge()) return;
   const ControlWord& word = control.read();
   if (word.clears) {
-    pixels_.clear_memory(word.clear.address, word.clear.bits);
     pixels_.select(word.clear.width, word.clear.height);
+    pixels_.clear_memory(word.clear.address, word.clear.bits);
   } else if (!word.refreshes) {
-    pixels_.step(word.step, tree->current());
+    pixels_.step(word.step, tree.read().bit);
   }
+  carried_out_ = word;
   if (word.last) retired.write(++retired_count_);
   if (word == ControlWord{}) next_trigger(control.value_changed_event());
+}
+
+void PixelProcessors::resume(const array::PixelArray& pixels, isa::Field shown) {
+  pixels_ = pixels;
+  if (foretold_) foretold_->show(shown);
+}
+
+std::span<const std::uint64_t> PixelProcessors::Picture::row(std::uint32_t address, std::uint32_t row) const {
+  row_.assign(shape_.row_words(), 0);
+  const std::uint32_t bit = address - field_.base;
+  for (std::uint32_t x = 0; x < shape_.width; ++x) {
+    const std::uint64_t colour = colours_[std::size_t{row} * shape_.width + x];
+    row_[x / array::word_bits] |= (colour >> bit & 1U) << (x % array::word_bits);
+  }
+  return row_;
 }
 
 }  // namespace csgsim::pixel_planes

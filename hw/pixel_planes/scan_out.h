@@ -29,6 +29,10 @@ class ScanOut final : public sc_core::sc_module {
 
   ScanOut(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t pixels, ScanOutPort port);
 
+  // For waves.
+  [[nodiscard]] bool is_showing() const { return state_ == State::showing; }
+  [[nodiscard]] std::uint32_t row_latched() const { return row_; }  ///< that is being latched
+
   /// Of the picture that is being shown, or was last: the colours shifted out, in row order.
   [[nodiscard]] const std::vector<std::uint32_t>& picture() const { return picture_; }
 

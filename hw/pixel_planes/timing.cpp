@@ -1,7 +1,10 @@
 #include "hw/pixel_planes/timing.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -66,21 +69,27 @@ std::uint64_t copy_clocks(std::uint32_t colour_bits, const machines::Machine& ma
 class FrameModel {
  public:
   /// `shown`: how the picture before is scanned out; null, if none is. By its numbers the frame's first edge is
-  /// `first`.
+  /// `first`. `spans`, unless null, holds for each task its clocks then, those of one that is left out as they were.
   FrameModel(const machines::Machine& machine, const std::vector<Task>& tasks, std::uint64_t copy_clocks,
-             ScanOutTiming* shown, std::uint64_t first)
+             ScanOutTiming* shown, std::uint64_t first, std::vector<machines::ClockSpan>* spans = nullptr)
       : machine_(machine),
         link_(machine.link),
         tasks_(tasks),
         copy_clocks_(copy_clocks),
         shown_(shown),
-        first_(first) {}
+        first_(first),
+        spans_(spans) {}
 
   machines::FrameTiming time() {
     link_.request(1);
     for (std::size_t i = 0; i < tasks_.size(); i += 1 + tasks_[i].jumps_over) {
       receive(tasks_[i]);
       begin(tasks_[i]);
+      if (spans_ != nullptr) (*spans_)[i] = {begun_, free_};
+      if (i == watched_) {
+        moment_ = moment();
+        return {};
+      }
       if (tasks_[i].jumps_over > 0) jump(i);
     }
     link_.stop(free_, false);
@@ -89,7 +98,33 @@ class FrameModel {
             .account = account(account_, link_.account(), machine_, instructions_)};
   }
 
+  /// To be called before time, which then ends with that task, if it is carried out, and tells nothing: what moment_of
+  /// tells of it.
+  void watch(std::size_t task) { watched_ = task; }
+  [[nodiscard]] const std::optional<Moment>& watched() const { return moment_; }
+
  private:
+  /// What has been sent before the edge at which a command begins is worked out on a copy: words that follow are read
+  /// from that edge on, and leave no room before it.
+  [[nodiscard]] Moment moment() const {
+    machines::LinkTiming link = link_;
+    const std::size_t read = first_word_ + link.words_read();
+    const std::uint64_t left = first_word_ + words_of(first_task_, tasks_.size()) - read;
+    std::uint64_t stored = 0;
+    while (link.sent() - link.words_read() < left && link.send_before(begun_, stored)) continue;
+    return {.clock = begun_,
+            .words_read = read,
+            .words_sent = first_word_ + link.sent(),
+            .clocks_left = link.clocks_left(begun_)};
+  }
+
+  /// Of the tasks from one on, until another.
+  [[nodiscard]] std::size_t words_of(std::size_t from, std::size_t until) const {
+    std::size_t words = 0;
+    for (std::size_t task = from; task < until; ++task) words += tasks_[task].words;
+    return words;
+  }
+
   void receive(const Task& task) {
     for (std::uint32_t word = 0; word < task.words; ++word) {
       const std::uint64_t stored = link_.send();
@@ -181,6 +216,9 @@ class FrameModel {
     }
     link_.stop(known, !sent);
     link_.request(known);
+    const std::size_t next_task = question + 1 + tasks_[question].jumps_over;
+    first_word_ += words_of(first_task_, next_task);
+    first_task_ = next_task;
     read_ = known;
     jumped_ = true;
   }
@@ -193,10 +231,15 @@ class FrameModel {
   std::uint64_t copy_clocks_;
   ScanOutTiming* shown_;
   std::uint64_t first_;
-  std::uint64_t read_ = 0;   ///< edge at which the last word was read
-  std::uint64_t begun_ = 0;  ///< edge at which the last command began
-  std::uint64_t free_ = 0;   ///< edge at which the next can begin
-  bool jumped_ = false;      ///< between the last command and the next
+  std::vector<machines::ClockSpan>* spans_;
+  std::size_t watched_ = std::numeric_limits<std::size_t>::max();  ///< task
+  std::optional<Moment> moment_;
+  std::size_t first_task_ = 0;  ///< since the last request
+  std::size_t first_word_ = 0;  ///< its first, of the frame's words
+  std::uint64_t read_ = 0;      ///< edge at which the last word was read
+  std::uint64_t begun_ = 0;     ///< edge at which the last command began
+  std::uint64_t free_ = 0;      ///< edge at which the next can begin
+  bool jumped_ = false;         ///< between the last command and the next
   std::uint64_t instructions_ = 0;
   ControllerAccount account_;
 };
@@ -307,6 +350,46 @@ machines::FrameTiming time_frame(const isa::Program& program, const machines::Ma
   machines::FrameTiming timing = model.finish().front();
   timing.interval_clocks = steady_interval(timing, tasks, colour_bits, machine);
   return timing;
+}
+
+machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
+                            std::span<const machines::Skip> skips) {
+  const std::vector<Task> tasks = tasks_of(program, machine, skips);
+  std::vector<machines::ClockSpan> spans(tasks.size());
+  FrameModel(machine, tasks, 0, nullptr, 0, &spans).time();
+  machines::Timeline timeline;
+  auto next = spans.begin();
+  for (const isa::Segment& segment : program.segments) {
+    timeline.cleared.push_back(*next++);
+    const auto end = next + static_cast<std::ptrdiff_t>(segment.instructions.size());
+    timeline.issued.emplace_back(next, end);
+    next = end;
+  }
+  return timeline;
+}
+
+Moment moment_of(const isa::Program& program, const machines::Machine& machine, std::span<const machines::Skip> skips,
+                 std::uint32_t segment, std::uint32_t index) {
+  const std::vector<Task> tasks = tasks_of(program, machine, skips);
+  std::size_t task = segment + 1 + index;  // after a clear for each segment
+  for (std::uint32_t s = 0; s < segment; ++s) task += program.segments[s].instructions.size();
+  const std::uint32_t colour_bits = isa::field_of(program, isa::FieldRole::colour).width;
+  FrameModel frame(machine, tasks, copy_clocks(colour_bits, machine), nullptr, 0);
+  frame.watch(task);
+  frame.time();
+  if (!frame.watched()) throw std::logic_error("the moment of an instruction that is not carried out");
+  return *frame.watched();
+}
+
+std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
+                                          std::uint32_t /*y*/) {
+  const std::vector<isa::Instruction>& instructions = program.segments[segment].instructions;
+  std::vector<machines::ClockSpan> steps = timeline.issued[segment];
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!steps[i].empty() && isa::is_question(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
+  }
+  return machines::later(std::move(steps), machines::evaluator_latency(machine.array));
 }
 
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "hw/machines/timeline.h"
 #include "hw/machines/timing.h"
 
 namespace csgsim::pixel_planes {
@@ -18,6 +19,26 @@ std::uint64_t instruction_clocks(const isa::Instruction& instruction, const mach
 /// count the same).
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  std::span<const machines::Skip> skips);
+
+/// When the controller has the steps of such a frame's instructions on its wires, or waits for an answer; and when the
+/// steps are at the pixels, at all of them at once.
+machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
+                            std::span<const machines::Skip> skips);
+/// The link at the edge at which the controller begins an instruction. Words are those of the whole frame.
+struct Moment {
+  std::uint64_t clock = 0;        ///< of the frame, the instruction's first
+  std::size_t words_read = 0;     ///< the instruction's own are the last
+  std::size_t words_sent = 0;     ///< those and the ones in the FIFO
+  std::uint32_t clocks_left = 0;  ///< that the next word has still to be on the link; 0 if it waits for room
+};
+
+/// Of an instruction that is carried out, in a frame before which none is shown.
+Moment moment_of(const isa::Program& program, const machines::Machine& machine, std::span<const machines::Skip> skips,
+                 std::uint32_t segment, std::uint32_t index);
+
+std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t x,
+                                          std::uint32_t y);
 
 /// A frame of a sequence, and what it skips.
 struct DrawnFrame {

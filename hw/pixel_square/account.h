@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -36,6 +37,10 @@ inline constexpr auto square_activities = std::to_array<SquareActivityInfo>({
     CSGSIM_SQUARE_ACTIVITIES(CSGSIM_SQUARE_ACTIVITY_ROW)
 #undef CSGSIM_SQUARE_ACTIVITY_ROW
 });
+
+constexpr std::string_view name_of(SquareActivity activity) {
+  return square_activities[static_cast<std::size_t>(activity)].name;
+}
 
 /// Clocks of one part by activity; they add up to the frame's.
 using SquareClocks = machines::ClockTally<SquareActivity, square_activities.size()>;

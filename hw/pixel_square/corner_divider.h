@@ -24,6 +24,7 @@ class CornerDivider final : public Sender {
 
  private:
   std::optional<SquareActivity> prepare(std::size_t square) override;
+  [[nodiscard]] std::string_view preparing() const override { return divider_ ? "testing" : "receiving"; }
   Square take(std::size_t square) override;
   SquareActivity take_model();
   void begin_tests(std::size_t square);

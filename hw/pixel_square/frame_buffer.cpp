@@ -20,6 +20,7 @@ void FrameBuffer::begin(const FrameContents& contents) {
   incoming_.assign(incoming_.size(), {});
   squares_ = 0;
   turn_ = 0;
+  served_.reset();
   clocks_ = {};
 }
 
@@ -32,10 +33,12 @@ void FrameBuffer::end_of_elaboration() {
 /// Sleeps while no port has a word.
 void FrameBuffer::on_clock() {
   if (!clock.posedge()) return;
+  served_.reset();
   const std::size_t ports = incoming_.size();
   for (std::size_t i = 0; i < ports; ++i) {
     const std::size_t port = turn_ + i < ports ? turn_ + i : turn_ + i - ports;
     if (!serve(port)) continue;
+    served_ = port;
     turn_ = port + 1 == ports ? 0 : port + 1;
     return clocks_.add(SquareActivity::working);
   }
@@ -93,6 +96,7 @@ void FrameBuffer::clear(Incoming& square) {
 }
 
 void FrameBuffer::finish_if_whole(Incoming& square) {
+  served_square_ = square.region;
   if (square.next_bit < colour_bits(square)) return;
   square = {};
   if (++squares_ == contents_.squares) frames.write(++frames_done_);

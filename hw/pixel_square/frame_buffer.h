@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <systemc>
 #include <vector>
@@ -38,6 +39,11 @@ class FrameBuffer final : public sc_core::sc_module {
   /// Of every pixel, in row order: what was stored last; 0 if nothing was since a picture of that size was begun.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
 
+  // For waves: the port that was served at the last edge, if one was; the square that came through it; squares whole.
+  [[nodiscard]] std::optional<std::size_t> served() const { return served_; }
+  [[nodiscard]] const isa::Region& served_square() const { return served_square_; }
+  [[nodiscard]] std::uint64_t squares() const { return squares_; }
+
   /// Of a frame of so many clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
     return whole(clocks_, SquareActivity::waiting_for_renderer, clocks);
@@ -69,6 +75,8 @@ class FrameBuffer final : public sc_core::sc_module {
   std::vector<Incoming> incoming_;  ///< one a port
   std::uint64_t squares_ = 0;
   std::size_t turn_ = 0;  ///< port that is asked first
+  std::optional<std::size_t> served_;
+  isa::Region served_square_;
   std::uint64_t frames_done_ = 0;
   SquareClocks clocks_;
   sc_core::sc_event_or_list words_written_;  ///< at any port

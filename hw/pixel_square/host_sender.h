@@ -17,6 +17,7 @@ class HostSender final : public Sender {
 
  private:
   std::optional<SquareActivity> prepare(std::size_t square) override;
+  [[nodiscard]] std::string_view preparing() const override { return name_of(SquareActivity::waiting_for_host); }
   Square take(std::size_t square) override;
 
   const std::uint32_t link_width_;

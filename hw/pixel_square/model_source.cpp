@@ -16,13 +16,20 @@ void ModelSource::begin(std::span<const std::uint8_t> model) {
   latency_left_ = link_.latency;
   elapsed_ = 0;
   clocks_ = {};
+  state_ = {};
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
 /// Sleeps when it is done.
 void ModelSource::on_clock() {
-  if (done()) return next_trigger(begun_);
-  if (clock.posedge()) clocks_.add(act());
+  if (done()) {
+    state_ = name_of(SquareActivity::done);
+    return next_trigger(begun_);
+  }
+  if (!clock.posedge()) return;
+  const SquareActivity activity = act();
+  clocks_.add(activity);
+  state_ = activity == SquareActivity::working ? "sending" : name_of(activity);
 }
 
 SquareActivity ModelSource::act() {

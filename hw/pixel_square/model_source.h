@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <systemc>
 
 #include "hw/isa/link_word.h"
@@ -28,6 +29,10 @@ class ModelSource final : public sc_core::sc_module {
     return whole(clocks_, SquareActivity::done, clocks);
   }
 
+  /// For waves: words that have left, and what it did at the last edge.
+  [[nodiscard]] std::uint64_t words_sent() const { return sent_ / link_.width; }
+  [[nodiscard]] std::string_view state() const { return state_; }
+
  private:
   void on_clock();
   [[nodiscard]] bool done() const { return sent_ >= 8 * std::uint64_t{model_.size()}; }
@@ -40,6 +45,7 @@ class ModelSource final : public sc_core::sc_module {
   std::uint32_t latency_left_ = 0;
   std::uint32_t elapsed_ = 0;  ///< clocks spent on the word at hand
   SquareClocks clocks_;
+  std::string_view state_;
   sc_core::sc_event begun_{"begun"};
 };
 

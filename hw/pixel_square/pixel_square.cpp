@@ -1,11 +1,17 @@
 #include "hw/pixel_square/pixel_square.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/make.h"
+#include "hw/pixel_square/renderer_taps.h"
 #include "hw/pixel_square/storage_check.h"
+#include "hw/pixel_square/taps.h"
 #include "hw/systemc/kernel.h"
+#include "hw/wave/pixel_taps.h"
+#include "hw/wave/segments.h"
 
 namespace csgsim::pixel_square {
 
@@ -28,7 +34,7 @@ int port_depth(const machines::Machine& machine) {
 PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       machine_(machine),
-      clock_("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)),
+      clock_("clock", kernel::period_of(machine)),
       instructions_("instructions", machines::own<Figures>(machine).renderers,
                     fifo_maker<isa::LinkWord>(link_depth(machine))),
       colours_("colours", machines::own<Figures>(machine).renderers, fifo_maker<PortWord>(port_depth(machine))),
@@ -133,6 +139,55 @@ SquareAccount PixelSquareMachine::counted(std::uint64_t clocks) const {
     account.squares_drawn += renderer.squares();
   });
   return account;
+}
+
+std::vector<wave::Tap> PixelSquareMachine::taps(const isa::Program& program, const wave::Request& request) const {
+  std::vector<wave::Tap> taps = front_taps(program);
+  const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
+  for (std::size_t i = 0; i < renderers_.size(); ++i) {
+    const std::string part = "renderer_" + std::to_string(i);
+    taps.push_back(fill_tap(part + ".link_fill", instructions_[i]));
+    taps.push_back(fill_tap(part + ".port_fill", colours_[i]));
+    add(renderer_taps(part, renderers_[i].parts(), program, names_));
+  }
+  add(frame_buffer_taps(frame_buffer_, program, names_));
+  for (const wave::Pixel pixel : request.pixels) add(pixel_taps(pixel, program, request));
+  return taps;
+}
+
+std::vector<wave::Tap> PixelSquareMachine::front_taps(const isa::Program& program) const {
+  std::vector<wave::Tap> taps;
+  if (front_.source) {
+    taps.push_back(wave::text("host.state", [this] { return std::string(front_.source->state()); }));
+    taps.push_back(wave::number("host.words", 32, [this] { return wave::Number(front_.source->words_sent()); }));
+    taps.push_back(fill_tap("model.fill", *front_.model));
+  }
+  for (wave::Tap& tap : sender_taps(front_.host ? "host" : "divider", sender(), program))
+    taps.push_back(std::move(tap));
+  taps.push_back(fill_tap("clears.fill", clears_));
+  return taps;
+}
+
+std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const isa::Program& program,
+                                                      const wave::Request& request) const {
+  const std::uint32_t segment = wave::segment_of(pixel, program);
+  std::vector<std::vector<wave::Tap>> each;
+  std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& renderer) {
+    each.push_back(
+        pixel_square::pixel_taps(pixel, segment, renderer.parts(), program, request.tree_levels, machine_.alu_bits));
+  });
+  std::vector<wave::Tap> taps = of_whoever_shows(std::move(each));
+  const std::string part = wave::part_of(pixel);
+  taps.push_back(wave::number(part + ".renderer", 8, [this, segment]() -> wave::Number {
+    for (std::size_t i = 0; i < renderers_.size(); ++i) {
+      if (has(renderers_[i].parts(), segment)) return i;
+    }
+    return std::nullopt;
+  }));
+  const std::size_t place = std::size_t{pixel.y} * program.shape.width + pixel.x;
+  taps.push_back(wave::hexadecimal(part + ".stored", 32,
+                                   [this, place]() -> wave::Number { return frame_buffer_.picture()[place]; }));
+  return taps;
 }
 
 std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {

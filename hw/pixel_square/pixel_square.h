@@ -15,6 +15,7 @@
 #include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/renderer.h"
 #include "hw/pixel_square/square_names.h"
+#include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
 
@@ -38,6 +39,8 @@ class PixelSquareMachine final : public sc_core::sc_module, public kernel::Clock
   /// takes no clock.
   kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
 
+  [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
+
  private:
   /// What hands out the squares: the host, or a divider and the host before it.
   struct Front {
@@ -47,6 +50,9 @@ class PixelSquareMachine final : public sc_core::sc_module, public kernel::Clock
     std::unique_ptr<CornerDivider> divider;
   };
 
+  [[nodiscard]] std::vector<wave::Tap> front_taps(const isa::Program& program) const;
+  [[nodiscard]] std::vector<wave::Tap> pixel_taps(wave::Pixel pixel, const isa::Program& program,
+                                                  const wave::Request& request) const;
   void bind_front(const machines::Machine& machine);
   void begin_front(const isa::Program& program);
   [[nodiscard]] Sender& sender() { return front_.host ? static_cast<Sender&>(*front_.host) : *front_.divider; }
@@ -60,7 +66,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public kernel::Clock
   [[nodiscard]] std::vector<std::uint32_t> picture_of(const isa::Program& program) const;
 
   const machines::Machine machine_;
-  sc_core::sc_clock clock_;
+  kernel::Clock clock_;
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> instructions_;
   sc_core::sc_vector<sc_core::sc_fifo<PortWord>> colours_;
   sc_core::sc_fifo<PortWord> clears_;

@@ -8,7 +8,6 @@
 #include "hw/pixel_planes/control_delay.h"
 #include "hw/pixel_planes/linear_expression_evaluator.h"
 #include "hw/pixel_planes/pixel_processors.h"
-#include "hw/pixel_planes/plane_channel.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/output_port.h"
 #include "hw/pixel_square/port_word.h"
@@ -18,6 +17,17 @@
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_square {
+
+/// What waves look at, which lives as long as the renderer.
+struct RendererParts {
+  const SquareController& controller;
+  const sc_core::sc_signal<pixel_planes::RootWord>& root;
+  const sc_core::sc_signal<pixel_planes::ControlWord>& control;
+  const sc_core::sc_signal<pixel_planes::ControlWord>& control_at_pixels;
+  const pixel_planes::PixelProcessors& processors;
+  const pixel_planes::LinearExpressionEvaluator& evaluator;
+  const SquareCompletion& completion;
+};
 
 /// Draws one square after another, with the modules of Pixel-planes between a controller and an output port of its own:
 ///
@@ -46,12 +56,16 @@ class Renderer final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t squares() const { return controller_.squares(); }
   [[nodiscard]] const array::PixelArray& pixels() const { return processors_.pixels(); }
 
+  [[nodiscard]] RendererParts parts() const {
+    return {controller_, root_, control_, control_at_pixels_, processors_, evaluator_, completion_};
+  }
+
  private:
   sc_core::sc_signal<pixel_planes::RootWord> root_{"root_bits"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_{"control"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_at_pixels_{"control_at_pixels"};
   sc_core::sc_signal<bool> question_{"question"};  ///< which no wired OR answers
-  pixel_planes::PlaneChannel tree_bits_;
+  sc_core::sc_signal<pixel_planes::TreeWord> tree_bits_{"tree_bits"};
   sc_core::sc_signal<std::uint64_t> retired_{"retired"};
   sc_core::sc_fifo<CommandAccount> accounts_;
   sc_core::sc_signal<std::uint64_t> begun_{"begun"};

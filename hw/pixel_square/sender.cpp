@@ -25,21 +25,34 @@ void Sender::begin_frame(std::size_t squares) {
   square_.reset();
   skipped_ = 0;
   clocks_ = {};
+  status_ = {};
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
 /// Sleeps when it is done.
 void Sender::on_clock() {
-  if (index_ == squares_) return next_trigger(begun_);
+  if (index_ == squares_) {
+    status_ = {.state = name_of(SquareActivity::done), .square = squares_, .renderer = std::nullopt};
+    return next_trigger(begun_);
+  }
   if (clock.posedge()) clocks_.add(act());
 }
 
 SquareActivity Sender::act() {
+  status_ = {.state = preparing(), .square = index_, .renderer = std::nullopt};
   if (!square_) {
-    if (const std::optional<SquareActivity> activity = prepare(index_)) return *activity;
+    if (const std::optional<SquareActivity> activity = prepare(index_)) return as_told(*activity);
     begin_square();
   }
-  return send();
+  status_.state = "sending";
+  const SquareActivity activity = send();
+  status_.renderer = target_;
+  return as_told(activity);
+}
+
+SquareActivity Sender::as_told(SquareActivity activity) {
+  if (activity != SquareActivity::working) status_.state = name_of(activity);
+  return activity;
 }
 
 void Sender::begin_square() {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <systemc>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct Square {
   std::vector<isa::LinkWord> words;  ///< SegmentStart, its instructions, SegmentEnd; none if nothing is seen there
 };
 
+/// What a sender is at, for waves: as the edge left it with which the clock began.
+struct SenderStatus {
+  std::string_view state;               ///< `receiving`, `testing`, `sending`, `done`, or what it waits for
+  std::size_t square = 0;               ///< as many as there are when it is done
+  std::optional<std::size_t> renderer;  ///< that gets it, once that is known
+};
+
 /// Hands out the squares, one after another, a word every `word_clocks` clocks, as long as there is room. A square goes
 /// to the renderer with the fewest squares that it has not finished (the first of those); the header of one where
 /// nothing is seen goes to the frame buffer. What squares consist of is for those that derive from it to say.
@@ -37,6 +45,7 @@ class Sender : public sc_core::sc_module {
     return whole(clocks_, SquareActivity::done, clocks);
   }
   [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
+  [[nodiscard]] const SenderStatus& status() const { return status_; }
 
  protected:
   Sender(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t word_clocks);
@@ -47,12 +56,16 @@ class Sender : public sc_core::sc_module {
   /// What is to be done in a clock before the square at hand can be sent; none, if it can.
   virtual std::optional<SquareActivity> prepare(std::size_t square) = 0;
 
+  /// What `working` means while a square is prepared, by name.
+  [[nodiscard]] virtual std::string_view preparing() const = 0;
+
   /// That has been prepared.
   [[nodiscard]] virtual Square take(std::size_t square) = 0;
 
  private:
   void on_clock();
   SquareActivity act();
+  SquareActivity as_told(SquareActivity activity);
   SquareActivity send();
   void begin_square();
   bool send_word();
@@ -69,6 +82,7 @@ class Sender : public sc_core::sc_module {
   std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
   std::uint64_t skipped_ = 0;
   SquareClocks clocks_;
+  SenderStatus status_;
   sc_core::sc_event begun_{"begun"};
 };
 

@@ -20,10 +20,10 @@ void SquareCompletion::complete() {
       break;
     case CommandAccount::Kind::instruction:
       retirement->after_instruction(
-          {.segment = segment_, .index = index_++, .clocks = account.clocks, .enabled_pixels = enabled_},
+          {.segment = *segment_, .index = index_++, .clocks = account.clocks, .enabled_pixels = enabled_},
           kernel::ArrayView(enable->pixels()));
       break;
-    case CommandAccount::Kind::end: retirement->after_segment(segment_, kernel::ArrayView(enable->pixels())); return;
+    case CommandAccount::Kind::end: retirement->after_segment(*segment_, kernel::ArrayView(enable->pixels())); return;
   }
   enabled_ = enable->count_enabled();
 }

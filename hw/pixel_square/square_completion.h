@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <systemc>
 
 #include "hw/pixel_planes/pixel_processors.h"
@@ -22,14 +23,20 @@ class SquareCompletion final : public sc_core::sc_module {
   explicit SquareCompletion(sc_core::sc_module_name name);
 
   /// The names have to live until the frame is drawn.
-  void begin(const SquareNames& names) { names_ = &names; }
+  void begin(const SquareNames& names) {
+    names_ = &names;
+    segment_.reset();
+  }
+
+  /// For waves: which segment the pixels draw, or have drawn last; none before the first.
+  [[nodiscard]] std::optional<std::uint32_t> segment() const { return segment_; }
 
  private:
   void complete();
 
   const SquareNames* names_ = nullptr;
-  std::uint32_t segment_ = 0;  ///< that the square is
-  std::uint32_t index_ = 0;    ///< of the instruction that comes next
+  std::optional<std::uint32_t> segment_;  ///< that the square is
+  std::uint32_t index_ = 0;               ///< of the instruction that comes next
   std::uint64_t enabled_ = 0;
 };
 

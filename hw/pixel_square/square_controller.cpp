@@ -37,6 +37,19 @@ void SquareController::begin(std::uint32_t colour_bits) {
   clocks_ = {};
 }
 
+std::string_view SquareController::state() const {
+  switch (state_) {
+    case State::idle: return "idle";
+    case State::clearing: return "clearing";
+    case State::drawing: return "drawing";
+    case State::draining: return "draining";
+    case State::drawn: return "drawn";
+    case State::moving: return "moving";
+    case State::leaving: return "leaving";
+  }
+  return "";
+}
+
 /// Since the machine was built.
 std::uint64_t SquareController::edges() const { return sc_core::sc_time_stamp().value() / period_.value(); }
 
@@ -140,6 +153,7 @@ void SquareController::issue() {
   const array::BitStep step = sequencer_.issue();
   ControlWord word;
   word.step = step.pixels;
+  word.steps = true;
   word.last = step.last;
   word.ordinal = ordinal_;
   put(word, step.root);

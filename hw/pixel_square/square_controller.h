@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <systemc>
 
 #include "hw/array/sequencer.h"
@@ -41,6 +43,13 @@ class SquareController final : public sc_core::sc_module {
     return whole(clocks_, SquareActivity::done, clocks);
   }
   [[nodiscard]] std::uint64_t squares() const { return squares_; }
+
+  // For waves.
+  [[nodiscard]] std::string_view state() const;
+  /// Of the square at hand.
+  [[nodiscard]] std::optional<isa::Region> square() const {
+    return state_ == State::idle ? std::nullopt : std::optional(region_);
+  }
 
  private:
   enum class State : std::uint8_t {

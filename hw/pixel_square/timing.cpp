@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "hw/machines/clocks.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/timing_agenda.h"
@@ -19,13 +20,13 @@ using machines::Machine;
 /// The machine's parts, and the order in which they act.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine)
+  FrameModel(const isa::Program& program, const Machine& machine, machines::Timeline* told)
       : parts_{machines::own<Figures>(machine).renderers},
         has_squares_(!program.segments.empty()),
         agenda_(parts_.count()),
         clears_(machines::own<Figures>(machine).port_fifo_depth, parts_.sender(), parts_.frame_buffer(), agenda_),
         renderers_(renderers(program, machine, agenda_)),
-        sender_(program, machine, renderers_, clears_, agenda_),
+        sender_(program, machine, renderers_, clears_, agenda_, told),
         frame_buffer_(program.segments.size(), renderers_, clears_, agenda_) {}
 
   SquareTiming run() {
@@ -83,12 +84,25 @@ class FrameModel {
 }  // namespace
 
 SquareTiming time_squares(const isa::Program& program, const Machine& machine) {
-  return FrameModel(program, machine).run();
+  return FrameModel(program, machine, nullptr).run();
 }
 
 FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {
   const SquareTiming timing = time_squares(program, machine);
   return {.clocks = timing.clocks, .account = account(timing.account)};
+}
+
+machines::Timeline timeline(const isa::Program& program, const Machine& machine,
+                            std::span<const machines::Skip> /*skips*/) {
+  machines::Timeline told = machines::blank_timeline(program);
+  FrameModel(program, machine, &told).run();
+  return told;
+}
+
+std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& /*program*/,
+                                          const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
+                                          std::uint32_t /*y*/) {
+  return machines::later(timeline.issued[segment], machines::evaluator_latency(machine.array));
 }
 
 }  // namespace csgsim::pixel_square

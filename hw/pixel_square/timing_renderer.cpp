@@ -10,6 +10,10 @@ namespace csgsim::pixel_square {
 
 namespace {
 
+/// What the pixels begin with at the first edge after the frame was asked for, where clock 0 of a timeline begins, they
+/// are accounted for from this time on.
+constexpr Time first_edge = 2;
+
 PartNumbers numbers(const machines::Machine& machine) { return {machines::own<Figures>(machine).renderers}; }
 
 Time move_clocks(const Figures& figures, std::uint32_t colour_bits) {
@@ -51,6 +55,7 @@ void RendererTiming::draw(Time now) {
 void RendererTiming::obey(const TimedCommand& command, Time now) {
   agenda_->wake(decoder_, now);
   clocks_.work(command.clocks);
+  if (command.told != nullptr) *command.told = {now - first_edge, now - first_edge + command.clocks};
   if (command.kind == CommandKind::end) {
     drawn_ = command.colour_words;
     return agenda_->put(pixels_, now + latency_);

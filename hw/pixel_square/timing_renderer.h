@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "hw/machines/machine.h"
+#include "hw/machines/timeline.h"
 #include "hw/pixel_square/timing_agenda.h"
 
 namespace csgsim::pixel_square {
@@ -13,9 +14,10 @@ enum class CommandKind : std::uint8_t { start, instruction, end };
 /// What a renderer is told.
 struct TimedCommand {
   CommandKind kind = CommandKind::start;
-  std::uint64_t words = 0;         ///< on the link
-  std::uint64_t clocks = 0;        ///< of the pixels' controller
-  std::uint64_t colour_words = 0;  ///< with the end: that the square leaves in
+  std::uint64_t words = 0;              ///< on the link
+  std::uint64_t clocks = 0;             ///< of the pixels' controller
+  std::uint64_t colour_words = 0;       ///< with the end: that the square leaves in
+  machines::ClockSpan* told = nullptr;  ///< unless null, becomes the clocks of the frame that these are
 };
 
 /// Some bits of a command; the last bring the whole of it.

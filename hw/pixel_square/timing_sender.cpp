@@ -16,7 +16,8 @@ constexpr std::uint64_t header_bits = 64;  ///< of a square on its way to the fr
 }  // namespace
 
 SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine& machine,
-                           std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears, Agenda& agenda)
+                           std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears, Agenda& agenda,
+                           machines::Timeline* told)
     : program_(program),
       machine_(machine),
       figures_(machines::own<Figures>(machine)),
@@ -25,7 +26,8 @@ SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine&
       colour_bits_(isa::frame_header(program).colour.width),
       renderers_(renderers),
       clears_(clears),
-      agenda_(agenda) {}
+      agenda_(agenda),
+      told_(told) {}
 
 void SenderTiming::begin() { begin_square(0, has_divider_ ? take_model() : wait_for_host()); }
 
@@ -72,11 +74,13 @@ void SenderTiming::list_commands(const isa::Segment& segment) {
   commands_.reserve(segment.instructions.size() + 2);
   commands_.push_back({.kind = CommandKind::start,
                        .words = isa::wire_words(isa::SegmentStart{segment.region}, width),
-                       .clocks = std::max<std::uint64_t>(1, machine_.clear_clocks)});
-  for (const isa::Instruction& instruction : segment.instructions) {
+                       .clocks = std::max<std::uint64_t>(1, machine_.clear_clocks),
+                       .told = told_ == nullptr ? nullptr : &told_->cleared[square_]});
+  for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
     commands_.push_back({.kind = CommandKind::instruction,
-                         .words = isa::wire_words(instruction, width),
-                         .clocks = machines::bit_serial_clocks(instruction, machine_)});
+                         .words = isa::wire_words(segment.instructions[i], width),
+                         .clocks = machines::bit_serial_clocks(segment.instructions[i], machine_),
+                         .told = told_ == nullptr ? nullptr : &told_->issued[square_][i]});
   }
   commands_.push_back({.kind = CommandKind::end,
                        .words = isa::wire_words(isa::SegmentEnd{}, width),

@@ -15,8 +15,9 @@ namespace csgsim::pixel_square {
 /// What hands out the squares, as edges see it: the host, or a divider and the host before it.
 class SenderTiming {
  public:
+  /// `told`, unless null, is a blank timeline, which the renderers fill.
   SenderTiming(const isa::Program& program, const machines::Machine& machine, std::vector<RendererTiming>& renderers,
-               Fifo<TimedPortWord>& clears, Agenda& agenda);
+               Fifo<TimedPortWord>& clears, Agenda& agenda, machines::Timeline* told);
 
   /// The frame begins.
   void begin();
@@ -54,6 +55,7 @@ class SenderTiming {
   std::vector<RendererTiming>& renderers_;
   Fifo<TimedPortWord>& clears_;
   Agenda& agenda_;
+  machines::Timeline* told_;
   PartClocks host_;  ///< before a divider
   PartClocks clocks_;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -55,6 +56,11 @@ class ActivityCounter {
     begun_ = true;
   }
   [[nodiscard]] const LineClocks& clocks() const { return clocks_; }
+
+  /// What it does until the next edge, by name; nothing before the first.
+  [[nodiscard]] std::string_view now() const {
+    return begun_ ? line_activities[static_cast<std::size_t>(now_)].name : std::string_view();
+  }
 
  private:
   bool begun_ = false;

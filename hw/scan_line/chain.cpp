@@ -12,10 +12,11 @@ constexpr std::uint32_t plane_bits = 64;
 }  // namespace
 
 Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& shape)
-    : cells_(cells, memory_bits, shape), flights_(cells), hold_(cells), shift_(cells) {}
+    : cells_(cells, memory_bits, shape), flights_(cells), segment_of_(cells), hold_(cells), shift_(cells) {}
 
 void Chain::begin(std::uint32_t pixels) {
   pixels_ = pixels;
+  std::fill(segment_of_.begin(), segment_of_.end(), std::nullopt);
   oldest_ = 0;
   count_ = 0;
   shifting_ = false;
@@ -42,6 +43,15 @@ void Chain::step(const PacketWord& entering) {
 RefreshPixel Chain::refresh() const {
   if (!shifting_) return {};
   return {.valid = true, .colour = shift_[shifted_]};
+}
+
+const PacketWord* Chain::beat_in(std::uint32_t cell) const {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::size_t place = oldest_ + i;
+    const Flight& flight = flights_[place < flights_.size() ? place : place - flights_.size()];
+    if (flight.cell == cell) return &flight.word;
+  }
+  return nullptr;
 }
 
 void Chain::shift() {
@@ -74,17 +84,22 @@ void Chain::enter(const PacketWord& word) {
 
 void Chain::work(Flight& flight) {
   const PacketWord& beat = flight.word;
-  if (beat.begins_line && beat.number == 0) cells_.clear(flight.cell);
+  if (beat.begins_line && beat.number == 0) clear(flight);
   switch (beat.kind) {
     case WordKind::none: break;
     case WordKind::clear:
-      if (beat.last()) cells_.clear(flight.cell);
+      if (beat.last()) clear(flight);
       break;
     case WordKind::instruction: work_on_instruction(flight); break;
     case WordKind::mark: work_on_mark(flight); break;
   }
   if (flight.snapshot != no_snapshot) take_down(flight);
   ++flight.cell;
+}
+
+void Chain::clear(const Flight& flight) {
+  cells_.clear(flight.cell);
+  segment_of_[flight.cell] = flight.word.segment;
 }
 
 void Chain::work_on_instruction(Flight& flight) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hw/scan_line/cells.h"
@@ -46,6 +47,12 @@ class Chain {
 
   [[nodiscard]] const Cells& cells() const { return cells_; }
 
+  // For waves.
+  /// What is in that cell, not the first, in the clock that comes; null if nothing is.
+  [[nodiscard]] const PacketWord* beat_in(std::uint32_t cell) const;
+  /// Of which segment that cell holds a pixel; none before its first.
+  [[nodiscard]] std::optional<std::uint32_t> segment_of(std::uint32_t cell) const { return segment_of_[cell]; }
+
  private:
   /// A beat on its way.
   struct Flight {
@@ -61,6 +68,7 @@ class Chain {
   void transfer();
   void enter(const PacketWord& word);
   void work(Flight& flight);
+  void clear(const Flight& flight);
   void work_on_instruction(Flight& flight);
   void work_on_mark(const Flight& flight);
   void take_down(const Flight& flight);
@@ -72,6 +80,7 @@ class Chain {
   std::vector<Flight> flights_;  ///< a ring, one a cell
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
+  std::vector<std::optional<std::uint32_t>> segment_of_;  ///< for each cell
   std::vector<std::uint32_t> hold_;
   std::vector<std::uint32_t> shift_;
   std::uint32_t shifted_ = 0;        ///< pixels of the line that have left the shift chain

@@ -21,7 +21,7 @@ void ChainLink::begin(const PictureLines& frame, std::size_t lines_to_send) {
 void ChainLink::on_clock() {
   go_on();
   if (state_ == State::waiting) take_line();
-  counter_.edge(activity());
+  counter_.edge(doing());
 }
 
 void ChainLink::go_on() {
@@ -79,7 +79,7 @@ void ChainLink::take_command() {
   ++command_;
 }
 
-LineActivity ChainLink::activity() const {
+LineActivity ChainLink::doing() const {
   switch (state_) {
     case State::waiting: return lines_left_ == 0 ? LineActivity::done : LineActivity::waiting_for_host;
     case State::latent: return LineActivity::latency;

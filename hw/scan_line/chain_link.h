@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <systemc>
 #include <vector>
 
@@ -32,6 +33,13 @@ class ChainLink final : public sc_core::sc_module {
   [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
   [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words
 
+  // For waves.
+  [[nodiscard]] std::string_view activity() const { return counter_.now(); }
+  /// That it sends; none while it waits for one.
+  [[nodiscard]] std::optional<std::uint32_t> line() const {
+    return state_ == State::waiting ? std::nullopt : std::optional(line_);
+  }
+
  private:
   enum class State : std::uint8_t { waiting, latent, sending, blocked };
 
@@ -40,7 +48,7 @@ class ChainLink final : public sc_core::sc_module {
   void store_word();
   void take_line();
   void take_command();
-  [[nodiscard]] LineActivity activity() const;
+  [[nodiscard]] LineActivity doing() const;
 
   const machines::Link link_;
   PictureLines frame_;

@@ -96,6 +96,8 @@ const machines::Kind kind{
     .check = machines::check_parts,
     .clocks = entry_clocks,
     .time = time_frame,
+    .timeline = timeline,
+    .at_pixel = at_pixel,
     .resources = resources,
 };
 

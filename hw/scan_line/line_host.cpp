@@ -26,7 +26,10 @@ void LineHost::begin_line() {
   preparing_ = line.instructions.size() * figures_.instruction_clocks;
 }
 
-void LineHost::on_clock() { counter_.edge(act()); }
+void LineHost::on_clock() {
+  worked_on_ = line_;
+  counter_.edge(act());
+}
 
 LineActivity LineHost::act() {
   if (line_ == frame_.lines.size()) return LineActivity::done;

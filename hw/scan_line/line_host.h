@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <systemc>
 
 #include "hw/machines/machine.h"
@@ -27,6 +28,10 @@ class LineHost final : public sc_core::sc_module {
 
   [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
 
+  // For waves.
+  [[nodiscard]] std::string_view activity() const { return counter_.now(); }
+  [[nodiscard]] std::uint32_t line() const { return worked_on_; }  ///< as many as there are lines when all are done
+
  private:
   void on_clock();
   LineActivity act();
@@ -36,6 +41,7 @@ class LineHost final : public sc_core::sc_module {
   PictureLines frame_;
   ActiveList active_;
   std::uint32_t line_ = 0;
+  std::uint32_t worked_on_ = 0;  ///< line of the clock that began last
   std::uint64_t sorting_ = 0;    ///< clocks left
   std::uint64_t updating_ = 0;   ///< clocks left for the line
   std::uint64_t preparing_ = 0;  ///< clocks left for the line

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <systemc>
 
 #include "hw/link/receiver.h"
@@ -44,6 +45,7 @@ class PacketQueue final : public sc_core::sc_module {
 
   [[nodiscard]] const EntryCounts& counts() const { return counts_; }
   [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
+  [[nodiscard]] std::string_view activity() const { return counter_.now(); }  ///< for waves
 
  private:
   void on_clock();

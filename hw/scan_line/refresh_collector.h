@@ -33,6 +33,9 @@ class RefreshCollector final : public sc_core::sc_module {
   /// Of the refresh port of that chain.
   [[nodiscard]] const LineClocks& clocks(std::size_t chain) const { return chains_[chain]; }
 
+  /// For waves: of the chain, whose pixels are at the port or come next.
+  [[nodiscard]] std::size_t line_of(std::size_t chain) const { return line_of_chain_[chain]; }
+
   /// The first of those whose last pixel came last.
   [[nodiscard]] std::size_t last_chain() const { return last_chain_; }
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/make.h"
+#include "hw/scan_line/taps.h"
 #include "hw/scan_line/timing.h"
 #include "hw/systemc/kernel.h"
+#include "hw/wave/segments.h"
 
 namespace csgsim::scan_line {
 
@@ -39,7 +42,7 @@ std::vector<std::uint32_t> picture_of(const isa::Program& program,
 ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       machine_(machine),
-      clock_("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)),
+      clock_("clock", kernel::period_of(machine)),
       lines_("lines"),
       words_("words"),
       entry_("entry", figures_of(machine).chains),
@@ -165,6 +168,20 @@ LineAccount ScanLineArray::counted() const {
     account.busy_cells += chain.chain().busy_cells();
   }
   return account;
+}
+
+std::vector<wave::Tap> ScanLineArray::taps(const isa::Program& program, const wave::Request& request) const {
+  wave::check_no_trees(request);
+  std::vector<wave::Tap> taps = host_taps(host_, program);
+  const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
+  const std::uint32_t word_bits = figures_of(machine_).word_bits;
+  std::vector<ChainParts> chains;
+  for (std::size_t i = 0; i < chains_.size(); ++i) {
+    chains.push_back({links_[i], words_[i], queues_[i], entry_[i], chains_[i], refresh_[i], collector_, i});
+    add(chain_taps(chains_.size() == 1 ? "" : "_" + std::to_string(i), chains.back(), program, word_bits));
+  }
+  for (const wave::Pixel pixel : request.pixels) add(cell_taps(pixel, chains, program, word_bits));
+  return taps;
 }
 
 std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {

@@ -10,6 +10,7 @@
 #include "hw/scan_line/packet_queue.h"
 #include "hw/scan_line/picture_lines.h"
 #include "hw/scan_line/refresh_collector.h"
+#include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
 
@@ -23,6 +24,8 @@ class ScanLineArray final : public sc_core::sc_module, public kernel::ClockedMac
   /// Draws a frame of one line or more.
   kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
 
+  [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
+
  private:
   void on_done();
   void draw(const PictureLines& frame, kernel::RunListener& listener);
@@ -30,7 +33,7 @@ class ScanLineArray final : public sc_core::sc_module, public kernel::ClockedMac
   [[nodiscard]] std::uint64_t interval(const PictureLines& frame) const;
 
   const machines::Machine machine_;
-  sc_core::sc_clock clock_;
+  kernel::Clock clock_;
   sc_core::sc_vector<sc_core::sc_fifo<std::uint32_t>> lines_;
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> words_;
   sc_core::sc_vector<sc_core::sc_signal<PacketWord>> entry_;

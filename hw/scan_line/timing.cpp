@@ -92,7 +92,8 @@ class ChainTiming {
   /// The host can hand over the next line from that edge on.
   [[nodiscard]] Edge free_from() const { return lines_ == 0 ? 1 : taken_ + 1; }
 
-  void draw(const isa::Segment& line, Edge handed_over) {
+  /// Tells, if there is a timeline, when the packets of line `number` enter.
+  void draw(const isa::Segment& line, Edge handed_over, machines::Timeline* told, std::size_t number) {
     const Edge idle_from = lines_ == 0 ? 1 : sent_;
     taken_ = std::max(handed_over + 1, idle_from);
     link_.add(LineActivity::waiting_for_host, taken_ - idle_from);
@@ -100,12 +101,18 @@ class ChainTiming {
     link_.add(LineActivity::latency, latency);
     sent_ = taken_ + latency;
     send(isa::SegmentStart{line.region}, machine_.clear_clocks);
-    for (const isa::Instruction& instruction : line.instructions)
-      send(instruction, entry_clocks(instruction, machine_));
+    if (told != nullptr && machine_.clear_clocks > 0) told->cleared[number] = entering(machine_.clear_clocks);
+    for (std::size_t i = 0; i < line.instructions.size(); ++i) {
+      const std::uint64_t beats = entry_clocks(line.instructions[i], machine_);
+      send(line.instructions[i], beats);
+      if (told != nullptr) told->issued[number][i] = entering(beats);
+    }
     const bool empty = line.instructions.empty();
     const std::uint64_t colour_words = std::max<std::uint64_t>(quotient_up(colour_.width, figures_.word_bits), 1);
     const std::uint64_t mark = empty ? colour_words : occupied(1, memory_words(colour_, figures_), 0, figures_);
     send(isa::SegmentEnd{}, mark, true);
+    if (told != nullptr && machine_.clear_clocks == 0)
+      told->cleared[number] = first_beat(empty ? entering(mark) : told->issued[number].front());
     ++lines_;
   }
 
@@ -143,6 +150,13 @@ class ChainTiming {
   }
 
  private:
+  /// The clocks in which the beats of the last packet, so many, were at the entry: it is there from edge n until the
+  /// next in clock n - 1.
+  [[nodiscard]] machines::ClockSpan entering(std::uint64_t beats) const { return {entered_ - beats, entered_}; }
+
+  /// Where no packet clears, the line's first does.
+  static machines::ClockSpan first_beat(const machines::ClockSpan& packet) { return {packet.begin, packet.begin + 1}; }
+
   /// The command, and its packet of so many beats; 0 if it is none.
   void send(const isa::Command& command, std::uint64_t beats, bool is_mark = false) {
     const unsigned words = isa::wire_words(command, machine_.link.width);
@@ -230,7 +244,7 @@ std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height) 
   return figures.chains * (machine.clock_hz / (figures.refresh_hz * field_lines));
 }
 
-LineTiming time_lines(const isa::Program& program, const Machine& machine) {
+LineTiming time_lines(const isa::Program& program, const Machine& machine, machines::Timeline* told) {
   const Figures& figures = machines::own<Figures>(machine);
   const std::uint64_t pixels = program.shape.width;
   const isa::Field colour = isa::frame_header(program).colour;
@@ -253,7 +267,7 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine) {
     counted.host.add(LineActivity::preparing, preparing);
     counted.host.add(LineActivity::waiting_for_link, host - asked);
     counted.host.add(LineActivity::starting, 1);
-    chain.draw(segment, host);
+    chain.draw(segment, host, told, line);
 
     counted.packets += segment.instructions.size();
     counted.most_packets = std::max<std::uint64_t>(counted.most_packets, segment.instructions.size());
@@ -290,6 +304,19 @@ FrameTiming time_frame(const isa::Program& program, const Machine& machine, std:
           .shown_clocks = timing.clocks,
           .interval_clocks = timing.interval_clocks,
           .account = account(timing.account, machine, timing.clocks)};
+}
+
+machines::Timeline timeline(const isa::Program& program, const Machine& machine,
+                            std::span<const machines::Skip> /*skips*/) {
+  machines::Timeline told = machines::blank_timeline(program);
+  time_lines(program, machine, &told);
+  return told;
+}
+
+std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                          const Machine& /*machine*/, std::uint32_t segment, std::uint32_t x,
+                                          std::uint32_t /*y*/) {
+  return machines::later(timeline.issued[segment], x - program.segments[segment].region.x);
 }
 
 }  // namespace csgsim::scan_line

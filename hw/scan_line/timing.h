@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hw/machines/timeline.h"
 #include "hw/machines/timing.h"
 #include "hw/scan_line/account.h"
 
@@ -31,10 +32,20 @@ struct LineTiming {
   LineAccount account;
 };
 
-/// Worked out from the words and packets of each line (the modules count the same).
-LineTiming time_lines(const isa::Program& program, const machines::Machine& machine);
+/// Worked out from the words and packets of each line (the modules count the same). `told`, unless null, is a blank
+/// timeline, and becomes that of the frame.
+LineTiming time_lines(const isa::Program& program, const machines::Machine& machine,
+                      machines::Timeline* told = nullptr);
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  std::span<const machines::Skip> skips);
+
+/// When the beats of each packet are at the entry of a chain; the cell of a column works on a beat as many clocks later
+/// as there are cells before it.
+machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
+                            std::span<const machines::Skip> skips);
+std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t x,
+                                          std::uint32_t y);
 
 }  // namespace csgsim::scan_line

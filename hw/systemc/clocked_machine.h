@@ -7,7 +7,8 @@
 #include "hw/isa/program.h"
 #include "hw/machines/accounts.h"
 #include "hw/systemc/run_listener.h"
-#include "hw/systemc/wave_request.h"
+#include "hw/wave/request.h"
+#include "hw/wave/tap.h"
 
 namespace csgsim::kernel {
 
@@ -20,7 +21,6 @@ struct RunReport {
   std::uint64_t shown_clocks = 0;        ///< until the last pixel is shown; 0: as clocks
   std::uint64_t interval_clocks = 0;     ///< from one frame to the next; 0: as shown_clocks
   std::vector<std::uint32_t> picture{};  ///< colour of every pixel of the Program, in row order; empty if it shows none
-  bool recorded = false;                 ///< the run reached the window of clocks that was to be recorded
 };
 
 /// A machine of any kind, clock by clock. SystemC elaborates once a process, so there can be one in a process; it runs
@@ -39,11 +39,14 @@ class ClockedMachine {
   virtual std::vector<RunReport> run_sequence(std::span<const isa::Program> programs,
                                               std::span<RunListener* const> listeners);
 
-  [[nodiscard]] virtual bool can_record() const { return false; }
+  /// What a wave of a run of the Program shows, part by part; nothing for a kind without waves. Program and machine
+  /// have to live as long as the taps. Throws InputError for a pixel or a level of a tree that the machine has not.
+  [[nodiscard]] virtual std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const;
 
-  /// Has the next run recorded; run throws InputError if the file cannot be opened. Throws std::invalid_argument for a
-  /// probe or field outside the array, std::logic_error for a machine that cannot record.
-  virtual void record(const WaveRequest& request);
+  /// Lets the next run begin in the middle of the frame, if the machine can, so that in the clocks of the window all is
+  /// as in a whole run; after it nothing need be. Returns the clock with which it will begin. What the run reports is
+  /// then of no use.
+  virtual std::uint64_t skip_to(const isa::Program& program, wave::Window window);
 };
 
 }  // namespace csgsim::kernel

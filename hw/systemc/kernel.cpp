@@ -1,6 +1,8 @@
 #include "hw/systemc/kernel.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#include "hw/base/address_sanitizer.h"
+
+#if CSGSIM_ADDRESS_SANITIZER
 #include <pthread.h>
 #include <sanitizer/common_interface_defs.h>
 #endif
@@ -10,12 +12,29 @@ int sc_main(int /*argc*/, char* /*argv*/[]) { return 0; }
 
 namespace csgsim::kernel {
 
+namespace {
+
+void kill_threads(sc_core::sc_object& object) {
+  sc_core::sc_process_handle process(&object);
+  if (process.valid() && process.proc_kind() == sc_core::SC_THREAD_PROC_) process.kill();
+  for (sc_core::sc_object* const child : object.get_child_objects()) kill_threads(*child);
+}
+
+}  // namespace
+
 sc_core::sc_time period_of(const machines::Machine& machine) {
   return {1.0 / static_cast<double>(machine.clock_hz), sc_core::SC_SEC};
 }
 
+void stop() {
+  for (sc_core::sc_object* const object : sc_core::sc_get_top_level_objects()) kill_threads(*object);
+  sc_core::sc_stop();
+}
+
+bool is_stopped() { return sc_core::sc_get_status() == sc_core::SC_STOPPED; }
+
 void back_on_main_stack() {
-#if defined(__SANITIZE_ADDRESS__)
+#if CSGSIM_ADDRESS_SANITIZER
   pthread_attr_t attributes;
   void* bottom = nullptr;
   std::size_t bytes = 0;

@@ -84,7 +84,7 @@ Study study_of(const Options& options) {
   const facet::Faceting faceting = faceting_of(options.model, machine, file.tree);
   const facet::Scene scene = facet::make_scene(file.tree, faceting);
   if (scene.box.empty()) throw InputError(options.model.model + ": nothing in it to measure; every solid is empty");
-  const view::Camera camera = camera_of(options.model, machine, scene);
+  const view::Camera camera = camera_of(options.model, machine, file.tree, scene);
   refuse_see_through(options.model, file.tree, camera);
   std::vector<study::WantedSettings> wanted;
   const study::Inputs inputs{file.hash, machine_hash, version_and_build()};

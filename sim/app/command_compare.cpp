@@ -96,6 +96,7 @@ Study study_of(const Options& options) {
     const machines::Machine machine = machine_named(options, name);
     const machines::Size base = machine.picture;
     const study::Inputs inputs{file.hash, study::hash_of(machine), version_and_build()};
+    const view::Camera camera = camera_of(options.model, machine, study.tree, scene);
     if (study.jobs.empty()) study.base = base;
     for (study::ComparisonPoint& point :
          options.ideal ? ideal_points(machine, escaped(name)) : points_of(options, escaped(name), base)) {
@@ -103,11 +104,8 @@ Study study_of(const Options& options) {
       view::Sampling sampling = sampling_of(options.model, machine);
       sampling.width = point.width;
       sampling.height = point.height;
-      study.jobs.push_back({{std::move(point), inputs},
-                            std::move(drawing),
-                            camera_of(options.model, machine, scene),
-                            sampling,
-                            emit_options_of(options.model)});
+      study.jobs.push_back(
+          {{std::move(point), inputs}, std::move(drawing), camera, sampling, emit_options_of(options.model)});
     }
   }
   return study;
@@ -151,9 +149,10 @@ void print_row(const study::ComparisonRow& row) {
     fmt::print("  {}\n", row.reason);
     return;
   }
-  fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>8.3f}\n", row.halfspaces, grouped(row.clocks),
-             row.seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations), grouped(row.processors),
-             grouped(row.processor_clocks), grouped(row.memory_bits), 100.0 * row.utilisation);
+  fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
+             grouped(row.clocks), row.seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations),
+             grouped(row.processors), grouped(row.processor_clocks), grouped(row.memory_bits),
+             row.transistors ? grouped(*row.transistors) : "-", 100.0 * row.utilisation);
 }
 
 /// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
@@ -174,10 +173,11 @@ void print_ideal_rows(const Rows& rows) {
 }
 
 void print_rows(const Rows& rows) {
-  fmt::print("{:<16}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>8}\n", "machine", "picture", "$fn",
-             "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.", "processor clocks", "memory bits",
-             "used %");
+  fmt::print("{:<16}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", "picture",
+             "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.", "processor clocks",
+             "memory bits", "transistors", "used %");
   for (const study::ComparisonRow& row : rows) print_row(row);
+  fmt::print("Transistors are a model (docs/area.md), of the processors with their memory; -: not synthesised.\n");
 }
 
 /// Pictures of the same size and facets have to be the same on every machine.

@@ -8,6 +8,7 @@
 #include "hw/isa/program_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
+#include "sim/app/near_faces_warning.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 
@@ -27,7 +28,9 @@ void add_compile(CommandLine& line) {
   command.option("-o,--output", options->output, "The Program file, .csgt").required().check(not_empty);
   command.runs([options] {
     refuse_clashes(options->model.inputs(), std::to_array<std::filesystem::path>({options->output}));
-    const isa::Program program = compile_model(options->model, machine_of(options->model)).program;
+    const CompiledModel model = compile_model(options->model, machine_of(options->model));
+    warn_of_near_faces(model, options->model);
+    const isa::Program& program = model.program;
     isa::save_program(program, options->output);
     std::size_t instructions = 0;
     for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hw/base/error.h"
@@ -65,12 +66,12 @@ Variant draw_without(const ModelOptions& all, const std::vector<std::string>& wi
   const std::array<sim::Observer*, 2> observers{&frame, &stats};
   const auto engine = sim::make_functional_engine(machine);
   const auto run = std::chrono::steady_clock::now();
-  variant.result =
-      with_memory_for_picture(variant.program.shape, [&] { return engine->run(variant.program, observers); });
+  variant.result = with_memory_for_run({&variant.program, 1}, variant.program.shape,
+                                       [&] { return engine->run(variant.program, observers); });
   variant.run_seconds = seconds_since(run);
   refuse_overflow(variant.result);
   variant.stats = stats.stats();
-  variant.frame = frame.frame();
+  variant.frame = std::move(frame).frame();
   return variant;
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
@@ -37,7 +38,7 @@ Outcome run_level(sim::Engine& engine, const isa::Program& program) {
   const auto begin = std::chrono::steady_clock::now();
   const sim::RunResult result = engine.run(program, observers);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  Outcome outcome{frame.frame(), stats.stats(), result.clocks, seconds.count()};
+  Outcome outcome{std::move(frame).frame(), stats.stats(), result.clocks, seconds.count()};
   if (!result.scanned_out.empty()) outcome.frame.colour = result.scanned_out;
   return outcome;
 }
@@ -53,7 +54,8 @@ void compare_levels(const ModelOptions& options) {
              "picture, depth, owner, counts");
   Outcome first;
   for (const std::unique_ptr<sim::Engine>& engine : engines) {
-    const Outcome outcome = with_memory_for_picture(program.shape, [&] { return run_level(*engine, program); });
+    const Outcome outcome =
+        with_memory_for_run({&program, 1}, program.shape, [&] { return run_level(*engine, program); });
     if (engine == engines.front()) first = outcome;
     const bool same = outcome.same(first);
     fmt::print("{:<12}{:>12}{:>12.3f}{:>16.0f}{:>20.1f}  {}\n", engine->level(), outcome.clocks, outcome.seconds,

@@ -8,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/frames.h"
 #include "sim/app/model_options.h"
+#include "sim/app/near_faces_warning.h"
 #include "sim/app/options.h"
 #include "sim/app/run_options.h"
 #include "sim/app/run_outputs.h"
@@ -52,7 +53,7 @@ std::string verdict(const CompiledModel& compiled, const sim::Frame& frame, nloh
 void choose_settings(Options& options, const machines::Machine& machine) {
   const model::Tree tree = read_model(options.model);
   const facet::Faceting faceting = faceting_of(options.model, machine, tree);
-  const view::Camera camera = camera_of(options.model, machine, facet::make_scene(tree, faceting));
+  const view::Camera camera = camera_of(options.model, machine, tree, facet::make_scene(tree, faceting));
   refuse_see_through(options.model, tree, camera);
   study::Meter meter(tree, {camera}, machine, emit_options_of(options.model));
   const auto chosen =
@@ -81,6 +82,7 @@ void run(Options& options) {
   const machines::Machine machine = machine_of(options.model);
   if (options.max_wrong_pixels) choose_settings(options, machine);
   const CompiledModel compiled = compile_model(options.model, machine);
+  warn_of_near_faces(compiled, options.model);
   Judge judge;
   if (options.check) {
     refuse_see_through(options.model, compiled.tree, compiled.camera);

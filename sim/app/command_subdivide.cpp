@@ -71,7 +71,7 @@ Column measure(const Options& options, const Subject& subject, unsigned levels,
   const facet::Scene scene = facet::make_scene(
       tree, tolerance ? facet::Faceting{tolerance, std::nullopt} : faceting_of(options.model, machine, tree));
   const view::View view =
-      view::make_view(scene, tree, camera_of(options.model, machine, scene), sampling_of(options.model, machine));
+      view::make_view(scene, tree, camera_of(options.model, machine, tree, scene), sampling_of(options.model, machine));
   const study::Subdivided subdivided{tree, scene, view, machine, emit_options_of(options.model)};
   const machines::Size picture = machine.picture;
   const auto squares = [&](std::uint32_t columns, std::uint32_t rows) {

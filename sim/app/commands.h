@@ -10,6 +10,9 @@ namespace csgsim::app {
   COMMAND(compile)               \
   COMMAND(run)                   \
   COMMAND(disasm)                \
+  COMMAND(debug)                 \
+  COMMAND(diff)                  \
+  COMMAND(explain)               \
   COMMAND(wave)                  \
   COMMAND(accuracy)              \
   COMMAND(sweep)                 \
@@ -17,6 +20,7 @@ namespace csgsim::app {
   COMMAND(subdivide)             \
   COMMAND(effects)               \
   COMMAND(levels)                \
+  COMMAND(bench)                 \
   COMMAND(machines)              \
   COMMAND(isa)                   \
   COMMAND(scene)

@@ -12,6 +12,7 @@
 
 #include "hw/base/output_file.h"
 #include "sim/app/memory.h"
+#include "sim/app/near_faces_warning.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
 #include "sim/app/usage.h"
@@ -53,6 +54,7 @@ view::Camera turned(view::Camera camera, double degrees) {
 std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turntable& turntable,
                                          const machines::Machine& machine) {
   CompiledModel first = compile_model(model, machine);
+  warn_of_near_faces(first, model);
   std::vector<isa::Program> programs;
   programs.push_back(std::move(first.program));
   for (std::uint32_t i = 1; i < turntable.frames; ++i) {
@@ -118,7 +120,7 @@ void draw_frames(const ModelOptions& model, const RunOptions& run, const Turntab
   for (const fs::path& path : paths) files.emplace_back(path);
   const std::vector<isa::Program> programs = compile_frames(model, turntable, machine);
   announce_memory(machine, programs.front().shape, run.level);
-  with_memory_for_picture(machine.array, [&] { draw(run, programs, machine, files); });
+  with_memory_for_run(programs, machine.array, [&] { draw(run, programs, machine, files); });
 }
 
 }  // namespace csgsim::app

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <vector>
 
+#include "host/convex/extent.h"
+#include "host/csg/positive_tree.h"
 #include "host/effects/rows.h"
 #include "host/emit/compile.h"
 #include "host/emit/effect.h"
@@ -22,6 +25,7 @@
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
+#include "sim/app/scad.h"
 #include "sim/app/usage.h"
 #include "sim/functional/clocks.h"
 #include "sim/study/hash.h"
@@ -66,6 +70,9 @@ void warn_of_coarse_depth(const view::View& view) {
       fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
                   view.depth_step));
 }
+
+/// Read once already, within limits of its own.
+constexpr InputKind imported_file{"a file", std::numeric_limits<std::size_t>::max(), ""};
 
 constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
 
@@ -118,8 +125,8 @@ std::vector<std::string> pruning_names() {
   return names;
 }
 
-void ModelOptions::add_to(Command& command) {
-  command.option("MODEL", model, "The model, an OpenSCAD .csg file").required();
+void ModelOptions::add_to(Command& command, const std::string& what) {
+  command.option("MODEL", model, what).required();
   command.option("--machine", machine,
                  "A machine's name (see csgsim machines) or its .toml file; with figures changed: "
                  "NAME+KEY=VALUE");
@@ -155,6 +162,11 @@ void ModelOptions::add_view_to(Command& command) {
       .one_of(projections);
   command.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
   command.option("--set", sets, "A key of the scene, as in lights.0.direction=0,0,-1; once for each");
+  command.option("--imports-from", imports_from,
+                 "Folder in which, or below which, the files are that the model imports; the model's own if not given");
+  command.flag("--snap", snap,
+               "Restore rotations by hundredths of a degree from the six digits that OpenSCAD writes, so that planes "
+               "that should coincide do");
   command.flag("--view-all", view_all, "Move the camera so that the whole model just fits");
   command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
   command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients");
@@ -198,7 +210,7 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
   if (!options.tolerance) return {};
   if (!options.tolerance->in_pixels) return {options.tolerance->value, std::nullopt};
   const facet::Scene scene = facet::make_scene(tree);
-  const view::Camera camera = camera_of(options, machine, scene);
+  const view::Camera camera = camera_of(options, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
   const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
   fmt::print("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
@@ -215,10 +227,14 @@ view::Sampling sampling_of(const ModelOptions& options, const machines::Machine&
   return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, near};
 }
 
-view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene) {
+view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Scene& scene) {
   const machines::Size picture = machine.picture;
-  view::Camera camera = view::default_camera(scene.box, picture.width, picture.height);
   const scene::Camera& seen_by = options.scene().camera;
+  const bool is_given = !options.camera.empty() || (seen_by.eye && seen_by.centre);
+  const bool sees_all = options.view_all || seen_by.view_all.value_or(false);
+  const facet::Box box = is_given && !sees_all ? scene.box : convex::extent(scene, csg::make_positive(tree));
+  view::Camera camera = view::default_camera(box, picture.width, picture.height);
   camera.eye = seen_by.eye.value_or(camera.eye);
   camera.centre = seen_by.centre.value_or(camera.centre);
   if (!options.camera.empty()) {
@@ -227,9 +243,7 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
     camera.centre = {v[3], v[4], v[5]};
   }
   camera.projection = projection_of(options);
-  return options.view_all || seen_by.view_all.value_or(false)
-             ? view::view_all(camera, scene.box, picture.width, picture.height)
-             : camera;
+  return sees_all ? view::view_all(camera, box, picture.width, picture.height) : camera;
 }
 
 std::vector<std::filesystem::path> ModelOptions::inputs() const {
@@ -251,11 +265,17 @@ ModelFile read_model_file(const ModelOptions& options) {
   if (is_program(options.model))
     throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
   return with_memory_for("the model " + options.model, [&] {
-    const std::string text = read::load(options.model);
+    const bool is_source = ends_in(options.model, ".scad");
+    const std::string text = is_source ? csg_of_scad(options.model) : read::load(options.model);
     study::Hash hash;
     hash.add(text);
     hash.add(options.scene_text());
-    return ModelFile{effects::reshaped(read::read_csg_text(text, options.model), options.scene()), hash.text()};
+    if (options.snap) hash.add("--snap");
+    model::Tree tree = read::read_csg_text(text, is_source ? options.model + " (as .csg)" : options.model,
+                                           {options.snap, options.imports_from});
+    tree.file = options.model;
+    for (const std::filesystem::path& import : tree.imports) hash.add(read_file(import.string(), imported_file));
+    return ModelFile{effects::reshaped(std::move(tree), options.scene()), hash.text()};
   });
 }
 
@@ -265,7 +285,7 @@ namespace {
 
 CompiledModel compile(model::Tree tree, const ModelOptions& options, const machines::Machine& machine) {
   facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
-  const view::Camera camera = camera_of(options, machine, scene);
+  const view::Camera camera = camera_of(options, machine, tree, scene);
   CompiledModel model{std::move(tree), std::move(scene), camera, {}};
   model.program = compile_seen_by(model.camera, model, options, machine);
   return model;
@@ -277,15 +297,19 @@ isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& mo
                              const machines::Machine& machine) {
   const view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
   warn_of_coarse_depth(view);
-  return with_memory_for("the Program of " + options.model, [&] {
-    return emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
-                         [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
-  });
+  std::size_t halfspaces = 0;
+  for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
+  return with_memory([&] { return short_of_memory(options.model, halfspaces); },
+                     [&] {
+                       return emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
+                                            [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+                     });
 }
 
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
   model::Tree tree = read_model(options);
-  return with_memory_for("the Program of " + options.model, [&] { return compile(std::move(tree), options, machine); });
+  return with_memory_for("the half-spaces of " + options.model,
+                         [&] { return compile(std::move(tree), options, machine); });
 }
 
 }  // namespace csgsim::app

@@ -29,6 +29,8 @@ inline constexpr unsigned most_stack_bits = 64;
 /// Options of every command that compiles a model.
 struct ModelOptions {
   std::string model;
+  std::string imports_from;
+  bool snap = false;  ///< rotations are restored from the digits that are written
   std::string machine = "pixel-planes-4";
   std::string size;
   std::optional<std::uint32_t> memory_bits;
@@ -48,7 +50,7 @@ struct ModelOptions {
   unsigned colour_bits = isa::most_colour_bits;
   std::vector<std::string> without;
 
-  void add_to(Command& command);
+  void add_to(Command& command, const std::string& what = "The model, an OpenSCAD .csg file, or its source, .scad");
 
   /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
@@ -87,7 +89,10 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
 
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine);
 emit::Options emit_options_of(const ModelOptions& options);
-view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const facet::Scene& scene);
+
+/// With --view-all, or without a camera, the extent of the model (convex/extent.h) is seen.
+view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Scene& scene);
 
 /// Throws InputError where what is seen through would be held against an exact picture, which knows opaque solids
 /// alone.

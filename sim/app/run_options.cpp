@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "hw/base/error.h"
 #include "sim/app/memory.h"
@@ -17,7 +18,6 @@
 #include "sim/app/summary.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
-#include "sim/observe/progress.h"
 #include "sim/observe/stats.h"
 #include "sim/observe/stats_json.h"
 
@@ -30,28 +30,43 @@ enum class Level : std::uint8_t { functional, cycle, reference };
 const std::map<std::string, Level> levels{
     {"functional", Level::functional}, {"cycle", Level::cycle}, {"reference", Level::reference}};
 
-std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const RunOptions& options) {
-  switch (levels.at(options.level)) {
-    case Level::functional: return sim::make_functional_engine(machine, options.threads);
+/// What is wrong with the name of a picture that has to be an EXR file, or nothing.
+std::string exr_name(const std::string& name) {
+  return ends_in(name, ".exr") ? "" : "'" + name + "' has to end in .exr";
+}
+
+/// The same of an owner picture.
+std::string owner_name(const std::string& name) {
+  return ends_in(name, ".exr") || ends_in(name, ".png") ? "" : "'" + name + "' has to end in .png or .exr";
+}
+
+}  // namespace
+
+std::vector<std::string> level_names() {
+  std::vector<std::string> names;
+  names.reserve(levels.size());
+  for (const auto& [name, level] : levels) names.push_back(name);
+  return names;
+}
+
+std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads) {
+  switch (levels.at(level)) {
+    case Level::functional: return sim::make_functional_engine(machine, threads);
     case Level::cycle: return sim::make_cycle_engine(machine);
     case Level::reference: return sim::make_reference_engine(machine);
   }
   throw std::logic_error("a level without an engine");
 }
 
-/// What is wrong with the name of a picture that has to be an EXR file, or nothing.
-std::string exr_name(const std::string& name) {
-  return ends_in(name, ".exr") ? "" : "'" + name + "' has to end in .exr";
-}
-
-}  // namespace
-
 void RunOptions::add_to(Command& command) {
   command.option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...)")
       .check(not_empty);
   command.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
       .check(exr_name);
-  command.option("--owner", owner, "Owner picture, .exr: index of the primitive seen").check(exr_name);
+  command
+      .option("--owner", owner,
+              "Which primitive is seen: .png, a colour each and a legend, .json beside it; or .exr, its index")
+      .check(owner_name);
   command.option("--stats", stats, "All counts, .json").check(not_empty);
   command.option("--level", level, "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow)")
       .one_of(levels);
@@ -69,24 +84,18 @@ void refuse_overflow(const sim::RunResult& result) {
 namespace {
 
 void simulate(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-              RunOutputs& outputs, const Judge& judge) {
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  std::vector<sim::Observer*> observers{&frame, &stats};
-  std::unique_ptr<sim::ProgressObserver> progress;
-  if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) {
-    progress = std::make_unique<sim::ProgressObserver>(program, machine);
-    observers.push_back(progress.get());
-  }
-  const std::unique_ptr<sim::Engine> engine = make_engine(machine, options);
+              RunOutputs& outputs, const Judge& judge, const CheckpointOptions& checkpoints) {
+  RunObservers observers{sim::FrameObserver(program), sim::StatsObserver(program), {}};
+  if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) observers.progress.emplace(program, machine);
+  const std::unique_ptr<sim::Engine> engine = make_engine(machine, options.level, options.threads);
   const auto begin = std::chrono::steady_clock::now();
-  const sim::RunResult result = engine->run(program, observers);
+  const sim::RunResult result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  progress.reset();
+  observers.progress.reset();
   refuse_overflow(result);
-  sim::Frame picture = frame.frame();
+  sim::Frame picture = std::move(observers.frame).frame();
   if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
-  const sim::Report report{program, machine, engine->level(), result, stats.stats(), wall.count()};
+  const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count()};
   nlohmann::ordered_json stats_file = sim::to_json(report);
   const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
   outputs.write_pictures(picture, program);
@@ -99,9 +108,10 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
 }  // namespace
 
 void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-                 RunOutputs& outputs, const Judge& judge) {
+                 RunOutputs& outputs, const Judge& judge, const CheckpointOptions& checkpoints) {
   announce_memory(machine, program.shape, options.level);
-  with_memory_for_picture(machine.array, [&] { simulate(program, machine, options, outputs, judge); });
+  with_memory_for_run({&program, 1}, machine.array,
+                      [&] { simulate(program, machine, options, outputs, judge, checkpoints); });
 }
 
 }  // namespace csgsim::app

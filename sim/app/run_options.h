@@ -1,11 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "sim/app/checkpoint_options.h"
 #include "sim/app/command_line.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
@@ -27,6 +30,12 @@ struct RunOptions {
   void add_to(Command& command);
 };
 
+/// The names of the levels of fidelity.
+std::vector<std::string> level_names();
+
+/// An engine of the level of that name.
+std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads);
+
 /// Says how right a finished picture is: writes it for the stats, and returns lines of text for the summary.
 using Judge = std::function<std::string(const sim::Frame&, nlohmann::ordered_json&)>;
 
@@ -38,6 +47,6 @@ void refuse_overflow(const sim::RunResult& result);
 /// Runs the Program at the level asked for, writes what was asked for and prints the summary. Where there is a judge,
 /// its verdict goes into the stats under `accuracy`.
 void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-                 RunOutputs& outputs, const Judge& judge = {});
+                 RunOutputs& outputs, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
 
 }  // namespace csgsim::app

@@ -25,6 +25,7 @@ class RunOutputs {
   std::optional<OutputFile> picture_;
   std::optional<OutputFile> depth_;
   std::optional<OutputFile> owner_;
+  std::optional<OutputFile> legend_;  ///< of the owner picture
   std::optional<OutputFile> stats_;
 };
 

@@ -119,7 +119,7 @@ std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
     point.machine = escaped(point.machine);
     jobs.push_back({std::move(point),
                     subject,
-                    camera_of(one, machine, subject->scene),
+                    camera_of(one, machine, subject->tree, subject->scene),
                     sampling_of(one, machine),
                     machine,
                     emit_options_of(one),
@@ -129,7 +129,7 @@ std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
 }
 
 void SweepOptions::add_to(Command& command) {
-  command.option("MODEL", models, "The models, OpenSCAD .csg files").required();
+  command.option("MODEL", models, "The models, OpenSCAD .csg files, or sources, .scad").required();
   command.option("-o,--output", folder, "Folder for sweep.csv, sweep.json and the plots").required().check(not_empty);
   const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
     command.option(name, value, help).check(is_read_by(parse));

@@ -35,17 +35,20 @@ void print_points(std::span<const SweepRow> rows) {
   const study::PointNames names(rows);
   std::size_t width = 12;
   for (const SweepRow& row : rows) width = std::max(width, names.name(row.point).size() + 2);
-  fmt::print("\n{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}  {}\n", "", width, "clocks", "rendered", "classified",
-             "depth tests", "class. bits", "bits in all", "picture");
+  fmt::print("\n{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}\n", "", width, "clocks", "rendered", "classified",
+             "depth tests", "class. bits", "bits in all", "transistors", "picture");
   for (const SweepRow& row : rows) {
     if (!row.compiled()) {
       fmt::print("{:<{}}  {}\n", names.name(row.point), width, row.reason);
       continue;
     }
-    fmt::print("{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}  {}{}\n", names.name(row.point), width, grouped(row.clocks),
-               grouped(row.rendered), grouped(row.classified), grouped(row.depth_tests), row.classification_bits,
-               row.used_bits, row.picture.empty() ? "not drawn" : row.picture, used(row));
+    fmt::print("{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}{}\n", names.name(row.point), width,
+               grouped(row.clocks), grouped(row.rendered), grouped(row.classified), grouped(row.depth_tests),
+               row.classification_bits, row.used_bits, row.pixel_transistors ? grouped(*row.pixel_transistors) : "-",
+               row.picture.empty() ? "not drawn" : row.picture, used(row));
   }
+  if (std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.pixel_transistors.has_value(); }))
+    fmt::print("Transistors are a model (docs/area.md), of a pixel with the bits in all.\n");
 }
 
 /// The rows of strategy bits in the form of the thesis's table; empty if there are none.

@@ -1,29 +1,20 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "hw/base/error.h"
 #include "hw/kinds/make.h"
-#include "hw/machines/kind.h"
 #include "hw/machines/runs_on.h"
 #include "sim/cycle/clocked_engine.h"
 #include "sim/cycle/elaboration.h"
-#include "sim/cycle/record.h"
 #include "sim/cycle/relay.h"
 #include "sim/cycle/sequence.h"
+#include "sim/engine/run.h"
 
 namespace csgsim::sim {
 
 namespace {
-
-/// The one machine of the process.
-kernel::ClockedMachine& hardware_of(const machines::Machine& machine) {
-  claim_elaboration(machine);
-  static const std::unique_ptr<kernel::ClockedMachine> hardware = kinds::make_clocked_machine(machine);
-  return *hardware;
-}
 
 RunResult result_of(kernel::RunReport&& report, const Relay& relay) {
   RunResult result{.overflows = relay.overflows(),
@@ -40,12 +31,10 @@ RunResult result_of(kernel::RunReport&& report, const Relay& relay) {
 }
 
 /// The Program has to be one for the machine.
-RecordedRun run_on(kernel::ClockedMachine& hardware, const isa::Program& program,
-                   std::span<Observer* const> observers) {
+RunResult run_on(kernel::ClockedMachine& hardware, const isa::Program& program, std::span<Observer* const> observers) {
   Relay relay(program, observers);
   kernel::RunReport report = hardware.run(program, relay);
-  const bool recorded = report.recorded;
-  return {.result = result_of(std::move(report), relay), .window_reached = recorded};
+  return result_of(std::move(report), relay);
 }
 
 class CycleEngine final : public Engine {
@@ -57,7 +46,13 @@ class CycleEngine final : public Engine {
 
   RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
     machines::check_runs_on(program, machine_);
-    return run_on(hardware_, program, observers).result;
+    return run_on(hardware_, program, observers);
+  }
+
+  [[nodiscard]] std::unique_ptr<Run> begin(const isa::Program& /*program*/) const override {
+    throw InputError(
+        "the cycle level cannot stop and go on, since SystemC's kernel cannot be saved; take the functional or the "
+        "reference level, whose bits and clocks are the same");
   }
 
  private:
@@ -67,24 +62,18 @@ class CycleEngine final : public Engine {
 
 }  // namespace
 
+kernel::ClockedMachine& clocked_hardware(const machines::Machine& machine) {
+  claim_elaboration(machine);
+  static const std::unique_ptr<kernel::ClockedMachine> hardware = kinds::make_clocked_machine(machine);
+  return *hardware;
+}
+
 std::unique_ptr<Engine> make_clocked_engine(const machines::Machine& machine, kernel::ClockedMachine& hardware) {
   return std::make_unique<CycleEngine>(machine, hardware);
 }
 
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine) {
-  return make_clocked_engine(machine, hardware_of(machine));
-}
-
-RecordedRun run_and_record(const machines::Machine& machine, const isa::Program& program,
-                           std::span<Observer* const> observers, const kernel::WaveRequest& request) {
-  kernel::ClockedMachine& hardware = hardware_of(machine);
-  if (!hardware.can_record()) {
-    throw InputError("machines of the kind " + std::string(machine.kind->name) +
-                     " have no waves; take another --machine");
-  }
-  machines::check_runs_on(program, machine);
-  hardware.record(request);
-  return run_on(hardware, program, observers);
+  return make_clocked_engine(machine, clocked_hardware(machine));
 }
 
 std::vector<RunResult> run_sequence(const machines::Machine& machine, std::span<const isa::Program> programs,
@@ -94,7 +83,7 @@ std::vector<RunResult> run_sequence(const machines::Machine& machine, std::span<
   std::vector<kernel::RunListener*> listeners;
   for (std::size_t i = 0; i < programs.size(); ++i)
     listeners.push_back(&relays.emplace_back(programs[i], observers.subspan(i, 1)));
-  std::vector<kernel::RunReport> reports = hardware_of(machine).run_sequence(programs, listeners);
+  std::vector<kernel::RunReport> reports = clocked_hardware(machine).run_sequence(programs, listeners);
   std::vector<RunResult> results;
   for (std::size_t i = 0; i < reports.size(); ++i) results.push_back(result_of(std::move(reports[i]), relays[i]));
   return results;

@@ -11,8 +11,11 @@
 #include "hw/machines/accounts.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/timing.h"
+#include "sim/engine/work.h"
 
 namespace csgsim::sim {
+
+class Run;
 
 /// The state of a segment's pixels at an instruction boundary. Pixels are in row order from the region's top left.
 class PixelState {
@@ -38,7 +41,7 @@ struct Step {
   std::uint64_t enabled_pixels = 0;  ///< pixels whose E was 1 when the instruction began
 };
 
-/// Sees a run go by. Every function is called in program order, from one thread at a time.
+/// Sees a run go by. Every function is called in program order, from one thread at a time, but for enabled_after.
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -47,6 +50,14 @@ class Observer {
   /// and call it later.
   [[nodiscard]] virtual bool reads_after(const isa::Instruction& /*instruction*/) const { return true; }
   virtual void after_instruction(const Step& /*step*/, const PixelState& /*state*/) {}
+
+  /// Whether all that after_instruction looks at after such an instruction, which reads_after names, is which pixels
+  /// are enabled. Engines may then call enabled_after in its place.
+  [[nodiscard]] virtual bool reads_enable_alone(const isa::Instruction& /*instruction*/) const { return false; }
+  /// For parts of the picture that have all the enabled pixels: from several threads, for parts without a common pixel,
+  /// but in program order for each part. `words` are as PixelState::read_enable has them, of the part.
+  virtual void enabled_after(const isa::Instruction& /*instruction*/, const isa::Region& /*part*/,
+                             std::span<const std::uint64_t> /*words*/) {}
   virtual void after_segment(std::uint32_t /*segment*/, const PixelState& /*state*/) {}
 };
 
@@ -64,6 +75,7 @@ struct RunResult {
   /// simulates none.
   std::vector<std::uint32_t> scanned_out{};
   machines::Account account{};  ///< what the machine's kind tells of the frame
+  Work work{};                  ///< what the functional engine did for it
 };
 
 /// What a frame took, into what its run tells.
@@ -85,6 +97,10 @@ class Engine {
   /// Runs every segment. Observers are called in the order given. The Program must be valid (isa::validate). Throws
   /// InputError before it begins if the machine lacks what the Program needs (machines::check_runs_on).
   virtual RunResult run(const isa::Program& program, std::span<Observer* const> observers) = 0;
+
+  /// A run that can stop and go on (sim/engine/run.h), at its first instruction. The Program has to outlive it. Throws
+  /// as run does, and InputError where a level cannot stop.
+  [[nodiscard]] virtual std::unique_ptr<Run> begin(const isa::Program& program) const = 0;
 };
 
 std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine);

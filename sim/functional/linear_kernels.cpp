@@ -8,7 +8,9 @@
 
 #include <bit>
 
+#include "sim/functional/block_lanes-inl.h"
 #include "sim/functional/mask_bits-inl.h"
+#include "sim/functional/plane_sum.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace csgsim::sim {
@@ -16,102 +18,490 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::ScalableTag<std::uint64_t>;
-using SignedTag = hn::RebindToSigned<Tag>;
-using LaneTag = hn::Rebind<std::uint32_t, Tag>;
-using Vector = hn::Vec<Tag>;
 
-/// Signed comparison of vectors of two's complement numbers.
-HWY_INLINE hn::Mask<Tag> greater(Vector left, Vector right) {
-  constexpr SignedTag signed_tag;
-  return hn::RebindMask(Tag(), hn::Gt(hn::BitCast(signed_tag, left), hn::BitCast(signed_tag, right)));
+constexpr bool is_sign(LinearKind kind) { return kind == LinearKind::not_negative || kind == LinearKind::negative; }
+constexpr bool writes(LinearKind kind) {
+  return kind == LinearKind::load || kind == LinearKind::keep_max || kind == LinearKind::keep_min;
 }
 
-template <LinearKind kind, bool wraps>
-std::uint64_t run(const WordBlock& enable, const LinearTask& task) {
-  constexpr Tag tag;
-  constexpr SignedTag signed_tag;
-  constexpr LaneTag lane_tag;
-  const std::size_t count = hn::Lanes(tag);
+/// Where the test of the kind holds; a load writes everywhere. z is 0 for signs.
+template <LinearKind kind, class Vector>
+HWY_INLINE auto test(Vector f, Vector z) {
+  using enum LinearKind;
+  if constexpr (kind == not_negative || kind == greater_or_equal)
+    return hn::Not(hn::Lt(f, z));
+  else if constexpr (kind == negative || kind == less || kind == keep_min)
+    return hn::Lt(f, z);
+  else if constexpr (kind == greater || kind == keep_max)
+    return hn::Gt(f, z);
+  else if constexpr (kind == less_or_equal)
+    return hn::Not(hn::Gt(f, z));
+  else if constexpr (kind == equal)
+    return hn::Eq(f, z);
+  else
+    return hn::Eq(f, f);
+}
 
-  HWY_ALIGN std::uint64_t ramp_values[word_bits];
-  for (std::size_t i = 0; i < count; ++i) ramp_values[i] = task.a * i;
-  const Vector ramp = hn::Load(tag, ramp_values);
-  const Vector step = hn::Set(tag, task.a * count);
-  const Vector bias = hn::Set(tag, task.bias);
-  const Vector whole = hn::Set(tag, ~std::uint64_t{0} << task.shift);
-  const Vector too_big = hn::Set(tag, ~std::uint64_t{0} << task.field_width);
-  const int shift = static_cast<int>(task.shift);
-  const int sign_bits = static_cast<int>(word_bits - task.width);
-  const std::uint64_t lane_bits = count == word_bits ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+// What is decided for whole blocks: F's least and greatest value against z's.
 
-  std::uint64_t overflows = 0;
-  for (std::size_t row = 0; row < enable.rows; ++row) {
-    const std::uint64_t row_start = task.start + task.b * row;
-    for (std::size_t column = 0; column < enable.columns; ++column) {
-      const std::size_t index = row * enable.stride + column;
-      const std::uint64_t enabled = enable.words[index];
-      if (enabled == 0) continue;
-      const std::size_t first = static_cast<std::size_t>(std::countr_zero(enabled)) & ~(count - 1);
-      const std::size_t end = word_bits - static_cast<std::size_t>(std::countl_zero(enabled));
-      std::uint32_t* const lanes = kind == LinearKind::sign ? nullptr : task.lanes + index * word_bits;
+using SumTag = hn::CappedTag<std::int64_t, blocks_a_side>;
+using Sums = hn::Vec<SumTag>;
+using SumMask = hn::Mask<SumTag>;
 
-      Vector sum = hn::Add(ramp, hn::Set(tag, row_start + task.a * (column * word_bits + first)));
-      std::uint64_t holds = 0;    // sign, compare, equal
-      std::uint64_t misfits = 0;  // load, keep
-      for (std::size_t from = first; from < end; from += count, sum = hn::Add(sum, step)) {
-        Vector s = sum;
-        if constexpr (wraps) {
-          const auto high = hn::ShiftLeftSame(hn::BitCast(signed_tag, sum), sign_bits);
-          s = hn::BitCast(tag, hn::ShiftRightSame(high, sign_bits));
-          const std::uint64_t differ = bits_of_mask(tag, hn::Ne(s, sum)) & (enabled >> from) & lane_bits;
-          overflows += static_cast<std::uint64_t>(std::popcount(differ));
-        }
-        if constexpr (kind == LinearKind::sign) {
-          holds |= bits_of_mask(tag, greater(hn::Add(s, bias), hn::Zero(tag))) << from;
-        } else {
-          const Vector z = hn::PromoteTo(tag, hn::LoadU(lane_tag, lanes + from));
-          const Vector shifted = hn::ShiftLeftSame(z, shift);
-          if constexpr (kind == LinearKind::compare) {
-            holds |= bits_of_mask(tag, greater(hn::Add(s, bias), shifted)) << from;
-          } else if constexpr (kind == LinearKind::equal) {
-            holds |= bits_of_mask(tag, hn::Eq(hn::And(s, whole), shifted)) << from;
-          } else {
-            hn::Mask<Tag> written = mask_of_bits(tag, enabled >> from);
-            if constexpr (kind == LinearKind::keep_max) written = hn::And(written, greater(hn::Add(s, bias), shifted));
-            if constexpr (kind == LinearKind::keep_min) written = hn::And(written, greater(shifted, s));
-            // F of a negative S has its high bits set and never fits, so a shift that brings in zeros will do.
-            const Vector f = hn::ShiftRightSame(s, shift);
-            const Vector excess = hn::And(f, too_big);
-            const Vector result = hn::IfThenElse(written, hn::AndNot(too_big, f), z);
-            hn::StoreU(hn::TruncateTo(lane_tag, result), lane_tag, lanes + from);
-            misfits |= bits_of_mask(tag, hn::And(written, hn::Ne(excess, hn::Zero(tag)))) << from;
-          }
-        }
+/// Blocks of which all pixels are alike. Those at which the sum may wrap are in the last set only.
+struct Decided {
+  std::uint64_t all = 0;   ///< the test holds
+  std::uint64_t none = 0;  ///< it does not
+  std::uint64_t fits = 0;  ///< F is a value of the field; where the kind writes
+  std::uint64_t may_wrap = 0;
+};
+
+/// Bounds of F and of z, of several blocks.
+struct Range {
+  Sums f_least;
+  Sums f_greatest;
+  Sums z_least;
+  Sums z_greatest;
+};
+
+template <LinearKind kind>
+HWY_INLINE SumMask holds_throughout(const Range& r) {
+  using enum LinearKind;
+  if constexpr (kind == not_negative || kind == greater_or_equal || kind == greater || kind == keep_max)
+    return test<kind>(r.f_least, r.z_greatest);
+  else if constexpr (kind == equal)
+    return hn::And(hn::And(hn::Eq(r.f_least, r.f_greatest), hn::Eq(r.z_least, r.z_greatest)),
+                   hn::Eq(r.f_least, r.z_least));
+  else
+    return test<kind>(r.f_greatest, r.z_least);
+}
+
+template <LinearKind kind>
+HWY_INLINE SumMask holds_nowhere(const Range& r) {
+  using enum LinearKind;
+  if constexpr (kind == not_negative || kind == greater_or_equal || kind == greater || kind == keep_max)
+    return hn::Not(test<kind>(r.f_greatest, r.z_least));
+  else if constexpr (kind == equal)
+    return hn::Or(hn::Gt(r.f_least, r.z_greatest), hn::Lt(r.f_greatest, r.z_least));
+  else
+    return hn::Not(test<kind>(r.f_least, r.z_greatest));
+}
+
+HWY_INLINE Sums bounds_at(const Bounds& bounds, std::size_t block) {
+  constexpr hn::Rebind<std::uint32_t, SumTag> narrow;
+  constexpr hn::RebindToUnsigned<SumTag> wide;
+  return hn::BitCast(SumTag(), hn::PromoteTo(wide, hn::LoadU(narrow, bounds.data() + block)));
+}
+
+template <LinearKind kind>
+Decided decide_exactly(std::uint64_t enabled, const PlaneSum& sum, const LinearTask& task) {
+  constexpr SumTag tag;
+  const int shift = task.linear.shift;
+  HWY_ALIGN std::int64_t ramp[blocks_a_side];
+  for (std::size_t i = 0; i < blocks_a_side; ++i) ramp[i] = sum.column_step() * static_cast<std::int64_t>(i);
+  const Sums spread = hn::Set(tag, sum.spread());
+  const Sums beyond = hn::Set(tag, writes(kind) ? std::int64_t{1} << task.lanes->field.width : 0);
+  const Sums limit = hn::Set(tag, std::int64_t{1} << (task.linear.width - 1));
+
+  Decided decided;
+  for (unsigned row = 0; row < blocks_a_side; ++row) {
+    if ((enabled >> (row * blocks_a_side) & 0xffU) == 0) continue;
+    const Sums first = hn::Set(tag, sum.least_of(row * blocks_a_side));
+    for (std::size_t from = 0; from < blocks_a_side; from += hn::Lanes(tag)) {
+      const std::size_t block = row * blocks_a_side + from;
+      const Sums low = hn::Add(first, hn::LoadU(tag, ramp + from));
+      const Sums high = hn::Add(low, spread);
+      Range range{low, high, hn::Zero(tag), hn::Zero(tag)};
+      if constexpr (!is_sign(kind)) {
+        range = {hn::ShiftRightSame(low, shift), hn::ShiftRightSame(high, shift), bounds_at(task.lanes->least, block),
+                 bounds_at(task.lanes->greatest, block)};
       }
-      constexpr bool compares = kind == LinearKind::sign || kind == LinearKind::compare || kind == LinearKind::equal;
-      const std::uint64_t cleared = compares ? (task.negate ? holds : ~holds) : misfits;
-      enable.words[index] = enabled & ~cleared;
+      std::uint64_t all = bits_of_mask(tag, holds_throughout<kind>(range));
+      std::uint64_t none = bits_of_mask(tag, holds_nowhere<kind>(range));
+      std::uint64_t fits = 0;
+      if constexpr (writes(kind))
+        fits =
+            bits_of_mask(tag, hn::And(hn::Not(hn::Lt(range.f_least, hn::Zero(tag))), hn::Lt(range.f_greatest, beyond)));
+      if (sum.may_wrap()) {
+        const std::uint64_t held =
+            bits_of_mask(tag, hn::And(hn::Not(hn::Lt(low, hn::Neg(limit))), hn::Lt(high, limit)));
+        all &= held;
+        none &= held;
+        fits &= held;
+        const std::uint64_t whole = (std::uint64_t{1} << hn::Lanes(tag)) - 1;
+        decided.may_wrap |= (~held & whole) << block;
+      }
+      decided.all |= all << block;
+      decided.none |= none << block;
+      decided.fits |= fits << block;
     }
   }
+  return decided;
+}
+
+// The same in half the bits: bounds of the sum rounded outwards, which leaves open some blocks that are decided
+// exactly.
+
+using CoarseTag = hn::CappedTag<std::int32_t, 16>;
+using Coarse = hn::Vec<CoarseTag>;
+
+/// A sum over 2^dropped, with z and 1 over as much.
+struct Scale {
+  int dropped = 0;          ///< bits of the sum
+  int kept = 0;             ///< of its fraction
+  std::int32_t excess = 0;  ///< what rounding may add up to
+};
+
+constexpr int coarse_bits = 30;
+
+/// Whether numbers of the tile fit so few bits, and how.
+template <LinearKind kind>
+bool find_scale(const PlaneSum& sum, const LinearTask& task, Scale& scale) {
+  constexpr int roundings = 2 * (blocks_a_side - 1) + 2;
+  if (sum.may_wrap()) return false;
+  scale.dropped = std::max(0, sum.bits() - coarse_bits);
+  if constexpr (!is_sign(kind)) {
+    const int shift = task.linear.shift;
+    scale.dropped = std::max(scale.dropped, shift + task.lanes->field.width - coarse_bits);
+    if (scale.dropped > shift) return false;
+    if (sum.flat()) scale.dropped = shift;
+    scale.kept = shift - scale.dropped;
+  }
+  scale.excess = scale.dropped > 0 && !sum.flat() ? roundings : 0;
+  return true;
+}
+
+/// Bounds of several blocks' sums, and of z, on that scale.
+struct CoarseRange {
+  Coarse low;
+  Coarse high;
+  Coarse z_least;
+  Coarse z_greatest;
+  Coarse one;
+};
+
+HWY_INLINE auto at_least(Coarse left, Coarse right) { return hn::Not(hn::Lt(left, right)); }
+
+template <LinearKind kind>
+HWY_INLINE auto holds_throughout(const CoarseRange& r, bool flat) {
+  using enum LinearKind;
+  if constexpr (kind == not_negative || kind == greater_or_equal)
+    return at_least(r.low, r.z_greatest);
+  else if constexpr (kind == greater || kind == keep_max)
+    return at_least(r.low, hn::Add(r.z_greatest, r.one));
+  else if constexpr (kind == negative || kind == less || kind == keep_min)
+    return hn::Lt(r.high, r.z_least);
+  else if constexpr (kind == less_or_equal)
+    return hn::Lt(r.high, hn::Add(r.z_least, r.one));
+  else if constexpr (kind == equal)
+    return flat ? hn::And(hn::Eq(r.z_least, r.z_greatest), hn::Eq(r.low, r.z_least)) : hn::Lt(r.low, r.low);
+  else
+    return hn::Eq(r.low, r.low);
+}
+
+template <LinearKind kind>
+HWY_INLINE auto holds_nowhere(const CoarseRange& r) {
+  using enum LinearKind;
+  if constexpr (kind == not_negative || kind == greater_or_equal)
+    return hn::Lt(r.high, r.z_least);
+  else if constexpr (kind == greater || kind == keep_max)
+    return hn::Lt(r.high, hn::Add(r.z_least, r.one));
+  else if constexpr (kind == negative || kind == less || kind == keep_min)
+    return at_least(r.low, r.z_greatest);
+  else if constexpr (kind == less_or_equal)
+    return at_least(r.low, hn::Add(r.z_greatest, r.one));
+  else if constexpr (kind == equal)
+    return hn::Or(at_least(r.low, hn::Add(r.z_greatest, r.one)), hn::Lt(r.high, r.z_least));
+  else
+    return hn::Lt(r.low, r.low);
+}
+
+HWY_INLINE Coarse scaled(const Bounds& bounds, std::size_t block, int kept) {
+  const Coarse z = hn::BitCast(CoarseTag(), hn::LoadU(hn::RebindToUnsigned<CoarseTag>(), bounds.data() + block));
+  return hn::ShiftLeftSame(z, kept);
+}
+
+template <LinearKind kind>
+Decided decide_coarsely(std::uint64_t enabled, const PlaneSum& sum, const LinearTask& task, const Scale& scale) {
+  constexpr CoarseTag tag;
+  const std::size_t count = hn::Lanes(tag);
+  const auto coarse = [&](std::int64_t value) { return static_cast<std::int32_t>(value >> scale.dropped); };
+  const std::int32_t first = coarse(sum.least_of(0));
+  const std::int32_t column_step = coarse(sum.column_step());
+  const std::int32_t row_step = coarse(sum.row_step());
+  const Coarse number = hn::Iota(tag, 0);
+  const Coarse ramp = hn::Add(hn::Mul(hn::And(number, hn::Set(tag, blocks_a_side - 1)), hn::Set(tag, column_step)),
+                              hn::Mul(hn::ShiftRight<3>(number), hn::Set(tag, row_step)));
+  const Coarse spread = hn::Set(tag, coarse(sum.spread()) + scale.excess);
+  const Coarse one = hn::Set(tag, std::int32_t{1} << scale.kept);
+  const Coarse beyond = hn::Set(tag, writes(kind) ? std::int32_t{1} << (task.lanes->field.width + scale.kept) : 0);
+  const std::uint64_t group = (std::uint64_t{1} << count) - 1;
+
+  Decided decided;
+  for (std::size_t block = 0; block < blocks_a_tile; block += count) {
+    if ((enabled >> block & group) == 0) continue;
+    const auto column = static_cast<std::int32_t>(block % blocks_a_side);
+    const auto row = static_cast<std::int32_t>(block / blocks_a_side);
+    const Coarse low = hn::Add(ramp, hn::Set(tag, first + column * column_step + row * row_step));
+    CoarseRange range{low, hn::Add(low, spread), hn::Zero(tag), hn::Zero(tag), one};
+    if constexpr (!is_sign(kind)) {
+      range.z_least = scaled(task.lanes->least, block, scale.kept);
+      range.z_greatest = scaled(task.lanes->greatest, block, scale.kept);
+    }
+    decided.all |= bits_of_mask(tag, holds_throughout<kind>(range, sum.flat())) << block;
+    decided.none |= bits_of_mask(tag, holds_nowhere<kind>(range)) << block;
+    if constexpr (writes(kind))
+      decided.fits |= bits_of_mask(tag, hn::And(at_least(low, hn::Zero(tag)), hn::Lt(range.high, beyond))) << block;
+  }
+  return decided;
+}
+
+template <LinearKind kind>
+Decided decide(std::uint64_t enabled, const PlaneSum& sum, const LinearTask& task) {
+  if constexpr (is_sign(kind)) {
+    const bool positive = kind == LinearKind::not_negative;
+    if (!sum.may_wrap() && sum.least() >= 0) return {positive ? enabled : 0, positive ? 0 : enabled};
+    if (!sum.may_wrap() && sum.greatest() < 0) return {positive ? 0 : enabled, positive ? enabled : 0};
+  }
+  Scale scale;
+  return find_scale<kind>(sum, task, scale) ? decide_coarsely<kind>(enabled, sum, task, scale)
+                                            : decide_exactly<kind>(enabled, sum, task);
+}
+
+// Blocks pixel by pixel, where F less F at the block's first pixel takes 32 bits.
+
+using NarrowTag = hn::RebindToSigned<NumberTag>;
+using Narrow = hn::Vec<NarrowTag>;
+
+/// F at the pixels of a block.
+class NarrowF {
+ public:
+  NarrowF(const isa::Linear& linear) : shift_(linear.shift) {
+    constexpr NarrowTag tag;
+    const Narrow a = hn::Set(tag, static_cast<std::int32_t>(linear.a));
+    const Narrow b = hn::Set(tag, static_cast<std::int32_t>(linear.b));
+    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
+      const Narrow number = hn::Iota(tag, static_cast<std::int32_t>(from));
+      const Narrow x = hn::And(number, hn::Set(tag, block_side - 1));
+      hn::Store(hn::Add(hn::Mul(a, x), hn::Mul(b, hn::ShiftRight<3>(number))), tag, ramp_ + from);
+    }
+  }
+  /// The block's sum at its first pixel.
+  HWY_INLINE void begin(std::int64_t sum) {
+    whole_ = static_cast<std::int32_t>(sum >> shift_);
+    fraction_ = static_cast<std::int32_t>(sum & ((std::int64_t{1} << shift_) - 1));
+  }
+  [[nodiscard]] HWY_INLINE Narrow at(std::size_t from) const {
+    constexpr NarrowTag tag;
+    const Narrow rest = hn::Add(hn::Load(tag, ramp_ + from), hn::Set(tag, fraction_));
+    return hn::Add(hn::ShiftRightSame(rest, shift_), hn::Set(tag, whole_));
+  }
+
+ private:
+  HWY_ALIGN std::int32_t ramp_[block_pixels];
+  int shift_;
+  std::int32_t whole_ = 0;
+  std::int32_t fraction_ = 0;
+};
+
+template <LinearKind kind>
+HWY_INLINE std::uint64_t narrow_test(const NarrowF& f, const Lanes* lanes, unsigned block) {
+  constexpr NarrowTag tag;
+  if constexpr (is_sign(kind)) {
+    return test_block(
+        [&](std::size_t from) { return hn::RebindMask(NumberTag(), test<kind>(f.at(from), hn::Zero(tag))); });
+  } else {
+    const BlockNumbers z(*lanes, block);
+    return test_block([&](std::size_t from) {
+      return hn::RebindMask(NumberTag(), test<kind>(f.at(from), hn::BitCast(tag, z.at(from))));
+    });
+  }
+}
+
+/// Every F is a value of the field. `all`: it is written wherever the pixel is enabled.
+template <LinearKind kind>
+HWY_INLINE void narrow_write(const NarrowF& f, Lanes& lanes, unsigned block, std::uint64_t enabled, bool all) {
+  constexpr NarrowTag tag;
+  std::uint32_t* const values = lanes.block(block);
+  if (all && enabled == ~std::uint64_t{0}) {
+    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag))
+      hn::StoreU(hn::BitCast(NumberTag(), f.at(from)), NumberTag(), values + from);
+    return;
+  }
+  if (lanes.is_constant(block)) fill(lanes, block);
+  if (all || kind == LinearKind::load) {
+    write_block(values, enabled, [&](std::size_t from, Numbers) { return hn::BitCast(NumberTag(), f.at(from)); });
+  } else if constexpr (kind == LinearKind::keep_max) {
+    write_block(values, enabled, [&](std::size_t from, Numbers old) {
+      return hn::BitCast(NumberTag(), hn::Max(f.at(from), hn::BitCast(tag, old)));
+    });
+  } else {
+    write_block(values, enabled, [&](std::size_t from, Numbers old) {
+      return hn::BitCast(NumberTag(), hn::Min(f.at(from), hn::BitCast(tag, old)));
+    });
+  }
+}
+
+/// The bounds after narrow_write.
+template <LinearKind kind>
+HWY_INLINE void narrow_bounds(Lanes& lanes, unsigned block, bool full, bool all, std::uint32_t low,
+                              std::uint32_t high) {
+  std::uint32_t& least = lanes.least[block];
+  std::uint32_t& greatest = lanes.greatest[block];
+  if (full && (all || kind == LinearKind::load)) {
+    least = low;
+    greatest = high;
+  } else if (all || kind == LinearKind::load) {
+    widen(lanes, block, low, high);
+  } else if constexpr (kind == LinearKind::keep_max) {
+    greatest = std::max(greatest, high);
+    if (full) least = std::max(least, low);
+  } else {
+    least = std::min(least, low);
+    if (full) greatest = std::min(greatest, high);
+  }
+}
+
+// Blocks pixel by pixel, whatever F is.
+
+using WideTag = hn::ScalableTag<std::int64_t>;
+using Wide = hn::Vec<WideTag>;
+
+/// Sums modulo 2^64 at the pixels of a block, less that at its first pixel.
+struct WideRamp {
+  HWY_ALIGN std::int64_t values[block_pixels];
+
+  explicit WideRamp(const isa::Linear& linear) {
+    for (std::uint64_t i = 0; i < block_pixels; ++i)
+      values[i] = static_cast<std::int64_t>(static_cast<std::uint64_t>(linear.a) * (i % block_side) +
+                                            static_cast<std::uint64_t>(linear.b) * (i / block_side));
+  }
+};
+
+struct Outcome {
+  std::uint64_t enable = 0;
+  std::uint64_t overflows = 0;
+};
+
+/// `first` is the sum at the block's first pixel, modulo 2^64.
+template <LinearKind kind>
+Outcome wide_block(const LinearTask& task, const WideRamp& ramp, std::int64_t first, unsigned block,
+                   std::uint64_t enabled) {
+  constexpr WideTag tag;
+  constexpr hn::RebindToUnsigned<WideTag> unsigned_tag;
+  constexpr hn::Rebind<std::uint32_t, WideTag> lane_tag;
+  const int sign_bits = static_cast<int>(word_bits - task.linear.width);
+  const int shift = task.linear.shift;
+  Lanes* const lanes = task.lanes;
+  if (!is_sign(kind) && lanes->is_constant(block)) fill(*lanes, block);
+
+  std::uint64_t holds = 0;
+  std::uint64_t misfits = 0;
+  std::uint64_t wrapped = 0;
+  for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
+    const Wide sum = hn::Add(hn::Set(tag, first), hn::Load(tag, ramp.values + from));
+    const Wide kept = hn::ShiftRightSame(hn::ShiftLeftSame(sum, sign_bits), sign_bits);
+    wrapped |= bits_of_mask(tag, hn::Ne(kept, sum)) << from;
+    const Wide f = hn::ShiftRightSame(kept, shift);
+    if constexpr (is_sign(kind)) {
+      holds |= bits_of_mask(tag, test<kind>(f, hn::Zero(tag))) << from;
+    } else {
+      std::uint32_t* const values = lanes->block(block) + from;
+      const Wide z = hn::BitCast(tag, hn::PromoteTo(unsigned_tag, hn::LoadU(lane_tag, values)));
+      const auto meets = test<kind>(f, z);
+      if constexpr (writes(kind)) {
+        const Wide low_bits = hn::Set(tag, (std::int64_t{1} << lanes->field.width) - 1);
+        const auto written = hn::And(mask_of_bits(tag, enabled >> from), meets);
+        const Wide result = hn::IfThenElse(written, hn::And(f, low_bits), z);
+        hn::StoreU(hn::TruncateTo(lane_tag, hn::BitCast(unsigned_tag, result)), lane_tag, values);
+        misfits |= bits_of_mask(tag, hn::And(written, hn::Ne(hn::And(f, low_bits), f))) << from;
+      } else {
+        holds |= bits_of_mask(tag, meets) << from;
+      }
+    }
+  }
+  if constexpr (writes(kind)) bound(*lanes, block);
+  return {enabled & (writes(kind) ? ~misfits : holds), static_cast<std::uint64_t>(std::popcount(wrapped & enabled))};
+}
+
+template <LinearKind kind>
+std::uint64_t wide_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum& sum, std::uint64_t blocks) {
+  if (blocks == 0) return 0;
+  const WideRamp ramp(task.linear);
+  std::uint64_t overflows = 0;
+  each_bit(blocks, [&](unsigned block) {
+    const Outcome outcome =
+        wide_block<kind>(task, ramp, sum.first_of(block), block, pixels.enable.word(block, pixels.shape));
+    pixels.enable.set_word(block, outcome.enable, pixels.shape);
+    overflows += outcome.overflows;
+  });
   return overflows;
 }
 
 template <LinearKind kind>
-std::uint64_t run_kind(const WordBlock& enable, const LinearTask& task) {
-  return task.wraps ? run<kind, true>(enable, task) : run<kind, false>(enable, task);
+void narrow_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum& sum, std::uint64_t blocks,
+                   std::uint64_t all) {
+  if (blocks == 0) return;
+  NarrowF f(task.linear);
+  each_bit(blocks, [&](unsigned block) {
+    const std::uint64_t enabled = pixels.enable.word(block, pixels.shape);
+    f.begin(sum.first_of(block));
+    if constexpr (writes(kind)) {
+      const bool everywhere = kind == LinearKind::load || (all >> block & 1U) != 0;
+      const bool full = (pixels.enable.full() >> block & 1U) != 0;
+      narrow_write<kind>(f, *task.lanes, block, full ? ~std::uint64_t{0} : enabled, everywhere);
+      const std::int64_t low = sum.least_of(block) >> task.linear.shift;
+      const std::int64_t high = (sum.least_of(block) + sum.spread()) >> task.linear.shift;
+      narrow_bounds<kind>(*task.lanes, block, full, everywhere, static_cast<std::uint32_t>(low),
+                          static_cast<std::uint32_t>(high));
+    } else {
+      pixels.enable.set_word(block, enabled & narrow_test<kind>(f, task.lanes, block), pixels.shape);
+    }
+  });
 }
 
-std::uint64_t run_any(const WordBlock& enable, const LinearTask& task) {
-  switch (task.kind) {
-    case LinearKind::sign: return run_kind<LinearKind::sign>(enable, task);
-    case LinearKind::compare: return run_kind<LinearKind::compare>(enable, task);
-    case LinearKind::equal: return run_kind<LinearKind::equal>(enable, task);
-    case LinearKind::load: return run_kind<LinearKind::load>(enable, task);
-    case LinearKind::keep_max: return run_kind<LinearKind::keep_max>(enable, task);
-    case LinearKind::keep_min: return run_kind<LinearKind::keep_min>(enable, task);
+template <LinearKind kind>
+LinearResult run(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled) {
+  const PlaneSum sum(task.linear, pixels.shape);
+  const bool may_decide = pixels.decide == Decide::by_block && !sum.huge();
+  const Decided decided = may_decide ? decide<kind>(pixels.enable.any(), sum, task) : Decided{};
+  std::uint64_t open = pixels.enable.any() & ~decided.none;
+  const std::uint64_t dropped = pixels.enable.any() & decided.none;
+  std::uint64_t narrow = 0;
+  if constexpr (writes(kind)) {
+    if (sum.narrow() && task.lanes->field.width <= PlaneSum::narrow_bits) narrow = open & decided.fits;
+  } else {
+    pixels.enable.clear_blocks(decided.none);
+    open &= ~decided.all;
+    const bool is_narrow = is_sign(kind) || task.lanes->field.width <= PlaneSum::narrow_bits;
+    if (may_decide && sum.narrow() && is_narrow) narrow = open & ~decided.may_wrap;
   }
-  return 0;
+  const auto looked_at = static_cast<std::uint64_t>(std::popcount(open));
+  pixels.work.words += looked_at;
+  pixels.work.lanes += looked_at * block_pixels;
+  narrow_blocks<kind>(pixels, task, sum, narrow, decided.all);
+  LinearResult result{0, enabled};
+  result.overflows = wide_blocks<kind>(pixels, task, sum, open & ~narrow);
+  const bool keeps_enable = writes(kind) ? (open & ~narrow) == 0 : open == 0 && dropped == 0;
+  if (!keeps_enable) result.enabled = count(pixels.enable, pixels.shape);
+  return result;
+}
+
+LinearResult run_any(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled) {
+  using enum LinearKind;
+  switch (task.kind) {
+    case not_negative: return run<not_negative>(pixels, task, enabled);
+    case negative: return run<negative>(pixels, task, enabled);
+    case greater_or_equal: return run<greater_or_equal>(pixels, task, enabled);
+    case greater: return run<greater>(pixels, task, enabled);
+    case less_or_equal: return run<less_or_equal>(pixels, task, enabled);
+    case less: return run<less>(pixels, task, enabled);
+    case equal: return run<equal>(pixels, task, enabled);
+    case load: return run<load>(pixels, task, enabled);
+    case keep_max: return run<keep_max>(pixels, task, enabled);
+    case keep_min: return run<keep_min>(pixels, task, enabled);
+  }
+  return {};
 }
 
 }  // namespace
@@ -124,8 +514,8 @@ namespace csgsim::sim {
 
 HWY_EXPORT(run_any);
 
-std::uint64_t run_linear(const WordBlock& enable, const LinearTask& task) {
-  return HWY_DYNAMIC_DISPATCH(run_any)(enable, task);
+LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled) {
+  return HWY_DYNAMIC_DISPATCH(run_any)(pixels, task, enabled);
 }
 
 }  // namespace csgsim::sim

@@ -1,98 +1,114 @@
 #include "sim/functional/memory.h"
 
 #include <algorithm>
+#include <array>
 
-#include "hw/base/quotient.h"
-#include "sim/functional/word_kernels.h"
+#include "sim/functional/lane_kernels.h"
 
 namespace csgsim::sim {
 
 namespace {
 
-std::uint32_t words_for(std::uint32_t pixels) { return quotient_up(pixels, word_bits); }
+/// A field of the planes' bits, the lowest first; one that there is none of is 0.
+void fill_lanes(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes) {
+  lanes.least.fill(0);
+  std::uint64_t mixed = 0;
+  for (unsigned bit = 0; bit < planes.size(); ++bit) {
+    if (planes[bit] == nullptr) continue;
+    mixed |= planes[bit]->mixed();
+    each_bit(planes[bit]->full(), [&](unsigned block) { lanes.least[block] |= std::uint32_t{1} << bit; });
+  }
+  lanes.greatest = lanes.least;
+  each_bit(mixed, [&](unsigned block) { fill_block(lanes, block); });
+  for (unsigned bit = 0; bit < planes.size(); ++bit) {
+    if (planes[bit] == nullptr) continue;
+    each_bit(planes[bit]->mixed(),
+             [&](unsigned block) { scatter_bit(planes[bit]->word(block, shape), lanes.block(block), bit); });
+  }
+  each_bit(mixed, [&](unsigned block) { find_bounds(lanes, block); });
+}
+
+void write_values(const Lanes& lanes, const TileShape& shape, std::uint32_t* out, std::size_t stride) {
+  for (std::uint32_t y = 0; y < shape.height(); ++y) {
+    std::uint32_t* const row = out + y * stride;
+    for (std::uint32_t x = 0; x < shape.width(); x += block_side) {
+      const std::uint32_t count = std::min(block_side, shape.width() - x);
+      const unsigned block = block_of(x, y);
+      if (lanes.is_constant(block)) {
+        std::fill_n(row + x, count, lanes.least[block]);
+      } else {
+        std::copy_n(lanes.block(block) + bit_of(0, y), count, row + x);
+      }
+    }
+  }
+}
 
 }  // namespace
 
-Memory::Memory(std::uint32_t width, std::uint32_t height, std::uint32_t bits)
-    : width_(width), height_(height), words_per_row_(words_for(width)), planes_(bits), holder_(bits) {}
+Memory::Memory(TileShape shape, std::uint32_t bits) : shape_(shape), planes_(bits), holder_(bits) {}
 
 void Memory::clear() {
   for (const auto& plane : planes_)
     if (plane) plane->clear();
-  for (const auto& lanes : lanes_) set_to_zero(*lanes);
+  for (const auto& lanes : lanes_) {
+    lanes->least.fill(0);
+    lanes->greatest.fill(0);
+  }
 }
 
-void Memory::set_to_zero(Lanes& lanes) const {
-  const Cells cells(lanes.bounds);
-  for (std::uint32_t row = cells.row; row < cells.row + cells.rows; ++row)
-    std::fill_n(lanes.values.begin() + static_cast<std::ptrdiff_t>(first_lane(row, cells.column)),
-                cells.columns * word_bits, 0);
-  lanes.bounds = {};
-}
-
-BitPlane& Memory::stored_plane(unsigned bit) {
-  if (!planes_[bit]) planes_[bit] = std::make_unique<BitPlane>(width_, height_);
+TileBits& Memory::stored_plane(unsigned bit) {
+  if (!planes_[bit]) planes_[bit] = std::make_unique<TileBits>();
   return *planes_[bit];
 }
 
-BitPlane& Memory::plane(unsigned bit) {
+TileBits& Memory::plane(unsigned bit) {
   if (Lanes* const holder = holder_[bit]) spill(*holder);
   return stored_plane(bit);
 }
 
-const BitPlane& Memory::read(unsigned bit, const Rect& where, BitPlane& copy) const {
-  Lanes* const holder = holder_[bit];
+void Memory::gather(const Lanes& lanes, unsigned bit, std::uint64_t blocks, TileBits& bits) const {
+  each_bit(blocks & shape_.blocks(), [&](unsigned block) {
+    const std::uint64_t word = lanes.is_constant(block)
+                                   ? ((lanes.least[block] >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0)
+                                   : gather_bit(lanes.block(block), bit);
+    bits.set_word(block, word & shape_.pixels(block), shape_);
+  });
+}
+
+const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy) const {
+  const Lanes* const holder = holder_[bit];
   if (holder == nullptr && planes_[bit]) return *planes_[bit];
   copy.clear();
-  if (holder == nullptr) return copy;
-  const Rect wanted = intersection(where, holder->bounds);
-  if (wanted.empty()) return copy;
-  copy.cover(wanted);
-  gather_bit(copy.block(), at(*holder, wanted), bit - holder->field.base);
-  // Whole words were gathered, and the bounds take them all in; those of the pixels past a row's end are 0.
-  const Cells cells(wanted);
-  copy.narrow(
-      {cells.column * word_bits, wanted.y0, std::min(width_, (cells.column + cells.columns) * word_bits), wanted.y1});
+  if (holder != nullptr) gather(*holder, bit - holder->field.base, blocks, copy);
   return copy;
 }
 
 void Memory::spill(Lanes& lanes) {
-  const Rect bounds = lanes.bounds;
   for (unsigned bit = 0; bit < lanes.field.width; ++bit) {
     holder_[lanes.field.base + bit] = nullptr;
-    if (bounds.empty()) continue;
-    BitPlane& plane = stored_plane(lanes.field.base + bit);
-    plane.cover(bounds);
-    gather_bit(plane.block(), at(lanes, bounds), bit);
-    settle(plane);
+    gather(lanes, bit, shape_.blocks(), stored_plane(lanes.field.base + bit));
   }
-  set_to_zero(lanes);
   lanes.field = {};
 }
 
 Lanes& Memory::unused_lanes() {
   const auto found =
       std::find_if(lanes_.begin(), lanes_.end(), [](const auto& lanes) { return lanes->field.width == 0; });
-  if (found != lanes_.end()) return **found;
-  Lanes& lanes = *lanes_.emplace_back(std::make_unique<Lanes>());
-  lanes.values.resize(first_lane(height_, 0));
-  return lanes;
+  return found != lanes_.end() ? **found : *lanes_.emplace_back(std::make_unique_for_overwrite<Lanes>());
 }
 
 Lanes& Memory::lanes(isa::Field field) {
-  if (Lanes* const holder = holder_[field.base]; holder != nullptr && holder->field == field) return *holder;
+  if (in_lanes(field)) return *holder_[field.base];
   for (unsigned bit = field.base; bit < field.end(); ++bit)
     if (Lanes* const holder = holder_[bit]) spill(*holder);
   Lanes& lanes = unused_lanes();
   lanes.field = field;
-  for (unsigned bit = 0; bit < field.width; ++bit) {
-    holder_[field.base + bit] = &lanes;
-    BitPlane* const plane = planes_[field.base + bit].get();
-    if (plane == nullptr || plane->bounds().empty()) continue;
-    plane->materialise();
-    scatter_bit(plane->block(), at(lanes, plane->bounds()), bit);
-    lanes.bounds = hull(lanes.bounds, plane->bounds());
-    plane->clear();
+  std::array<const TileBits*, isa::max_field_width> planes{};
+  for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = planes_[field.base + bit].get();
+  fill_lanes(std::span(planes).first(field.width), shape_, lanes);
+  for (unsigned bit = field.base; bit < field.end(); ++bit) {
+    holder_[bit] = &lanes;
+    if (planes_[bit]) planes_[bit]->clear();
   }
   return lanes;
 }
@@ -113,26 +129,31 @@ bool Memory::in_planes(isa::Field field) const {
   return std::all_of(first, first + field.width, [](const Lanes* holder) { return holder == nullptr; });
 }
 
-void Memory::values(isa::Field field, std::span<std::uint32_t> out) const {
-  if (const Lanes* const holder = holder_[field.base]; holder != nullptr && holder->field == field) {
-    for (std::uint32_t row = 0; row < height_; ++row)
-      std::copy_n(holder->values.begin() + static_cast<std::ptrdiff_t>(first_lane(row, 0)), width_,
-                  out.begin() + static_cast<std::ptrdiff_t>(row) * width_);
-    return;
-  }
-  std::fill_n(out.begin(), static_cast<std::size_t>(width_) * height_, 0);
-  BitPlane copy(width_, height_);
-  const Rect whole = copy.whole();
+void Memory::values(isa::Field field, std::uint32_t* out, std::size_t stride) const {
+  if (in_lanes(field)) return write_values(*holder_[field.base], shape_, out, stride);
+  std::array<TileBits, isa::max_field_width> copies;
+  std::array<const TileBits*, isa::max_field_width> planes{};
+  for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = &read(field.base + bit, shape_.blocks(), copies[bit]);
+  Lanes lanes;
+  fill_lanes(std::span(planes).first(field.width), shape_, lanes);
+  write_values(lanes, shape_, out, stride);
+}
+
+std::uint32_t Memory::value(isa::Field field, std::uint32_t x, std::uint32_t y) const {
+  const unsigned block = block_of(x, y);
+  const unsigned pixel = bit_of(x, y);
+  std::uint32_t value = 0;
   for (unsigned bit = 0; bit < field.width; ++bit) {
-    const BitPlane& plane = read(field.base + bit, whole, copy);
-    const Cells cells(plane.bounds());
-    for (std::uint32_t row = cells.row; row < cells.row + cells.rows; ++row)
-      for (std::uint32_t column = cells.column; column < cells.column + cells.columns; ++column)
-        for (std::uint64_t word = plane.word(row, column); word != 0; word &= word - 1) {
-          const std::size_t x = std::size_t{column} * word_bits + static_cast<std::size_t>(std::countr_zero(word));
-          out[static_cast<std::size_t>(row) * width_ + x] |= std::uint32_t{1} << bit;
-        }
+    const unsigned at = field.base + bit;
+    std::uint64_t one = 0;
+    if (const Lanes* const holder = holder_[at]; holder != nullptr) {
+      one = holder->value(block, pixel) >> (at - holder->field.base);
+    } else if (planes_[at]) {
+      one = planes_[at]->word(block, shape_) >> pixel;
+    }
+    value |= static_cast<std::uint32_t>(one & 1U) << bit;
   }
+  return value;
 }
 
 }  // namespace csgsim::sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "hw/isa/opcodes.h"
 
@@ -34,6 +35,11 @@ FrameObserver::FrameObserver(const isa::Program& program)
   for (const isa::Segment& segment : program.segments) drawn_.push_back(!segment.instructions.empty());
 }
 
+void FrameObserver::restore(Gathered gathered) {
+  frame_ = std::move(gathered.frame);
+  candidate_owner_ = std::move(gathered.candidate_owner);
+}
+
 bool FrameObserver::is_merge(const isa::Instruction& instruction) const {
   return instruction.opcode == isa::Opcode::copy && depth_.width > 0 && instruction.fields[0] == depth_;
 }
@@ -49,20 +55,24 @@ bool FrameObserver::reads_after(const isa::Instruction& instruction) const {
 }
 
 void FrameObserver::after_instruction(const Step& step, const PixelState& state) {
-  const isa::Instruction& instruction = step.instruction;
-  if (!reads_after(instruction)) return;
+  if (!reads_after(step.instruction)) return;
   const isa::Region region = state.region();
-  const std::size_t words = row_words(region);
-  enable_.resize(words * region.height);
+  enable_.resize(row_words(region) * region.height);
   state.read_enable(enable_);
+  enabled_after(step.instruction, region, enable_);
+}
+
+void FrameObserver::enabled_after(const isa::Instruction& instruction, const isa::Region& part,
+                                  std::span<const std::uint64_t> words) {
+  const std::size_t words_a_row = row_words(part);
   const bool is_candidate = colours_one_of_several(instruction, candidate_colour_);
   const bool from_candidate =
       is_merge(instruction) && instruction.origin.node != isa::no_node && candidate_colour_.width > 0;
   std::vector<std::uint32_t>& owner = is_candidate ? candidate_owner_ : frame_.owner;
-  for (std::uint32_t y = 0; y < region.height; ++y) {
-    const std::size_t row = static_cast<std::size_t>(region.y + y) * frame_.width + region.x;
-    for (std::size_t word = 0; word < words; ++word) {
-      for (std::uint64_t bits = enable_[y * words + word]; bits != 0; bits &= bits - 1) {
+  for (std::uint32_t y = 0; y < part.height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(part.y + y) * frame_.width + part.x;
+    for (std::size_t word = 0; word < words_a_row; ++word) {
+      for (std::uint64_t bits = words[y * words_a_row + word]; bits != 0; bits &= bits - 1) {
         const std::size_t at = row + word * word_bits + static_cast<std::size_t>(std::countr_zero(bits));
         owner[at] = from_candidate ? candidate_owner_[at] : instruction.origin.primitive;
       }
@@ -80,15 +90,19 @@ void FrameObserver::after_segment(std::uint32_t segment, const PixelState& state
 }
 
 void FrameObserver::forget_unseen(const isa::Region& region) {
+  const std::uint32_t nothing = nothing_in(depth_);
   for (std::uint32_t y = 0; y < region.height; ++y) {
     const std::size_t row = static_cast<std::size_t>(region.y + y) * frame_.width + region.x;
-    for (std::size_t at = row; at < row + region.width; ++at)
-      if (frame_.depth[at] == nothing_in(depth_)) frame_.owner[at] = no_owner;
+    const std::span depth = std::span(frame_.depth).subspan(row, region.width);
+    const std::span owner = std::span(frame_.owner).subspan(row, region.width);
+    std::transform(depth.begin(), depth.end(), owner.begin(), owner.begin(),
+                   [nothing](std::uint32_t at, std::uint32_t before) { return at == nothing ? no_owner : before; });
   }
 }
 
 void FrameObserver::place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture) {
   const isa::Region region = state.region();
+  if (region.width == frame_.width && region.height == frame_.height) return state.read_field(field, picture);
   values_.resize(static_cast<std::size_t>(region.width) * region.height);
   state.read_field(field, values_);
   for (std::uint32_t y = 0; y < region.height; ++y) {

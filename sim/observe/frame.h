@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sim/engine/engine.h"
@@ -16,6 +17,8 @@ struct Frame {
   std::vector<std::uint32_t> colour;  ///< as the colour field holds it (hw/isa/colour_format.h)
   std::vector<std::uint32_t> depth;   ///< depth steps; all ones where nothing is seen
   std::vector<std::uint32_t> owner;   ///< index of the primitive seen, or no_owner
+
+  bool operator==(const Frame&) const = default;
 };
 
 /// Assembles the picture of a run, segment by segment, on the background. Pixel memory has no room for owners: they are
@@ -27,9 +30,26 @@ class FrameObserver : public Observer {
 
   [[nodiscard]] bool reads_after(const isa::Instruction& instruction) const override;
   void after_instruction(const Step& step, const PixelState& state) override;
+  [[nodiscard]] bool reads_enable_alone(const isa::Instruction& instruction) const override {
+    return reads_after(instruction);
+  }
+  void enabled_after(const isa::Instruction& instruction, const isa::Region& part,
+                     std::span<const std::uint64_t> words) override;
   void after_segment(std::uint32_t segment, const PixelState& state) override;
 
-  [[nodiscard]] const Frame& frame() const { return frame_; }
+  [[nodiscard]] const Frame& frame() const& { return frame_; }
+  [[nodiscard]] Frame frame() && { return std::move(frame_); }
+
+  /// All that has been gathered at an instruction boundary.
+  struct Gathered {
+    Frame frame;
+    std::vector<std::uint32_t> candidate_owner;  ///< of every pixel, or none
+
+    bool operator==(const Gathered&) const = default;
+  };
+  [[nodiscard]] Gathered gathered() const { return {frame_, candidate_owner_}; }
+  /// Goes on from what an observer of the same Program gathered.
+  void restore(Gathered gathered);
 
  private:
   [[nodiscard]] bool is_merge(const isa::Instruction& instruction) const;

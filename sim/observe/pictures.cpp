@@ -1,70 +1,39 @@
 #include "sim/observe/pictures.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <memory>
+#include <cctype>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
-#include "hw/base/error.h"
-#include "hw/base/memory_file.h"
+#include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/pieces.h"
+#include "sim/pictures/encode.h"
 
 namespace csgsim::sim {
 
 namespace {
 
-[[noreturn]] void throw_no_format(const std::filesystem::path& path) {
-  OIIO::geterror();  // takes the message away, which nobody asked for
-  throw InputError(path.native() + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like");
+/// One channel, which formats that name channels call so.
+pictures::Raster floats(const Frame& frame, const std::string& channel, const std::vector<float>& samples) {
+  return {frame.width, frame.height, 1, channel, pictures::Floats(samples)};
 }
 
-OIIO::ImageSpec specify(const Frame& frame, int channels, OIIO::TypeDesc type) {
-  OIIO::ImageSpec spec(static_cast<int>(frame.width), static_cast<int>(frame.height), channels, type);
-  // The same picture is the same file, whenever it is written.
-  spec.attribute("DateTime", "");
-  return spec;
+pictures::Raster colours(const Frame& frame, const std::vector<std::uint8_t>& samples) {
+  return {frame.width, frame.height, 3, {}, pictures::Bytes(samples)};
 }
 
-std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& path) {
-  std::unique_ptr<OIIO::ImageOutput> writer = OIIO::ImageOutput::create(path.native());
-  if (!writer) throw_no_format(path);
-  const std::string_view format = writer->format_name();
-  if (format == "null" || format == "term") throw_no_format(path);  // which make no file
-  return writer;
-}
-
-/// The bytes of a picture's file. They are made in memory: many formats do not tell that the disk is full.
-std::string encode(const std::filesystem::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                   const void* pixels) {
-  const std::unique_ptr<OIIO::ImageOutput> writer = writer_for(path);
-  const auto write_to = [&](const std::string& name) {
-    if (!writer->open(name, spec) || !writer->write_image(type, pixels) || !writer->close())
-      throw InputError(path.native() + ": cannot be written: " + writer->geterror());
-  };
-  if (writer->supports("ioproxy")) {
-    OIIO::Filesystem::IOVecOutput buffer;
-    writer->set_ioproxy(&buffer);
-    write_to(path.native());
-    return {reinterpret_cast<const char*>(buffer.buffer().data()), buffer.buffer().size()};
-  }
-  const MemoryFile file(path);
-  write_to(file.path());
-  return file.content();
-}
-
-void write(OutputFile& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
-  const std::string bytes = encode(file.asked(), spec, type, pixels);
-  if (bytes.empty()) throw InputError(file.asked().native() + ": this format makes no file; take .png");
-  file.write(bytes);
-}
+void write(OutputFile& file, const pictures::Raster& raster) { file.write(pictures::encode(file.asked(), raster)); }
 
 }  // namespace
 
-void check_format(const std::filesystem::path& path) { writer_for(path); }
+void check_format(const std::filesystem::path& path) { pictures::check_format(path, pictures::Samples::bytes); }
+
+void check_depth_format(const std::filesystem::path& path) { pictures::check_format(path, pictures::Samples::floats); }
 
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
   std::vector<std::uint8_t> pixels;
@@ -74,7 +43,7 @@ void write_picture(OutputFile& file, const Frame& frame, const isa::Program& pro
     const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
     pixels.insert(pixels.end(), channels.begin(), channels.end());
   }
-  write(file, specify(frame, 3, OIIO::TypeDesc::UINT8), OIIO::TypeDesc::UINT8, pixels.data());
+  write(file, colours(frame, pixels));
 }
 
 void write_depth(OutputFile& file, const Frame& frame, const isa::Program& program) {
@@ -84,18 +53,79 @@ void write_depth(OutputFile& file, const Frame& frame, const isa::Program& progr
   for (const std::uint32_t step : frame.depth) {
     pixels.push_back(static_cast<float>(isa::distance_of(program.facts.depth_scale, bits, step)));
   }
-  OIIO::ImageSpec spec = specify(frame, 1, OIIO::TypeDesc::FLOAT);
-  spec.channelnames = {"Z"};
-  write(file, spec, OIIO::TypeDesc::FLOAT, pixels.data());
+  write(file, floats(frame, "Z", pixels));
 }
 
+bool has_legend(const std::filesystem::path& owner_picture) {
+  std::string extension = owner_picture.extension().native();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".png";
+}
+
+std::array<std::uint8_t, 3> owner_colour(std::uint32_t primitive) {
+  std::array<std::uint8_t, 3> colour{};
+  if (primitive == no_owner) return colour;
+  std::uint32_t left = primitive + 1;
+  for (unsigned bit = 0x80U; bit != 0; bit >>= 1U) {
+    for (std::uint8_t& channel : colour) {
+      if ((left & 1U) != 0) channel = static_cast<std::uint8_t>(channel | bit);
+      left >>= 1U;
+    }
+  }
+  return colour;
+}
+
+namespace {
+
+void write_owner_colours(OutputFile& file, const Frame& frame) {
+  std::vector<std::uint8_t> pixels;
+  pixels.reserve(frame.owner.size() * 3);
+  for (const std::uint32_t owner : frame.owner) {
+    const std::array<std::uint8_t, 3> colour = owner_colour(owner);
+    pixels.insert(pixels.end(), colour.begin(), colour.end());
+  }
+  write(file, colours(frame, pixels));
+}
+
+nlohmann::ordered_json colour_json(std::uint32_t primitive) {
+  const std::array<std::uint8_t, 3> colour = owner_colour(primitive);
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+}  // namespace
+
 void write_owner(OutputFile& file, const Frame& frame) {
+  if (has_legend(file.asked())) return write_owner_colours(file, frame);
   std::vector<float> pixels;
   pixels.reserve(frame.owner.size());
   for (const std::uint32_t owner : frame.owner) pixels.push_back(owner == no_owner ? -1.0F : static_cast<float>(owner));
-  OIIO::ImageSpec spec = specify(frame, 1, OIIO::TypeDesc::FLOAT);
-  spec.channelnames = {"owner"};
-  write(file, spec, OIIO::TypeDesc::FLOAT, pixels.data());
+  write(file, floats(frame, "owner", pixels));
+}
+
+Frame of_primitives(Frame frame, const isa::Facts& facts) {
+  if (facts.primitive_of_piece.empty()) return frame;
+  for (std::uint32_t& owner : frame.owner)
+    if (owner != no_owner) owner = isa::primitive_of(facts, owner);
+  return frame;
+}
+
+void write_legend(OutputFile& file, const Frame& frame, const isa::Program& program) {
+  const std::vector<std::string>& names = program.facts.primitives;
+  std::vector<std::uint64_t> pixels(names.size(), 0);
+  std::uint64_t nothing = 0;
+  for (const std::uint32_t owner : frame.owner) ++(owner < pixels.size() ? pixels[owner] : nothing);
+  nlohmann::ordered_json legend{{"nothing", {{"colour", colour_json(no_owner)}, {"pixels", nothing}}},
+                                {"primitives", nlohmann::ordered_json::array()}};
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    legend["primitives"].push_back(
+        {{"index", i}, {"name", printable(names[i])}, {"colour", colour_json(i)}, {"pixels", pixels[i]}});
+  }
+  file.write(legend.dump(2) + "\n");
+}
+
+void write_picture(OutputFile& file, const Picture& picture) {
+  write(file, {picture.width, picture.height, picture.channels, {}, pictures::Bytes(picture.bytes)});
 }
 
 }  // namespace csgsim::sim

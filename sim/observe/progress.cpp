@@ -22,6 +22,13 @@ ProgressObserver::ProgressObserver(const isa::Program& program, const machines::
   for (const isa::Segment& segment : program.segments) total_ += machines::clocks(segment.instructions, machine);
 }
 
+void ProgressObserver::begin_at(Place place) {
+  for (std::uint32_t segment = 0; segment <= place.segment && segment < program_.segments.size(); ++segment) {
+    const std::span<const isa::Instruction> all = program_.segments[segment].instructions;
+    total_ -= machines::clocks(segment < place.segment ? all : all.first(place.index), machine_);
+  }
+}
+
 ProgressObserver::~ProgressObserver() {
   if (shown_) tell("\r\x1b[K");
 }

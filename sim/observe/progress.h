@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "sim/engine/engine.h"
+#include "sim/engine/numbers.h"
 
 namespace csgsim::sim {
 
@@ -19,6 +20,9 @@ class ProgressObserver : public Observer {
 
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const Step& step, const PixelState& state) override;
+
+  /// Counts only what is left from there on.
+  void begin_at(Place place);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -10,7 +10,7 @@ Cost& Cost::operator+=(const Cost& other) {
   return *this;
 }
 
-StatsObserver::StatsObserver(const isa::Program& program) {
+StatsObserver::StatsObserver(const isa::Program& program) : primitive_of_piece_(program.facts.primitive_of_piece) {
   for (const isa::Segment& segment : program.segments) {
     pixels_of_segment_.push_back(static_cast<std::uint64_t>(segment.region.width) * segment.region.height);
   }
@@ -24,7 +24,8 @@ void StatsObserver::after_instruction(const Step& step, const PixelState& /*stat
   stats_.total += cost;
   stats_.by_opcode[static_cast<std::size_t>(instruction.opcode)] += cost;
   stats_.by_purpose[static_cast<std::size_t>(instruction.origin.purpose)] += cost;
-  if (instruction.origin.primitive != isa::no_primitive) stats_.by_primitive[instruction.origin.primitive] += cost;
+  if (const std::uint32_t piece = instruction.origin.primitive; piece != isa::no_primitive)
+    stats_.by_primitive[primitive_of_piece_.empty() ? piece : primitive_of_piece_[piece]] += cost;
   if (instruction.origin.effect != isa::no_effect) {
     stats_.by_effect[instruction.origin.effect] += cost;
   } else {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sim/engine/engine.h"
@@ -38,9 +39,12 @@ class StatsObserver : public Observer {
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const Step& step, const PixelState& state) override;
   [[nodiscard]] const Stats& stats() const { return stats_; }
+  /// Goes on from what an observer of the same Program counted.
+  void restore(Stats stats) { stats_ = std::move(stats); }
 
  private:
   std::vector<std::uint64_t> pixels_of_segment_;
+  std::vector<std::uint32_t> primitive_of_piece_;
   Stats stats_;
 };
 

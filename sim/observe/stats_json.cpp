@@ -5,6 +5,7 @@
 
 #include "hw/base/text.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/pieces.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/account_json.h"
@@ -21,9 +22,11 @@ Json cost_json(const Cost& cost) {
   return {{"clocks", cost.clocks}, {"instructions", cost.instructions}, {"pixel_operations", pixel_operations(cost)}};
 }
 
-Json model_json(const isa::ModelFacts& model) {
-  return {{"file", printable(model.file)},    {"primitives", model.primitives},       {"unions", model.unions},
-          {"differences", model.differences}, {"intersections", model.intersections}, {"halfspaces", model.halfspaces}};
+Json model_json(const isa::Facts& facts) {
+  const isa::ModelFacts& model = facts.model;
+  return {{"file", printable(model.file)}, {"primitives", model.primitives},   {"pieces", isa::piece_count(facts)},
+          {"unions", model.unions},        {"differences", model.differences}, {"intersections", model.intersections},
+          {"halfspaces", model.halfspaces}};
 }
 
 Json machine_json(const Report& report) {
@@ -91,8 +94,9 @@ Json effects_json(const Report& report) {
 
 Json primitives_json(const Report& report) {
   Json primitives = Json::array();
-  for (std::size_t i = 0; i < report.program.facts.primitives.size(); ++i) {
-    Json entry{{"index", i}, {"name", printable(report.program.facts.primitives[i])}};
+  const isa::Facts& facts = report.program.facts;
+  for (std::uint32_t i = 0; i < facts.primitives.size(); ++i) {
+    Json entry{{"index", i}, {"name", printable(facts.primitives[i])}, {"pieces", isa::pieces_of(facts, i).count}};
     entry.update(cost_json(report.stats.by_primitive[i]));
     primitives.push_back(std::move(entry));
   }
@@ -149,7 +153,7 @@ std::uint32_t used_memory_bits(const isa::Program& program) {
 nlohmann::ordered_json to_json(const Report& report) {
   const isa::CompileFacts& compile = report.program.facts.compile;
   Json json;
-  json["model"] = model_json(report.program.facts.model);
+  json["model"] = model_json(report.program.facts);
   json["machine"] = machine_json(report);
   json["level"] = report.level;
   json["strategy"] = printable(compile.strategy);

@@ -23,13 +23,12 @@ bool fits_signed(Wide number, unsigned width) {
 
 /// F: the low `width` bits as a two's complement number, shifted right with floor.
 std::int64_t value_of_f(Wide sum, const isa::Linear& linear) {
-  Wide number = 0;
-  for (unsigned bit = 0; bit < linear.width; ++bit) {
-    const Wide weight = static_cast<Wide>(1) << bit;
-    const bool is_sign = bit + 1 == linear.width;
-    if ((sum >> bit & 1) != 0) number += is_sign ? -weight : weight;
-  }
-  return static_cast<std::int64_t>(number >> linear.shift);
+  const auto bits = static_cast<std::uint64_t>(sum);
+  std::int64_t number = 0;
+  for (unsigned bit = 0; bit + 1 < linear.width; ++bit) number += static_cast<std::int64_t>(bits >> bit & 1U) << bit;
+  const unsigned sign = linear.width - 1U;
+  if ((bits >> sign & 1U) != 0) number -= std::int64_t{1} << sign;
+  return number >> linear.shift;
 }
 
 bool fits_unsigned(std::int64_t value, unsigned width) { return value >= 0 && value >> width == 0; }
@@ -45,18 +44,18 @@ ReferenceArray::ReferenceArray(isa::Region region, std::uint32_t memory_bits)
 std::int64_t ReferenceArray::get(std::size_t pixel, isa::Field field) const {
   std::int64_t value = 0;
   for (unsigned bit = 0; bit < field.width; ++bit)
-    if (memory_[pixel * memory_bits_ + field.base + bit]) value += std::int64_t{1} << bit;
+    value += std::int64_t{memory_[pixel * memory_bits_ + field.base + bit]} << bit;
   return value;
 }
 
 void ReferenceArray::put(std::size_t pixel, isa::Field field, std::uint64_t value) {
   for (unsigned bit = 0; bit < field.width; ++bit)
-    memory_[pixel * memory_bits_ + field.base + bit] = (value >> bit & 1U) != 0;
+    memory_[pixel * memory_bits_ + field.base + bit] = static_cast<Bit>(value >> bit & 1U);
 }
 
 void ReferenceArray::put_linear(std::size_t pixel, isa::Field field, std::int64_t value) {
   put(pixel, field, static_cast<std::uint64_t>(value));
-  if (!fits_unsigned(value, field.width)) enable_[pixel] = false;
+  if (!fits_unsigned(value, field.width)) enable_[pixel] = 0;
 }
 
 void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction) {
@@ -64,31 +63,32 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
   const std::size_t pixel = pixel_at(x, y);
   const auto& [first, second, third] = instruction.fields;
   const isa::Linear& linear = instruction.linear;
-  const bool e = enable_[pixel];
+  const bool e = enable_[pixel] != 0;
+  const auto set_enable = [&](bool one) { write_enable(x, y, one); };
   const auto bits = [&](isa::Field field) { return static_cast<std::uint64_t>(get(pixel, field)); };
 
-  const bool streams = linear.width > 0;
+  const bool streams = e && linear.width > 0;  // where E is 0 no instruction looks at F
   const Wide sum = streams ? exact_sum(linear, x, y) : 0;
   const bool must_fit = streams && !isa::cuts_sum(instruction.opcode);
-  if (must_fit && e && !fits_signed(sum, linear.width)) ++overflows_;
+  if (must_fit && !fits_signed(sum, linear.width)) ++overflows_;
   const std::int64_t f = streams ? value_of_f(sum, linear) : 0;
 
   switch (instruction.opcode) {
-    case Opcode::enable_all: enable_[pixel] = true; break;
-    case Opcode::enable_invert: enable_[pixel] = !e; break;
-    case Opcode::enable_load: enable_[pixel] = get(pixel, first) == 1; break;
-    case Opcode::enable_and: enable_[pixel] = e && get(pixel, first) == 1; break;
-    case Opcode::enable_and_not: enable_[pixel] = e && get(pixel, first) == 0; break;
-    case Opcode::enable_or: enable_[pixel] = e || get(pixel, first) == 1; break;
-    case Opcode::enable_xor: enable_[pixel] = e != (get(pixel, first) == 1); break;
+    case Opcode::enable_all: set_enable(true); break;
+    case Opcode::enable_invert: set_enable(!e); break;
+    case Opcode::enable_load: set_enable(get(pixel, first) == 1); break;
+    case Opcode::enable_and: set_enable(e && get(pixel, first) == 1); break;
+    case Opcode::enable_and_not: set_enable(e && get(pixel, first) == 0); break;
+    case Opcode::enable_or: set_enable(e || get(pixel, first) == 1); break;
+    case Opcode::enable_xor: set_enable(e != (get(pixel, first) == 1)); break;
     case Opcode::enable_store: put(pixel, first, e ? 1 : 0); break;
-    case Opcode::edge_not_negative: enable_[pixel] = e && f >= 0; break;
-    case Opcode::edge_negative: enable_[pixel] = e && f < 0; break;
-    case Opcode::linear_ge: enable_[pixel] = e && f >= get(pixel, first); break;
-    case Opcode::linear_gt: enable_[pixel] = e && f > get(pixel, first); break;
-    case Opcode::linear_le: enable_[pixel] = e && f <= get(pixel, first); break;
-    case Opcode::linear_lt: enable_[pixel] = e && f < get(pixel, first); break;
-    case Opcode::linear_eq: enable_[pixel] = e && f == get(pixel, first); break;
+    case Opcode::edge_not_negative: set_enable(e && f >= 0); break;
+    case Opcode::edge_negative: set_enable(e && f < 0); break;
+    case Opcode::linear_ge: set_enable(e && f >= get(pixel, first)); break;
+    case Opcode::linear_gt: set_enable(e && f > get(pixel, first)); break;
+    case Opcode::linear_le: set_enable(e && f <= get(pixel, first)); break;
+    case Opcode::linear_lt: set_enable(e && f < get(pixel, first)); break;
+    case Opcode::linear_eq: set_enable(e && f == get(pixel, first)); break;
     case Opcode::load_linear:
       if (e) put_linear(pixel, first, f);
       break;
@@ -104,9 +104,9 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
     case Opcode::copy:
       if (e) put(pixel, first, bits(second));
       break;
-    case Opcode::field_lt: enable_[pixel] = e && get(pixel, first) < get(pixel, second); break;
-    case Opcode::field_le: enable_[pixel] = e && get(pixel, first) <= get(pixel, second); break;
-    case Opcode::field_eq: enable_[pixel] = e && get(pixel, first) == get(pixel, second); break;
+    case Opcode::field_lt: set_enable(e && get(pixel, first) < get(pixel, second)); break;
+    case Opcode::field_le: set_enable(e && get(pixel, first) <= get(pixel, second)); break;
+    case Opcode::field_eq: set_enable(e && get(pixel, first) == get(pixel, second)); break;
     case Opcode::bit_and:
       if (e) put(pixel, first, bits(second) & bits(third));
       break;
@@ -130,7 +130,7 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
     case Opcode::add:
       if (e) put(pixel, first, bits(first) + bits(second));
       break;
-    case Opcode::stripe: enable_[pixel] = e && streams && (sum >> (linear.width - 1U) & 1) != 0; break;
+    case Opcode::stripe: set_enable(streams && (sum >> (linear.width - 1U) & 1) != 0); break;
   }
 }
 
@@ -140,7 +140,7 @@ void ReferenceArray::execute(const isa::Instruction& instruction) {
 }
 
 std::uint64_t ReferenceArray::enabled_pixels() const {
-  return static_cast<std::uint64_t>(std::count(enable_.begin(), enable_.end(), true));
+  return static_cast<std::uint64_t>(std::count(enable_.begin(), enable_.end(), Bit{1}));
 }
 
 std::uint32_t ReferenceArray::read(isa::Field field, std::uint32_t x, std::uint32_t y) const {

@@ -25,10 +25,10 @@ class ReferenceArray final : public PixelState {
   /// Over all instructions so far: enabled pixels at which A*x + B*y + C did not fit the width, but had to.
   [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
 
-  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const { return enable_[pixel_at(x, y)]; }
+  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const { return enable_[pixel_at(x, y)] != 0; }
   [[nodiscard]] std::uint32_t read(isa::Field field, std::uint32_t x, std::uint32_t y) const;
   void write(isa::Field field, std::uint32_t x, std::uint32_t y, std::uint32_t value);
-  void write_enable(std::uint32_t x, std::uint32_t y, bool value) { enable_[pixel_at(x, y)] = value; }
+  void write_enable(std::uint32_t x, std::uint32_t y, bool value) { enable_[pixel_at(x, y)] = value ? 1 : 0; }
 
   [[nodiscard]] isa::Region region() const override { return region_; }
   void read_field(isa::Field field, std::span<std::uint32_t> values) const override;
@@ -45,8 +45,9 @@ class ReferenceArray final : public PixelState {
 
   isa::Region region_;
   std::uint32_t memory_bits_;
-  std::vector<bool> memory_;  ///< bit b of pixel p at p * memory_bits_ + b
-  std::vector<bool> enable_;
+  using Bit = std::uint8_t;  ///< 0 or 1
+  std::vector<Bit> memory_;  ///< bit b of pixel p at p * memory_bits_ + b
+  std::vector<Bit> enable_;
   std::uint64_t overflows_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/machines/area.h"
 #include "hw/machines/kind.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
@@ -32,6 +33,8 @@ void count(const isa::Program& program, const machines::Machine& machine, Compar
   const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
   row.processors = resources.processors;
   row.memory_bits = resources.memory_bits;
+  row.pixel_transistors = machines::pixel_transistors(machine, machine.array.memory_bits);
+  if (row.pixel_transistors) row.transistors = *row.pixel_transistors * row.processors;
 }
 
 void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -44,10 +45,12 @@ struct ComparisonRow {
   std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
   std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
   std::uint64_t processors = 0;
-  std::uint64_t processor_clocks = 0;  ///< processors times clocks: what was paid for
-  std::uint64_t memory_bits = 0;       ///< of all processors, and of a frame buffer beside them
-  double utilisation = 0;              ///< enabled pixel operations in processor clocks
-  std::string picture;                 ///< hash of depth, owner and colour of every pixel
+  std::uint64_t processor_clocks = 0;                ///< processors times clocks: what was paid for
+  std::uint64_t memory_bits = 0;                     ///< of all processors, and of a frame buffer beside them
+  std::optional<std::uint64_t> pixel_transistors{};  ///< of one processor with its memory: hw/machines/area.h
+  std::optional<std::uint64_t> transistors{};        ///< of all processors
+  double utilisation = 0;                            ///< enabled pixel operations in processor clocks
+  std::string picture;                               ///< hash of depth, owner and colour of every pixel
   std::string reason;
 
   [[nodiscard]] bool drawn() const { return reason.empty(); }
@@ -82,6 +85,8 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("processors", row.processors);
   visit("processor_clocks", row.processor_clocks);
   visit("memory_bits", row.memory_bits);
+  visit("pixel_transistors", row.pixel_transistors);
+  visit("transistors", row.transistors);
   visit("utilisation", row.utilisation);
   visit("picture", row.picture);
   visit("reason", row.reason);

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -52,6 +53,12 @@ std::string to_cell(const std::string& text);
 template <class Number>
 requires std::is_arithmetic_v<Number> std::string to_cell(Number number) { return fmt::format("{}", number); }
 
+/// Nothing as an empty cell.
+template <class Number>
+std::string to_cell(const std::optional<Number>& number) {
+  return number ? to_cell(*number) : std::string{};
+}
+
 inline void from_cell(const std::string& cell, std::string& text) { text = cell; }
 
 /// Throws InputError.
@@ -60,6 +67,12 @@ requires std::is_arithmetic_v<Number>
 void from_cell(const std::string& cell, Number& number) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
   if (error != std::errc{} || end != cell.data() + cell.size()) throw InputError("'" + cell + "' is no number");
+}
+
+template <class Number>
+void from_cell(const std::string& cell, std::optional<Number>& number) {
+  number.reset();
+  if (!cell.empty()) from_cell(cell, number.emplace());
 }
 
 }  // namespace csgsim::study

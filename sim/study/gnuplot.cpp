@@ -1,15 +1,12 @@
 #include "sim/study/gnuplot.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
+#include <optional>
 
+#include "hw/base/child_process.h"
 #include "hw/base/error.h"
 #include "hw/base/memory_file.h"
 #include "hw/base/output_file.h"
@@ -26,53 +23,22 @@ std::string terminal(std::string_view ending, PlotSize size) {
                      svg ? "svg background 'white'" : "pngcairo", size.width, size.height, svg ? 14 : 11);
 }
 
-/// What the child's standard files are connected to.
-class Actions {
- public:
-  Actions() { ::posix_spawn_file_actions_init(&actions_); }
-  ~Actions() { ::posix_spawn_file_actions_destroy(&actions_); }
-  Actions(const Actions&) = delete;
-  Actions& operator=(const Actions&) = delete;
-  void connect(const MemoryFile& file, int number) {
-    ::posix_spawn_file_actions_adddup2(&actions_, file.descriptor().number(), number);
-  }
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-/// The first line of what gnuplot says.
-std::string complaint(const MemoryFile& errors) {
-  const std::string all = errors.content();
-  const std::size_t begin = std::min(all.find_first_not_of(" \n"), all.size());
-  return all.substr(begin, all.find('\n', begin) - begin);
-}
-
 /// What gnuplot draws for the file when it reads the script and nothing else, not even its user's settings.
 std::string drawn_by(const std::filesystem::path& file, const std::string& script) {
   MemoryFile input(file);
   const MemoryFile output(file);
   const MemoryFile errors(file);
   input.write(script);
-  Actions actions;
-  actions.connect(input, STDIN_FILENO);
-  actions.connect(output, STDOUT_FILENO);
-  actions.connect(errors, STDERR_FILENO);
-  std::array<char, 8> name{"gnuplot"};
-  std::array<char, 3> no_settings{"-d"};
-  const std::array<char*, 3> arguments{name.data(), no_settings.data(), nullptr};
-  pid_t child = 0;
-  if (::posix_spawnp(&child, name.data(), actions.get(), nullptr, arguments.data(), environ) != 0)
+  const std::array<std::string, 2> words{"gnuplot", "-d"};
+  const std::optional<int> status = run_child(words, {input, output, errors});
+  if (!status)
     throw InputError(file.native() +
                      ": gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   std::string picture = output.content();
-  if (status != 0 || picture.empty()) {
+  if (*status != 0 || picture.empty()) {
     throw InputError(
         fmt::format("{}: gnuplot did not draw ({}); is package gnuplot-nox installed? (--no-plots does without)",
-                    file.native(), WIFSIGNALED(status) ? ::strsignal(WTERMSIG(status)) : complaint(errors)));
+                    file.native(), why_failed(*status, errors)));
   }
   return picture;
 }

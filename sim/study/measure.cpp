@@ -56,7 +56,7 @@ Drawn draw(isa::Program program, const machines::Machine& machine) {
   sim::FrameObserver frame(program);
   const std::array<sim::Observer*, 1> observers{&frame};
   const std::uint64_t clocks = sim::make_functional_engine(machine)->run(program, observers).clocks;
-  return {std::move(program), frame.frame(), clocks};
+  return {std::move(program), std::move(frame).frame(), clocks};
 }
 
 /// Sum over pixels and channels of the difference of the colours, which have so many bits.

@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "sim/study/comparison.h"
@@ -11,10 +12,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+template <class Value>
+Json value_of(const Value& value) {
+  return value;
+}
+
+template <class Value>
+Json value_of(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
 /// Adds the columns that visit_columns tells of.
 template <class Row>
 void add_columns(Json& json, const Row& row) {
-  visit_columns(row, [&](const char* name, const auto& member) { json[name] = member; });
+  visit_columns(row, [&](const char* name, const auto& member) { json[name] = value_of(member); });
 }
 
 template <class Row>

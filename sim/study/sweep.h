@@ -67,6 +67,8 @@ struct SweepRow {
   std::uint32_t tree_depth = 0;           ///< levels of the deepest active tree
   std::uint32_t classification_bits = 0;  ///< memory bits a pixel that the classification uses
   std::uint32_t used_bits = 0;            ///< memory bits a pixel in all
+  /// Of a pixel with as much memory as that, and for a picture shown beside it: hw/machines/area.h.
+  std::optional<std::uint64_t> pixel_transistors{};
   MemoryMap memory_map;
   std::string picture;  ///< hash of depth, owner and colour of every pixel, or `overflow`; empty where it was not drawn
 
@@ -109,6 +111,7 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("tree_depth", row.tree_depth);
   visit("classification_bits", row.classification_bits);
   visit("used_bits", row.used_bits);
+  visit("pixel_transistors", row.pixel_transistors);
   visit("memory_map", row.memory_map);
   visit("picture", row.picture);
   visit("reason", row.reason);

@@ -13,6 +13,8 @@
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/machines/area.h"
+#include "hw/machines/regions.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
@@ -44,7 +46,7 @@ isa::Program compile(const SweepJob& job) {
                        [&](const isa::Program& program) { return sim::clocks_of_run(program, job.machine); });
 }
 
-void count(const isa::Program& program, SweepRow& row) {
+void count(const isa::Program& program, const machines::Machine& machine, SweepRow& row) {
   row.strategy_used = program.facts.compile.strategy;
   row.colouring_used = program.facts.compile.colouring;
   row.primitives = program.facts.model.primitives;
@@ -56,6 +58,8 @@ void count(const isa::Program& program, SweepRow& row) {
   row.tree_depth = program.facts.compile.tree_depth;
   row.classification_bits = program.facts.compile.stack_bits;
   row.used_bits = sim::used_memory_bits(program);
+  const std::uint32_t shown = machines::second_buffer(isa::frame_header(program).colour.width, machine).width;
+  row.pixel_transistors = machines::pixel_transistors(machine, row.used_bits + shown);
   row.memory_map = memory_map(program);
 }
 
@@ -74,7 +78,7 @@ SweepRow measure(const SweepJob& job, bool is_drawn) {
     row.reason = escaped(error.what());
     return row;
   }
-  count(*program, row);
+  count(*program, job.machine, row);
   if (is_drawn) {
     draw(*program, job.machine, row);
   } else {

@@ -25,10 +25,14 @@ Outcome run(const std::string& words) {
 }
 
 Outcome run_words(const std::vector<std::string>& words, const fs::path& where) {
+  return run_program(std::string(CSGSIM_BINARY_DIR) + "/csgsim", words, where);
+}
+
+Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& where) {
   const Folder folder;
   const std::string out = folder / "out";
   const std::string err = folder / "err";
-  std::vector<std::string> all{std::string(CSGSIM_BINARY_DIR) + "/csgsim"};
+  std::vector<std::string> all{program};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
   for (std::string& word : all) arguments.push_back(word.data());

@@ -114,14 +114,14 @@ TEST_CASE("wave records the window of clocks that was asked for, and a view for 
   REQUIRE(run(options + "--window 50:80 -o " + (folder / "w.vcd")).code == 0);
   const std::string wave = content(folder / "w.vcd");
   for (const std::string name :
-       {"pixel_8_8", "pixel_0_15", "tree_bit", "carry", "enable", "Z1 [19:0]", "opcode_text", "purpose"}) {
+       {"pixel_8_8", "pixel_0_15", "tree_bit", "carry", "enable", "Z1 [19:0]", "text", "purpose"}) {
     CHECK(wave.find(name) != std::string::npos);
   }
   // Clock n begins at (n + 1) periods of 100 ns; the last change is at the end of the window.
   const auto last = std::stoull(wave.substr(wave.rfind("\n#") + 2));
   CHECK(last > 80 * 100'000ULL);
   CHECK(last <= 82 * 100'000ULL);
-  CHECK(content(folder / "w.gtkw").find("SystemC.pixel_8_8.Z1[19:0]") != std::string::npos);
+  CHECK(content(folder / "w.gtkw").find("frame_buffer.pixel_8_8.Z1[19:0]") != std::string::npos);
   CHECK(folder.files() == 2);
 }
 
@@ -130,8 +130,12 @@ TEST_CASE("a wave of no pixel, of no clock or under another name is refused and 
   const std::string options = "wave " + model("old_example011") + " --size 16x16 -o " + (folder / "w.vcd ");
   CHECK(run(options + "--probe 16,0").code == 2);
   CHECK(run(options + "--probe 1,1 --window 9:9").code == 2);
+  CHECK(run(options + "--probe 1,1 --window 0:9 --at owner").code == 2);
+  CHECK(run(options + "--window 0:9").code == 2);
+  CHECK(run(options + "--probe 1,1 --window purpose:merg").err.find("did you mean merge?") != std::string::npos);
+  CHECK(run(options + "--probe 1,1 --probe tree.x:5").err.find("levels 0 to 4") != std::string::npos);
   CHECK(run(options + "--probe 1,1 --window 10000000:10000001").code == 1);
-  CHECK(run("wave " + model("old_example011") + " --probe 1,1 -o " + (folder / "w.fst")).code == 2);
+  CHECK(run("wave " + model("old_example011") + " --probe 1,1 -o " + (folder / "w.txt")).code == 2);
   CHECK(folder.files() == 0);
 }
 
@@ -204,8 +208,8 @@ TEST_CASE("a tolerance in pixels becomes one in model units, finer for a finer p
 }
 
 TEST_CASE("every command has help with an example") {
-  for (const std::string command :
-       {"render", "compile", "run", "disasm", "wave", "accuracy", "sweep", "levels", "machines", "isa"}) {
+  for (const std::string command : {"render", "compile", "run", "disasm", "debug", "diff", "wave", "accuracy", "sweep",
+                                    "levels", "machines", "isa"}) {
     const Outcome outcome = run(command + " --help");
     CAPTURE(command);
     CHECK(outcome.code == 0);
@@ -254,8 +258,8 @@ TEST_CASE("a missing file, a directory, an empty file and a syntax error are ref
 }
 
 TEST_CASE("a node that cannot be turned into half-spaces is named with its place") {
-  refuses(model("old_example006"), "old_example006.csg:5:5: hull()");
-  refuses_text("union() {\n  linear_extrude(height = 3) { square(size = 2); }\n}", "m.csg:2:3: linear_extrude()");
+  refuses_text("union() {\n  roof(method = \"voronoi\") { square(size = 2); }\n}", "m.csg:2:3: roof()");
+  refuses_text("union() {\n  fill() { square(size = 2); }\n}", "m.csg:2:3: fill()");
 }
 
 TEST_CASE("a hundred megabytes of brackets are refused quickly") {

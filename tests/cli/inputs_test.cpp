@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/base/address_sanitizer.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -77,7 +78,7 @@ TEST_CASE("an input without an end is refused at its limit, and not for the pict
   const Outcome machine = run_words({"render", "m.csg", "--machine", "mine.toml"}, folder.path());
   CHECK(machine.code == 1);
   CHECK(machine.err == "mine.toml: longer than 1 MiB; a machine is described in far less\n");
-#ifndef __SANITIZE_ADDRESS__  // which is slow to fill a GiB
+#if !CSGSIM_ADDRESS_SANITIZER  // which is slow to fill a GiB
   for (const std::string command : {"run", "disasm", "render"}) {
     const Outcome outcome = run_words({command, "/dev/zero"}, folder.path());
     CHECK(outcome.code == 1);

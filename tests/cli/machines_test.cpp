@@ -96,7 +96,6 @@ TEST_CASE("a Program for one kind of machine is refused by another, with what to
   CHECK(refused.code == 1);
   CHECK(one_line(refused.err));
   CHECK(refused.err.find("compile it for this machine") != std::string::npos);
-  CHECK(run("wave " + model("carburettor") + " --machine scan-line --probe 1,1 -o " + (folder / "w.vcd")).code == 1);
   const Outcome wide = run("render " + model("carburettor") + " --machine scan-line --size 600x20");
   CHECK(wide.code == 1);
   CHECK(wide.err.find("600 pixels is longer than the 512 cells") != std::string::npos);
@@ -115,6 +114,8 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
   for (std::size_t i = 0; i < 5; ++i) {
     CHECK(points[i]["picture"] == points[i + 5]["picture"]);
     CHECK(points[i]["halfspaces"] == points[i + 5]["halfspaces"]);
+    CHECK(points[i]["transistors"] ==
+          points[i]["processors"].get<std::uint64_t>() * points[i]["pixel_transistors"].get<std::uint64_t>());
     CHECK(points[i]["processor_clocks"] == points[i]["processors"].get<double>() * points[i]["clocks"].get<double>());
   }
   CHECK(points[5]["processors"] == 256);
@@ -126,6 +127,7 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
   CHECK(content(folder / "c/compare.csv") == table);
   REQUIRE(run(command + " --machines scan-line --no-plots").code == 0);
   CHECK(json(folder / "c/compare.json")["points"].size() == 5);
+  CHECK(json(folder / "c/compare.json")["points"][0]["transistors"].is_null());
   CHECK(run(command + " --machines nothing").code == 1);
 }
 

@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 
+#include "hw/base/address_sanitizer.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -21,6 +23,34 @@ TEST_CASE("a picture's name without a format, or in no folder, is refused and no
   CHECK(run(options + "-o " + (folder / "none/picture.png")).code == 1);
   CHECK(run(options + "--stats " + (folder / "none/s.json")).code == 1);
   CHECK(folder.files() == 0);
+}
+
+TEST_CASE("csgsim without its module of picture formats writes PNG, and says what other formats need") {
+  const Folder folder;
+  fs::copy_file(CSGSIM_BINARY_DIR "/csgsim", folder / "csgsim");
+  const auto draw = [&](const std::string& picture) {
+    const Outcome outcome =
+        run_program(folder / "csgsim",
+                    {"render", fs::absolute(model("old_example011")), "--size", "16x16", "-o", picture}, folder.path());
+    CAPTURE(outcome.err);
+    if (outcome.code != 0) CHECK(one_line(outcome.err));
+    return outcome;
+  };
+  const std::string needed = "p.tif: csgsim_pictures.so, the part of csgsim that writes this format, is in no folder";
+  CHECK(draw("p.png").code == 0);
+  const Outcome missing = draw("p.tif");
+  CHECK(missing.code == 1);
+  CHECK(missing.err.starts_with(needed));
+  CHECK(missing.err.find("cmake --install") != std::string::npos);
+  write(folder / "csgsim_pictures.so", "no library");
+  const Outcome broken = draw("p.tif");
+  CHECK(broken.code == 1);
+  CHECK(broken.err.starts_with("p.tif: " + (folder / "csgsim_pictures.so") + ", the part of csgsim"));
+  CHECK(broken.err.find("cmake --install") != std::string::npos);
+  fs::copy_file(CSGSIM_BINARY_DIR "/csgsim_pictures.so", folder / "csgsim_pictures.so",
+                fs::copy_options::overwrite_existing);
+  CHECK(draw("p.tif").code == 0);
+  CHECK(content(folder / "p.tif").starts_with("II*"));
 }
 
 TEST_CASE("an output that is a symbolic link stays one, and what it leads to is written") {
@@ -100,20 +130,50 @@ TEST_CASE("standard output that cannot be written is told") {
   }
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which reserves more address space than the limit
-TEST_CASE("a picture that memory does not hold is told with its size") {
-  const Folder folder;
-  const std::string command = "ulimit -v 600000; " + std::string(CSGSIM_BINARY_DIR) + "/csgsim render " +
-                              model("old_example011") + " --size 12000x11000 -o " + (folder / "p.png") + " 2>&1";
+#if !CSGSIM_ADDRESS_SANITIZER  // which reserves more address space than the limit
+
+namespace {
+
+/// What a command says on both streams under a limit of address space; it has to end with exit code 1.
+std::string said_within(int kilobytes, const std::string& words) {
+  const std::string command =
+      "ulimit -v " + std::to_string(kilobytes) + "; " + CSGSIM_BINARY_DIR + "/csgsim " + words + " 2>&1";
   FILE* const pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::string text(1000, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), pipe));
   CHECK(WEXITSTATUS(::pclose(pipe)) == 1);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a picture that memory does not hold is told with its size") {
+  const Folder folder;
+  const std::string text =
+      said_within(600000, "render " + model("old_example011") + " --size 12000x11000 -o " + (folder / "p.png"));
   CHECK(text.starts_with("12000 x 11000 pixels at the functional level take about 3.7 GB of memory\n"));
   const std::string last = text.substr(text.find('\n') + 1);
   CHECK(one_line(last));
   CHECK(last.find("memory for a picture of 12000 x 11000") != std::string::npos);
   CHECK(folder.files() == 0);
+}
+
+TEST_CASE("half-spaces that memory does not hold are told with their number, however small the picture") {
+  const Folder folder;
+  {
+    // 10,000 spheres beside each other, of 62 half-spaces each.
+    std::ofstream file(folder / "many.csg");
+    for (int i = 0; i < 10000; ++i) {
+      file << "multmatrix([[1,0,0," << i % 100 << "],[0,1,0," << i / 100
+           << "],[0,0,1,0],[0,0,0,1]]){sphere(r=0.4,$fn=12);}\n";
+    }
+  }
+  const std::string text =
+      said_within(150000, "render " + (folder / "many.csg") + " --size 64x64 -o " + (folder / "p.png"));
+  CHECK(one_line(text));
+  CHECK(text.find(" half-spaces of ") != std::string::npos);
+  CHECK(text.find("picture") == std::string::npos);
+  CHECK(folder.files() == 1);
 }
 #endif

@@ -7,8 +7,8 @@ namespace csgsim::testing::faults {
 
 namespace {
 
-const std::string pictures = " -o OUT/p.png --depth OUT/d.exr --owner OUT/o.exr --stats OUT/s.json";
-const std::vector<std::string> picture_files{"p.png", "d.exr", "o.exr", "s.json"};
+const std::string pictures = " -o OUT/p.png --depth OUT/d.exr --owner OUT/o.png --stats OUT/s.json";
+const std::vector<std::string> picture_files{"p.png", "d.exr", "o.png", "o.json", "s.json"};
 const std::string small_model = " SOURCE/tests/models/old_example011.csg --size 8x8";
 const std::string trace = " SOURCE/traces/thesis_fig_2_3.csgt";
 
@@ -40,7 +40,9 @@ const std::vector<Command>& commands() {
       {"render to standard output", "render" + small_model + " --stats /dev/stdout", {}, "", 0, 8},
       {"compile", "compile" + small_model + " -o OUT/p.csgt", {"p.csgt"}, "", 0, 8},
       {"run", "run" + trace + pictures, picture_files, "", 0, 2},
+      {"run with checkpoints", "run" + trace + " --checkpoint OUT/c.csgs -o OUT/p.png", {"c.csgs", "p.png"}, "", 0, 2},
       {"disasm", "disasm" + trace + " -o OUT/p.txt", {"p.txt"}, "", 0, 8},
+      {"explain", "explain" + trace + " --pixel 200,300 --json OUT/e.json", {"e.json"}, "", 0, 8},
       {"wave", "wave" + small_model + " --probe 1,1 --window 0:1000 -o OUT/w.vcd", {"w.vcd", "w.gtkw"}, "", 0, 8},
       {"subdivide", "subdivide" + small_model + " --levels 1 -o OUT/s.json", {"s.json"}, "", 0, 8},
       {"accuracy", accuracy, {"accuracy.json"}, "accuracy.csv", 0, 3},

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw/base/address_sanitizer.h"
 #include "tests/faults/commands.h"
 
 namespace {
@@ -52,7 +53,7 @@ Conditions with_fault(const Bench& bench, const std::string& fault) {
   Conditions conditions;
   conditions.environment = {{"LD_PRELOAD", CSGSIM_FAULT_LIBRARY}, {"CSGSIM_FAULT_REPORT", bench.report()}};
   if (!fault.empty()) conditions.environment["CSGSIM_FAULT"] = fault;
-#ifdef __SANITIZE_ADDRESS__
+#if CSGSIM_ADDRESS_SANITIZER
   conditions.environment["ASAN_OPTIONS"] = "verify_asan_link_order=0";
 #endif
   return conditions;
@@ -191,6 +192,10 @@ TEST_CASE("run leaves old files or whole new ones, one line and nothing else, wh
 
 TEST_CASE("disasm leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
   try_command("disasm");
+}
+
+TEST_CASE("explain leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
+  try_command("explain");
 }
 
 TEST_CASE("wave leaves old files or whole new ones, one line and nothing else, whichever call fails") {

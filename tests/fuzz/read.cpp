@@ -18,9 +18,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(promise.empty(), promise);
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.csg");
+    const bool has_strings = fuzz::text_of(data, size).find('"') != std::string_view::npos;
     const std::string_view message = error.what();
-    fuzz::require(std::ranges::all_of(message, [](char letter) { return letter >= ' ' && letter <= '~'; }),
-                  "a message of the reader is ASCII");
+    fuzz::require(
+        has_strings || std::ranges::all_of(message, [](char letter) { return letter >= ' ' && letter <= '~'; }),
+        "a message of the reader is ASCII, but for strings of the file");
   }
   return 0;
 }

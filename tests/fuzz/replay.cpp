@@ -1,11 +1,19 @@
-// Runs a libFuzzer target without libFuzzer: over the files of its corpus, and over mutations of them.
+// Runs a libFuzzer target without libFuzzer: over the files of its corpus, and over mutations of them. Tells what the
+// slowest took, and the most memory. A case that ends it, or takes longer than run.sh allows, is kept in the file
+// `finding` of the current folder.
 //   replay ROUNDS MOST_BYTES DICTIONARY FILE...
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -13,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/base/address_sanitizer.h"
 #include "tests/fuzz/property.h"
 
 /// Where a target has one, mutations go through it.
@@ -87,8 +96,41 @@ Mutator& mutator() {
   return one;
 }
 
+constexpr double most_seconds = CSGSIM_ADDRESS_SANITIZER == 1 ? 100 : 10;
+constexpr long most_kilobytes = 2048L * 1024;
+
+/// What is looked at now, for the handler of signals.
+std::string_view current;
+
+void keep_finding() {
+  const int file = open("finding", O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file >= 0 && write(file, current.data(), current.size()) >= 0) close(file);
+}
+
+extern "C" void keep_and_end(int number) {
+  keep_finding();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
+double slowest = 0;  ///< seconds of the processor
+
 void run(const std::string& text) {
+  current = text;
+  const std::clock_t begin = std::clock();
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  slowest = std::max(slowest, seconds);
+  if (seconds <= most_seconds) return;
+  keep_finding();
+  std::fprintf(stderr, "replay: a case took %.1f s; it is in the file 'finding'\n", seconds);
+  std::exit(1);
+}
+
+long peak_kilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
 }
 
 std::string mutation(std::size_t most) {
@@ -127,10 +169,12 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "replay: there is no word in %s\n", arguments[3]);
     return 1;
   }
+  for (const int number : {SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL}) std::signal(number, keep_and_end);
   for (int i = 4; i < count; ++i) {
     mutator().samples.push_back(content_of(arguments[i]));
     run(mutator().samples.back());
   }
   for (long rounds = std::strtol(arguments[1], nullptr, 10); rounds > 0; --rounds) run(mutation(most));
-  return 0;
+  std::printf("the slowest case took %.3f s, the most memory was %ld MiB\n", slowest, peak_kilobytes() / 1024);
+  return peak_kilobytes() > most_kilobytes ? 1 : 0;
 }

@@ -1,5 +1,5 @@
-#include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
+#include <png.h>
 
 #include <array>
 #include <fstream>
@@ -26,12 +26,12 @@ std::string trace(const std::string& name, const std::string& extension) {
 }
 
 std::vector<std::uint32_t> read_picture(const std::string& path) {
-  const auto input = OIIO::ImageInput::open(path);
-  REQUIRE(input);
-  const OIIO::ImageSpec spec = input->spec();
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * 3);
-  REQUIRE(spec.nchannels == 3);
-  REQUIRE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data()));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  REQUIRE(png_image_begin_read_from_file(&image, path.c_str()) != 0);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
+  REQUIRE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr) != 0);
   std::vector<std::uint32_t> pixels;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     pixels.push_back(static_cast<std::uint32_t>(bytes[i]) << 16U | static_cast<std::uint32_t>(bytes[i + 1]) << 8U |

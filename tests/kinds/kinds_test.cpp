@@ -5,6 +5,7 @@
 
 #include "hw/base/error.h"
 #include "hw/machines/description.h"
+#include "hw/machines/timeline.h"
 #include "sim/cycle/clocked_engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
@@ -91,6 +92,10 @@ TEST_CASE("a kind that stands in one room of its own is described, compiled for,
   CHECK(counted.frame.owner == whole.owner);
   CHECK(counted.result.clocks == program.segments.front().instructions.size() * 24 * 18 * 2);
   CHECK(worked_out.result.clocks == counted.result.clocks);
+  CHECK_THROWS_WITH_AS(machines::timeline(program, machine),
+                       "machines of the kind raster do not tell when their instructions are carried out; take another "
+                       "--machine",
+                       InputError);
   CHECK(worked_out.result.account == counted.result.account);
   CHECK(counted.stats["machine"]["kind"] == "raster");
   CHECK(counted.stats["account"]["parts"]["processor"]["working"] == counted.result.clocks);

@@ -16,10 +16,7 @@ namespace {
 /// Bit steps on all pixels, in no time: what an instruction means, whatever the processor takes for it.
 class Meaning {
  public:
-  explicit Meaning(const isa::ArrayShape& shape)
-      : trees_({shape.width, shape.height}),
-        leaves_(array::PlaneShape{shape.width, shape.height}.padded_words()),
-        pixels_(shape, 1) {}
+  explicit Meaning(const isa::ArrayShape& shape) : trees_({shape.width, shape.height}), pixels_(shape, 1) {}
 
   void begin(const isa::Region& region) { pixels_.reset(region.width, region.height); }
 
@@ -43,7 +40,7 @@ class Meaning {
 
   array::Sequencer sequencer_{1, 1};
   array::LinearEvaluator trees_;
-  array::Words leaves_;
+  array::StreamBit leaves_;
   array::PixelArray pixels_;
 };
 

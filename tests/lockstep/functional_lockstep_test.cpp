@@ -8,7 +8,6 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/validate.h"
 #include "sim/engine/engine.h"
-#include "sim/functional/array.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/support/random_program.h"
 
@@ -107,39 +106,38 @@ TEST_CASE("random Programs leave the same bits with every instruction set of the
   }
 }
 
-TEST_CASE("bands of rows together hold what the whole array holds") {
-  constexpr ArrayShape shape{70, 20, 72};
-  constexpr std::uint32_t cuts[] = {0, 7, 8, 20};
-  CHECK(rc::check([&] {
-    const Program program = *test::arbitrary_program(shape, 40);
-    const isa::Segment& segment = program.segments[0];
-    const auto [width, height] = std::pair(segment.region.width, segment.region.height);
-    sim::Array whole(width, 0, height, shape.memory_bits);
-    std::vector<sim::Array> bands;
-    for (std::size_t i = 0; i + 1 < std::size(cuts) && cuts[i] < height; ++i)
-      bands.emplace_back(width, cuts[i], std::min(cuts[i + 1], height) - cuts[i], shape.memory_bits);
+TEST_CASE("random Programs leave the same bits as the reference on several tiles, whole and in part") {
+  for (const auto& [width, height] : {std::pair{65U, 9U}, {130U, 70U}, {20U, 129U}})
+    require_lockstep({width, height, 72}, 30);
+}
 
-    std::vector<std::uint32_t> expected(std::size_t{width} * height);
-    std::vector<std::uint32_t> found(expected.size());
-    for (const Instruction& instruction : segment.instructions) {
-      const std::uint64_t overflows = whole.execute(instruction);
-      std::uint64_t banded_overflows = 0;
-      std::uint64_t banded_enabled = 0;
-      for (sim::Array& band : bands) {
-        banded_overflows += band.execute(instruction);
-        banded_enabled += band.enabled();
+TEST_CASE("blocks that corners decide keep the very pixel at which F meets a number, at tiles' sides too") {
+  const Field z{0, 20};
+  const Field other{20, 20};
+  constexpr std::uint64_t most = 0xfffff;
+  for (const std::int64_t a : {0, 1, -1, 4096, -3'000'000, 40'000'000})
+    for (const std::int64_t level : {std::int64_t{0}, std::int64_t{500'000}, std::int64_t{most}})
+      for (const std::int64_t beside : {-1, 0, 1}) {
+        CAPTURE(a);
+        CAPTURE(level);
+        CAPTURE(beside);
+        // Meets the level at column 64, row 3.
+        const isa::Linear plane{.a = a, .b = 7, .c = (level << 12U) + beside - 64 * a - 21, .width = 50, .shift = 12};
+        const isa::Linear half{.a = 3, .b = -2, .c = -120, .width = 24, .shift = 0};
+        std::vector<Instruction> program{op(Opcode::enable_all), set(z, static_cast<std::uint64_t>(level))};
+        for (const Opcode opcode : {Opcode::linear_ge, Opcode::linear_gt, Opcode::linear_le, Opcode::linear_lt,
+                                    Opcode::linear_eq, Opcode::keep_max, Opcode::keep_min}) {
+          program.push_back(op(Opcode::enable_all));
+          program.push_back(with(opcode, z, plane));
+        }
+        program.push_back(op(Opcode::enable_all));
+        program.push_back(with(Opcode::edge_not_negative, {}, half));
+        program.push_back(with(Opcode::load_linear, other, plane));
+        program.push_back(with(Opcode::keep_max, other, half));
+        program.push_back(op(Opcode::field_le, z, other));
+        program.push_back(op(Opcode::copy, z, other));
+        CHECK(difference(program_of({70, 9, 40}, program)) == "");
       }
-      RC_ASSERT(banded_overflows == overflows);
-      RC_ASSERT(banded_enabled == whole.enabled());
-      for (const Field field : {Field{0, 32}, Field{32, 32}, Field{64, 8}}) {
-        whole.read_field(field, expected);
-        for (const sim::Array& band : bands)
-          band.read_field(
-              field, std::span(found).subspan(std::size_t{width} * band.first_row(), std::size_t{width} * band.rows()));
-        RC_ASSERT(found == expected);
-      }
-    }
-  }));
 }
 
 TEST_CASE("a field used as a number and then bit by bit keeps its bits") {
@@ -269,7 +267,7 @@ TEST_CASE("random Programs skip, and have skips that skip nothing") {
   CHECK(skips.passed > 0);
 }
 
-TEST_CASE("one pixel in any band of rows keeps all bands from skipping") {
+TEST_CASE("one pixel in any tile keeps all tiles from skipping") {
   const ArrayShape shape{70, 13, 40};
   const machines::Machine machine = test::machine_of(shape, 1);
   Instruction skip = op(Opcode::skip_if_none);

@@ -3,80 +3,67 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/timing.h"
 #include "hw/pixel_planes/kind.h"
+#include "sim/engine/run.h"
+#include "sim/lockstep/lockstep.h"
 
 namespace csgsim::test {
 
 namespace {
 
-constexpr unsigned slice_width = 32;
+/// What is told of an instruction besides the state after it.
+struct Told {
+  std::uint32_t segment = 0;
+  std::uint32_t index = 0;
+  std::uint64_t clocks = 0;
+  std::uint64_t enabled_pixels = 0;
+};
 
-Boundary boundary_of(const sim::Step& step, const sim::PixelState& state, std::uint32_t memory_bits) {
-  const isa::Region region = state.region();
-  Boundary boundary{.segment = step.segment,
-                    .index = step.index,
-                    .clocks = step.clocks,
-                    .enabled_pixels = step.enabled_pixels,
-                    .enable = std::vector<std::uint64_t>((region.width + 63U) / 64U * region.height),
-                    .memory = {}};
-  state.read_enable(boundary.enable);
-  for (unsigned base = 0; base < memory_bits; base += slice_width) {
-    const isa::Field slice{static_cast<std::uint16_t>(base),
-                           static_cast<std::uint16_t>(std::min(slice_width, memory_bits - base))};
-    state.read_field(slice, boundary.memory.emplace_back(std::size_t{region.width} * region.height));
-  }
-  return boundary;
-}
-
-/// Keeps every boundary of a run.
+/// Keeps what is told of a run, but for states.
 class Recorder final : public sim::Observer {
  public:
-  explicit Recorder(std::uint32_t memory_bits) : memory_bits_(memory_bits) {}
-
-  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
-    boundaries.push_back(boundary_of(step, state, memory_bits_));
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
+  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+    boundaries.push_back({step.segment, step.index, step.clocks, step.enabled_pixels});
   }
   void after_segment(std::uint32_t segment, const sim::PixelState& /*state*/) override { segments.push_back(segment); }
 
-  std::vector<Boundary> boundaries;
+  std::vector<Told> boundaries;
   std::vector<std::uint32_t> segments;
-
- private:
-  std::uint32_t memory_bits_;
 };
 
-std::string what_differs(const Boundary& expected, const Boundary& actual) {
-  if (expected.clocks != actual.clocks) return fmt::format("{} clocks, not {}", actual.clocks, expected.clocks);
-  if (expected.enabled_pixels != actual.enabled_pixels) {
-    return fmt::format("{} enabled pixels, not {}", actual.enabled_pixels, expected.enabled_pixels);
+std::string what_differs(const sim::Divergence& difference) {
+  if (!difference.pixel) {
+    const sim::TwoValues& other = difference.otherwise.value();
+    return fmt::format("{} {}, not {}", other.name, other.a, other.b);
   }
-  if (expected.enable != actual.enable) return "enable";
-  for (std::size_t slice = 0; slice < expected.memory.size(); ++slice) {
-    const auto& [a, b] = std::pair(expected.memory[slice], actual.memory[slice]);
-    const auto [at, other] = std::mismatch(a.begin(), a.end(), b.begin());
-    if (at == a.end()) continue;
-    return fmt::format("memory from bit {} of pixel {}: {:#x}, not {:#x}", slice * slice_width, at - a.begin(), *other,
-                       *at);
-  }
-  return "order";
+  std::string text = fmt::format("pixel {},{}:", difference.pixel->x, difference.pixel->y);
+  for (const sim::TwoValues& field : difference.pixel->fields)
+    text += fmt::format(" {} {:#x}, not {:#x}", field.name, field.a, field.b);
+  return text;
 }
 
 void require(bool holds, const std::string& text) {
   if (!holds) throw Difference(text);
 }
 
-void check_boundary(const Boundary& expected, const Boundary& actual, const isa::Program& program,
-                    std::string_view level) {
-  if (expected == actual) return;
-  const isa::Instruction& instruction = program.segments[expected.segment].instructions[expected.index];
-  throw Difference(fmt::format("{} engine, segment {} instruction {} ({}): {}", level, expected.segment, expected.index,
-                               isa::name_of(instruction.opcode), what_differs(expected, actual)));
+/// `level` ran as A.
+void check_states(const std::optional<sim::Divergence>& difference, const isa::Program& program,
+                  std::string_view level) {
+  if (!difference) return;
+  const auto [segment, index] = difference->place;
+  const isa::Instruction& instruction = program.segments[segment].instructions[index];
+  throw Difference(fmt::format("{} engine, segment {} instruction {} ({}): {}", level, segment, index,
+                               isa::name_of(instruction.opcode), what_differs(*difference)));
 }
 
 std::size_t instructions_of(const isa::Program& program) {
@@ -88,7 +75,7 @@ std::size_t instructions_of(const isa::Program& program) {
 /// The questions after which the run skipped instructions.
 std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& program) {
   std::vector<machines::Skip> skips;
-  for (const Boundary& boundary : run.boundaries) {
+  for (const Told& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
     const bool skips_if_none = instruction.opcode == isa::Opcode::skip_if_none;
     if (skips_if_none && boundary.enabled_pixels == 0) skips.push_back({boundary.segment, boundary.index});
@@ -98,7 +85,7 @@ std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& pr
 
 void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::Program& program,
                   const machines::Machine& machine, std::string_view level) {
-  for (const Boundary& boundary : run.boundaries) {
+  for (const Told& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
     require(boundary.clocks == machines::clocks(instruction, machine),
             fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::name_of(instruction.opcode)));
@@ -121,18 +108,20 @@ void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::
 
 Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
                        const machines::Machine& machine) {
-  Recorder expected(program.shape.memory_bits);
-  Recorder actual(program.shape.memory_bits);
+  Recorder expected;
+  Recorder actual;
   sim::Observer* const expected_observers[] = {&expected};
-  sim::Observer* const actual_observers[] = {&actual};
-  sim::RunResult expected_result = judge.run(program, expected_observers);
+  const std::unique_ptr<sim::Run> judged = judge.begin(program);
+  sim::Lockstep lockstep(program, program, *judged, {}, expected_observers);
+  sim::Observer* const actual_observers[] = {&actual, &lockstep};
   sim::RunResult actual_result = engine.run(program, actual_observers);
+  lockstep.finish();
+  sim::RunResult expected_result = judged->result();
 
+  check_states(lockstep.divergence(), program, engine.level());
   require(expected.boundaries.size() == actual.boundaries.size(),
           fmt::format("{} instruction boundaries, not {}", actual.boundaries.size(), expected.boundaries.size()));
-  for (std::size_t i = 0; i < expected.boundaries.size(); ++i) {
-    check_boundary(expected.boundaries[i], actual.boundaries[i], program, engine.level());
-  }
+  require(lockstep.compared() == actual.boundaries.size(), "not every boundary was compared");
   require(expected.segments == actual.segments, "the ends of the segments differ");
   require(expected_result.overflows == actual_result.overflows,
           fmt::format("{} overflows, not {}", actual_result.overflows, expected_result.overflows));

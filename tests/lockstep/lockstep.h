@@ -10,18 +10,6 @@
 
 namespace csgsim::test {
 
-/// All that two engines have to agree on at one instruction boundary.
-struct Boundary {
-  std::uint32_t segment = 0;
-  std::uint32_t index = 0;
-  std::uint64_t clocks = 0;
-  std::uint64_t enabled_pixels = 0;
-  std::vector<std::uint64_t> enable;
-  std::vector<std::vector<std::uint32_t>> memory;  ///< values of 32-bit slices of pixel memory, from bit 0 up
-
-  bool operator==(const Boundary&) const = default;
-};
-
 /// Where two engines differ first.
 class Difference : public std::runtime_error {
  public:
@@ -34,8 +22,9 @@ struct Results {
   sim::RunResult engine;
 };
 
-/// Runs the Program on both engines and throws Difference unless they agree at every instruction boundary, in the
-/// answers, overflows and clocks, and the clocks are those of hw/machines and add up.
+/// Runs the Program on both engines, the judge's level being one that can stop, and throws Difference unless they agree
+/// at every instruction boundary, in the answers, overflows and clocks, and the clocks are those of hw/machines and add
+/// up.
 Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
                        const machines::Machine& machine);
 

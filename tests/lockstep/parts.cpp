@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hw/isa/validate.h"
+#include "sim/cycle/clocked_engine.h"
 #include "tests/lockstep/lockstep.h"
 
 namespace csgsim::test {
@@ -41,14 +42,18 @@ class Picture final : public sim::Observer {
 }  // namespace
 
 bool agree_in_parts(const std::string& what, const machines::Machine& machine,
-                    const std::function<isa::Program()>& any_program) {
+                    const std::function<isa::Program()>& any_program,
+                    const std::function<void(const isa::Program&, const TimedMachine&)>& check) {
   const auto reference = sim::make_reference_engine(machine);
   const auto functional = sim::make_functional_engine(machine);
-  const auto cycle = sim::make_cycle_engine(machine);
+  TimedMachine hardware(machine);
+  const auto cycle = sim::make_clocked_engine(machine, hardware);
   return rc::check(what, [&] {
     const isa::Program program = any_program();
     isa::validate(program);
     const sim::RunResult counted = check_lockstep(*reference, *cycle, program, machine).engine;
+    check(program, hardware);
+    if (*rc::gen::inRange(0, 3) == 0) hardware.check_wave(program, *reference);
     Picture picture(program);
     sim::Observer* const observers[] = {&picture};
     const sim::RunResult expected = functional->run(program, observers);

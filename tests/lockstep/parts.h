@@ -5,12 +5,14 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "tests/lockstep/timed_machine.h"
 
 namespace csgsim::test {
 
 /// Draws Programs on a clocked machine that works on parts of the picture, and holds them against the reference's bits,
-/// the functional engine's picture, clocks and account.
+/// the functional engine's picture, clocks and account. `check`: of when they were carried out, after each.
 bool agree_in_parts(const std::string& what, const machines::Machine& machine,
-                    const std::function<isa::Program()>& any_program);
+                    const std::function<isa::Program()>& any_program,
+                    const std::function<void(const isa::Program&, const TimedMachine&)>& check);
 
 }  // namespace csgsim::test

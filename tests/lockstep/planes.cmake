@@ -2,7 +2,7 @@
 # planes.cpp.
 add_executable(lockstep_planes planes.cpp row.cpp)
 target_link_libraries(lockstep_planes PRIVATE
-  csgsim_lockstep csgsim_random_program csgsim::reference csgsim::cycle fmt::fmt csgsim_flags)
+  csgsim_timed_machine csgsim_random_program csgsim::reference csgsim::cycle fmt::fmt csgsim_flags)
 foreach(row IN ITEMS
     "link=1 depth=1" "link=1 depth=300 latency=3" "link=2 depth=7 word=2" "link=7 depth=3 latency=1 word=3 clear=5"
     "link=13 depth=2 latency=9 fan_in=2" "link=16 depth=1 latency=2 fan_in=64 clear=40"

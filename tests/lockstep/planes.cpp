@@ -1,6 +1,6 @@
 // lockstep_planes KEY=NUMBER...: draws random Programs on the clocked frame-buffer machine with those figures and holds
-// them against the reference's bits and answers, and the clocks and the account that are worked out. One machine a
-// process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
+// them against the reference's bits and answers, and the clocks, the account and the timeline that are worked out. One
+// machine a process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
@@ -16,9 +16,11 @@
 #include "hw/machines/regions.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/timing.h"
+#include "sim/cycle/clocked_engine.h"
 #include "sim/cycle/sequence.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/lockstep/row.h"
+#include "tests/lockstep/timed_machine.h"
 #include "tests/support/random_program.h"
 
 namespace csgsim::test {
@@ -133,8 +135,9 @@ bool agree_in_sequences(const Settings& settings) {
 bool agree(const Settings& settings) {
   const machines::Machine& machine = settings.machine;
   const auto reference = sim::make_reference_engine(machine);
-  const auto cycle = sim::make_cycle_engine(machine);
-  return rc::check("the clocked frame-buffer machine leaves the bits, clocks and account worked out", [&] {
+  TimedMachine hardware(machine);
+  const auto cycle = sim::make_clocked_engine(machine, hardware);
+  return rc::check("the clocked frame-buffer machine leaves the bits, clocks, account and timeline worked out", [&] {
     const isa::Program program = *arbitrary_program(drawn_in(machine, isa::max_field_width), settings.instructions);
     const sim::RunResult expected = reference->run(program, {});
     const sim::RunResult counted = cycle->run(program, {});
@@ -143,6 +146,7 @@ bool agree(const Settings& settings) {
     }
     RC_ASSERT(adds_up(counted));
     check_lockstep(*reference, *cycle, program, machine);
+    hardware.check_timeline(program);
   });
 }
 

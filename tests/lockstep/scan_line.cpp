@@ -16,8 +16,10 @@
 
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
+#include "sim/cycle/clocked_engine.h"
 #include "sim/observe/frame.h"
 #include "tests/lockstep/lockstep.h"
+#include "tests/lockstep/timed_machine.h"
 #include "tests/support/random_program.h"
 
 namespace csgsim::test {
@@ -72,10 +74,13 @@ int run(std::span<const std::uint32_t> figures) {
   ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[16]).c_str(), 0);
   const auto judge = sim::make_reference_engine(machine);
   const auto drawing = sim::make_functional_engine(machine);
-  const auto engine = sim::make_cycle_engine(machine);
+  TimedMachine hardware(machine);
+  const auto engine = sim::make_clocked_engine(machine, hardware);
   const bool agree = rc::check("the clocked scan-line array agrees with the reference", [&] {
     const auto program = *arbitrary_program_in_parts(machine, figures[17]);
     check_lockstep(*judge, *engine, program, machine);
+    hardware.check_timeline(program);
+    if (*rc::gen::inRange(0, 3) == 0) hardware.check_wave(program, *judge);
     check_pictures(*drawing, *engine, program);
     RC_ASSERT(engine->run(program, {}).overflows == judge->run(program, {}).overflows);
   });

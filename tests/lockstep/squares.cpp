@@ -1,7 +1,7 @@
 // lockstep_squares KEY=NUMBER...: draws random Programs, or with divider=1 random models, on the clocked pixel-square
 // machine with those figures and
-// holds them against the reference's bits, the functional engine's picture, clocks and account. One machine a process,
-// as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
+// holds them against the reference's bits, the functional engine's picture, clocks, account and timeline. One machine a
+// process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 
@@ -79,10 +79,12 @@ Settings read_settings(int count, char** arguments) {
 bool agree(const Settings& settings) {
   const machines::Machine& machine = settings.machine;
   return agree_in_parts(
-      "the clocked pixel-square machine leaves the bits, picture, clocks and account worked out", machine, [&] {
+      "the clocked pixel-square machine leaves the bits, picture, clocks, account and timeline worked out", machine,
+      [&] {
         return machines::division(machine) ? any_divided_program(machine)
                                            : *arbitrary_program_in_parts(machine, settings.instructions);
-      });
+      },
+      [](const isa::Program& program, const TimedMachine& hardware) { hardware.check_timeline(program); });
 }
 
 }  // namespace

@@ -3,19 +3,19 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/timing.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/pixel_planes.h"
-#include "sim/cycle/record.h"
+#include "hw/systemc/wave_recorder.h"
+#include "hw/wave/vcd_writer.h"
+#include "sim/cycle/clocked_engine.h"
 #include "tests/lockstep/lockstep.h"
 
 namespace {
@@ -95,11 +95,6 @@ Instruction pixel_number(Field field) {
 }
 
 Instruction skip(std::uint64_t count) { return {.opcode = Opcode::skip_if_none, .constant = count}; }
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 csgsim::machines::Machine machine_8x8() { return csgsim::test::machine_of(shape_8x8, 1); }
 
@@ -364,99 +359,119 @@ TEST_CASE("the engine scans out the colour field after the program") {
   CHECK(result.clocks == lead + 1 + latency_8x8);
 }
 
-TEST_CASE("a window of a run is recorded as VCD, and what lies outside it is not") {
-  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_window.vcd";
-  std::filesystem::remove(file);
-  PixelPlanes machine("machine", machine_8x8());
-  RunListener nobody;
-  const Program program = program_of(
-      {segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6}), {.opcode = Opcode::enable_invert}})});
-  machine.record({.file = file, .begin = 5, .end = 12, .probes = {{3, 2}, {7, 7}}, .fields = {{"the z", {3, 6}, {}}}});
-  CHECK(machine.run(program, nobody).recorded);
-  const std::string text = contents(file);
-  for (const char* name : {"clock", "opcode_text", "purpose_text", "tree_bit", "carry", "enable", "the_z"}) {
-    CAPTURE(name);
-    CHECK(text.find(name) != std::string::npos);
-  }
-  CHECK(text.find("pixel_3_2") != std::string::npos);
-  CHECK(text.find("\n#600000\n") ==
-        std::string::npos);  // the edge of clock 5: the window's values come first, unstamped
-  CHECK(text.find("\n#700000\n") != std::string::npos);   // of clock 6
-  CHECK(text.find("\n#1200000\n") != std::string::npos);  // of clock 11
-  CHECK(text.find("\n#1400000\n") == std::string::npos);  // of clock 13
+/// A dump of a run, with the recorder beside the machine.
+class Dump {
+ public:
+  explicit Dump(const PixelPlanes& machine) : machine_(machine), recorder_("recorder", machine.period()) {}
 
-  CHECK_FALSE(machine.run(program, nobody).recorded);
-  CHECK(contents(file) == text);
-  machine.record({.file = file, .begin = 1000, .end = 1001, .probes = {}, .fields = {}});
-  CHECK_FALSE(machine.run(program, nobody).recorded);
-  CHECK(contents(file) == text);
+  void begin(const Program& program, std::vector<csgsim::wave::Window> windows,
+             std::vector<csgsim::wave::Pixel> pixels) {
+    text.clear();
+    csgsim::wave::Request request{
+        .windows = std::move(windows), .pixels = std::move(pixels), .tree_levels = {}, .write = {}};
+    csgsim::wave::VcdWriter writer("top", machine_.taps(program, request), 100'000,
+                                   [this](std::string_view piece) { text += piece; });
+    recorder_.arm(std::move(writer), request.windows, 0, false);
+  }
+  bool finish() { return recorder_.finish(); }
+
+  std::string text;
+
+ private:
+  const PixelPlanes& machine_;
+  csgsim::kernel::WaveRecorder recorder_;
+};
+
+TEST_CASE("a window of a run is recorded, and what lies outside it is not") {
+  PixelPlanes machine("machine", machine_8x8());
+  Dump dump(machine);
+  RunListener nobody;
+  Program program = program_of(
+      {segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6}), {.opcode = Opcode::enable_invert}})});
+  program.facts.fields = {{"the z", {3, 6}, {}}};
+  dump.begin(program, {{5, 12}}, {{3, 2}, {7, 7}});
+  machine.run(program, nobody);
+  CHECK(dump.finish());
+  for (const char* name : {"clock", "text", "purpose", "tree_bit", "carry", "enable", "the_z", "pixel_3_2"}) {
+    CAPTURE(name);
+    CHECK(dump.text.find(name) != std::string::npos);
+  }
+  CHECK(dump.text.find("\n#500000\n") == std::string::npos);   // of clock 4
+  CHECK(dump.text.find("\n#600000\n") != std::string::npos);   // of clock 5
+  CHECK(dump.text.find("\n#1200000\n") != std::string::npos);  // of clock 11
+  CHECK(dump.text.find("\n#1350000\n") == std::string::npos);  // the middle of clock 12
+
+  dump.begin(program, {{1000, 1001}}, {});
+  machine.run(program, nobody);
+  CHECK_FALSE(dump.finish());
+  CHECK(dump.text.find("\n#") == std::string::npos);
+}
+
+TEST_CASE("between two windows nothing is known") {
+  PixelPlanes machine("machine", machine_8x8());
+  Dump dump(machine);
+  RunListener nobody;
+  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, {.opcode = Opcode::enable_invert}})});
+  dump.begin(program, {{1, 3}, {6, 8}}, {});
+  machine.run(program, nobody);
+  CHECK(dump.finish());
+  CHECK(dump.text.find("#400000\n$dumpoff\nx!\n") != std::string::npos);
+  CHECK(dump.text.find("#700000\n$dumpon\n1!\n") != std::string::npos);
+  CHECK(dump.text.find("#500000\n") == std::string::npos);
 }
 
 TEST_CASE("after a jump the wave shows the next instruction when the host has gone on") {
-  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_skip.vcd";
   PixelPlanes machine("machine", machine_8x8());
+  Dump dump(machine);
   RunListener nobody;
   const Instruction all{.opcode = Opcode::enable_all};
   const Program program = program_of({segment_of({skip(2), all, all, {.opcode = Opcode::enable_invert}, all})});
-  machine.record({.file = file, .begin = 4, .end = 20, .probes = {}, .fields = {}});
-  CHECK(machine.run(program, nobody).recorded);
-  const std::string text = contents(file);
+  dump.begin(program, {{4, 20}}, {});
+  machine.run(program, nobody);
+  CHECK(dump.finish());
   const auto between = [&](const char* from, const char* to) {
-    const std::size_t begin = text.find(from);
-    return text.substr(begin, text.find(to) - begin);
+    const std::size_t begin = dump.text.find(from);
+    return dump.text.substr(begin, dump.text.find(to) - begin);
   };
   // controller.instruction: the question from clock 5 on, its answer at clock 12, the fourth and the fifth instruction
   // at clocks 16 and 17, which begin a period later.
-  CHECK(between("\n#600000\n", "\n#1700000\n").find("\nb11 ") == std::string::npos);
-  CHECK(between("\n#1700000\n", "\n#1800000\n").find("\nb11 ") != std::string::npos);
-  CHECK(between("\n#1800000\n", "\n#1900000\n").find("\nb100 ") != std::string::npos);
+  const std::size_t name = dump.text.find(" instruction [31:0]");
+  const std::string code = dump.text.substr(dump.text.rfind(' ', name - 1) + 1, 1) + "\n";
+  CHECK(between("\n#600000\n", "\n#1700000\n").find("\nb11 " + code) == std::string::npos);
+  CHECK(between("\n#1700000\n", "\n#1800000\n").find("\nb11 " + code) != std::string::npos);
+  CHECK(between("\n#1800000\n", "\n#1900000\n").find("\nb100 " + code) != std::string::npos);
 }
 
-TEST_CASE("a window beyond the program's end is closed with the program, and probes outside the array are refused") {
-  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_end.vcd";
+TEST_CASE("a window beyond the program's end is closed with the program, and what the machine has not is refused") {
   PixelPlanes machine("machine", machine_8x8());
+  Dump dump(machine);
   Stopwatch watch(machine);
-  const Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, constant({0, 4}, 5)})});
-  machine.record({.file = file, .begin = 0, .end = 1000, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
-  CHECK(machine.run(program, watch).recorded);
-  CHECK(contents(file).find("b101 ") != std::string::npos);
-  CHECK_THROWS_AS(machine.record({.file = file, .begin = 0, .end = 1, .probes = {{8, 0}}, .fields = {}}),
-                  std::invalid_argument);
-  machine.record({.file = file, .begin = 5, .end = 7, .probes = {{0, 0}}, .fields = {{"k", {0, 4}, {}}}});
-  CHECK(machine.run(program, watch).recorded);
-  CHECK(contents(file).find("opcode_text") != std::string::npos);
+  Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, constant({0, 4}, 5)})});
+  program.facts.fields = {{"k", {0, 4}, {}}};
+  dump.begin(program, {{0, 1000}}, {{0, 0}});
+  machine.run(program, watch);
+  CHECK(dump.finish());
+  CHECK(dump.text.find("b101 ") != std::string::npos);
+  using csgsim::wave::TreeLevel;
+  CHECK_THROWS_AS((void)machine.taps(program, {{}, {{8, 0}}, {}, {}}), csgsim::InputError);
+  CHECK_THROWS_AS((void)machine.taps(program, {{}, {{0, 0}}, {{TreeLevel::Axis::x, 4}}, {}}), csgsim::InputError);
+  CHECK_NOTHROW((void)machine.taps(program, {{}, {{0, 0}}, {{TreeLevel::Axis::x, 3}}, {}}));
 }
 
 TEST_CASE("a wave goes on beyond the drawing, as long as the picture is shown") {
-  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_scan_out.vcd";
   PixelPlanes machine("machine", machine_8x8());
+  Dump dump(machine);
   RunListener nobody;
   const Program program =
       shown(program_of({segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6})})}), {3, 6});
-  machine.record({.file = file, .begin = 0, .end = 1000, .probes = {}, .fields = {}});
+  dump.begin(program, {{0, 1000}}, {});
   const auto report = machine.run(program, nobody);
-  CHECK(report.recorded);
-  const std::string text = contents(file);
+  CHECK(dump.finish());
   for (const char* name : {"picture_finished", "picture_latched", "refreshes_asked", "video"}) {
     CAPTURE(name);
-    CHECK(text.find(name) != std::string::npos);
+    CHECK(dump.text.find(name) != std::string::npos);
   }
-  CHECK(text.find("b111110 ") != std::string::npos);  // the colour of the last pixel but one, 62
-  CHECK(text.find("\n#" + std::to_string((report.shown_clocks - 1) * 100'000)) != std::string::npos);
-  CHECK(text.find("\n#" + std::to_string((report.shown_clocks + 2) * 100'000)) == std::string::npos);
-}
-
-TEST_CASE("a Program run for its wave has the result of any other run") {
-  const std::filesystem::path file = std::filesystem::path(CSGSIM_BINARY_DIR) / "test_wave_program.vcd";
-  std::filesystem::remove(file);
-  csgsim::isa::Program program;
-  program.shape = shape_8x8;
-  program.segments = {segment_of({{.opcode = Opcode::enable_all}, {.opcode = Opcode::global_or}})};
-  const auto plain = csgsim::sim::make_cycle_engine(machine_8x8())->run(program, {});
-  const auto recorded = csgsim::sim::run_and_record(machine_8x8(), program, {},
-                                                    {.file = file, .begin = 0, .end = 3, .probes = {}, .fields = {}});
-  CHECK(recorded.window_reached);
-  CHECK(recorded.result.clocks == plain.clocks);
-  CHECK(recorded.result.answers == plain.answers);
-  CHECK(std::filesystem::exists(file));
+  CHECK(dump.text.find("b111110 ") != std::string::npos);  // the colour of the last pixel but one, 62
+  CHECK(dump.text.find("\n#" + std::to_string((report.shown_clocks - 1) * 100'000)) != std::string::npos);
+  CHECK(dump.text.find("\n#" + std::to_string((report.shown_clocks + 3) * 100'000)) == std::string::npos);
 }

@@ -12,7 +12,6 @@
 #include "hw/pixel_planes/kind.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
-#include "sim/cycle/record.h"
 #include "sim/engine/engine.h"
 
 namespace {
@@ -180,8 +179,4 @@ TEST_CASE("one process clocks one machine, of one kind") {
   other.link.fifo_depth = 5;
   CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
   CHECK_THROWS_AS(sim::make_cycle_engine(machines::blank(pixel_planes::kind)), std::logic_error);
-}
-
-TEST_CASE("waves of a machine that draws squares are refused") {
-  CHECK_THROWS_AS(sim::run_and_record(machine_8x8(), slow_square_first(), {}, {}), InputError);
 }

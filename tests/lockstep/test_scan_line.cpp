@@ -15,7 +15,6 @@
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
 #include "hw/scan_line/scan_line_array.h"
-#include "sim/cycle/record.h"
 #include "sim/engine/engine.h"
 
 namespace {
@@ -162,9 +161,4 @@ TEST_CASE("a SystemC machine of another kind in one process is refused") {
   CHECK_THROWS_AS(sim::make_cycle_engine(machine_of(4, {4, 2}, 2)), std::logic_error);
   const machines::Machine other = machines::blank(pixel_planes::kind);
   CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
-}
-
-TEST_CASE("waves of a scan-line array are refused") {
-  const machines::Machine machine = machine_of(4, {4, 2});
-  CHECK_THROWS_AS(sim::run_and_record(machine, program_of(machine, {}), {}, {}), InputError);
 }

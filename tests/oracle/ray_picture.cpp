@@ -1,5 +1,6 @@
 #include "tests/oracle/ray_picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
@@ -86,6 +87,12 @@ std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Scene& 
     for (std::uint32_t x = 0; x < shot.width; ++x) picture.push_back(camera.pixel({x, y}));
   }
   return picture;
+}
+
+double off_by(std::uint32_t packed, const glm::dvec3& expected) {
+  const glm::dvec3 levels{packed >> 16U & 0xffU, packed >> 8U & 0xffU, packed & 0xffU};
+  const glm::dvec3 off = glm::abs(levels - 255.0 * expected);
+  return std::max({off.x, off.y, off.z});
 }
 
 }  // namespace csgsim::testing

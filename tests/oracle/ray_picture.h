@@ -52,4 +52,7 @@ struct RayColour {
 std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Scene& facets, const scene::Scene& scene,
                                    const RayShot& shot, const RayEffects& effects = {}, const RayDoubt& doubt = {});
 
+/// Levels of 255 by which a colour of 24 bits is off, of the channel that is most.
+double off_by(std::uint32_t packed, const glm::dvec3& expected);
+
 }  // namespace csgsim::testing

@@ -1,11 +1,23 @@
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... -P package.cmake: installs csgsim and builds a project that uses it.
+# cmake -DBUILD=... -DSOURCE=... -DWORK=... -P package.cmake: installs csgsim, moves it, and builds a project that uses
+# it; both write pictures there.
 function(run)
-  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY WORKING_DIRECTORY ${WORK})
+endfunction()
+function(require_file name)
+  if(NOT EXISTS ${WORK}/${name})
+    message(FATAL_ERROR "there is no ${name}")
+  endif()
 endfunction()
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+file(MAKE_DIRECTORY ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+file(RENAME ${WORK}/installed ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/package -B ${WORK}/user -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
     -DCMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK}/user)
 run(${WORK}/user/user)
+require_file(user.png)
+require_file(user.tif)
 run(${WORK}/prefix/bin/csgsim --version)
+run(${WORK}/prefix/bin/csgsim render ${SOURCE}/tests/models/old_example011.csg --size 16x16 -o installed.tif)
+require_file(installed.tif)

@@ -8,6 +8,7 @@
 #include "hw/machines/machine.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
+#include "sim/observe/pictures.h"
 
 int main() {
   using namespace csgsim;
@@ -23,6 +24,11 @@ int main() {
   sim::Observer* const observers[] = {&frame};
   const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
   const bool seen = frame.frame().owner[16 * 32 + 16] == 0;
+  for (const char* const name : {"user.png", "user.tif"}) {
+    OutputFile file(name);
+    sim::write_picture(file, frame.frame(), program);
+    file.commit();
+  }
   std::printf("%llu clocks\n", static_cast<unsigned long long>(result.clocks));
   return seen && result.clocks > 0 ? 0 : 1;
 }

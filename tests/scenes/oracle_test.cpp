@@ -80,12 +80,6 @@ double bound_of(const testing::RayEffects& effects, std::size_t samples) {
          (samples > 1 ? 1 : 0);
 }
 
-double off_by(std::uint32_t packed, const glm::dvec3& expected) {
-  const glm::dvec3 levels{packed >> 16U & 0xffU, packed >> 8U & 0xffU, packed & 0xffU};
-  const glm::dvec3 off = glm::abs(levels - expected * 255.0);
-  return std::max({off.x, off.y, off.z});
-}
-
 }  // namespace
 
 TEST_CASE("every scene shows what rays say, wherever rounding cannot decide otherwise") {
@@ -109,7 +103,7 @@ TEST_CASE("every scene shows what rays say, wherever rounding cannot decide othe
     for (std::size_t i = 0; i < expected.size(); ++i) {
       if (!expected[i].is_certain) continue;
       ++judged;
-      const double off = off_by(frame.colour[i], expected[i].colour);
+      const double off = testing::off_by(frame.colour[i], expected[i].colour);
       worst = std::max(worst, off);
       if (off > bound_of(effects, shot.samples.size())) {
         if (++wrong < 4) MESSAGE("column ", i % side, " row ", i / side, " is off by ", off);

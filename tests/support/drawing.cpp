@@ -69,7 +69,11 @@ Compiled compile_default_view(const std::string& path, Setup setup, view::Projec
 }
 
 sim::Frame draw(const isa::Program& program, unsigned threads) {
-  const machines::Machine machine = machine_of(program.shape);
+  return draw_on(machine_of(program.shape), program, threads);
+}
+
+sim::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads) {
+  machines::adopt(machine, program);
   sim::FrameObserver frame(program);
   const std::array<sim::Observer*, 1> observers{&frame};
   const sim::RunResult result = sim::make_functional_engine(machine, threads)->run(program, observers);

@@ -46,6 +46,7 @@ Compiled compile_default_view(const std::string& path, Setup setup, view::Projec
 
 /// Runs a Program at the functional level. Throws where a linear expression overflows its width.
 sim::Frame draw(const isa::Program& program, unsigned threads = 1);
+sim::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads = 1);
 
 /// tests/models/NAME.csg of the source tree.
 std::string model_path(const std::string& name);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,7 +11,6 @@
 
 #include "host/read/read.h"
 #include "hw/base/output_file.h"
-#include "hw/base/pipe_into.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "sim/study/sweep_run.h"
@@ -38,8 +35,8 @@ Run run(const isa::Program& program, unsigned threads) {
 
 isa::Program carburettor(emit::Strategy strategy) {
   testing::Setup setup;
-  setup.sampling.width = 80;
-  setup.sampling.height = 61;
+  setup.sampling.width = 180;
+  setup.sampling.height = 130;
   setup.memory_bits = 128;
   setup.options.strategy = strategy;
   return testing::compile_default_view(testing::model_path("carburettor"), setup, view::Projection::perspective)
@@ -72,7 +69,8 @@ std::vector<study::SweepJob> jobs() {
 
 }  // namespace
 
-TEST_CASE("a picture, its clocks and what is skipped are the same on any number of threads") {
+TEST_CASE(
+    "a picture of several tiles, its clocks, what is skipped and the work are the same on any number of threads") {
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list}) {
     const isa::Program program = carburettor(strategy);
     const Run one = run(program, 1);
@@ -84,6 +82,7 @@ TEST_CASE("a picture, its clocks and what is skipped are the same on any number 
       CHECK(several.frame.owner == one.frame.owner);
       CHECK(several.result.clocks == one.result.clocks);
       CHECK(several.result.skipped == one.result.skipped);
+      CHECK(several.result.work == one.result.work);
     }
   }
 }
@@ -108,19 +107,4 @@ TEST_CASE("what a receiver throws while others still measure comes out once, and
   CHECK_THROWS_WITH_AS(study::measure_all(jobs(), false, 4, fails_at_the_third), "the disk is full",
                        std::runtime_error);
   CHECK(received == 3);
-}
-
-TEST_CASE("all that is written into a pipe is in the file once it is finished") {
-  const std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / "threads_pipe.txt";
-  std::string text;
-  for (int i = 0; i < 100'000; ++i) text += std::to_string(i) + "\n";
-  {
-    OutputFile file(path);
-    PipeInto pipe(file, ".txt");
-    std::ofstream(pipe.path(), std::ios::binary) << text;
-    pipe.finish();
-    file.commit();
-  }
-  std::ifstream in(path, std::ios::binary);
-  CHECK(std::string(std::istreambuf_iterator<char>(in), {}) == text);
 }

@@ -1,176 +1,122 @@
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "hw/array/kernels.h"
+#include "hw/array/pixel_array.h"
 #include "hw/array/plane.h"
+#include "tests/support/plain_array.h"
 
 namespace {
 
 using csgsim::array::AluFunction;
 using csgsim::array::AluInfo;
+using csgsim::array::ArrayStep;
+using csgsim::array::OperandSource;
+using csgsim::array::PixelArray;
+using csgsim::array::PixelProbe;
+using csgsim::array::StreamBit;
 using csgsim::array::Words;
+using csgsim::test::PixelState;
 namespace kernels = csgsim::array::kernels;
 
-/// One pixel: operands and registers.
-struct Pixel {
-  bool x = false;
-  bool y = false;
-  bool present = false;
-  bool enable = false;
-  bool carry = false;
-  bool latch = false;
-  bool memory = false;
+enum Address : std::uint16_t { x_bit, y_bit, written, always_0, memory_bits };
 
-  bool operator==(const Pixel&) const = default;
-};
+/// Bit of a pixel's column in which each register begins; the row says whether the pixel is present.
+enum Column : std::int16_t { column_x, column_y, column_enable, column_carry, column_latch, column_memory, registers };
 
-bool majority(bool a, bool b, bool c) { return (a ? 1 : 0) + (b ? 1 : 0) + (c ? 1 : 0) >= 2; }
+constexpr std::uint32_t states = 1U << registers;
 
-/// The meanings of the table, a pixel at a time.
-Pixel expected_after(AluFunction function, bool constant, Pixel p) {
-  const auto less = [&p](bool carry_in) {
-    p.carry = majority(p.x, !p.y, carry_in);
-    p.enable = p.enable && !p.carry;
-  };
-  const auto write = [&p](bool value) { p.memory = p.enable ? value : p.memory; };
-  const auto sum = [&](bool x, bool carry_in) {
-    write((x != p.y) != carry_in);
-    p.carry = majority(x, p.y, carry_in);
-  };
-  const auto sign = [&p] { p.carry = majority(!p.x, false, p.carry); };
-  switch (function) {
-    case AluFunction::idle:
-    case AluFunction::answer: break;
-    case AluFunction::latch_x: p.latch = p.x; break;
-    case AluFunction::enable_all: p.enable = p.present; break;
-    case AluFunction::enable_invert: p.enable = p.present && !p.enable; break;
-    case AluFunction::enable_load: p.enable = p.x; break;
-    case AluFunction::enable_and: p.enable = p.enable && p.x; break;
-    case AluFunction::enable_and_not: p.enable = p.enable && !p.x; break;
-    case AluFunction::enable_or: p.enable = p.enable || p.x; break;
-    case AluFunction::enable_xor: p.enable = p.enable != p.x; break;
-    case AluFunction::enable_equal: p.enable = p.enable && p.x == p.y; break;
-    case AluFunction::compare_from_0: p.carry = majority(p.x, !p.y, false); break;
-    case AluFunction::compare_from_1: p.carry = majority(p.x, !p.y, true); break;
-    case AluFunction::compare: p.carry = majority(p.x, !p.y, p.carry); break;
-    case AluFunction::compare_with_0: p.carry = majority(p.x, true, p.carry); break;
-    case AluFunction::less_from_0: less(false); break;
-    case AluFunction::less_from_1: less(true); break;
-    case AluFunction::less: less(p.carry); break;
-    case AluFunction::sign_enable:
-      sign();
-      p.enable = p.enable && p.carry;
-      break;
-    case AluFunction::sign_enable_not:
-      sign();
-      p.enable = p.enable && !p.carry;
-      break;
-    case AluFunction::sign_select:
-      sign();
-      p.carry = p.enable && p.carry;
-      break;
-    case AluFunction::sign_select_not:
-      sign();
-      p.carry = p.enable && !p.carry;
-      break;
-    case AluFunction::enable_fits: p.enable = p.enable && !(p.carry && p.x); break;
-    case AluFunction::store_x: write(p.x); break;
-    case AluFunction::store_x_selected:
-      if (p.carry) write(p.x);
-      break;
-    case AluFunction::store_not_x: write(!p.x); break;
-    case AluFunction::store_constant: write(constant); break;
-    case AluFunction::store_xor_constant: write(p.x != constant); break;
-    case AluFunction::store_and: write(p.x && p.y); break;
-    case AluFunction::store_or: write(p.x || p.y); break;
-    case AluFunction::store_xor: write(p.x != p.y); break;
-    case AluFunction::store_and_not: write(p.x && !p.y); break;
-    case AluFunction::sum_from_0: sum(p.x, false); break;
-    case AluFunction::sum: sum(p.x, p.carry); break;
-    case AluFunction::sum_with_0: sum(false, p.carry); break;
-    case AluFunction::store_enable: p.memory = p.enable; break;
-  }
-  return p;
+StreamBit column_bit(std::int16_t bit) { return {.token = {bit}, .a = 1}; }
+
+/// Every combination of operands and registers is one pixel; those of the second row are not present.
+PixelArray all_states() {
+  PixelArray array({states, 2, memory_bits}, 1);
+  array.reset(states, 1);
+  const StreamBit one{.token = {.bit = 0}, .c = 1};
+  array.step({.function = AluFunction::enable_load}, one);
+  array.step({.function = AluFunction::store_x, .write = x_bit}, column_bit(column_x));
+  array.step({.function = AluFunction::store_x, .write = y_bit}, column_bit(column_y));
+  array.step({.function = AluFunction::store_x, .write = written}, column_bit(column_memory));
+  array.step({.function = AluFunction::compare_from_0, .y = always_0}, column_bit(column_carry));
+  array.step({.function = AluFunction::latch_x}, column_bit(column_latch));
+  array.step({.function = AluFunction::enable_load}, column_bit(column_enable));
+  return array;
 }
 
-constexpr unsigned registers = 7;
-constexpr unsigned states = 1U << registers;
-using Planes = std::array<Words, registers>;
+PixelState state_of(std::uint32_t x, std::uint32_t y) {
+  const auto bit = [x](unsigned of) { return (x >> of & 1U) != 0; };
+  return {.x = bit(column_x),
+          .y = bit(column_y),
+          .present = y == 0,
+          .enable = bit(column_enable),
+          .carry = bit(column_carry),
+          .latch = bit(column_latch),
+          .memory = bit(column_memory)};
+}
 
-/// Every combination of operands and registers is one pixel, and the whole several times over.
-Planes all_states() {
-  Planes planes;
-  for (Words& plane : planes) plane.resize(8 * states / 64);
-  for (std::size_t pixel = 0; pixel < planes[0].size() * 64; ++pixel) {
-    for (unsigned r = 0; r < registers; ++r) {
-      planes[r][pixel / 64] |= static_cast<std::uint64_t>((pixel % states) >> r & 1U) << (pixel % 64);
+/// After a step that leaves the operands alone.
+PixelState state_in(const PixelArray& array, std::uint32_t x, std::uint32_t y, PixelState before) {
+  const PixelProbe probe = array.probe(x, y, {});
+  before.enable = probe.enable;
+  before.carry = probe.carry;
+  before.latch = probe.latch != 0;
+  before.memory = array.memory_bit(written, x, y);
+  return before;
+}
+
+bool all_right(const PixelArray& array, AluFunction function, bool constant) {
+  bool right = true;
+  for (std::uint32_t y = 0; y < 2; ++y) {
+    for (std::uint32_t x = 0; x < states; ++x) {
+      const PixelState before = state_of(x, y);
+      right = right && state_in(array, x, y, before) == csgsim::test::after(function, constant, before);
     }
   }
-  return planes;
-}
-
-Pixel pixel_of(const Planes& planes, std::size_t pixel) {
-  const auto bit = [&](unsigned r) { return (planes[r][pixel / 64] >> (pixel % 64) & 1U) != 0; };
-  return {bit(0), bit(1), bit(2), bit(3), bit(4), bit(5), bit(6)};
-}
-
-kernels::AluPlanes operands(Planes& planes) {
-  return {.x = planes[0].data(),
-          .y = planes[1].data(),
-          .present = planes[2].data(),
-          .enable = planes[3].data(),
-          .carry = planes[4].data(),
-          .latch = planes[5].data(),
-          .write = planes[6].data(),
-          .words = planes[0].size()};
+  return right;
 }
 
 }  // namespace
 
-TEST_CASE("every ALU function does what its meaning says, for every state of a pixel") {
-  const Planes before = all_states();
+TEST_CASE(
+    "every ALU function does what its meaning says, for every state of a pixel and whether one has looked before") {
   for (std::size_t row = 0; row < std::size(csgsim::array::alu_table); ++row) {
     const auto function = static_cast<AluFunction>(row);
     CAPTURE(std::string(csgsim::array::info(function).name));
-    for (const bool constant : {false, true}) {
-      Planes after = before;
-      kernels::AluPlanes planes = operands(after);
-      planes.constant = constant;
-      kernels::alu_step(function, planes);
-      bool all_right = true;
-      for (std::size_t pixel = 0; pixel < before[0].size() * 64; ++pixel) {
-        all_right = all_right && pixel_of(after, pixel) == expected_after(function, constant, pixel_of(before, pixel));
+    for (const bool looks : {false, true}) {
+      for (const bool constant : {false, true}) {
+        for (const OperandSource source : {OperandSource::memory, OperandSource::tree}) {
+          PixelArray array = all_states();
+          if (looks) REQUIRE(array.probe(0, 0, {}).carry == state_of(0, 0).carry);
+          const ArrayStep step{.function = function,
+                               .source = source,
+                               .x = x_bit,
+                               .y = y_bit,
+                               .write = written,
+                               .constant = constant ? 1U : 0U};
+          array.step(step, column_bit(column_x));
+          CHECK(all_right(array, csgsim::array::function_of_bit(step, 0), constant));
+        }
       }
-      CHECK(all_right);
     }
   }
 }
 
-TEST_CASE("an ALU function touches the operands that its row names, and no others") {
-  for (std::size_t row = 0; row < std::size(csgsim::array::alu_table); ++row) {
-    const auto function = static_cast<AluFunction>(row);
-    const AluInfo& info = csgsim::array::info(function);
-    CAPTURE(std::string(info.name));
-    Planes planes = all_states();
-    kernels::AluPlanes used = operands(planes);
-    if (!info.reads_x) used.x = nullptr;
-    if (!info.reads_y) used.y = nullptr;
-    if (!info.writes) used.write = nullptr;
-    kernels::alu_step(function, used);
-  }
-}
-
-TEST_CASE("ones are counted and found") {
+TEST_CASE("ones are counted and found, and the blocks that have some") {
   Words plane(24);
+  std::vector<std::uint8_t> flags(3, 1);
   CHECK(kernels::count_ones(plane.data(), plane.size()) == 0);
   CHECK_FALSE(kernels::any_ones(plane.data(), plane.size()));
+  kernels::find_ones(plane.data(), flags);
+  CHECK(flags == std::vector<std::uint8_t>{0, 0, 0});
   for (std::size_t word = 0; word < plane.size(); ++word) {
     plane[word] = std::uint64_t{1} << (word * 2);
     CHECK(kernels::any_ones(plane.data(), plane.size()));
     CHECK(kernels::count_ones(plane.data(), plane.size()) == 1);
+    kernels::find_ones(plane.data(), flags);
+    for (std::size_t block = 0; block < flags.size(); ++block) CHECK((flags[block] != 0) == (block == word / 8));
     plane[word] = 0;
   }
   plane.assign(24, ~std::uint64_t{0});

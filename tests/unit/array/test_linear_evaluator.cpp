@@ -8,12 +8,11 @@
 
 namespace {
 
-using csgsim::array::bit_of;
 using csgsim::array::LinearEvaluator;
 using csgsim::array::low_bits;
 using csgsim::array::PlaneShape;
 using csgsim::array::RootBits;
-using csgsim::array::Words;
+using csgsim::array::StreamBit;
 
 struct Expression {
   std::int64_t a = 0;
@@ -46,7 +45,7 @@ std::uint64_t value(const Expression& e, std::uint32_t x, std::uint32_t y) {
 /// Streams the expressions and collects what arrives at every pixel: one value an expression, in pixel order.
 std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::vector<Expression>& expressions) {
   LinearEvaluator evaluator(shape);
-  Words leaves(shape.padded_words());
+  StreamBit leaves;
   std::vector<std::vector<std::uint64_t>> values;
   std::vector<RootBits> bits = stream(expressions);
   bits.resize(bits.size() + evaluator.levels());
@@ -64,7 +63,7 @@ std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::ve
     if (root.token.bit == 0) values.emplace_back(std::size_t{shape.width} * shape.height);
     for (std::uint32_t y = 0; y < shape.height; ++y) {
       for (std::uint32_t x = 0; x < shape.width; ++x) {
-        const std::uint64_t bit = bit_of(leaves, shape, x, y) ? 1 : 0;
+        const std::uint64_t bit = leaves.at({x, y}) ? 1 : 0;
         values.back()[std::size_t{y} * shape.width + x] |= bit << root.token.bit;
       }
     }
@@ -131,20 +130,20 @@ TEST_CASE("the trees have ceil(log2 W) + ceil(log2 H) levels") {
 TEST_CASE("the first bit is not at the pixels at clock latency - 1, and is there at clock latency") {
   const PlaneShape shape{512, 512};
   LinearEvaluator evaluator(shape);
-  Words leaves(shape.padded_words());
+  StreamBit leaves;
   const RootBits one{.token = {.bit = 0}, .c = true};
   for (unsigned clock = 1; clock < evaluator.levels(); ++clock) {
     CHECK_FALSE(evaluator.clock(clock == 1 ? one : RootBits{}, leaves));
-    CHECK_FALSE(bit_of(leaves, shape, 511, 511));
+    CHECK_FALSE(leaves.at({511, 511}));
   }
   CHECK(evaluator.clock({}, leaves));
-  CHECK(bit_of(leaves, shape, 511, 511));
+  CHECK(leaves.at({511, 511}));
   CHECK_FALSE(evaluator.clock({}, leaves));
 }
 
 TEST_CASE("cleared trees forget what was in flight") {
   LinearEvaluator evaluator({8, 8});
-  Words leaves(PlaneShape{8, 8}.padded_words());
+  StreamBit leaves;
   evaluator.clock({.token = {.bit = 0}, .c = true}, leaves);
   evaluator.clear();
   for (int clock = 0; clock < 10; ++clock) CHECK_FALSE(evaluator.clock({}, leaves));

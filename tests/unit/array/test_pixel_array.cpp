@@ -9,19 +9,17 @@ using csgsim::array::ArrayStep;
 using csgsim::array::OperandSource;
 using csgsim::array::PixelArray;
 using csgsim::array::PixelProbe;
-using csgsim::array::Words;
+using csgsim::array::StreamBit;
 
 TEST_CASE("a probe shows the registers of its pixel, every bit of a latch as wide as the ALU at its own place") {
   constexpr unsigned alu_bits = 4;
   PixelArray array({70, 3, 16}, alu_bits);
   array.reset(70, 3);
-  Words tree(array.shape().padded_words());
-  const auto set_leaf = [&](std::uint32_t x, std::uint32_t y) {
-    tree[y * array.shape().row_words() + x / 64] |= std::uint64_t{1} << (x % 64);
-  };
+  StreamBit tree;
   array.step({.function = AluFunction::enable_all}, tree);
   // 1101 into the pixels whose leaf is 1, in the end.
-  set_leaf(66, 2);
+  tree = {
+      .token = {.bit = 7}, .a = 1, .b = 1, .c = 60};  // x + y + 60 is 128 there, and less to the left of it and above
   array.step({.function = AluFunction::enable_load, .source = OperandSource::tree}, tree);
   array.step({.function = AluFunction::store_constant, .write = 5, .bits = alu_bits, .constant = 0b1101}, tree);
   array.step({.function = AluFunction::latch_x, .source = OperandSource::memory, .x = 5, .bits = alu_bits}, tree);

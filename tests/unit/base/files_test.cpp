@@ -16,7 +16,6 @@
 #include "hw/base/folder_lock.h"
 #include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
-#include "hw/base/pipe_into.h"
 
 using namespace csgsim;
 
@@ -173,23 +172,4 @@ TEST_CASE("the lock of a process that was killed keeps nobody out") {
   CHECK(scratch.files() == 1);
   CHECK(refusal([&] { FolderLock(scratch.path(), "compare"); }).empty());
   CHECK(scratch.files() == 0);
-}
-
-TEST_CASE("what a library writes into a pipe arrives in the file, and a full disk is told at the end") {
-  const Scratch scratch;
-  {
-    OutputFile file(scratch / "a");
-    PipeInto pipe(file, ".vcd");
-    CHECK(pipe.path().extension() == ".vcd");
-    std::ofstream(pipe.path()) << std::string(300'000, 'v');
-    pipe.finish();
-    CHECK_FALSE(fs::exists(pipe.path()));
-    file.commit();
-  }
-  CHECK(content(scratch / "a") == std::string(300'000, 'v'));
-  {
-    OutputFile file(scratch / "b");
-    const PipeInto never_opened(file, ".vcd");
-  }
-  CHECK(scratch.files() == 1);
 }

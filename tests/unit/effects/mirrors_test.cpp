@@ -100,12 +100,6 @@ struct Tally {
   int wrong = 0;
 };
 
-double off_by(std::uint32_t packed, const glm::dvec3& expected) {
-  const std::array<std::uint8_t, 3> colour = isa::unpack_colour(packed, isa::most_colour_bits);
-  const glm::dvec3 off = glm::abs(glm::dvec3(colour[0], colour[1], colour[2]) - 255.0 * expected);
-  return std::max({off.x, off.y, off.z});
-}
-
 /// A level for each mirror on the way; half a level more for rounding of the colours themselves.
 void judge(const std::string& model, const testing::Setup& setup, unsigned depth, Tally& tally) {
   const auto compiled = testing::compile_text(model, setup);
@@ -124,11 +118,11 @@ void judge(const std::string& model, const testing::Setup& setup, unsigned depth
     tally.mirrored += glm::length(expected[i].colour - without[i].colour) > 0.01 ? 1 : 0;
     const bool has_mirror = std::any_of(effects.mirrors.begin(), effects.mirrors.end(),
                                         [&](const auto& mirror) { return mirror.primitive == expected[i].primitive; });
-    if (off_by(frame.colour[i], expected[i].colour) <= (has_mirror ? depth : 0) + 0.51) continue;
+    if (testing::off_by(frame.colour[i], expected[i].colour) <= (has_mirror ? depth : 0) + 0.51) continue;
     ++tally.wrong;
     if (tally.wrong < 8)
       MESSAGE("column ", i % shot.width, " row ", i / shot.width, ": off by ",
-              off_by(frame.colour[i], expected[i].colour));
+              testing::off_by(frame.colour[i], expected[i].colour));
   }
 }
 
@@ -229,7 +223,7 @@ TEST_CASE("glass before a mirror, and in it, is see-through") {
   const sim::Frame frame = testing::draw(compiled.program);
   int wrong = 0;
   for (std::size_t i = 0; i < expected.size(); ++i)
-    wrong += expected[i].is_certain && off_by(frame.colour[i], expected[i].colour) > 3.5 ? 1 : 0;
+    wrong += expected[i].is_certain && testing::off_by(frame.colour[i], expected[i].colour) > 3.5 ? 1 : 0;
   CHECK(wrong == 0);
 }
 

@@ -33,12 +33,6 @@ std::string lamp(const glm::dvec3& place, const glm::dvec3& colour) {
                      place.z, colour.x, colour.y, colour.z);
 }
 
-double off_by(std::uint32_t packed, const glm::dvec3& expected) {
-  const std::array<std::uint8_t, 3> colour = isa::unpack_colour(packed, isa::most_colour_bits);
-  const glm::dvec3 off = glm::abs(glm::dvec3(colour[0], colour[1], colour[2]) - 255.0 * glm::clamp(expected, 0.0, 1.0));
-  return std::max({off.x, off.y, off.z});
-}
-
 struct Tally {
   int pixels = 0;
   int judged = 0;
@@ -78,11 +72,11 @@ Tally judge(const std::string& csg, const testing::Setup& setup) {
     if (!cast[i].is_certain) continue;
     ++tally.judged;
     tally.dark += plain[i].colour != cast[i].colour ? 1 : 0;
-    if (off_by(frame.colour[i], cast[i].colour) <= 0.5 + 1e-6) continue;
+    if (testing::off_by(frame.colour[i], cast[i].colour) <= 0.5 + 1e-6) continue;
     ++tally.wrong;
     MESSAGE("column ", i % setup.sampling.width, " row ", i / setup.sampling.width, " off by ",
-            off_by(frame.colour[i], cast[i].colour), " of primitive ", cast[i].primitive, ", in the light ",
-            off_by(frame.colour[i], plain[i].colour));
+            testing::off_by(frame.colour[i], cast[i].colour), " of primitive ", cast[i].primitive, ", in the light ",
+            testing::off_by(frame.colour[i], plain[i].colour));
   }
   return tally;
 }

@@ -130,12 +130,6 @@ class Shot {
   bool is_empty_ = false;
 };
 
-double off_by(std::uint32_t packed, const glm::dvec3& expected) {
-  const std::array<std::uint8_t, 3> colour = isa::unpack_colour(packed, isa::most_colour_bits);
-  const glm::dvec3 off = glm::abs(glm::dvec3(colour[0], colour[1], colour[2]) - 255.0 * expected);
-  return std::max({off.x, off.y, off.z});
-}
-
 /// The opaque ones first, which is the rule for coincident surfaces.
 std::vector<std::uint32_t> opaque_first(const Shot& shot) {
   std::vector<std::uint32_t> order = shot.tree_order();
@@ -172,10 +166,10 @@ Tally layers_of_random_models(std::uint64_t first_seed, view::Projection project
       // A level a pane; half a level more for rounding of the colours themselves.
       const unsigned panes = shot.panes_at(i);
       tally.most_panes = std::max(tally.most_panes, panes);
-      if (panes <= layers && off_by(frame.colour[i], expected[i].colour) <= panes + 0.5 + 1e-6) continue;
+      if (panes <= layers && testing::off_by(frame.colour[i], expected[i].colour) <= panes + 0.5 + 1e-6) continue;
       ++tally.wrong;
       MESSAGE("seed ", seed, " column ", i % width, " row ", i / width, ": off by ",
-              off_by(frame.colour[i], expected[i].colour));
+              testing::off_by(frame.colour[i], expected[i].colour));
     }
   }
   return tally;
@@ -212,7 +206,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
       if (!one.is_certain || one.colour != expected[1][i].colour) continue;
       ++tally.judged;
       tally.mixed += one.colour != opaque[i].colour ? 1 : 0;
-      if (off_by(frame.colour[i], one.colour) <= 0.5 + 1e-6) continue;
+      if (testing::off_by(frame.colour[i], one.colour) <= 0.5 + 1e-6) continue;
       ++tally.wrong;
       MESSAGE("seed ", seed, " column ", i % width, " row ", i / width);
     }

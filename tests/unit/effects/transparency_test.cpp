@@ -255,12 +255,15 @@ TEST_CASE("too few bits are refused with what they are for and what to do") {
   setup.memory_bits = 72;
   const std::string message = testing::error_of([&] { (void)testing::compile_text(union_of(parts()), setup); });
   CHECK_MESSAGE(message.find("--set effects.transparency.method=screen-door") != message.npos, message);
+  CHECK_MESSAGE(message.find("--set effects.transparency.on=false") != message.npos, message);
   CHECK_MESSAGE(message.find("light let through") != message.npos, message);
   setup.memory_bits = 208;
   CHECK_NOTHROW((void)testing::compile_text(union_of(parts()), setup));
   setup.memory_bits = 72;
-  setup.options.scene = scene_of("", {"effects.transparency.method=screen-door"});
-  CHECK_NOTHROW((void)testing::compile_text(union_of(parts()), setup));
+  for (const char* const mend : {"effects.transparency.method=screen-door", "effects.transparency.on=false"}) {
+    setup.options.scene = scene_of("", {mend});
+    CHECK_NOTHROW((void)testing::compile_text(union_of(parts()), setup));
+  }
 }
 
 TEST_CASE("a screen door is open at as many pixels of every 4 x 4 as its opacity says, and holds the sparser ones") {

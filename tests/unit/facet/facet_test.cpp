@@ -8,11 +8,11 @@
 #include <numbers>
 #include <utility>
 
-#include "host/facet/degrees.h"
-#include "host/facet/fragments.h"
 #include "host/facet/planes.h"
 #include "host/facet/scene.h"
 #include "host/facet/solid.h"
+#include "host/model/degrees.h"
+#include "host/model/fragments.h"
 #include "hw/base/error.h"
 
 using namespace csgsim;
@@ -52,39 +52,39 @@ model::Tree single(model::Primitive one) {
 TEST_CASE("sine and cosine in degrees are exact where they are 0, 1/2 or 1") {
   for (const int turns : {-2, 0, 1, 3}) {
     const double base = 360.0 * turns;
-    CHECK(facet::sin_degrees(base) == 0.0);
-    CHECK(facet::sin_degrees(base + 30) == 0.5);
-    CHECK(facet::sin_degrees(base + 90) == 1.0);
-    CHECK(facet::sin_degrees(base + 180) == 0.0);
-    CHECK(facet::sin_degrees(base + 210) == -0.5);
-    CHECK(facet::sin_degrees(base + 270) == -1.0);
-    CHECK(facet::cos_degrees(base) == 1.0);
-    CHECK(facet::cos_degrees(base + 60) == 0.5);
-    CHECK(facet::cos_degrees(base + 90) == 0.0);
-    CHECK(facet::cos_degrees(base + 180) == -1.0);
-    CHECK(facet::cos_degrees(base + 300) == 0.5);
+    CHECK(model::sin_degrees(base) == 0.0);
+    CHECK(model::sin_degrees(base + 30) == 0.5);
+    CHECK(model::sin_degrees(base + 90) == 1.0);
+    CHECK(model::sin_degrees(base + 180) == 0.0);
+    CHECK(model::sin_degrees(base + 210) == -0.5);
+    CHECK(model::sin_degrees(base + 270) == -1.0);
+    CHECK(model::cos_degrees(base) == 1.0);
+    CHECK(model::cos_degrees(base + 60) == 0.5);
+    CHECK(model::cos_degrees(base + 90) == 0.0);
+    CHECK(model::cos_degrees(base + 180) == -1.0);
+    CHECK(model::cos_degrees(base + 300) == 0.5);
   }
 }
 
 TEST_CASE("sine and cosine in degrees are those of the library elsewhere") {
   for (int tenth = -7200; tenth <= 7200; tenth += 7) {
     const double angle = tenth / 10.0;
-    CHECK(facet::sin_degrees(angle) == doctest::Approx(std::sin(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
-    CHECK(facet::cos_degrees(angle) == doctest::Approx(std::cos(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
+    CHECK(model::sin_degrees(angle) == doctest::Approx(std::sin(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
+    CHECK(model::cos_degrees(angle) == doctest::Approx(std::cos(angle * std::numbers::pi / 180.0)).epsilon(1e-12));
   }
 }
 
 TEST_CASE("circles have as many fragments as OpenSCAD gives them") {
-  CHECK(facet::fragments(10, {0, 12, 2}) == 30);   // 360 / $fa
-  CHECK(facet::fragments(5, {0, 12, 2}) == 16);    // 2 pi r / $fs = 15.7
-  CHECK(facet::fragments(0.5, {0, 12, 2}) == 5);   // never fewer by $fa and $fs
-  CHECK(facet::fragments(10, {7.9, 12, 2}) == 7);  // $fn is cut off
-  CHECK(facet::fragments(10, {1, 12, 2}) == 3);
-  CHECK(facet::fragments(1e-7, {50, 12, 2}) == 3);
-  CHECK(facet::fragments(100, {0, 1, 0.01}) == 360);
+  CHECK(model::fragments(10, {0, 12, 2}) == 30);   // 360 / $fa
+  CHECK(model::fragments(5, {0, 12, 2}) == 16);    // 2 pi r / $fs = 15.7
+  CHECK(model::fragments(0.5, {0, 12, 2}) == 5);   // never fewer by $fa and $fs
+  CHECK(model::fragments(10, {7.9, 12, 2}) == 7);  // $fn is cut off
+  CHECK(model::fragments(10, {1, 12, 2}) == 3);
+  CHECK(model::fragments(1e-7, {50, 12, 2}) == 3);
+  CHECK(model::fragments(100, {0, 1, 0.01}) == 360);
 }
 
-TEST_CASE("too many fragments are refused") { CHECK_THROWS_AS(facet::fragments(10, {1e9, 12, 2}), InputError); }
+TEST_CASE("too many fragments are refused") { CHECK_THROWS_AS(model::fragments(10, {1e9, 12, 2}), InputError); }
 
 TEST_CASE("solids have the half-spaces of their OpenSCAD facets") {
   const auto count = [](model::Shape shape) { return facet::make_solid(primitive(std::move(shape))).faces.size(); };
@@ -159,6 +159,28 @@ TEST_CASE("planes a little apart stay two") {
   table.add({{0, 0, 1}, -1.0 - 1e-9});
   table.add({glm::normalize(glm::dvec3(1e-9, 0, 1)), -1.0});
   CHECK(table.planes().size() == 3);
+}
+
+TEST_CASE("of many planes each shares the entry of the first that coincides with it, as a look at each finds it") {
+  constexpr double tolerance = facet::coincidence_tolerance;
+  CHECK(rc::check([&] {
+    // About 1 and about the sides of the grid's cells, in steps of a part of the tolerance.
+    const double middle = *rc::gen::element(0.0, 0.5, 0x1p-32, 0x3p-32);
+    const auto component = [&] { return middle + tolerance * (0.3 * *rc::gen::inRange(-6, 7)); };
+    facet::PlaneTable table({0, 0, 0}, 1.0);
+    for (int i = 0; i < 60; ++i) {
+      const facet::Plane plane{{1.0, component(), middle}, component()};
+      const std::vector<facet::Plane> before = table.planes();
+      const auto coincides = [&](const facet::Plane& one) {
+        const auto is_near = [&](double a, double b) { return b >= a - tolerance && b <= a + tolerance; };
+        return is_near(plane.normal.x, one.normal.x) && is_near(plane.normal.y, one.normal.y) &&
+               is_near(plane.normal.z, one.normal.z) && is_near(plane.offset, one.offset);
+      };
+      const auto expected = std::find_if(before.begin(), before.end(), coincides) - before.begin();
+      RC_ASSERT(table.add(plane).plane == static_cast<std::uint32_t>(expected));
+      RC_ASSERT(table.planes().size() == before.size() + (expected == std::ssize(before) ? 1 : 0));
+    }
+  }));
 }
 
 TEST_CASE("two solids that touch under any rotation share the plane between them") {

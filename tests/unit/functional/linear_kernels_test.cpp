@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/unit/functional/blocks.h"
+#include <algorithm>
+#include <memory>
+
+#include "tests/unit/functional/pixels.h"
 
 using namespace csgsim;
 using namespace csgsim::testing;
@@ -11,9 +14,7 @@ using sim::LinearTask;
 
 namespace {
 
-using Lanes = std::vector<std::uint32_t>;
-
-/// An expression S = a x + b y + c, x and y counted from the block's first pixel, and how F comes of it.
+/// An expression S = a x + b y + c, x and y counted from the tile's first pixel, and how F comes of it.
 struct Expression {
   std::int64_t a = 0;
   std::int64_t b = 0;
@@ -40,7 +41,7 @@ struct Expression {
   }
 };
 
-/// Whose F is often near the values of the field, or near 0 without one.
+/// Whose F is often near the values of the field, or near 0 without one; flat, steep, or steeper than any picture has.
 Expression any_expression(unsigned field_width, bool wraps) {
   Expression expression;
   expression.field_width = field_width;
@@ -48,137 +49,133 @@ Expression any_expression(unsigned field_width, bool wraps) {
   expression.width = field_width + expression.shift + 1 + between(0U, wraps ? 3U : 16U);
   const std::int64_t range = std::int64_t{1} << (expression.width - 1);
   const auto slope = [&] {
-    const std::int64_t most = std::max<std::int64_t>(wraps ? range / 16 : range / 1024, 1);
+    const std::int64_t most =
+        std::max<std::int64_t>(wraps ? range / 16 : range / *rc::gen::element<std::int64_t>(128, 1024, 1 << 20), 1);
     return between<std::int64_t>(-most, most + 1);
   };
   expression.a = slope();
   expression.b = slope();
   expression.c = between<std::int64_t>(-range / 4, range / 4 + 1);
+  if (wraps && between(0, 4) == 0) expression.a = between<std::int64_t>(-1, 2) << 54U;
   return expression;
 }
 
-/// Whether S fits the width at all pixels that a block of any_words can have.
-bool fits_everywhere(const Expression& expression) {
-  return expression.fits(0, 0) && expression.fits(191, 0) && expression.fits(0, 3) && expression.fits(191, 3);
-}
-
-LinearTask task_of(const Expression& expression, LinearKind kind, std::int64_t bias) {
-  LinearTask task;
-  task.kind = kind;
-  task.wraps = !fits_everywhere(expression);
-  task.start = static_cast<std::uint64_t>(expression.c);
-  task.a = static_cast<std::uint64_t>(expression.a);
-  task.b = static_cast<std::uint64_t>(expression.b);
-  task.bias = static_cast<std::uint64_t>(bias);
-  task.width = expression.width;
-  task.shift = expression.shift;
-  task.field_width = expression.field_width;
-  return task;
-}
-
-std::uint64_t overflows(const Words& enable, const Expression& expression) {
-  std::uint64_t count = 0;
-  enable.for_each([&](std::size_t lane, std::size_t x, std::size_t y) {
-    if (enable.at(lane) && !expression.fits(x, y)) ++count;
-  });
-  return count;
-}
-
-/// Runs a task that only keeps or clears E, and checks it against keeps(F, lane).
-template <class Keeps>
-void check_compares(LinearTask task, const Expression& expression, const Keeps& keeps) {
-  Words enable = any_words();
-  Lanes lanes = any_lanes(enable.lanes(), expression.field_width);
-  // Lanes that F equals.
-  enable.for_each([&](std::size_t lane, std::size_t x, std::size_t y) {
-    const std::int64_t f = expression.f(x, y);
-    if (lane % 3 == 0 && f >= 0 && f < std::int64_t{1} << expression.field_width)
-      lanes[lane] = static_cast<std::uint32_t>(f);
-  });
-  const Lanes before = lanes;
-  Words expected = enable;
-  enable.for_each([&](std::size_t lane, std::size_t x, std::size_t y) {
-    expected.set(lane, enable.at(lane) && keeps(expression.f(x, y), static_cast<std::int64_t>(lanes[lane])));
-  });
-  task.lanes = lanes.data() + enable.first_lane();
-  const std::uint64_t expected_overflows = overflows(enable, expression);
-  RC_ASSERT(sim::run_linear(enable.block(), task) == expected_overflows);
-  RC_ASSERT(enable.words == expected.words);
-  RC_ASSERT(lanes == before);
-}
-
-/// Runs a task that writes lanes where writes(F, lane), and checks it.
-template <class Writes>
-void check_writes(LinearTask task, const Expression& expression, const Writes& writes) {
-  Words enable = any_words();
-  Lanes lanes = any_lanes(enable.lanes(), expression.field_width);
-  const std::int64_t end = std::int64_t{1} << expression.field_width;
-  Words expected = enable;
-  Lanes expected_lanes = lanes;
-  enable.for_each([&](std::size_t lane, std::size_t x, std::size_t y) {
-    const std::int64_t f = expression.f(x, y);
-    if (!enable.at(lane) || !writes(f, static_cast<std::int64_t>(lanes[lane]))) return;
-    expected_lanes[lane] = static_cast<std::uint32_t>((f % end + end) % end);
-    expected.set(lane, f >= 0 && f < end);
-  });
-  task.lanes = lanes.data() + enable.first_lane();
-  const std::uint64_t expected_overflows = overflows(enable, expression);
-  RC_ASSERT(sim::run_linear(enable.block(), task) == expected_overflows);
-  RC_ASSERT(enable.words == expected.words);
-  RC_ASSERT(lanes == expected_lanes);
-}
-
 /// Expressions that fit their width everywhere, and others.
-Expression any_for_field() { return any_expression(between(1U, 33U), between(0, 2) == 0); }
+Expression any_expression(unsigned field_width) { return any_expression(field_width, between(0, 2) == 0); }
+
+/// Some pixels of a tile and a field of it, and the same pixel by pixel.
+struct Tile {
+  Expression expression;
+  sim::TileShape shape = any_shape();
+  sim::TileBits enable;
+  Bits enabled = set_any(enable, shape);
+  std::unique_ptr<sim::Lanes> lanes = std::make_unique<sim::Lanes>();
+  Numbers numbers{shape};
+
+  explicit Tile(const Expression& any) : expression(any) {
+    if (expression.field_width == 0) return;
+    set_any(*lanes, expression.field_width, shape);
+    // Blocks that F equals at some pixels.
+    for (unsigned block = 0; block < sim::blocks_a_tile; block += between(1U, 4U)) {
+      if (lanes->is_constant(block)) sim::fill_block(*lanes, block);
+      for (unsigned bit = 0; bit < sim::block_pixels; bit += 2) {
+        const std::int64_t f = expression.f(block % 8 * 8 + bit % 8, block / 8 * 8 + bit / 8);
+        if (f >= 0 && f < field_end()) lanes->block(block)[bit] = static_cast<std::uint32_t>(f);
+      }
+      sim::find_bounds(*lanes, block);
+    }
+    numbers = numbers_of(*lanes, shape);
+  }
+
+  [[nodiscard]] std::int64_t field_end() const { return std::int64_t{1} << expression.field_width; }
+
+  [[nodiscard]] std::uint64_t overflows() const {
+    std::uint64_t count = 0;
+    enabled.each([&](std::uint32_t x, std::uint32_t y) {
+      if (enabled.at(x, y) != 0 && !expression.fits(x, y)) ++count;
+    });
+    return count;
+  }
+
+  /// Runs the kind. Asserts the number of overflows.
+  void run(LinearKind kind) {
+    LinearTask task;
+    task.kind = kind;
+    task.linear = {expression.a, expression.b, expression.c, static_cast<std::uint16_t>(expression.width),
+                   static_cast<std::uint16_t>(expression.shift)};
+    task.lanes = expression.field_width == 0 ? nullptr : lanes.get();
+    sim::Work work;
+    const sim::Decide decide = between(0, 3) == 0 ? sim::Decide::by_pixel : sim::Decide::by_block;
+    const std::uint64_t expected = overflows();
+    const sim::LinearResult result =
+        sim::run_linear({enable, shape, decide, work}, task, sim::count_ones(enable, shape));
+    RC_ASSERT(result.overflows == expected);
+    RC_ASSERT(result.enabled == sim::count_ones(enable, shape));
+  }
+
+  void check() const {
+    RC_ASSERT(bits_of(enable, shape) == enabled);
+    if (expression.field_width > 0) RC_ASSERT(numbers_of(*lanes, shape) == numbers);
+  }
+};
+
+/// Runs a kind that only keeps or clears E, and checks it against keeps(F, z).
+template <class Keeps>
+void check_tests(const Expression& expression, LinearKind kind, const Keeps& keeps) {
+  Tile tile(expression);
+  tile.run(kind);
+  tile.enabled.set_each([&](std::uint32_t x, std::uint32_t y) {
+    const bool kept = tile.enabled.at(x, y) != 0 && keeps(expression.f(x, y), std::int64_t{tile.numbers.at(x, y)});
+    return static_cast<char>(kept ? 1 : 0);
+  });
+  tile.check();
+}
+
+/// Runs a kind that writes z where writes(F, z), and checks it.
+template <class Writes>
+void check_writes(const Expression& expression, LinearKind kind, const Writes& writes) {
+  Tile tile(expression);
+  tile.run(kind);
+  const std::int64_t end = tile.field_end();
+  tile.enabled.each([&](std::uint32_t x, std::uint32_t y) {
+    const std::int64_t f = expression.f(x, y);
+    if (tile.enabled.at(x, y) == 0 || !writes(f, std::int64_t{tile.numbers.at(x, y)})) return;
+    tile.numbers.set(x, y, static_cast<std::uint32_t>((f % end + end) % end));
+    tile.enabled.set(x, y, static_cast<char>(f >= 0 && f < end ? 1 : 0));
+  });
+  tile.check();
+}
+
+Expression any_for_field() { return any_expression(*rc::gen::element(1U, 20U, 29U, 30U, 32U, between(1U, 33U))); }
 
 }  // namespace
 
 TEST_CASE("a sign keeps what is not negative, or what is") {
   CHECK(rc::check([] {
-    const Expression expression = any_expression(0, between(0, 2) == 0);
-    LinearTask task = task_of(expression, LinearKind::sign, 1);
-    check_compares(task, expression, [](std::int64_t f, std::int64_t) { return f >= 0; });
-    task.negate = true;
-    check_compares(task, expression, [](std::int64_t f, std::int64_t) { return f < 0; });
+    check_tests(any_expression(0), LinearKind::not_negative, [](std::int64_t f, std::int64_t) { return f >= 0; });
+    check_tests(any_expression(0), LinearKind::negative, [](std::int64_t f, std::int64_t) { return f < 0; });
   }));
 }
 
-TEST_CASE("a comparison keeps where F is at least the lane, or greater, or not so") {
+TEST_CASE("a comparison keeps where F stands so to the number") {
   CHECK(rc::check([] {
-    const Expression expression = any_for_field();
-    const std::int64_t for_greater = 1 - (std::int64_t{1} << expression.shift);
-    LinearTask at_least = task_of(expression, LinearKind::compare, 1);
-    LinearTask greater = task_of(expression, LinearKind::compare, for_greater);
-    check_compares(at_least, expression, [](std::int64_t f, std::int64_t z) { return f >= z; });
-    check_compares(greater, expression, [](std::int64_t f, std::int64_t z) { return f > z; });
-    at_least.negate = greater.negate = true;
-    check_compares(at_least, expression, [](std::int64_t f, std::int64_t z) { return f < z; });
-    check_compares(greater, expression, [](std::int64_t f, std::int64_t z) { return f <= z; });
-  }));
-}
-
-TEST_CASE("equality keeps where F is the lane, whatever its fraction") {
-  CHECK(rc::check([] {
-    const Expression expression = any_for_field();
-    check_compares(task_of(expression, LinearKind::equal, 0), expression,
-                   [](std::int64_t f, std::int64_t z) { return f == z; });
+    using enum LinearKind;
+    check_tests(any_for_field(), greater_or_equal, [](std::int64_t f, std::int64_t z) { return f >= z; });
+    check_tests(any_for_field(), greater, [](std::int64_t f, std::int64_t z) { return f > z; });
+    check_tests(any_for_field(), less, [](std::int64_t f, std::int64_t z) { return f < z; });
+    check_tests(any_for_field(), less_or_equal, [](std::int64_t f, std::int64_t z) { return f <= z; });
+    check_tests(any_for_field(), equal, [](std::int64_t f, std::int64_t z) { return f == z; });
   }));
 }
 
 TEST_CASE("a load writes the low bits of F where enabled, and clears E where F does not fit") {
-  CHECK(rc::check([] {
-    const Expression expression = any_for_field();
-    check_writes(task_of(expression, LinearKind::load, 0), expression, [](std::int64_t, std::int64_t) { return true; });
-  }));
+  CHECK(rc::check(
+      [] { check_writes(any_for_field(), LinearKind::load, [](std::int64_t, std::int64_t) { return true; }); }));
 }
 
-TEST_CASE("the greater or the less of F and the lane is kept, and E cleared where what is written does not fit") {
+TEST_CASE("the greater or the less of F and the number is kept, and E cleared where what is written does not fit") {
   CHECK(rc::check([] {
-    const Expression expression = any_for_field();
-    const std::int64_t for_greater = 1 - (std::int64_t{1} << expression.shift);
-    check_writes(task_of(expression, LinearKind::keep_max, for_greater), expression,
-                 [](std::int64_t f, std::int64_t z) { return f > z; });
-    check_writes(task_of(expression, LinearKind::keep_min, 0), expression,
-                 [](std::int64_t f, std::int64_t z) { return f < z; });
+    check_writes(any_for_field(), LinearKind::keep_max, [](std::int64_t f, std::int64_t z) { return f > z; });
+    check_writes(any_for_field(), LinearKind::keep_min, [](std::int64_t f, std::int64_t z) { return f < z; });
   }));
 }

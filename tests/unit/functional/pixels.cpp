@@ -1,5 +1,9 @@
 #include "tests/unit/functional/pixels.h"
 
+#include <algorithm>
+
+#include "sim/functional/lane_kernels.h"
+
 namespace csgsim::testing {
 
 std::uint64_t any_word() {
@@ -13,73 +17,67 @@ std::uint64_t any_word() {
   }
 }
 
-std::uint64_t Pixels::ones() const {
-  std::uint64_t ones = 0;
-  for (const bool bit : bits_) ones += bit ? 1 : 0;
-  return ones;
+sim::TileShape any_shape() {
+  const auto side = [] { return *rc::gen::element<std::uint32_t>(1, 7, 8, 9, 63, 64, 64, between(1U, 65U)); };
+  const std::uint32_t width = side();
+  return {width, side()};
 }
 
-sim::Rect Pixels::bounds() const {
-  sim::Rect bounds;
-  for (std::uint32_t y = 0; y < height_; ++y)
-    for (std::uint32_t x = 0; x < width_; ++x)
-      if (at(x, y)) bounds = sim::hull(bounds, {x, y, x + 1, y + 1});
-  return bounds;
-}
-
-bool holds(const sim::Rect& rect, std::uint32_t x, std::uint32_t y) {
-  return rect.x0 <= x && x < rect.x1 && rect.y0 <= y && y < rect.y1;
-}
-
-Pixels pixels_of(const sim::BitPlane& plane) {
-  Pixels pixels(plane.whole().x1, plane.whole().y1);
-  for (std::uint32_t y = 0; y < pixels.height(); ++y) {
-    for (std::uint32_t x = 0; x < plane.words_per_row() * sim::word_bits; ++x) {
-      const bool bit = (plane.word(y, x / sim::word_bits) >> (x % sim::word_bits) & 1U) != 0;
-      if (x < pixels.width()) {
-        pixels.set(x, y, bit);
-      } else {
-        RC_ASSERT_FALSE(bit);
-      }
-    }
+Bits bits_of(const sim::TileBits& bits, const sim::TileShape& shape) {
+  Bits pixels(shape);
+  for (unsigned block = 0; block < sim::blocks_a_tile; ++block) {
+    const std::uint64_t word = bits.word(block, shape);
+    RC_ASSERT((word & ~shape.pixels(block)) == 0U);
+    RC_ASSERT((bits.any() >> block & 1U) == (word != 0 ? 1U : 0U));
+    RC_ASSERT((bits.full() >> block & 1U) == (word != 0 && word == shape.pixels(block) ? 1U : 0U));
   }
+  pixels.set_each([&](std::uint32_t x, std::uint32_t y) {
+    return static_cast<char>(bits.word(sim::block_of(x, y), shape) >> sim::bit_of(x, y) & 1U);
+  });
   return pixels;
 }
 
-Pixels any_size() {
-  const auto any = between<std::uint32_t>(1, 200);
-  const auto width = *rc::gen::element<std::uint32_t>(1, 7, 63, 64, 65, 128, 129, any);
-  return {width, between<std::uint32_t>(1, 5)};
+Bits set_any(sim::TileBits& bits, const sim::TileShape& shape) {
+  bits.clear();
+  const std::uint64_t mixed = any_word() & shape.blocks();
+  bits.fill_blocks(any_word() & shape.blocks());
+  for (unsigned block = 0; block < sim::blocks_a_tile; ++block)
+    if ((mixed >> block & 1U) != 0) bits.set_word(block, any_word() & shape.pixels(block), shape);
+  return bits_of(bits, shape);
 }
 
-sim::Rect any_rect(const sim::Rect& within) {
-  if (within.empty()) return {};
-  const sim::Rect rect{between(within.x0, within.x1), between(within.y0, within.y1), between(within.x0, within.x1 + 1),
-                       between(within.y0, within.y1 + 1)};
-  return rect.empty() ? sim::Rect{} : rect;
+Numbers numbers_of(const sim::Lanes& lanes, const sim::TileShape& shape) {
+  Numbers numbers(shape);
+  numbers.set_each([&](std::uint32_t x, std::uint32_t y) {
+    const unsigned block = sim::block_of(x, y);
+    const std::uint32_t value = lanes.value(block, sim::bit_of(x, y));
+    RC_ASSERT(lanes.least[block] <= value);
+    RC_ASSERT(value <= lanes.greatest[block]);
+    return value;
+  });
+  return numbers;
 }
 
-Pixels set_any(sim::BitPlane& plane) {
-  Pixels pixels(plane.whole().x1, plane.whole().y1);
-  const sim::Rect rect = between(0, 4) == 0 ? plane.whole() : any_rect(plane.whole());
-  plane.fill(rect);
-  pixels.set_each([&](std::uint32_t x, std::uint32_t y) { return holds(rect, x, y); });
-  if (between(0, 3) == 0) return pixels;
-  plane.materialise();
-  for (std::uint32_t y = rect.y0; y < rect.y1; ++y) {
-    for (std::uint32_t column = rect.x0 / 64; column * 64 < rect.x1; ++column) {
-      const std::uint64_t word = any_word();
-      std::uint64_t kept = 0;
-      for (std::uint32_t bit = 0; bit < 64; ++bit) {
-        const std::uint32_t x = column * 64 + bit;
-        if (!holds(rect, x, y)) continue;
-        pixels.set(x, y, (word >> bit & 1U) != 0);
-        kept |= word & std::uint64_t{1} << bit;
-      }
-      plane.set_word(y, column, kept);
+Numbers set_any(sim::Lanes& lanes, unsigned bits, const sim::TileShape& shape) {
+  const auto most = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
+  const std::vector<std::uint32_t> some{0, most, most / 2, most / 2 + 1, static_cast<std::uint32_t>(any_word()) & most};
+  const std::uint64_t constant = any_word();
+  std::uint64_t random = any_word() | 1U;
+  const auto next = [&] {
+    random = random * 6364136223846793005U + 1442695040888963407U;
+    const std::uint64_t choice = random >> 33U;
+    return choice % 8 < some.size() ? some[choice % 8] : static_cast<std::uint32_t>(choice >> 3U) & most;
+  };
+  lanes.field = {0, static_cast<std::uint16_t>(bits)};
+  for (unsigned block = 0; block < sim::blocks_a_tile; ++block) {
+    if ((constant >> block & 1U) != 0) {
+      lanes.set_constant(block, next());
+      continue;
     }
+    std::generate_n(lanes.block(block), sim::block_pixels, next);
+    sim::find_bounds(lanes, block);
   }
-  return pixels;
+  return numbers_of(lanes, shape);
 }
 
 }  // namespace csgsim::testing

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/functional/bit_plane.h"
+#include "sim/functional/lanes.h"
+#include "sim/functional/tile_bits.h"
 
 namespace csgsim::testing {
 
@@ -19,48 +20,53 @@ Number between(Number low, Number end) {
 /// 64 bits of any kind: none, all, few, or as many of one as of the other.
 std::uint64_t any_word();
 
-/// A bit of every pixel, one by one: what the planes of sim/functional are held against.
+/// 1 to tile_side pixels each way: whole tiles, whole blocks, parts of them.
+sim::TileShape any_shape();
+
+/// A value of every pixel of a tile, one by one: what the bits and lanes of sim/functional are held against.
+template <class Value>
 class Pixels {
  public:
-  Pixels(std::uint32_t width, std::uint32_t height)
-      : width_(width), height_(height), bits_(static_cast<std::size_t>(width) * height) {}
+  explicit Pixels(const sim::TileShape& shape) : shape_(shape), values_(shape.area()) {}
 
-  [[nodiscard]] std::uint32_t width() const { return width_; }
-  [[nodiscard]] std::uint32_t height() const { return height_; }
-  [[nodiscard]] bool at(std::uint32_t x, std::uint32_t y) const { return bits_[std::size_t{y} * width_ + x]; }
-  void set(std::uint32_t x, std::uint32_t y, bool bit) { bits_[std::size_t{y} * width_ + x] = bit; }
+  [[nodiscard]] Value at(std::uint32_t x, std::uint32_t y) const {
+    return values_[std::size_t{y} * shape_.width() + x];
+  }
+  void set(std::uint32_t x, std::uint32_t y, Value value) { values_[std::size_t{y} * shape_.width() + x] = value; }
 
-  /// bit := value(x, y), at every pixel.
-  template <class Value>
-  void set_each(const Value& value) {
-    for (std::uint32_t y = 0; y < height_; ++y)
-      for (std::uint32_t x = 0; x < width_; ++x) set(x, y, value(x, y));
+  /// Calls visit(x, y) for every pixel.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (std::uint32_t y = 0; y < shape_.height(); ++y)
+      for (std::uint32_t x = 0; x < shape_.width(); ++x) visit(x, y);
+  }
+  /// value := value(x, y), at every pixel.
+  template <class Make>
+  void set_each(const Make& value) {
+    each([&](std::uint32_t x, std::uint32_t y) { set(x, y, value(x, y)); });
   }
 
-  [[nodiscard]] std::uint64_t ones() const;
-  /// The smallest rectangle around the ones.
-  [[nodiscard]] sim::Rect bounds() const;
-
-  bool operator==(const Pixels&) const = default;
+  bool operator==(const Pixels& other) const { return values_ == other.values_; }
 
  private:
-  std::uint32_t width_;
-  std::uint32_t height_;
-  std::vector<bool> bits_;
+  sim::TileShape shape_;
+  std::vector<Value> values_;
 };
 
-bool holds(const sim::Rect& rect, std::uint32_t x, std::uint32_t y);
+using Bits = Pixels<char>;
+using Numbers = Pixels<std::uint32_t>;
 
-/// The plane's bits, one by one. Asserts that those past a row's end, where there are no pixels, are 0.
-Pixels pixels_of(const sim::BitPlane& plane);
+/// The bits, one by one. Asserts that those where there is no pixel are 0, and that blocks are known for what they are.
+Bits bits_of(const sim::TileBits& bits, const sim::TileShape& shape);
 
-/// All 0. One pixel wide, or a part of a word, just a word, a bit more than one or two, or anything in between.
-Pixels any_size();
+/// Blocks become all zeros, all ones, or words of any kind. Returns what they have to hold then.
+Bits set_any(sim::TileBits& bits, const sim::TileShape& shape);
 
-/// A rectangle within another one, perhaps an empty one.
-sim::Rect any_rect(const sim::Rect& within);
+/// The numbers, one by one. Asserts that each is within its block's bounds.
+Numbers numbers_of(const sim::Lanes& lanes, const sim::TileShape& shape);
 
-/// The plane becomes a solid rectangle, or words of any kind within one. Returns what it has to hold then.
-Pixels set_any(sim::BitPlane& plane);
+/// Blocks become constant, or any few values of so many bits, the least and the greatest among them. Returns what they
+/// have to hold then.
+Numbers set_any(sim::Lanes& lanes, unsigned bits, const sim::TileShape& shape);
 
 }  // namespace csgsim::testing

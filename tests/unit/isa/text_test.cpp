@@ -41,18 +41,18 @@ TEST_CASE("the sample is printed so") {
 .primitive "cube \"a\""  # p0
 .primitive "ball\x0a"  # p1
 
-.segment x=1 y=0 width=7 height=4 primitives=2 halfspaces=12 kept_primitives=1 kept_halfspaces=9 comparisons=4
-  enable_all                                            ; setup
-  set_constant "two words", 255                         ; setup
-  keep_max Z1, 12*x - 7*y + 991 (w20 >> 4)              ; render p0
-  linear_ge Z1, -x + y - 300 (w12)                      ; classify p0 against p1
-  edge_negative 0 (w1)                                  ; classify against p1
-  bit_and_not in, in, [39]                              ; stack p1
-  copy "two words", Z1                                  ; merge p1
-  skip_if_none 1                                        ; merge p1
-  global_or                                             ; merge p1
+.segment x=1 y=0 width=7 height=4 primitives=2 halfspaces=12 kept_primitives=1 kept_halfspaces=9 comparisons=4  # s0
+  enable_all                                            ; setup                     # i0
+  set_constant "two words", 255                         ; setup                     # i1
+  keep_max Z1, 12*x - 7*y + 991 (w20 >> 4)              ; render p0                 # i2
+  linear_ge Z1, -x + y - 300 (w12)                      ; classify p0 against p1    # i3
+  edge_negative 0 (w1)                                  ; classify against p1       # i4
+  bit_and_not in, in, [39]                              ; stack p1                  # i5
+  copy "two words", Z1                                  ; merge p1                  # i6
+  skip_if_none 1                                        ; merge p1                  # i7
+  global_or                                             ; merge p1                  # i8
 
-.segment x=0 y=3 width=1 height=1 primitives=0 halfspaces=0 kept_primitives=0 kept_halfspaces=0 comparisons=0
+.segment x=0 y=3 width=1 height=1 primitives=0 halfspaces=0 kept_primitives=0 kept_halfspaces=0 comparisons=0  # s1
 )");
 }
 

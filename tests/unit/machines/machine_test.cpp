@@ -11,6 +11,7 @@
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
 #include "hw/kinds/rows.h"
+#include "hw/machines/area.h"
 #include "hw/machines/description.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/schema.h"
@@ -55,6 +56,28 @@ std::string place_of(std::string_view text, std::string_view needle) {
 std::string message_of_change(std::string_view from, std::string_view to) { return message(changed(from, to)); }
 
 }  // namespace
+
+TEST_CASE("a pixel takes the transistors of its logic and of its memory, where it has been synthesised") {
+  Machine machine = kinds::load("pixel-planes-4");
+  const std::uint64_t logic = *machines::pixel_transistors(machine, 0);
+  CHECK(logic > 100);
+  CHECK(machines::pixel_transistors(machine, 72) == logic + std::uint64_t{3 * 72});
+  machine.memory_reads = 2;
+  CHECK(*machines::pixel_transistors(machine, 100) == *machines::pixel_transistors(machine, 0) + 5 * 100);
+  machine.memory_reads = 1;
+  std::uint64_t narrower = logic;
+  for (const std::uint32_t alu_bits : {2U, 4U, 8U, 16U, 32U}) {
+    machine.alu_bits = alu_bits;
+    const std::uint64_t wider = *machines::pixel_transistors(machine, 0);
+    CHECK(wider > narrower);
+    narrower = wider;
+  }
+  machine.alu_bits = 3;
+  CHECK(machines::pixel_transistors(machine, 72) == std::nullopt);
+  CHECK(machines::pixel_transistors(kinds::load("pixel-square"), 72) == logic + std::uint64_t{3 * 72});
+  CHECK(machines::pixel_transistors(kinds::load("scan-line"), 72) == std::nullopt);
+  CHECK(machines::pixel_transistors(kinds::load("multi-processor"), 72) == std::nullopt);
+}
 
 TEST_CASE("pixel-planes-4 is built in, with the published figures") {
   const Machine machine = kinds::load("pixel-planes-4");

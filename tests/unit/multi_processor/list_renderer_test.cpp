@@ -61,6 +61,24 @@ void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& 
   }
 }
 
+/// What each pixel was told to go through, against the states that were kept and the clocks worked out.
+void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>& moments,
+                   const std::vector<multi_processor::NodeState>& steps, const std::vector<isa::Instruction>& list,
+                   const NodePixels& own, const machines::Machine& machine) {
+  for (std::uint32_t pixel = 0; pixel < moments.size(); ++pixel) {
+    RC_ASSERT(moments[pixel].size() == list.size());
+    const auto spans = multi_processor::spans_at_pixel(list, own, pixel % own.columns, pixel / own.columns, machine);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const multi_processor::PixelMoment& moment = moments[pixel][i];
+      RC_ASSERT(moment.index == i);
+      RC_ASSERT(moment.clocks == spans[i]);
+      RC_ASSERT(moment.after.enabled(0) == steps[i].pixels.enabled(pixel));
+      const isa::Field first{0, 8};
+      RC_ASSERT(moment.after.read(0, first) == steps[i].pixels.read(pixel, first));
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("nodes leave the reference's bits after every instruction of any list, in the clocks worked out") {
@@ -75,7 +93,10 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
       const NodePixels own =
           multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
       multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own);
+      std::vector<std::vector<multi_processor::PixelMoment>> moments(own.count());
+      for (std::size_t pixel = 0; pixel < own.count(); ++pixel) renderer.watch(pixel, moments[pixel]);
       renderer.render();
+      check_moments(moments, renderer.steps(), list, own, machine);
       sim::ReferenceArray reference(region, machine.array.memory_bits);
       for (std::size_t i = 0; i < list.size(); ++i) {
         reference.execute(list[i]);

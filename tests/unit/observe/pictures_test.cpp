@@ -4,8 +4,13 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -87,6 +92,41 @@ TEST_CASE("a picture has each pixel's colour at its place, in eight bits a chann
                                                     0, 0, 255, 255, 255, 255, 85, 85, 85});
 }
 
+TEST_CASE("a grey picture has each pixel's grey at its place") {
+  for (const char* const extension : {".png", ".tif"}) {
+    CAPTURE(extension);
+    const Scratch scratch(extension);
+    const std::vector<std::uint8_t> bytes{0, 1, 127, 128, 254, 255};
+    write_to(scratch.path(), [&](OutputFile& file) { sim::write_picture(file, sim::Picture{2, 3, 1, bytes}); });
+    const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
+    CHECK(picture.width == 2);
+    CHECK(picture.height == 3);
+    CHECK(picture.channels.size() == 1);
+    CHECK(picture.values == bytes);
+  }
+}
+
+TEST_CASE("noise of any size comes back from a PNG as it was") {
+  for (const std::uint32_t width : {1U, 2U, 7U, 640U, 5000U}) {
+    CAPTURE(width);
+    std::mt19937 random(width);
+    sim::Picture noise{width, 17, 3, {}};
+    for (std::uint32_t i = 0; i < width * 17 * 3; ++i) noise.bytes.push_back(static_cast<std::uint8_t>(random()));
+    const Scratch scratch(".png");
+    write_to(scratch.path(), [&](OutputFile& file) { sim::write_picture(file, noise); });
+    const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
+    CHECK(picture.width == static_cast<int>(width));
+    CHECK(picture.values == noise.bytes);
+  }
+}
+
+TEST_CASE("a PNG too wide for its readers is refused") {
+  const Scratch scratch(".png");
+  OutputFile file(scratch.path());
+  const sim::Picture wide{2'000'000, 1, 1, std::vector<std::uint8_t>(2'000'000)};
+  CHECK_THROWS_WITH_AS(sim::write_picture(file, wide), doctest::Contains(": cannot be written: "), InputError);
+}
+
 TEST_CASE("a depth picture has distances in model units, and infinity where nothing is seen") {
   const Scratch scratch(".exr");
   write_to(scratch.path(), [](OutputFile& file) { sim::write_depth(file, frame(), program()); });
@@ -108,9 +148,46 @@ TEST_CASE("a picture of owners has the number of the primitive, and -1 where not
   CHECK(picture.values == std::vector<float>{0, 1, 2, 70'000, -1, 5});
 }
 
+TEST_CASE("primitives have different colours in an owner picture, none of them that of nothing") {
+  // Bits of the index + 1, lowest first, go to the highest bits of red, green and blue.
+  CHECK(sim::owner_colour(sim::no_owner) == std::array<std::uint8_t, 3>{0, 0, 0});
+  CHECK(sim::owner_colour(0) == std::array<std::uint8_t, 3>{128, 0, 0});
+  CHECK(sim::owner_colour(1) == std::array<std::uint8_t, 3>{0, 128, 0});
+  CHECK(sim::owner_colour(2) == std::array<std::uint8_t, 3>{128, 128, 0});
+  CHECK(sim::owner_colour(7) == std::array<std::uint8_t, 3>{64, 0, 0});
+  std::set<std::array<std::uint8_t, 3>> colours{sim::owner_colour(sim::no_owner)};
+  for (std::uint32_t i = 0; i < 100'000; ++i) colours.insert(sim::owner_colour(i));
+  CHECK(colours.size() == 100'001);
+}
+
+TEST_CASE("an owner picture for ordinary tools has the colours that its legend tells") {
+  const Scratch scratch(".png");
+  const Scratch beside(".json");
+  isa::Program named = program();
+  named.facts.primitives = {"cube@1:1", "ball", "cube@3:1"};
+  sim::Frame seen = frame();
+  seen.owner = {0, 1, 1, 2, sim::no_owner, 1};
+  write_to(scratch.path(), [&](OutputFile& file) { sim::write_owner(file, seen); });
+  write_to(beside.path(), [&](OutputFile& file) { sim::write_legend(file, seen, named); });
+  const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
+  CHECK(picture.values == std::vector<std::uint8_t>{128, 0, 0, 0, 128, 0, 0, 128, 0,  //
+                                                    128, 128, 0, 0, 0, 0, 0, 128, 0});
+  std::ifstream file(beside.path());
+  const nlohmann::json legend = nlohmann::json::parse(file);
+  CHECK(legend["nothing"] == nlohmann::json{{"colour", "#000000"}, {"pixels", 1}});
+  REQUIRE(legend["primitives"].size() == 3);
+  CHECK(legend["primitives"][1] ==
+        nlohmann::json{{"index", 1}, {"name", "ball"}, {"colour", "#008000"}, {"pixels", 3}});
+}
+
 TEST_CASE("a name that is of no picture format is refused, with what to take") {
   CHECK_NOTHROW(sim::check_format("a.png"));
-  CHECK_NOTHROW(sim::check_format("a.exr"));
+  // Endings that nobody waits for the module to know, too.
+  for (const char* const name : {"a.exr", "a.tif", "a.jpg", "a.ppm", "a.EXR", "a.sgi"}) {
+    CAPTURE(name);
+    CHECK_NOTHROW(sim::check_format(name));
+    CHECK_NOTHROW(sim::check_depth_format(name));
+  }
   for (const char* const name : {"a.xyz", "a", "a.null", "a.term"}) {
     CAPTURE(name);
     CHECK_THROWS_WITH_AS(

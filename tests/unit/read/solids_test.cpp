@@ -145,16 +145,3 @@ TEST_CASE("a primitive knows where it stands") {
   CHECK(tree.primitives[1].location.line == 4);
   CHECK(tree.primitives[1].location.column == 3);
 }
-
-TEST_CASE("only a node that is a solid is read as one") {
-  using csgsim::read::NodeKind;
-  csgsim::read::Source source("group();", "m.csg");
-  const csgsim::read::Statement statement{{}, "group", 0, {}, {}};
-  const csgsim::read::NodeType* node = csgsim::read::find_node("group");
-  REQUIRE(node != nullptr);
-  const csgsim::read::Arguments arguments(source, statement, *node);
-  for (const NodeKind kind : {NodeKind::unite, NodeKind::subtract, NodeKind::intersect, NodeKind::transform,
-                              NodeKind::colour, NodeKind::unsupported, NodeKind::source}) {
-    CHECK_THROWS_AS(csgsim::read::read_solid(kind, arguments), std::logic_error);
-  }
-}

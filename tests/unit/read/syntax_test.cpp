@@ -93,7 +93,7 @@ TEST_CASE("syntax errors say what was expected and where") {
   CHECK(error_of("# ;") == "m.csg:1:3: expected a node such as cube(...) after its modifier, found `;`");
   CHECK(error_of("{cube(1);}") == "m.csg:1:1: expected a node such as cube(...), or `}`, found `{`");
   CHECK(error_of("cube(1); /* x") == "m.csg:1:10: this comment never ends; close it with */");
-  CHECK(error_of("color(\"red\\\"") == "m.csg:1:7: this string never ends; close it with \"");
+  CHECK(error_of("color(\"red\\\"") == "m.csg:1:7: this string never ends; close it with \" before `)` or `, name =`");
 }
 
 TEST_CASE("bytes that cannot be shown are named by number") {
@@ -121,4 +121,37 @@ TEST_CASE("strings with escapes are read") {
   CHECK(error_of(R"(color("re\"d\\", 1) { cube(1); } group("x");)") ==
         "m.csg:1:7: color() does not know names; write [red, green, blue], each from 0 to 1");
   CHECK(outline(read(R"(%text(text = "a\"b)};", size = 10); cube(1);)")) == "cube");
+}
+
+namespace {
+
+/// The string that import() is given: no such file is there, and the message names it.
+std::string file_name(std::string_view written) {
+  const std::string said = error_of("import(file = \"" + std::string(written) + "\", layer = \"\", $fn = 0);");
+  const std::string_view begin = "m.csg:1:1: ";
+  const std::size_t end = said.find(": cannot be read");
+  if (!said.starts_with(begin) || end == std::string::npos) return "not read: " + said;
+  return said.substr(begin.size(), end - begin.size());
+}
+
+}  // namespace
+
+TEST_CASE("strings are what OpenSCAD writes between quotes, quotes and backslashes among it") {
+  for (const char* name :
+       {"a.stl", "say \"hi\", b.stl", "end\".stl", "f(\"x\").stl", "a\\b.stl", "a\\\\b.stl", "a\", \"b.stl"}) {
+    CAPTURE(name);
+    std::string shown = name;
+    for (std::size_t at = shown.find('\\'); at != std::string::npos; at = shown.find('\\', at + 2))
+      shown.insert(at, 1, '\\');
+    const std::string got = file_name(name);
+    CHECK((got == name || got == shown));
+  }
+  CHECK(file_name("a\\\"b.stl") == "a\"b.stl");
+  CHECK(outline(read("group() { %text(text = \"\"\", size = 10); cube(1); }")) == "cube");
+  CHECK(outline(read("%text(text = \"a\\\", size = 10) ; cube(1);")) == "cube");
+}
+
+TEST_CASE("a string that looks like arguments is refused, since nothing tells it from them") {
+  CHECK(error_of("text(text = \"x\", size = 3, font = \"y\", size = 10, font = \"\");") ==
+        "m.csg:1:40: size is given twice in text(...); take one out");
 }

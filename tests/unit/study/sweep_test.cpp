@@ -11,6 +11,7 @@
 #include "host/read/read.h"
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
+#include "hw/machines/area.h"
 #include "sim/study/hash.h"
 #include "sim/study/ranges.h"
 #include "sim/study/sweep_run.h"
@@ -43,6 +44,7 @@ study::SweepRow row_of(const study::SweepPoint& point, const std::string& pictur
   row.width = 48;
   row.height = 36;
   row.picture = picture;
+  if (point.strategy == "bits") row.pixel_transistors = 650;
   return row;
 }
 
@@ -218,6 +220,8 @@ TEST_CASE("points measured in parallel are those measured one by one, with the s
     const study::SweepRow expected = study::measure(job, true);
     CHECK(expected.compiled());
     CHECK(expected.clocks > 100);
+    CHECK(expected.pixel_transistors == machines::pixel_transistors(job.machine, expected.used_bits));
+    CHECK(expected.pixel_transistors < machines::pixel_transistors(job.machine, 256));
     CHECK(expected.picture == rows.front().picture);
     CHECK(std::count(rows.begin(), rows.end(), expected) == 1);
   }

@@ -1,0 +1,30 @@
+# With CSGSIM_PRECOMPILE the headers that most of the code includes are compiled once: for the libraries, and for the
+# tests. The release build goes without, so that each file is seen to include what it names.
+option(CSGSIM_PRECOMPILE "Compile the headers that most files include once" OFF)
+
+# csgsim_precompiled_headers(NAME LINK... HEADERS...): the library that holds them; csgsim_use_precompiled names it.
+function(csgsim_precompiled_headers name)
+  cmake_parse_arguments(OF "" "" "LINK;HEADERS" ${ARGN})
+  if(NOT CSGSIM_PRECOMPILE)
+    return()
+  endif()
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/precompiled/${name}.cpp CONTENT "")
+  add_library(csgsim_precompiled_${name} STATIC ${PROJECT_BINARY_DIR}/precompiled/${name}.cpp)
+  target_link_libraries(csgsim_precompiled_${name} PUBLIC ${OF_LINK} PRIVATE csgsim_flags)
+  target_precompile_headers(csgsim_precompiled_${name} PRIVATE ${OF_HEADERS})
+endfunction()
+
+function(csgsim_use_precompiled target name)
+  if(CSGSIM_PRECOMPILE)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:csgsim_precompiled_${name}>)
+    target_precompile_headers(${target} REUSE_FROM csgsim_precompiled_${name})
+  endif()
+endfunction()
+
+csgsim_precompiled_headers(rooms
+  LINK fmt::fmt glm::glm
+  HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <optional> <set> <span>
+    <stdexcept> <string> <string_view> <utility> <variant> <vector> <fmt/format.h> <glm/geometric.hpp>)
+if(CSGSIM_PRECOMPILE)
+  set_target_properties(csgsim_precompiled_rooms PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endif()

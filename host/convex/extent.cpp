@@ -1,0 +1,222 @@
+#include "host/convex/extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "host/convex/clip.h"
+#include "host/convex/outside.h"
+#include "host/convex/polytope.h"
+#include "host/convex/solid_products.h"
+#include "hw/base/error.h"
+
+namespace csgsim::convex {
+
+namespace {
+
+bool are_equal(const facet::Box& one, const facet::Box& other) {
+  return one.low == other.low && one.high == other.high;
+}
+
+facet::Box moved(const facet::Box& box, const glm::dvec3& by) {
+  return box.empty() ? box : facet::Box{box.low + by, box.high + by};
+}
+
+/// A convex part of a product, and what has yet to be taken away from it; the last one goes first.
+struct Part {
+  Polytope polytope;
+  std::vector<std::uint32_t> taken_away;
+};
+
+/// Boxes are relative to PlaneTable::centre().
+class Search {
+ public:
+  Search(const facet::Scene& scene, std::size_t most) : scene_(scene), most_(most) {
+    for (const facet::Convex& solid : scene.solids) boxes_.push_back(moved(solid.box, -scene.planes.centre()));
+  }
+
+  void add(SolidProduct product) {
+    Part part{std::move(product.whole), std::move(product.taken_away)};
+    find_corners(part);
+    if (!is_found(part)) open_.push_back(std::move(part));
+  }
+
+  /// The box of all that was added.
+  facet::Box find() {
+    while (!open_.empty()) {
+      const Part part = std::move(open_.back());
+      open_.pop_back();
+      if (is_found(part)) continue;
+      if (part.taken_away.empty() || cuts_ >= most_) {
+        found_ = hull(found_, box_of(part.polytope));
+      } else {
+        cut(part);
+      }
+    }
+    return found_;
+  }
+
+ private:
+  [[nodiscard]] bool is_found(const Part& part) const { return are_equal(hull(found_, box_of(part.polytope)), found_); }
+
+  /// Corners that are off everything that is taken away are corners of the model.
+  void find_corners(const Part& part) {
+    for (const glm::dvec3& corner : part.polytope.vertices) {
+      const facet::Box more = hull(found_, corner);
+      if (are_equal(more, found_)) continue;
+      const bool stays = std::none_of(part.taken_away.begin(), part.taken_away.end(),
+                                      [&](std::uint32_t primitive) { return touches(primitive, corner); });
+      if (stays) found_ = more;
+    }
+  }
+
+  [[nodiscard]] bool touches(std::uint32_t primitive, const glm::dvec3& point) const {
+    const std::vector<facet::Halfspace>& halfspaces = scene_.solids[primitive].halfspaces;
+    return std::all_of(halfspaces.begin(), halfspaces.end(), [&](facet::Halfspace halfspace) {
+      const facet::Plane plane = outward_plane(halfspace, scene_.planes);
+      return glm::dot(plane.normal, point) + plane.offset <= tolerance(scene_.planes);
+    });
+  }
+
+  void cut(const Part& part) {
+    ++cuts_;
+    const std::uint32_t taken = part.taken_away.back();
+    for (Polytope& polytope : outside(part.polytope, scene_.solids[taken], scene_.planes)) {
+      const facet::Box box = box_of(polytope);
+      Part rest{std::move(polytope), {}};
+      std::copy_if(part.taken_away.begin(), std::prev(part.taken_away.end()), std::back_inserter(rest.taken_away),
+                   [&](std::uint32_t primitive) { return !common(boxes_[primitive], box).empty(); });
+      find_corners(rest);
+      if (!is_found(rest)) open_.push_back(std::move(rest));
+    }
+  }
+
+  const facet::Scene& scene_;
+  std::size_t most_;
+  std::size_t cuts_ = 0;
+  std::vector<facet::Box> boxes_;  ///< of the primitives
+  std::vector<Part> open_;
+  facet::Box found_;
+};
+
+/// Whether the folded boxes are the model's already.
+bool is_union(const csg::PositiveTree& tree) {
+  return std::all_of(tree.nodes.begin(), tree.nodes.end(), [](const csg::PositiveNode& node) {
+    return node.is_leaf ? !node.complemented : node.op == csg::PositiveOperator::unite;
+  });
+}
+
+/// What is known of a point: that all near it is in, that nothing is, or neither.
+enum class Known : std::uint8_t { out, maybe, in };
+
+/// Whether corners of primitives are corners of the model. Points are relative to PlaneTable::centre().
+class Corners {
+ public:
+  Corners(const facet::Scene& scene, const csg::PositiveTree& tree)
+      : scene_(scene), tree_(tree), known_(tree.nodes.size()) {}
+
+  /// Whether a corner on each side of scene.box is one.
+  bool reach_all_sides() {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!reach(axis, -1.0, scene_.box.low[axis]) || !reach(axis, 1.0, scene_.box.high[axis])) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// Corners looked at before a side counts as open: where a flush cut leaves many undecided, others tell no more.
+  static constexpr int most_corners = 64;
+
+  bool reach(int axis, double sign, double side) {
+    int looked_at = 0;
+    for (std::uint32_t i = 0; i < scene_.solids.size(); ++i) {
+      const facet::Box& box = scene_.solids[i].box;
+      const double farthest = sign > 0.0 ? box.high[axis] : box.low[axis];
+      const bool is_short = box.empty() || sign * farthest < sign * side - tolerance(scene_.planes);
+      if (is_short || tree_.nodes[tree_.leaf_of[i]].complemented) continue;
+      for (const glm::dvec3& corner : scene_.solids[i].vertices) {
+        if (sign * corner[axis] < sign * side - tolerance(scene_.planes)) continue;
+        if (is_corner(i, corner - scene_.planes.centre())) return true;
+        if (++looked_at == most_corners) return false;
+      }
+    }
+    return false;
+  }
+
+  /// Next to a corner the primitive is in and out, and all that is known is the same all around it: if the tree is in
+  /// where the primitive is, the corner is on the model.
+  bool is_corner(std::uint32_t primitive, const glm::dvec3& corner) {
+    if (of_primitive(primitive, corner) == Known::out) return false;
+    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
+      const csg::PositiveNode& node = tree_.nodes[i];
+      if (node.is_leaf) {
+        const Known in = node.primitive == primitive ? Known::in : of_primitive(node.primitive, corner);
+        known_[i] = node.complemented ? opposite_of(in) : in;
+        continue;
+      }
+      const bool unites = node.op == csg::PositiveOperator::unite;
+      known_[i] = unites ? Known::out : Known::in;
+      for (const std::uint32_t child : node.children)
+        known_[i] = unites ? std::max(known_[i], known_[child]) : std::min(known_[i], known_[child]);
+    }
+    return known_[tree_.root] == Known::in;
+  }
+
+  static Known opposite_of(Known known) {
+    return known == Known::in ? Known::out : known == Known::out ? Known::in : Known::maybe;
+  }
+
+  [[nodiscard]] Known of_primitive(std::uint32_t primitive, const glm::dvec3& point) const {
+    const double near = tolerance(scene_.planes);
+    const facet::Convex& solid = scene_.solids[primitive];
+    const glm::dvec3 place = point + scene_.planes.centre();
+    if (solid.box.empty() || glm::any(glm::lessThan(place, solid.box.low - near)) ||
+        glm::any(glm::greaterThan(place, solid.box.high + near)))
+      return Known::out;
+    Known known = Known::in;
+    for (const facet::Halfspace halfspace : solid.halfspaces) {
+      const facet::Plane plane = outward_plane(halfspace, scene_.planes);
+      const double height = glm::dot(plane.normal, point) + plane.offset;
+      if (height > near) return Known::out;
+      if (height > -near) known = Known::maybe;
+    }
+    return known;
+  }
+
+  const facet::Scene& scene_;
+  const csg::PositiveTree& tree_;
+  std::vector<Known> known_;  ///< of each node
+};
+
+facet::Box searched(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most) {
+  Search search(scene, most);
+  try {
+    for_each_product(
+        scene, tree, [&](SolidProduct product) { search.add(std::move(product)); }, most);
+  } catch (const InputError&) {
+    return scene.box;  // more choices than that
+  }
+  return moved(search.find(), scene.planes.centre());
+}
+
+}  // namespace
+
+facet::Box extent(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most) {
+  if (scene.box.empty() || is_union(tree) || Corners(scene, tree).reach_all_sides()) return scene.box;
+  const facet::Box found = common(scene.box, searched(scene, tree, most));
+  if (found.empty()) return scene.box;
+  const double near = tolerance(scene.planes);
+  facet::Box box = scene.box;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (found.low[axis] > box.low[axis] + near) box.low[axis] = found.low[axis];
+    if (found.high[axis] < box.high[axis] - near) box.high[axis] = found.high[axis];
+  }
+  return box;
+}
+
+}  // namespace csgsim::convex

@@ -1,0 +1,215 @@
+#include "host/convex/near_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <set>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "host/convex/polytope.h"
+
+namespace csgsim::convex {
+
+namespace {
+
+/// A direction in which planes are sorted: of no symmetry that models have.
+constexpr glm::dvec3 sorting{0.4142, 0.5918, 0.6914};
+constexpr double sorting_offset = 0.7321;
+
+/// By how much the places of near planes differ at most.
+constexpr double window = near_normals * (sorting.x + sorting.y + sorting.z) + near_offsets * sorting_offset;
+
+/// A plane in one of its two orientations.
+struct Oriented {
+  double place = 0;
+  std::uint32_t plane = 0;
+  bool is_reversed = false;
+};
+
+std::vector<Oriented> sorted(const facet::PlaneTable& planes) {
+  std::vector<Oriented> all;
+  all.reserve(2 * planes.planes().size());
+  for (const facet::Plane& plane : planes.planes()) {
+    const auto number = static_cast<std::uint32_t>(all.size() / 2);
+    const double place = glm::dot(plane.normal, sorting) + plane.offset / planes.diagonal() * sorting_offset;
+    all.push_back({place, number, false});
+    all.push_back({-place, number, true});
+  }
+  std::sort(all.begin(), all.end(), [](const Oriented& a, const Oriented& b) { return a.place < b.place; });
+  return all;
+}
+
+bool are_near(const facet::Plane& one, const facet::Plane& other, double sign, double diagonal) {
+  const glm::dvec3 apart = glm::abs(one.normal - sign * other.normal);
+  const double tilt = std::max({apart.x, apart.y, apart.z});
+  const double offset = std::abs(one.offset - sign * other.offset) / diagonal;
+  const bool is_parallel = tilt <= facet::coincidence_tolerance;
+  return tilt <= near_normals && offset <= (is_parallel ? near_parallel_offsets : near_offsets);
+}
+
+/// The primitives that have a face in each plane.
+class Users {
+ public:
+  explicit Users(const facet::Scene& scene) : first_(scene.planes.planes().size() + 1) {
+    for_each(scene, [&](std::uint32_t plane, std::uint32_t) { ++first_[plane + 1]; });
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    users_.resize(first_.back());
+    std::vector<std::size_t> next = first_;
+    for_each(scene, [&](std::uint32_t plane, std::uint32_t solid) { users_[next[plane]++] = solid; });
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t plane) const {
+    return std::span(users_).subspan(first_[plane], first_[plane + 1] - first_[plane]);
+  }
+
+ private:
+  template <class Visit>
+  static void for_each(const facet::Scene& scene, const Visit& visit) {
+    for (std::uint32_t solid = 0; solid < scene.solids.size(); ++solid) {
+      for (const facet::Halfspace& halfspace : scene.solids[solid].halfspaces) visit(halfspace.plane, solid);
+    }
+  }
+
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> users_;
+};
+
+/// Of each primitive, the number of its node in the file.
+std::vector<std::uint32_t> nodes_of(const model::Tree& tree) {
+  std::vector<std::uint32_t> nodes;
+  std::uint32_t node = 0;
+  for (const model::Primitive& primitive : tree.primitives) {
+    if (!primitive.continues) ++node;
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+using Outline = std::vector<glm::dvec2>;
+
+/// Whether no direction across an edge of the first outline shows them apart, or overlapping by no more than `least`.
+bool overlap_across(const Outline& one, const Outline& other, double least) {
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const glm::dvec2 edge = one[(i + 1) % one.size()] - one[i];
+    const double length = glm::length(edge);
+    if (!(length > 0.0)) continue;
+    const glm::dvec2 across = glm::dvec2(edge.y, -edge.x) / length;
+    const auto range = [&](const Outline& outline) {
+      std::pair<double, double> all{glm::dot(across, outline[0]), glm::dot(across, outline[0])};
+      for (const glm::dvec2& corner : outline) {
+        all.first = std::min(all.first, glm::dot(across, corner));
+        all.second = std::max(all.second, glm::dot(across, corner));
+      }
+      return all;
+    };
+    const auto [low, high] = range(one);
+    const auto [other_low, other_high] = range(other);
+    if (std::min(high, other_high) - std::max(low, other_low) <= least) return false;
+  }
+  return true;
+}
+
+class Search {
+ public:
+  Search(const model::Tree& tree, const facet::Scene& scene)
+      : tree_(tree), scene_(scene), users_(scene), nodes_(nodes_of(tree)) {}
+
+  NearFaces find() {
+    const std::vector<Oriented> planes = sorted(scene_.planes);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      for (std::size_t j = i + 1; j < planes.size() && planes[j].place - planes[i].place <= window; ++j) {
+        if (++planes_looked_at_ > most_near_faces + 16 * planes.size()) found_.are_more = true;
+        if (found_.are_more) return counted();
+        // The mirror image of two that are not reversed is as near.
+        if (!planes[i].is_reversed || !planes[j].is_reversed) look_at(planes[i], planes[j]);
+      }
+    }
+    return counted();
+  }
+
+ private:
+  NearFaces counted() {
+    found_.pairs = pairs_.size();
+    return found_;
+  }
+
+  void look_at(const Oriented& one, const Oriented& other) {
+    const std::vector<facet::Plane>& planes = scene_.planes.planes();
+    if (one.plane == other.plane) return;
+    const double sign = one.is_reversed == other.is_reversed ? 1.0 : -1.0;
+    if (!are_near(planes[one.plane], planes[other.plane], sign, scene_.planes.diagonal())) return;
+    for (const std::uint32_t first : users_.of(one.plane)) {
+      for (const std::uint32_t second : users_.of(other.plane)) {
+        if (++faces_looked_at_ > most_near_faces) found_.are_more = true;
+        if (found_.are_more) return;
+        const auto [low, high] = std::minmax(first, second);
+        if (nodes_[low] == nodes_[high] || !may_meet(low, high) || pairs_.contains({nodes_[low], nodes_[high]}))
+          continue;
+        if (faces_overlap(first, one.plane, second, other.plane)) add(low, high);
+      }
+    }
+  }
+
+  void add(std::uint32_t low, std::uint32_t high) {
+    if (pairs_.empty() || std::array{low, high} < found_.first) found_.first = {low, high};
+    pairs_.insert({nodes_[low], nodes_[high]});
+  }
+
+  [[nodiscard]] double slack() const { return 2.0 * near_offsets * scene_.planes.diagonal(); }
+
+  /// Solids of the file whose boxes are not apart.
+  [[nodiscard]] bool may_meet(std::uint32_t one, std::uint32_t other) const {
+    const facet::Box& box = scene_.solids[one].box;
+    const bool are_of_file = tree_.primitives[one].section == model::no_index &&  //
+                             tree_.primitives[other].section == model::no_index;
+    return are_of_file && !common({box.low - slack(), box.high + slack()}, scene_.solids[other].box).empty();
+  }
+
+  bool faces_overlap(std::uint32_t one, std::uint32_t in, std::uint32_t other, std::uint32_t in_other) {
+    const glm::dvec3 normal = scene_.planes.planes()[in].normal;
+    const glm::dvec3 least = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(normal, least));
+    const glm::dvec3 up = glm::cross(normal, right);
+    const Outline a = outline(one, in, right, up);
+    const Outline b = outline(other, in_other, right, up);
+    if (a.empty() || b.empty()) return false;
+    // Faces side by side, or smaller than what rounding moves, do not overlap.
+    return overlap_across(a, b, slack()) && overlap_across(b, a, slack());
+  }
+
+  /// Of a primitive's face in a plane; of no corners if it only touches the plane.
+  Outline outline(std::uint32_t primitive, std::uint32_t plane, const glm::dvec3& right, const glm::dvec3& up) {
+    const auto [found, is_new] = polytopes_.try_emplace(primitive);
+    if (is_new) found->second = make_polytope(scene_.solids[primitive], scene_.planes);
+    Outline outline;
+    for (const Face& face : found->second.faces) {
+      if (face.halfspace.plane != plane) continue;
+      for (const std::uint32_t corner : face.corners) {
+        const glm::dvec3& point = found->second.vertices[corner];
+        outline.emplace_back(glm::dot(right, point), glm::dot(up, point));
+      }
+      break;
+    }
+    return outline;
+  }
+
+  const model::Tree& tree_;
+  const facet::Scene& scene_;
+  Users users_;
+  std::vector<std::uint32_t> nodes_;
+  std::unordered_map<std::uint32_t, Polytope> polytopes_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_;
+  std::uint64_t planes_looked_at_ = 0;
+  std::uint64_t faces_looked_at_ = 0;
+  NearFaces found_;
+};
+
+}  // namespace
+
+NearFaces near_faces(const model::Tree& tree, const facet::Scene& scene) { return Search(tree, scene).find(); }
+
+}  // namespace csgsim::convex

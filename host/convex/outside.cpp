@@ -1,0 +1,44 @@
+#include "host/convex/outside.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "host/convex/clip.h"
+
+namespace csgsim::convex {
+
+namespace {
+
+/// Whether the plane is between the common part, which has a face on it, and some of the rest.
+bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& rest, const facet::PlaneTable& planes) {
+  const bool has_face =
+      std::any_of(both.faces.begin(), both.faces.end(), [&](const Face& face) { return face.halfspace == halfspace; });
+  const facet::Plane plane = outward_plane(halfspace, planes);
+  return has_face && std::any_of(rest.vertices.begin(), rest.vertices.end(), [&](const glm::dvec3& vertex) {
+           return glm::dot(plane.normal, vertex) + plane.offset > tolerance(planes);
+         });
+}
+
+}  // namespace
+
+std::vector<Polytope> outside(Polytope polytope, const facet::Convex& solid, const facet::PlaneTable& planes) {
+  std::vector<Polytope> parts;
+  Polytope both = polytope;
+  for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    both = clip(std::move(both), halfspace, planes);
+    if (!both.empty()) continue;
+    parts.push_back(std::move(polytope));
+    return parts;
+  }
+  Polytope rest = std::move(polytope);
+  for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    if (!is_wall(halfspace, both, rest, planes)) continue;
+    Polytope part = clip(rest, opposite(halfspace), planes);
+    if (!part.empty()) parts.push_back(std::move(part));
+    rest = clip(std::move(rest), halfspace, planes);
+  }
+  return parts;
+}
+
+}  // namespace csgsim::convex

@@ -1,0 +1,67 @@
+#include "host/csg/box_index.h"
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+#include <utility>
+
+namespace csgsim::csg {
+
+namespace {
+
+namespace bg = boost::geometry;
+using Point = bg::model::point<float, 4, bg::cs::cartesian>;
+using Bounds = bg::model::box<Point>;
+using Item = std::pair<Bounds, std::uint32_t>;
+
+Point point_of(const std::array<float, 4>& coordinates) {
+  Point point;
+  bg::set<0>(point, coordinates[0]);
+  bg::set<1>(point, coordinates[1]);
+  bg::set<2>(point, coordinates[2]);
+  bg::set<3>(point, coordinates[3]);
+  return point;
+}
+
+Bounds bounds_of(const BoxIndex::Box& box) { return {point_of(box.low), point_of(box.high)}; }
+
+std::vector<Item> items_of(std::span<const BoxIndex::Entry> entries) {
+  std::vector<Item> items;
+  items.reserve(entries.size());
+  for (const BoxIndex::Entry& entry : entries) items.emplace_back(bounds_of(entry.box), entry.number);
+  return items;
+}
+
+}  // namespace
+
+struct BoxIndex::Tree {
+  bg::index::rtree<Item, bg::index::quadratic<16>> items;
+};
+
+BoxIndex::BoxIndex(std::span<const Entry> entries)
+    : tree_(std::make_unique<Tree>(Tree{decltype(Tree::items)(items_of(entries))})) {}
+BoxIndex::~BoxIndex() = default;
+BoxIndex::BoxIndex(BoxIndex&&) noexcept = default;
+BoxIndex& BoxIndex::operator=(BoxIndex&&) noexcept = default;
+
+void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) const {
+  const auto append = [&](const Item& item) { numbers.push_back(item.second); };
+  tree_->items.query(bg::index::intersects(bounds_of(box)), boost::make_function_output_iterator(append));
+}
+
+bool BoxIndex::any_covering(const Box& box, const std::function<bool(std::uint32_t number)>& test) const {
+  return std::any_of(tree_->items.qbegin(bg::index::covers(bounds_of(box))), tree_->items.qend(),
+                     [&](const Item& item) { return test(item.second); });
+}
+
+BoxIndex::Box picture_box(const view::PixelRect& pixels, std::int64_t z_low, std::int64_t z_high, std::uint32_t first,
+                          std::uint32_t last) {
+  const auto [nearest, farthest] = std::minmax(z_low, z_high);
+  return {{static_cast<float>(pixels.x0), static_cast<float>(pixels.y0), static_cast<float>(nearest),
+           static_cast<float>(first)},
+          {static_cast<float>(pixels.x1), static_cast<float>(pixels.y1), static_cast<float>(farthest),
+           static_cast<float>(last)}};
+}
+
+}  // namespace csgsim::csg

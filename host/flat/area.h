@@ -1,0 +1,19 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace csgsim::flat {
+
+/// A closed polygon; the last corner is joined to the first.
+using Outline = std::vector<glm::dvec2>;
+
+/// A bounded part of the x, y plane: what lies within its outlines. Outer ones run counter-clockwise and holes
+/// clockwise; no two of them cross and none crosses itself, but they may touch. Empty without outlines.
+struct Area {
+  std::vector<Outline> outlines;
+
+  [[nodiscard]] bool empty() const { return outlines.empty(); }
+};
+
+}  // namespace csgsim::flat

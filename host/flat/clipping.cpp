@@ -1,0 +1,85 @@
+#include "host/flat/clipping.h"
+
+#include <cmath>
+#include <utility>
+
+#include "hw/base/error.h"
+
+namespace csgsim::flat {
+
+namespace {
+
+ClipperLib::cInt units(double coordinate) {
+  if (!(std::abs(coordinate) <= largest_coordinate)) {
+    throw InputError("a coordinate of a 2-D shape is not a number or beyond 1e12; scale the shape down");
+  }
+  return static_cast<ClipperLib::cInt>(coordinate * clipper_scale);
+}
+
+Outline outline_of(const ClipperLib::Path& path) {
+  Outline outline;
+  outline.reserve(path.size());
+  for (const ClipperLib::IntPoint& point : path) {
+    outline.emplace_back(static_cast<double>(point.X) / clipper_scale, static_cast<double>(point.Y) / clipper_scale);
+  }
+  return outline;
+}
+
+/// Whether it has been given no path with an area, which it would call a failure.
+bool is_empty(ClipperLib::Clipper& clipper) {
+  const ClipperLib::IntRect box = clipper.GetBounds();
+  return box.left == box.right && box.top == box.bottom;
+}
+
+Area united(const ClipperLib::Paths& paths, ClipperLib::PolyFillType rule) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+  ClipperLib::PolyTree tree;
+  execute(clipper, ClipperLib::ctUnion, rule, tree);
+  return area_of(tree);
+}
+
+}  // namespace
+
+ClipperLib::Path path_of(const Outline& outline) {
+  ClipperLib::Path path;
+  path.reserve(outline.size());
+  for (const glm::dvec2& corner : outline) path.emplace_back(units(corner.x), units(corner.y));
+  return path;
+}
+
+ClipperLib::Paths paths_of(const Area& area) {
+  ClipperLib::Paths paths;
+  paths.reserve(area.outlines.size());
+  for (const Outline& outline : area.outlines) paths.push_back(path_of(outline));
+  return paths;
+}
+
+void execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType rule,
+             ClipperLib::PolyTree& result) {
+  result.Clear();
+  if (is_empty(clipper)) return;
+  bool done = false;
+  try {
+    done = clipper.Execute(operation, result, rule, rule);
+  } catch (const ClipperLib::clipperException&) {
+    done = false;
+  }
+  if (!done) throw InputError("2-D shapes could not be combined: sides of theirs run into each other; simplify them");
+}
+
+Area area_of(const ClipperLib::PolyTree& tree) {
+  Area area;
+  ClipperLib::Path cleaned;
+  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
+    ClipperLib::CleanPolygon(node->Contour, cleaned);
+    if (cleaned.size() >= 3) area.outlines.push_back(outline_of(cleaned));
+  }
+  return area;
+}
+
+Area even_odd(const ClipperLib::Paths& paths) { return united(paths, ClipperLib::pftEvenOdd); }
+
+Area non_zero(const ClipperLib::Paths& paths) { return united(paths, ClipperLib::pftNonZero); }
+
+}  // namespace csgsim::flat

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <polyclipping/clipper.hpp>
+
+#include "host/flat/area.h"
+
+namespace csgsim::flat {
+
+/// Units of Clipper's integers in a model unit; OpenSCAD's, and so are its ways of rounding here: coordinates lose what
+/// is smaller, towards 0.
+inline constexpr double clipper_scale = 65'536;
+
+/// Coordinates beyond this, in model units, are refused: sums of two of them must stay within what Clipper takes.
+inline constexpr double largest_coordinate = 1e12;
+
+/// Throws InputError for coordinates that are not finite or too large.
+ClipperLib::Path path_of(const Outline& outline);
+ClipperLib::Paths paths_of(const Area& area);
+
+/// Fills `result`. Throws InputError where Clipper gives up.
+void execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType rule,
+             ClipperLib::PolyTree& result);
+
+/// The area of a tree as Clipper makes it, without corners that are on the line of their neighbours within 1.4 units.
+Area area_of(const ClipperLib::PolyTree& tree);
+
+/// What lies within an odd number of the paths.
+Area even_odd(const ClipperLib::Paths& paths);
+
+/// What the paths run around more often one way than the other.
+Area non_zero(const ClipperLib::Paths& paths);
+
+}  // namespace csgsim::flat

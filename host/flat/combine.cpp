@@ -1,0 +1,58 @@
+#include "host/flat/combine.h"
+
+#include <cstddef>
+
+#include "host/flat/clipping.h"
+
+namespace csgsim::flat {
+
+namespace {
+
+/// Without a call for each level of the tree.
+ClipperLib::Paths contours(const ClipperLib::PolyTree& tree) {
+  ClipperLib::Paths paths;
+  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
+    paths.push_back(node->Contour);
+  }
+  return paths;
+}
+
+/// The first as subject, all others as clips.
+Area clip_at_once(std::span<const Area> areas, ClipperLib::ClipType operation) {
+  ClipperLib::Clipper clipper;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    clipper.AddPaths(paths_of(areas[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip, true);
+  }
+  ClipperLib::PolyTree result;
+  execute(clipper, operation, ClipperLib::pftNonZero, result);
+  return area_of(result);
+}
+
+}  // namespace
+
+Area unite(std::span<const Area> areas) {
+  if (areas.empty()) return {};
+  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctUnion);
+}
+
+Area subtract(std::span<const Area> areas) {
+  if (areas.empty()) return {};
+  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctDifference);
+}
+
+Area intersect(std::span<const Area> areas) {
+  if (areas.empty()) return {};
+  if (areas.size() == 1) return areas.front();
+  ClipperLib::Paths common = paths_of(areas.front());
+  ClipperLib::PolyTree result;
+  for (const Area& area : areas.subspan(1)) {
+    ClipperLib::Clipper clipper;
+    clipper.AddPaths(common, ClipperLib::ptSubject, true);
+    clipper.AddPaths(paths_of(area), ClipperLib::ptClip, true);
+    execute(clipper, ClipperLib::ctIntersection, ClipperLib::pftNonZero, result);
+    common = contours(result);
+  }
+  return area_of(result);
+}
+
+}  // namespace csgsim::flat

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace csgsim::flat::dxf {
+
+/// A group: a code and its value, a line each.
+struct Tag {
+  int code = 0;
+  std::string_view value;  ///< without white space at its ends
+  std::size_t line = 0;    ///< of the value, from 1
+};
+
+/// The groups of a file, one after another.
+class Tags {
+ public:
+  explicit Tags(std::string_view bytes) : rest_(bytes) {}
+
+  /// Nothing at the end of the file. Throws InputError for a code that is no number.
+  std::optional<Tag> next();
+
+ private:
+  std::string_view take_line();
+
+  std::string_view rest_;
+  std::size_t line_ = 0;
+};
+
+/// Throw InputError for what is no number, or not finite.
+double real(const Tag& tag);
+int integer(const Tag& tag);
+
+}  // namespace csgsim::flat::dxf

@@ -1,0 +1,131 @@
+#include "host/flat/lettering/fonts.h"
+
+#include <fontconfig/fontconfig.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include FT_TRUETYPE_IDS_H
+
+namespace csgsim::flat::lettering {
+
+namespace {
+
+constexpr const char* default_font = "Liberation Sans:style=Regular";
+
+struct Destroy {
+  void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
+  void operator()(FcConfig* config) const { FcConfigDestroy(config); }
+};
+using Pattern = std::unique_ptr<FcPattern, Destroy>;
+using Configuration = std::unique_ptr<FcConfig, Destroy>;
+
+struct FontFile {
+  std::string path;
+  int index = 0;
+};
+
+FcConfig* configuration() {
+  static const Configuration config(FcInitLoadConfigAndFonts());
+  if (!config) throw std::runtime_error("fontconfig cannot be set up; see fc-match");
+  return config.get();
+}
+
+FT_Library library() {
+  static const FT_Library opened = [] {
+    FT_Library made = nullptr;
+    return FT_Init_FreeType(&made) == 0 ? made : nullptr;
+  }();
+  if (opened == nullptr) throw std::runtime_error("FreeType cannot be set up");
+  return opened;
+}
+
+FontFile match(const std::string& name) {
+  const Pattern pattern(FcNameParse(reinterpret_cast<const FcChar8*>(name.c_str())));
+  if (!pattern) throw std::runtime_error("font \"" + name + "\" is no name of a font; see fc-match");
+  FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
+  FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
+  FcConfigSubstitute(configuration(), pattern.get(), FcMatchPattern);
+  FcDefaultSubstitute(pattern.get());
+  FcResult unused{};
+  const Pattern found(FcFontMatch(configuration(), pattern.get(), &unused));
+  FcChar8* path = nullptr;
+  int index = 0;
+  if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &path) != FcResultMatch ||
+      FcPatternGetInteger(found.get(), FC_INDEX, 0, &index) != FcResultMatch) {
+    throw std::runtime_error("there is no font; install one, such as fonts-liberation");
+  }
+  return {reinterpret_cast<const char*>(path), index};
+}
+
+bool select(FT_Face face, int platform, std::optional<int> encoding) {
+  for (int i = 0; i < face->num_charmaps; ++i) {
+    const FT_CharMap map = face->charmaps[i];
+    if (map->platform_id == platform && map->encoding_id == encoding.value_or(map->encoding_id) &&
+        FT_Set_Charmap(face, map) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Unicode if the font has it, else what comes nearest.
+void select_characters(FT_Face face) {
+  constexpr std::array<std::pair<int, std::optional<int>>, 7> others{{{TT_PLATFORM_MICROSOFT, TT_MS_ID_UNICODE_CS},
+                                                                      {TT_PLATFORM_ISO, TT_ISO_ID_10646},
+                                                                      {TT_PLATFORM_APPLE_UNICODE, std::nullopt},
+                                                                      {TT_PLATFORM_MICROSOFT, TT_MS_ID_SYMBOL_CS},
+                                                                      {TT_PLATFORM_MACINTOSH, TT_MAC_ID_ROMAN},
+                                                                      {TT_PLATFORM_ISO, TT_ISO_ID_8859_1},
+                                                                      {TT_PLATFORM_ISO, TT_ISO_ID_7BIT_ASCII}}};
+  if (FT_Select_Charmap(face, FT_ENCODING_UNICODE) == 0) return;
+  for (const auto& [platform, encoding] : others) {
+    if (select(face, platform, encoding)) return;
+  }
+  throw std::runtime_error("font " + name_of(face) + " has no table of characters that is known");
+}
+
+FT_Face open(const FontFile& file) {
+  FT_Face face = nullptr;
+  if (FT_New_Face(library(), file.path.c_str(), file.index, &face) != 0) {
+    throw std::runtime_error("font " + file.path + " cannot be read");
+  }
+  select_characters(face);
+  return face;
+}
+
+/// Without white space at its ends.
+std::string trimmed(const std::string& text) {
+  constexpr std::string_view white = " \t\n\v\f\r";
+  const std::size_t first = text.find_first_not_of(white);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(white) - first + 1);
+}
+
+}  // namespace
+
+FT_Face find_font(const std::string& pattern) {
+  static std::map<std::string, FT_Face> opened;
+  std::string name = trimmed(pattern);
+  if (name.empty()) name = default_font;
+  const auto known = opened.find(name);
+  if (known != opened.end()) return known->second;
+  return opened.emplace(name, open(match(name))).first->second;
+}
+
+std::string name_of(FT_Face face) { return face->family_name == nullptr ? "without a name" : face->family_name; }
+
+bool is_symbol_font(FT_Face face) {
+  if (face->charmap->platform_id != TT_PLATFORM_MICROSOFT || face->charmap->encoding_id != TT_MS_ID_SYMBOL_CS) {
+    return false;
+  }
+  FT_UInt glyph = 0;
+  const FT_ULong first = FT_Get_First_Char(face, &glyph);
+  return glyph != 0 && first >= 0xf000;
+}
+
+}  // namespace csgsim::flat::lettering

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/flat/area.h"
+#include "host/flat/text.h"
+
+namespace csgsim::flat::lettering {
+
+/// Letters in their places, or why there are none. Their outlines run as their font has them, and may cross: what they
+/// run around more often one way than the other is ink.
+struct Lettering {
+  std::vector<Area> letters;
+  std::string error;  ///< empty if all went well
+};
+
+/// The module of text, whose libraries (HarfBuzz, FreeType, fontconfig and theirs) few runs need.
+struct Module {
+  /// Every curve becomes so many sides.
+  Lettering (*draw)(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners);
+};
+
+inline constexpr const char* module_file = "csgsim_text.so";
+
+/// Of the only symbol of the module, a Module. It changes with this file and with Text, so that another version's is
+/// not taken.
+inline constexpr const char* module_symbol = "csgsim_text_1";
+
+}  // namespace csgsim::flat::lettering

@@ -1,0 +1,75 @@
+#include "host/flat/svg/stroke.h"
+
+#include <cmath>
+#include <numbers>
+#include <polyclipping/clipper.hpp>
+
+#include "hw/base/error.h"
+
+namespace csgsim::flat::svg {
+
+namespace {
+
+/// OpenSCAD's units in one of the drawing's, towards 0.
+constexpr double scale = 10'000;
+
+/// What Clipper takes of lines, in its units, without overflow of sums.
+constexpr double largest = 1e15;
+
+/// How far Clipper lets arcs be from their chords, in its units, if it is not told.
+constexpr double arc_tolerance = 0.25;
+
+ClipperLib::EndType end_type(Cap cap) {
+  switch (cap) {
+    case Cap::butt: return ClipperLib::etOpenButt;
+    case Cap::round: return ClipperLib::etOpenRound;
+    case Cap::square: return ClipperLib::etOpenSquare;
+  }
+  return ClipperLib::etOpenSquare;
+}
+
+ClipperLib::JoinType join_type(Join join) {
+  switch (join) {
+    case Join::bevel: return ClipperLib::jtSquare;
+    case Join::round: return ClipperLib::jtRound;
+    case Join::miter: return ClipperLib::jtMiter;
+  }
+  return ClipperLib::jtMiter;
+}
+
+ClipperLib::cInt units(double coordinate) {
+  if (!(std::abs(coordinate) * scale <= largest)) throw InputError("a line of the drawing goes too far out");
+  return static_cast<ClipperLib::cInt>(coordinate * scale);
+}
+
+void check_corners(const Outline& line, const Stroke& stroke, double radius, std::size_t max_corners) {
+  const bool round = stroke.cap == Cap::round || stroke.join == Join::round;
+  const double around = round && radius > 1 ? std::numbers::pi / std::acos(1 - arc_tolerance / radius) : 4;
+  if (around * static_cast<double>(line.size()) > static_cast<double>(max_corners)) {
+    throw InputError("a line of the drawing has too many corners or too wide a stroke");
+  }
+}
+
+}  // namespace
+
+std::vector<Outline> stroked(const Outline& line, const Stroke& stroke, std::size_t max_corners) {
+  const double radius = stroke.width * scale / 2;
+  if (!(radius <= largest)) throw InputError("a stroke of the drawing is too wide");
+  check_corners(line, stroke, radius, max_corners);
+  ClipperLib::Path path;
+  for (const glm::dvec2& corner : line) path.emplace_back(units(corner.x), units(corner.y));
+  ClipperLib::ClipperOffset offset;
+  offset.AddPath(path, join_type(stroke.join), end_type(stroke.cap));
+  ClipperLib::Paths around;
+  offset.Execute(around, radius);
+  std::vector<Outline> result;
+  for (const ClipperLib::Path& found : around) {
+    Outline& outline = result.emplace_back();
+    for (const ClipperLib::IntPoint& point : found) {
+      outline.emplace_back(static_cast<double>(point.X) / scale, static_cast<double>(point.Y) / scale);
+    }
+  }
+  return result;
+}
+
+}  // namespace csgsim::flat::svg

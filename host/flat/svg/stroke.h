@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/flat/area.h"
+
+namespace csgsim::flat::svg {
+
+enum class Cap { butt, round, square };
+enum class Join { bevel, round, miter };
+
+/// How an open line is drawn.
+struct Stroke {
+  double width = 1;
+  Cap cap = Cap::square;
+  Join join = Join::miter;
+};
+
+/// What the line covers, as outlines of which an odd number hold a point, in units of 1e-4. Throws InputError if that
+/// takes more than `max_corners`.
+std::vector<Outline> stroked(const Outline& line, const Stroke& stroke, std::size_t max_corners);
+
+}  // namespace csgsim::flat::svg

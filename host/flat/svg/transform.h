@@ -1,0 +1,11 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <string_view>
+
+namespace csgsim::flat::svg {
+
+/// The matrix of a transform attribute; columns as glm has them. Throws InputError.
+glm::dmat3 read_transform(std::string_view text);
+
+}  // namespace csgsim::flat::svg

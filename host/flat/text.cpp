@@ -1,0 +1,86 @@
+#include "host/flat/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "host/flat/clipping.h"
+#include "host/flat/lettering/module.h"
+#include "host/model/fragments.h"
+#include "hw/base/error.h"
+#include "hw/base/module.h"
+#include "hw/base/text.h"
+
+namespace csgsim::flat {
+
+namespace {
+
+/// Bytes of a text, at most.
+constexpr std::size_t max_length = 10'000;
+
+/// Corners of all letters, at most.
+constexpr std::size_t max_corners = 1'000'000;
+
+const lettering::Module& opened_module() {
+  static const std::filesystem::path file = find_module(lettering::module_file);
+  constexpr std::string_view mend = "; install csgsim whole (cmake --install), or name its folder in LD_LIBRARY_PATH";
+  const std::string what =
+      "text() takes " + std::string(lettering::module_file) + ", the part of csgsim that sets text, ";
+  if (file.empty()) throw InputError(what + "which is in no folder where libraries are looked for" + std::string(mend));
+  static const OpenedModule opened = open_module(file, lettering::module_symbol);
+  if (opened.symbol == nullptr) throw InputError(what + "which cannot be opened: " + opened.error + std::string(mend));
+  return *static_cast<const lettering::Module*>(opened.symbol);
+}
+
+void check_alignment(const char* name, const std::string& value, std::span<const std::string_view> known) {
+  if (std::ranges::find(known, value) != known.end()) return;
+  std::string message = std::string(name) + " of text() is \"" + printable(value) + "\"; use ";
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    message += (i == 0 ? "\"" : i + 1 == known.size() ? " or \"" : ", \"") + std::string(known[i]) + "\"";
+  }
+  throw InputError(message);
+}
+
+void check(const Text& text) {
+  constexpr std::array<std::string_view, 3> across{"left", "center", "right"};
+  constexpr std::array<std::string_view, 4> along{"top", "center", "baseline", "bottom"};
+  check_alignment("halign", text.halign, across);
+  check_alignment("valign", text.valign, along);
+  if (!std::isfinite(text.size) || !std::isfinite(text.spacing)) {
+    throw InputError("size and spacing of text() must be finite numbers");
+  }
+  if (text.text.size() > max_length) {
+    throw InputError("text() is longer than " + std::to_string(max_length) + " bytes; cut it up");
+  }
+}
+
+/// Sides that a curve of a letter gets.
+std::uint32_t sides_of_curves(const Text& text) {
+  return std::max(model::fragments(text.size, text.facets) / 8 + 1, 2U);
+}
+
+/// What any of the letters covers; whatever way its outlines run.
+Area unite_letters(std::span<const Area> letters) {
+  ClipperLib::Clipper clipper;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    clipper.AddPaths(paths_of(letters[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip, true);
+  }
+  ClipperLib::PolyTree tree;
+  execute(clipper, ClipperLib::ctUnion, ClipperLib::pftNonZero, tree);
+  return area_of(tree);
+}
+
+}  // namespace
+
+Area text(const Text& text) {
+  check(text);
+  const lettering::Lettering lettering = opened_module().draw(text, sides_of_curves(text), max_corners);
+  if (!lettering.error.empty()) throw InputError(lettering.error);
+  return unite_letters(lettering.letters);
+}
+
+}  // namespace csgsim::flat

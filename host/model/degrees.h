@@ -1,0 +1,10 @@
+#pragma once
+
+namespace csgsim::model {
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 30 and 45 degrees where the result is 0, 1/2 or 1, so
+/// that facets along the axes are along them exactly.
+double sin_degrees(double angle);
+double cos_degrees(double angle);
+
+}  // namespace csgsim::model

@@ -1,0 +1,106 @@
+#include "host/read/areas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host/flat/combine.h"
+#include "host/flat/made.h"
+#include "host/flat/offset.h"
+#include "host/flat/text.h"
+#include "host/read/indices.h"
+#include "host/read/measures.h"
+#include "host/read/only.h"
+
+namespace csgsim::read {
+
+namespace {
+
+/// A node without children.
+Maker leaf(flat::Area area) {
+  return [area = std::move(area)](const Operands& /*none*/) { return Made{{}, area}; };
+}
+
+bool is_finite(const glm::dvec2& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
+
+std::vector<std::vector<std::uint32_t>> read_paths(const Arguments& arguments, std::size_t points) {
+  std::vector<std::vector<std::uint32_t>> paths;
+  const std::optional<ValueView> list = arguments.find("paths");
+  if (!list) return paths;
+  if (!list->is(ValueKind::vector)) arguments.fail(*list, "paths of polygon() must be a vector of paths");
+  bool is_one = false;
+  list->for_each([&](ValueView value) { is_one |= value.is(ValueKind::number); });
+  if (is_one) return {read_indices(arguments, *list, points)};
+  list->for_each([&](ValueView value) { paths.push_back(read_indices(arguments, value, points)); });
+  return paths;
+}
+
+}  // namespace
+
+Maker read_square(const Arguments& arguments) {
+  const ValueView size = arguments.required("size", "size = [x, y]");
+  std::array<double, 2> sides{};
+  if (size.is(ValueKind::number)) {
+    sides.fill(size.value().number);
+  } else {
+    arguments.read_numbers(size, 2, sides, "size");
+  }
+  return leaf(flat::square({sides[0], sides[1]}, arguments.boolean("center").value_or(false)));
+}
+
+Maker read_circle(const Arguments& arguments) {
+  const std::optional<double> radius = read_radius(arguments, "r", "d");
+  if (!radius) arguments.fail("circle() lacks its r; add r = radius");
+  return leaf(flat::circle(*radius, read_facets(arguments)));
+}
+
+Maker read_polygon(const Arguments& arguments) {
+  if (arguments.is_undefined("points")) return leaf({});
+  const ValueView list = arguments.required("points", "points = [[x, y], ...]");
+  if (!list.is(ValueKind::vector)) arguments.fail(list, "points of polygon() must be a vector of [x, y]");
+  std::vector<glm::dvec2> points;
+  list.for_each([&](ValueView value) {
+    std::array<double, 2> point{};
+    arguments.read_numbers(value, 2, point, "a point");
+    points.emplace_back(point[0], point[1]);
+  });
+  const std::vector<std::vector<std::uint32_t>> paths = read_paths(arguments, points.size());
+  if (!std::ranges::all_of(points, is_finite)) return leaf({});
+  return [points = std::move(points), paths](const Operands& /*none*/) {
+    return Made{{}, flat::polygon(points, paths)};
+  };
+}
+
+Maker read_text(const Arguments& arguments) {
+  flat::Text text;
+  const auto take = [&](const char* name, std::string& into) { into = arguments.text(name).value_or(into); };
+  const auto take_alignment = [&](const char* name, std::string& into) {
+    const std::optional<std::string> given = arguments.text(name);
+    if (given && *given != "default") into = *given;
+  };
+  take("text", text.text);
+  take("font", text.font);
+  take_alignment("halign", text.halign);
+  take_alignment("valign", text.valign);
+  take("direction", text.direction);
+  take("language", text.language);
+  take("script", text.script);
+  text.size = arguments.number("size").value_or(text.size);
+  text.spacing = arguments.number("spacing").value_or(text.spacing);
+  text.facets = read_facets(arguments);
+  return [text](const Operands& /*none*/) { return Made{{}, flat::text(text)}; };
+}
+
+Maker read_offset(const Arguments& arguments) {
+  const std::optional<double> radius = arguments.number("r");
+  const std::optional<double> delta = arguments.number("delta");
+  if (radius && delta) arguments.fail("r and delta are both given; take one out");
+  const bool is_cut = arguments.boolean("chamfer").value_or(false);
+  const flat::Corner corner = !delta ? flat::Corner::round : is_cut ? flat::Corner::cut : flat::Corner::sharp;
+  const double distance = delta ? *delta : radius.value_or(1);
+  return [=, facets = read_facets(arguments)](const Operands& operands) {
+    return Made{{}, flat::offset(only_area(operands), distance, corner, facets)};
+  };
+}
+
+}  // namespace csgsim::read

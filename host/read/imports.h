@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "host/flat/area.h"
+#include "host/read/arguments.h"
+#include "host/read/operands.h"
+
+namespace csgsim::read {
+
+// Nodes that other files stand for (files.h).
+
+/// What a DXF file draws, as the arguments `layer`, `origin` and $fn, $fa, $fs say. Throws InputError without a place.
+flat::Area dxf_area(const Arguments& arguments, const std::filesystem::path& path, double scale);
+
+/// import() of STL, OFF, AMF, 3MF, SVG and DXF files.
+Maker read_import(const Arguments& arguments);
+
+/// surface() of numbers and pictures.
+Maker read_surface(const Arguments& arguments);
+
+}  // namespace csgsim::read

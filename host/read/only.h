@@ -1,0 +1,13 @@
+#pragma once
+
+#include "host/read/operands.h"
+
+namespace csgsim::read {
+
+/// The union of children that are areas.
+flat::Area only_area(const Operands& operands);
+
+/// The union of children that are solids, of no nodes if there are none.
+model::Tree only_solid(Operands operands);
+
+}  // namespace csgsim::read

@@ -1,0 +1,113 @@
+#include "host/read/restore.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "host/model/degrees.h"
+#include "host/read/number.h"
+
+namespace csgsim::read {
+
+namespace {
+
+/// Doubles that are 0 but for the rounding of sines and of their products, which files write as 6.12323e-17.
+constexpr double noise = 1e-15;
+
+constexpr double steps_per_degree = 100.0;
+
+double to_digits(double number, int digits) { return *parse_number(fmt::format("{:.{}g}", number, digits)); }
+
+bool is_written_as(double number, double written) {
+  return std::abs(number - written) <= noise || to_digits(number, 6) == written;
+}
+
+bool is_written_as(const glm::dmat3& matrix, const glm::dmat3& written) {
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!is_written_as(matrix[column][row], written[column][row])) return false;
+    }
+  }
+  return true;
+}
+
+/// In steps of hundredths. Two entries that only rounding keeps from 0 give no angle: 0.
+double angle(double sine, double cosine) {
+  if (std::abs(sine) <= noise && std::abs(cosine) <= noise) return 0.0;
+  const double degrees = std::atan2(sine, cosine) * (180.0 / std::numbers::pi);
+  return std::round(degrees * steps_per_degree) / steps_per_degree;
+}
+
+/// The nearest ones of a matrix that is nearly a rotation. Where y is a right angle, x and z turn about one axis: x is
+/// 0.
+glm::dvec3 euler_angles(const glm::dmat3& matrix) {
+  const double y = angle(-matrix[0][2], std::hypot(matrix[0][0], matrix[0][1]));
+  if (std::abs(y) == 90.0) return {0.0, y, angle(-matrix[1][0], matrix[1][1])};
+  return {angle(matrix[1][2], matrix[2][2]), y, angle(matrix[0][1], matrix[0][0])};
+}
+
+glm::dmat3 diagonal(const glm::dvec3& entries) {
+  glm::dmat3 matrix(0);
+  for (int i = 0; i < 3; ++i) matrix[i][i] = entries[i];
+  return matrix;
+}
+
+/// Which comes first.
+enum class Order : std::uint8_t { scale_turn, turn_scale };
+
+/// What the axes are scaled by; that all of them are mirrored stands for that one is.
+glm::dvec3 scale_of(const glm::dmat3& written, Order order) {
+  const glm::dmat3 lines = order == Order::scale_turn ? written : glm::transpose(written);
+  const double sign = glm::determinant(written) < 0.0 ? -1.0 : 1.0;
+  glm::dvec3 scale(0);
+  for (int i = 0; i < 3; ++i) scale[i] = sign * to_digits(glm::length(lines[i]), 3);
+  return scale;
+}
+
+std::optional<glm::dmat3> restored(const glm::dmat3& written, Order order) {
+  const glm::dvec3 scale = scale_of(written, order);
+  const auto scaled = [&](const glm::dmat3& matrix, const glm::dvec3& by) {
+    return order == Order::scale_turn ? matrix * diagonal(by) : diagonal(by) * matrix;
+  };
+  const glm::dmat3 turn = rotation(euler_angles(scaled(written, 1.0 / scale)));
+  const glm::dmat3 whole = scaled(turn, scale);
+  return is_written_as(whole, written) ? std::optional(whole) : std::nullopt;
+}
+
+}  // namespace
+
+glm::dmat3 rotation(const glm::dvec3& degrees) {
+  const double sx = model::sin_degrees(degrees.x);
+  const double sy = model::sin_degrees(degrees.y);
+  const double sz = model::sin_degrees(degrees.z);
+  const double cx = model::cos_degrees(degrees.x);
+  const double cy = model::cos_degrees(degrees.y);
+  const double cz = model::cos_degrees(degrees.z);
+  return {{cy * cz, cy * sz, -sy},
+          {cz * sx * sy - cx * sz, cx * cz + sx * sy * sz, cy * sx},
+          {cx * cz * sy + sx * sz, cx * sy * sz - cz * sx, cx * cy}};
+}
+
+bool is_along_axes(const glm::dmat4& matrix) {
+  for (int column = 0; column < 3; ++column) {
+    int entries = 0;
+    for (int row = 0; row < 3; ++row) entries += matrix[column][row] != 0.0 ? 1 : 0;
+    if (entries > 1) return false;
+  }
+  return true;
+}
+
+std::optional<glm::dmat4> restored(const glm::dmat4& written) {
+  const glm::dmat3 linear(written);
+  std::optional<glm::dmat3> found = restored(linear, Order::scale_turn);
+  if (!found) found = restored(linear, Order::turn_scale);
+  if (!found) return std::nullopt;
+  glm::dmat4 whole(*found);
+  whole[3] = written[3];
+  return whole;
+}
+
+}  // namespace csgsim::read

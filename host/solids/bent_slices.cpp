@@ -1,0 +1,372 @@
+#include "host/solids/bent_slices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "host/convex/clip.h"
+#include "host/convex/merge.h"
+#include "host/facet/planes.h"
+#include "host/flat/parts.h"
+#include "host/model/degrees.h"
+#include "host/solids/enclosed.h"
+#include "host/solids/limits.h"
+#include "host/solids/partition.h"
+#include "host/solids/side_lines.h"
+#include "host/solids/slice_count.h"
+#include "hw/base/error.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// A cross-section: how it comes from the area.
+struct Level {
+  double z = 0;
+  double turn = 0;  ///< degrees, clockwise
+  glm::dvec2 scale{1};
+
+  [[nodiscard]] glm::dvec2 operator()(const glm::dvec2& corner) const {
+    const double sine = model::sin_degrees(turn);
+    const double cosine = model::cos_degrees(turn);
+    return scale * glm::dvec2(cosine * corner.x + sine * corner.y, cosine * corner.y - sine * corner.x);
+  }
+};
+
+struct Slice {
+  Level low;
+  Level high;
+
+  [[nodiscard]] bool ends_in_nothing() const { return high.scale.x == 0.0 || high.scale.y == 0.0; }
+  [[nodiscard]] bool ends_in_line() const { return ends_in_nothing() && high.scale.x != high.scale.y; }
+};
+
+Slice slice_at(const LinearExtrude& sweep, std::uint32_t index, std::uint32_t count) {
+  const double start = sweep.center ? -sweep.height / 2.0 : 0.0;
+  const double end = sweep.center ? sweep.height / 2.0 : sweep.height;
+  const auto level = [&](std::uint32_t i) {
+    return Level{start + (end - start) * i / count, sweep.twist * i / count,
+                 glm::dvec2(1) - (glm::dvec2(1) - sweep.scale) * static_cast<double>(i) / static_cast<double>(count)};
+  };
+  return {level(index), level(index + 1)};
+}
+
+/// What a side of the outline sweeps: between its ends below and above.
+struct Quad {
+  glm::dvec3 low_from;
+  glm::dvec3 low_to;
+  glm::dvec3 high_from;
+  glm::dvec3 high_to;
+};
+
+/// Whether the quad's diagonal rises along the side. OpenSCAD takes the shorter one as seen from above, but the longer
+/// one below a top of no area; of equal ones, within 1e-5 of their mean, the twist and the kind of outline decide.
+bool diagonal_rises(const Quad& quad, const Slice& slice, bool is_hole) {
+  constexpr double equal = 1e-5;
+  const double rising = glm::length(glm::dvec2(quad.high_to) - glm::dvec2(quad.low_from));
+  const double falling = glm::length(glm::dvec2(quad.high_from) - glm::dvec2(quad.low_to));
+  const bool are_equal = 2.0 * std::abs(rising - falling) <= equal * (rising + falling);
+  const bool turns_back = slice.high.turn <= slice.low.turn;
+  const bool rises = are_equal ? is_hole == turns_back : rising < falling;
+  return rises != slice.ends_in_nothing();
+}
+
+constexpr double relative_tolerance = double_precision_tolerance;
+
+/// Pieces may have this much more or less volume than the slice, in cubes of its size: convex::clip() loses sheets
+/// thinner than 1e-10.
+constexpr double volume_tolerance = 1e-8;
+
+double height(const facet::Plane& plane, const glm::dvec3& point) {
+  return glm::dot(plane.normal, point) + plane.offset;
+}
+
+/// The sides of a slice as a soup of triangles, and the planes that they are in.
+class Sides {
+ public:
+  Sides(const flat::Area& area, const Slice& slice)
+      : slice_(slice), box_(box_of(area, slice)), planes_(glm::dvec3(0), size()) {
+    for (const flat::Outline& outline : area.outlines) add(outline);
+    for (const flat::Outline& part : flat::convex_parts(area)) add_caps(part);
+  }
+
+  /// What is between the slice's ends, in convex polytopes.
+  std::vector<convex::Polytope> pieces() {
+    const convex::Polytope space = around();
+    std::optional<std::vector<convex::Polytope>> found = uncrossed(space);
+    if (!found) found = enclosed(soup_, space, planes_, Limits{});
+    convex::merge(*found, planes_);
+    return std::move(*found);
+  }
+
+  [[nodiscard]] const facet::PlaneTable& planes() const { return planes_; }
+
+ private:
+  struct Triangle {
+    std::array<std::uint32_t, 3> corners{};
+    facet::Plane plane;
+    bool is_flat = true;  ///< has no area
+  };
+
+  /// A side's triangles: one with its end below, one with its end above.
+  struct Pair {
+    Triangle first;   ///< holds the edge that rises from the start of the side, if that one has area
+    Triangle second;  ///< holds that from its end
+    bool rises = false;
+  };
+
+  static facet::Box box_of(const flat::Area& area, const Slice& slice) {
+    facet::Box box;
+    for (const flat::Outline& outline : area.outlines) {
+      for (const glm::dvec2& corner : outline) {
+        box = facet::hull(box, glm::dvec3(slice.low(corner), slice.low.z));
+        box = facet::hull(box, glm::dvec3(slice.high(corner), slice.high.z));
+      }
+    }
+    return box;
+  }
+
+  [[nodiscard]] double size() const { return glm::length(box_.high - box_.low); }
+
+  /// Nothing if sides cross each other: they leave holes then, or enclose space twice or from the wrong side.
+  [[nodiscard]] std::optional<std::vector<convex::Polytope>> uncrossed(const convex::Polytope& space) const {
+    try {
+      std::vector<convex::Polytope> found = partition(soup_, space, {}, planes_, convex::tolerance(planes_), Limits{});
+      double sum = 0;
+      for (const convex::Polytope& piece : found) sum += convex::volume(piece);
+      const double most = volume_tolerance * size() * size() * size();
+      if (std::abs(sum - volume()) <= most) return found;
+    } catch (const InputError&) {
+      return std::nullopt;  // and if there are too many pieces, so there are of those that cross
+    }
+    return std::nullopt;
+  }
+
+  /// By the divergence theorem.
+  [[nodiscard]] double volume() const {
+    double six_times = 0;
+    for (const Fragment& fragment : soup_.fragments) {
+      const glm::dvec3& a = soup_.points[soup_.corners[fragment.begin].point];
+      for (std::uint32_t i = fragment.begin + 1; i + 1 < fragment.end; ++i) {
+        const glm::dvec3& b = soup_.points[soup_.corners[i].point];
+        const glm::dvec3& c = soup_.points[soup_.corners[i + 1].point];
+        six_times += glm::dot(a, glm::cross(b, c));
+      }
+    }
+    return six_times / 6.0;
+  }
+
+  /// The slice's space, with room around it.
+  convex::Polytope around() {
+    const double margin = 0.1 * size();
+    std::vector<facet::Halfspace> walls;
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 normal(0);
+      normal[axis] = 1;
+      walls.push_back(planes_.add({normal, -(box_.high[axis] + margin)}));
+      walls.push_back(planes_.add({-normal, box_.low[axis] - margin}));
+    }
+    return convex::intersection(box_, walls, planes_);
+  }
+
+  void add(const flat::Outline& outline) {
+    const bool is_hole = signed_area(outline) < 0.0;
+    const auto count = static_cast<std::uint32_t>(outline.size());
+    const auto first = static_cast<std::uint32_t>(soup_.points.size());
+    for (const glm::dvec2& corner : outline) {
+      soup_.points.emplace_back(slice_.low(corner), slice_.low.z);
+      soup_.points.emplace_back(slice_.high(corner), slice_.high.z);
+    }
+    std::vector<Pair> pairs;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      pairs.push_back(pair(first + 2 * i, first + 2 * ((i + 1) % count), is_hole));
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Pair& before = pairs[(i + count - 1) % count];
+      if (slice_.ends_in_line()) {
+        emit_at_line(before, pairs[i]);
+      } else {
+        emit(before, pairs[i], pairs[(i + 1) % count]);
+      }
+    }
+  }
+
+  /// A part of the slice's ends, as far as they have area.
+  void add_caps(const flat::Outline& part) {
+    std::vector<glm::dvec3> corners;
+    for (const glm::dvec2& corner : part) corners.emplace_back(slice_.low(corner), slice_.low.z);
+    std::reverse(corners.begin(), corners.end());
+    add_cap(corners, {{0, 0, -1}, slice_.low.z});
+    if (slice_.ends_in_nothing()) return;
+    corners.clear();
+    for (const glm::dvec2& corner : part) corners.emplace_back(slice_.high(corner), slice_.high.z);
+    add_cap(corners, {{0, 0, 1}, -slice_.high.z});
+  }
+
+  void add_cap(const std::vector<glm::dvec3>& corners, const facet::Plane& plane) {
+    const auto begin = static_cast<std::uint32_t>(soup_.corners.size());
+    for (const glm::dvec3& corner : corners) {
+      soup_.corners.push_back({static_cast<std::uint32_t>(soup_.points.size()), false});
+      soup_.points.push_back(corner);
+    }
+    soup_.fragments.push_back({planes_.add(plane), begin, static_cast<std::uint32_t>(soup_.corners.size())});
+  }
+
+  /// The triangles over the side between two corners; a corner's point above is the one after that below.
+  Pair pair(std::uint32_t from, std::uint32_t to, bool is_hole) {
+    const Quad quad{soup_.points[from], soup_.points[to], soup_.points[from + 1], soup_.points[to + 1]};
+    Pair made;
+    made.rises = diagonal_rises(quad, slice_, is_hole);
+    if (made.rises) {
+      made.first = triangle({from, to + 1, from + 1});
+      made.second = triangle({from, to, to + 1});
+    } else {
+      made.first = triangle({from, to, from + 1});
+      made.second = triangle({to, to + 1, from + 1});
+    }
+    // A side that does not bend is in one plane.
+    const std::uint32_t beyond = made.rises ? from + 1 : to + 1;
+    const facet::Plane& plane = made.rises ? made.second.plane : made.first.plane;
+    const bool both = !made.first.is_flat && !made.second.is_flat;
+    if (both && std::abs(height(plane, soup_.points[beyond])) <= relative_tolerance * size()) {
+      made.first.plane = made.second.plane = plane;
+    }
+    return made;
+  }
+
+  [[nodiscard]] Triangle triangle(const std::array<std::uint32_t, 3>& corners) const {
+    const glm::dvec3& origin = soup_.points[corners[0]];
+    const glm::dvec3 normal = glm::cross(soup_.points[corners[1]] - origin, soup_.points[corners[2]] - origin);
+    const double length = glm::length(normal);
+    if (length <= relative_tolerance * size() * size()) return {corners, {}, true};
+    return {corners, {normal / length, -glm::dot(normal, origin) / length}, false};
+  }
+
+  /// Whether the solid has more than 180 degrees where the second triangle joins the first.
+  [[nodiscard]] bool is_reflex(const Triangle& first, const Triangle& second) const {
+    if (first.is_flat || second.is_flat) return true;
+    const double near = convex::tolerance(planes_);
+    return std::any_of(second.corners.begin(), second.corners.end(),
+                       [&](std::uint32_t corner) { return height(first.plane, soup_.points[corner]) > near; });
+  }
+
+  void emit(const Pair& before, const Pair& here, const Pair& after) {
+    const bool starts = is_reflex(before.second, here.first);
+    const bool between = is_reflex(here.first, here.second);
+    const bool ends = is_reflex(here.second, after.first);
+    if (here.rises) {
+      emit(here.first, {between, false, starts});
+      emit(here.second, {false, ends, between});
+    } else {
+      emit(here.first, {false, between, starts});
+      emit(here.second, {ends, false, between});
+    }
+  }
+
+  /// The triangles of a side below a line. Those with their end above and the same corner below are in one plane, and
+  /// may be folded back on each other: one takes their place, between the ends that they do not share.
+  void emit_at_line(const Pair& before, const Pair& here) {
+    const std::array<bool, 3> unknown{true, true, true};
+    emit(here.rises ? here.second : here.first, unknown);
+    const std::uint32_t corner = here.first.corners[0];
+    const std::uint32_t start = before.rises ? corner + 1 : before.first.corners[2];
+    const std::uint32_t end = here.rises ? here.first.corners[1] : corner + 1;
+    emit(triangle({corner, end, start}), unknown);
+  }
+
+  /// Each flag is of the edge from that corner to the next.
+  void emit(const Triangle& triangle, const std::array<bool, 3>& reflex) {
+    if (triangle.is_flat) return;
+    const auto begin = static_cast<std::uint32_t>(soup_.corners.size());
+    for (std::size_t i = 0; i < 3; ++i) soup_.corners.push_back({triangle.corners[i], reflex[i]});
+    soup_.fragments.push_back({planes_.add(triangle.plane), begin, begin + 3});
+  }
+
+  Slice slice_;
+  facet::Box box_;
+  facet::PlaneTable planes_;
+  Soup soup_;
+};
+
+model::Polyhedron polyhedron(const convex::Polytope& polytope, const facet::PlaneTable& planes) {
+  model::Polyhedron piece;
+  piece.points = polytope.vertices;
+  for (const convex::Face& face : polytope.faces) {
+    const facet::Plane plane = convex::outward_plane(face.halfspace, planes);
+    piece.faces.push_back(face.corners);
+    piece.planes.emplace_back(plane.normal, plane.offset);
+  }
+  return piece;
+}
+
+std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice) {
+  Sides sides(area, slice);
+  std::vector<model::Polyhedron> pieces;
+  for (const convex::Polytope& polytope : sides.pieces()) {
+    pieces.push_back(polyhedron(polytope, sides.planes()));
+  }
+  return pieces;
+}
+
+/// A piece of one slice in the place that it has in another one, which is the same but for its turn.
+model::Polyhedron moved(const model::Polyhedron& piece, const Slice& from, const Slice& to) {
+  const Level turned{0, to.low.turn - from.low.turn, glm::dvec2(1)};
+  const double shift = to.low.z - from.low.z;
+  model::Polyhedron result = piece;
+  for (glm::dvec3& point : result.points) {
+    const double z = point.z == from.low.z ? to.low.z : point.z == from.high.z ? to.high.z : point.z + shift;
+    point = glm::dvec3(turned(point), z);
+  }
+  for (glm::dvec4& plane : result.planes) {
+    if (std::abs(plane.z) == 1.0) {
+      plane.w = plane.z < 0.0 ? to.low.z : -to.high.z;
+    } else {
+      plane = glm::dvec4(turned(glm::dvec2(plane)), plane.z, plane.w - plane.z * shift);
+    }
+  }
+  return result;
+}
+
+/// Whether every side runs the same way at both ends, so that none bends.
+bool is_straight(const flat::Area& area, const LinearExtrude& sweep) {
+  if (sweep.twist != 0.0) return false;
+  return std::all_of(area.outlines.begin(), area.outlines.end(), [](const flat::Outline& outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const glm::dvec2 side = outline[(i + 1) % outline.size()] - outline[i];
+      if (side.x != 0.0 && side.y != 0.0) return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep) {
+  const std::uint32_t count = is_straight(area, sweep) ? 1 : slice_count(area, sweep);
+  std::vector<model::Polyhedron> pieces = cut(area, slice_at(sweep, 0, count));
+  const std::size_t a_slice = pieces.size();
+  const Limits limits;
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const Slice slice = slice_at(sweep, i, count);
+    if (sweep.scale == glm::dvec2(1)) {
+      for (std::size_t piece = 0; piece < a_slice; ++piece) {
+        pieces.push_back(moved(pieces[piece], slice_at(sweep, 0, count), slice));
+      }
+    } else {
+      std::vector<model::Polyhedron> more = cut(area, slice);
+      std::move(more.begin(), more.end(), std::back_inserter(pieces));
+    }
+    if (pieces.size() > limits.most_pieces) {
+      throw InputError("linear_extrude() falls into more than " + std::to_string(limits.most_pieces) +
+                       " convex pieces; ask for fewer slices, or raise $fa or $fs");
+    }
+  }
+  return pieces;
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "host/flat/area.h"
+#include "host/model/tree.h"
+#include "host/solids/sweep.h"
+
+namespace csgsim::solids {
+
+/// linear_extrude() where sides bend: twisted, or scaled by other factors in x than in y. The height is above 0.
+std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep);
+
+}  // namespace csgsim::solids

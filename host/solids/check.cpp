@@ -1,0 +1,210 @@
+#include "host/solids/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "host/solids/flat_faces.h"
+#include "host/solids/limits.h"
+#include "host/solids/neighbours.h"
+#include "host/solids/shells.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+using Face = std::vector<std::uint32_t>;
+
+/// For each point the index of the first one equal to it.
+std::vector<std::uint32_t> first_equals(const std::vector<glm::dvec3>& points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t i) { return std::tie(points[i].x, points[i].y, points[i].z); };
+  std::ranges::sort(order,
+                    [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::vector<std::uint32_t> first(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool repeats = i > 0 && key(order[i]) == key(order[i - 1]);
+    first[order[i]] = repeats ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+/// Drops corners that repeat the one before them, around the end too.
+void drop_repeats(Face& face) {
+  face.erase(std::unique(face.begin(), face.end()), face.end());
+  while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+}
+
+struct DirectedEdge {
+  std::uint32_t from;
+  std::uint32_t to;
+  std::uint32_t face;
+
+  [[nodiscard]] auto key() const { return std::tuple(std::min(from, to), std::max(from, to), from > to, face); }
+  [[nodiscard]] bool along(const DirectedEdge& other) const {
+    return std::minmax(from, to) == std::minmax(other.from, other.to);
+  }
+};
+
+std::vector<DirectedEdge> sorted_edges(const Mesh& mesh) {
+  std::vector<DirectedEdge> edges;
+  for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+    const Face& face = mesh.faces[i];
+    for (std::size_t k = 0; k < face.size(); ++k) edges.push_back({face[k], face[(k + 1) % face.size()], i});
+  }
+  std::ranges::sort(edges, {}, &DirectedEdge::key);
+  return edges;
+}
+
+/// From its least corner on.
+Face rotated(Face face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
+
+Face reversed(Face face) {
+  std::reverse(face.begin(), face.end());
+  return rotated(std::move(face));
+}
+
+/// Which faces cancel out: each with another that has the same corners the other way around.
+std::vector<bool> cancelled(const std::vector<Face>& faces) {
+  std::vector<std::pair<Face, std::uint32_t>> by_corners;
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    Face corners = faces[i];
+    std::sort(corners.begin(), corners.end());
+    by_corners.emplace_back(std::move(corners), i);
+  }
+  std::sort(by_corners.begin(), by_corners.end());
+  std::vector<bool> gone(faces.size());
+  const auto is_opposite = [&](std::uint32_t one, std::uint32_t other) {
+    return !gone[one] && !gone[other] && rotated(faces[one]) == reversed(faces[other]);
+  };
+  for (std::size_t i = 0; i < by_corners.size(); ++i) {
+    for (std::size_t k = i + 1; k < by_corners.size() && by_corners[k].first == by_corners[i].first; ++k) {
+      if (!is_opposite(by_corners[i].second, by_corners[k].second)) continue;
+      gone[by_corners[i].second] = gone[by_corners[k].second] = true;
+    }
+  }
+  return gone;
+}
+
+/// Of the edges of faces, counted for each face; 0 if there are none.
+double median_edge(const Mesh& mesh) {
+  std::vector<double> lengths;
+  for (const Face& face : mesh.faces) {
+    for (std::size_t k = 0; k < face.size(); ++k)
+      lengths.push_back(glm::distance(mesh.points[face[k]], mesh.points[face[(k + 1) % face.size()]]));
+  }
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+std::string open_edge(const Numbered& numbered, const DirectedEdge& edge) {
+  return fmt::format("the mesh is open: no face joins faces[{}] from points[{}] to points[{}]; add one",
+                     numbered.face_numbers[edge.face], numbered.point_numbers[edge.from],
+                     numbered.point_numbers[edge.to]);
+}
+
+std::string same_way(const Numbered& numbered, const DirectedEdge& one, const DirectedEdge& other) {
+  return fmt::format("faces[{}] and faces[{}] both run from points[{}] to points[{}]; reverse one",
+                     numbered.face_numbers[one.face], numbered.face_numbers[other.face],
+                     numbered.point_numbers[one.from], numbered.point_numbers[one.to]);
+}
+
+}  // namespace
+
+Numbered join_points(const Mesh& mesh) {
+  const std::vector<std::uint32_t> first = first_equals(mesh.points);
+  std::vector<Face> faces = mesh.faces;
+  for (Face& face : faces) {
+    for (std::uint32_t& corner : face) corner = first[corner];
+    drop_repeats(face);
+  }
+  const std::vector<bool> gone = cancelled(faces);
+  std::vector<std::uint32_t> index(mesh.points.size(), none);
+  Numbered made;
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    Face& face = faces[i];
+    if (face.size() < 3 || gone[i]) continue;
+    for (std::uint32_t& corner : face) {
+      if (index[corner] == none) {
+        index[corner] = static_cast<std::uint32_t>(made.mesh.points.size());
+        made.mesh.points.push_back(mesh.points[corner]);
+        made.point_numbers.push_back(corner);
+      }
+      corner = index[corner];
+    }
+    made.mesh.faces.push_back(std::move(face));
+    made.face_numbers.push_back(i);
+  }
+  return made;
+}
+
+std::optional<Defect> find_far_point(const Numbered& numbered) {
+  const Mesh& mesh = numbered.mesh;
+  const auto is_far = [&](std::uint32_t corner) {
+    const glm::dvec3 size = glm::abs(mesh.points[corner]);
+    return std::max({size.x, size.y, size.z}) > most_coordinate;
+  };
+  for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+    const auto corner = std::ranges::find_if(mesh.faces[i], is_far);
+    if (corner == mesh.faces[i].end()) continue;
+    return Defect{numbered.face_numbers[i], fmt::format("points[{}] has a coordinate beyond {:g}; scale the solid down",
+                                                        numbered.point_numbers[*corner], most_coordinate)};
+  }
+  return std::nullopt;
+}
+
+std::optional<Defect> find_open_edge(const Numbered& numbered) {
+  const std::vector<DirectedEdge> edges = sorted_edges(numbered.mesh);
+  for (auto begin = edges.begin(); begin != edges.end();) {
+    const auto end = std::find_if(begin, edges.end(), [&](const DirectedEdge& edge) { return !edge.along(*begin); });
+    const auto middle = std::find_if(begin, end, [](const DirectedEdge& edge) { return edge.from > edge.to; });
+    const auto forward = middle - begin;
+    const auto backward = end - middle;
+    if (forward != backward) {
+      const auto most = forward > backward ? begin : middle;
+      const std::uint32_t face = numbered.face_numbers[most->face];
+      if (forward + backward == 1) return Defect{face, open_edge(numbered, *most)};
+      if (std::max(forward, backward) > 1) {
+        return Defect{numbered.face_numbers[most[1].face], same_way(numbered, most[0], most[1])};
+      }
+    }
+    begin = end;
+  }
+  return std::nullopt;
+}
+
+void turn_shells(Mesh& mesh) {
+  const std::vector<FaceList> shells = faces_of_shells(mesh);
+  const std::vector<std::uint32_t> depths = depths_of(mesh, shells);
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    const bool faces_out = six_volumes(mesh, shells[i]) >= 0;
+    if (faces_out == (depths[i] % 2 == 0)) continue;
+    for (const std::uint32_t face : shells[i]) std::ranges::reverse(mesh.faces[face]);
+  }
+}
+
+Checked check(const Mesh& mesh, double tolerance) {
+  Numbered numbered = join_points(mesh);
+  if (std::optional<Defect> defect = find_far_point(numbered)) return {std::move(numbered.mesh), std::move(defect)};
+  const double distance =
+      std::min(tolerance * largest_coordinate(numbered.mesh), largest_part_of_edge * median_edge(numbered.mesh));
+  join_near_points(numbered, distance);
+  join_edges(numbered, distance);
+  std::optional<Defect> defect = find_open_edge(numbered);
+  if (!defect) defect = find_crossing(numbered, distance);
+  if (!defect) turn_shells(numbered.mesh);
+  return {std::move(numbered.mesh), std::move(defect)};
+}
+
+}  // namespace csgsim::solids

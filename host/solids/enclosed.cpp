@@ -1,0 +1,181 @@
+#include "host/solids/enclosed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "host/convex/clip.h"
+#include "hw/base/error.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// A part of the surface.
+struct Sheet {
+  facet::Halfspace halfspace;
+  std::vector<glm::dvec3> corners;
+};
+
+/// A part of space, and what of the surface is within it.
+struct Cell {
+  convex::Polytope space;
+  std::vector<Sheet> sheets;
+};
+
+double height(const facet::Plane& plane, const glm::dvec3& point) {
+  return glm::dot(plane.normal, point) + plane.offset;
+}
+
+/// What of a sheet is behind a plane by more than `near`; no corners if nothing.
+std::vector<glm::dvec3> behind(const std::vector<glm::dvec3>& corners, const facet::Plane& plane, double near) {
+  std::vector<glm::dvec3> kept;
+  bool has_area = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3& here = corners[i];
+    const glm::dvec3& next = corners[(i + 1) % corners.size()];
+    const double at_here = height(plane, here);
+    const double at_next = height(plane, next);
+    has_area = has_area || at_here < -near;
+    if (at_here <= near) kept.push_back(here);
+    if ((at_here < -near && at_next > near) || (at_here > near && at_next < -near)) {
+      kept.push_back(here + at_here / (at_here - at_next) * (next - here));
+    }
+  }
+  if (!has_area || kept.size() < 3) return {};
+  return kept;
+}
+
+/// The solid angle that a triangle is seen under from the origin (A. van Oosterom and J. Strackee, 1983).
+double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const double la = glm::length(a);
+  const double lb = glm::length(b);
+  const double lc = glm::length(c);
+  const double volume = glm::dot(a, glm::cross(b, c));
+  return 2.0 * std::atan2(volume, la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+}
+
+class Enclosing {
+ public:
+  Enclosing(const Soup& soup, const facet::PlaneTable& planes, const Limits& limits)
+      : soup_(soup), planes_(planes), limits_(limits), near_(convex::tolerance(planes)) {}
+
+  std::vector<convex::Polytope> operator()(convex::Polytope space) {
+    add({std::move(space), sheets()});
+    while (!open_.empty()) {
+      Cell cell = std::move(open_.back());
+      open_.pop_back();
+      if (cell.sheets.empty()) {
+        keep(std::move(cell.space));
+      } else {
+        divide(std::move(cell));
+      }
+    }
+    return std::move(pieces_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<Sheet> sheets() const {
+    std::vector<Sheet> result;
+    for (const Fragment& fragment : soup_.fragments) {
+      Sheet& sheet = result.emplace_back(Sheet{fragment.halfspace, {}});
+      for (std::uint32_t i = fragment.begin; i < fragment.end; ++i) sheet.corners.push_back(point(i));
+    }
+    return result;
+  }
+
+  [[nodiscard]] const glm::dvec3& point(std::uint32_t corner) const {
+    return soup_.points[soup_.corners[corner].point];
+  }
+
+  void add(Cell cell) {
+    if (cell.space.empty()) return;
+    fragments_ += cell.sheets.size();
+    if (fragments_ > limits_.most_fragments) {
+      throw InputError("the solid's faces fall into more than " + std::to_string(limits_.most_fragments) + " parts");
+    }
+    open_.push_back(std::move(cell));
+  }
+
+  void divide(Cell cell) {
+    const facet::Halfspace wall = best_wall(cell.sheets);
+    Cell back{convex::clip(cell.space, wall, planes_), part(cell.sheets, wall)};
+    Cell front{convex::clip(std::move(cell.space), convex::opposite(wall), planes_),
+               part(cell.sheets, convex::opposite(wall))};
+    add(std::move(front));
+    add(std::move(back));
+  }
+
+  [[nodiscard]] std::vector<Sheet> part(const std::vector<Sheet>& sheets, facet::Halfspace wall) const {
+    const facet::Plane plane = convex::outward_plane(wall, planes_);
+    std::vector<Sheet> result;
+    for (const Sheet& sheet : sheets) {
+      if (sheet.halfspace.plane == wall.plane) continue;
+      std::vector<glm::dvec3> kept = behind(sheet.corners, plane, near_);
+      if (!kept.empty()) result.push_back({sheet.halfspace, std::move(kept)});
+    }
+    return result;
+  }
+
+  /// The plane of a sheet that cuts the fewest others; of many, some are looked at.
+  [[nodiscard]] facet::Halfspace best_wall(const std::vector<Sheet>& sheets) const {
+    constexpr std::size_t most = 32;
+    const std::size_t step = sheets.size() / most + 1;
+    facet::Halfspace best = sheets.front().halfspace;
+    std::size_t fewest = sheets.size() + 1;
+    for (std::size_t i = 0; i < sheets.size(); i += step) {
+      const facet::Plane plane = convex::outward_plane(sheets[i].halfspace, planes_);
+      const auto cut = static_cast<std::size_t>(std::count_if(sheets.begin(), sheets.end(), [&](const Sheet& sheet) {
+        return !behind(sheet.corners, plane, near_).empty() &&
+               !behind(sheet.corners, {-plane.normal, -plane.offset}, near_).empty();
+      }));
+      if (cut >= fewest) continue;
+      fewest = cut;
+      best = sheets[i].halfspace;
+    }
+    return best;
+  }
+
+  /// Nothing of the surface is within the piece: it is all inside or all outside.
+  void keep(convex::Polytope piece) {
+    glm::dvec3 middle(0);
+    for (const glm::dvec3& vertex : piece.vertices) middle += vertex;
+    middle /= static_cast<double>(piece.vertices.size());
+    if (std::lround(winding(middle)) == 0) return;
+    pieces_.push_back(std::move(piece));
+    if (pieces_.size() > limits_.most_pieces) {
+      throw InputError("the solid falls into more than " + std::to_string(limits_.most_pieces) + " convex pieces");
+    }
+  }
+
+  [[nodiscard]] double winding(const glm::dvec3& from) const {
+    double angle = 0;
+    for (const Fragment& fragment : soup_.fragments) {
+      const glm::dvec3 first = point(fragment.begin) - from;
+      for (std::uint32_t i = fragment.begin + 1; i + 1 < fragment.end; ++i) {
+        angle += solid_angle(first, point(i) - from, point(i + 1) - from);
+      }
+    }
+    return angle / (4.0 * std::numbers::pi);
+  }
+
+  const Soup& soup_;
+  const facet::PlaneTable& planes_;
+  const Limits& limits_;
+  double near_;
+  std::size_t fragments_ = 0;  ///< so far
+  std::vector<Cell> open_;
+  std::vector<convex::Polytope> pieces_;
+};
+
+}  // namespace
+
+std::vector<convex::Polytope> enclosed(const Soup& soup, convex::Polytope cell, const facet::PlaneTable& planes,
+                                       const Limits& limits) {
+  return Enclosing(soup, planes, limits)(std::move(cell));
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,51 @@
+#include "host/solids/evaluate.h"
+
+#include <algorithm>
+
+#include "host/convex/pieces.h"
+#include "host/csg/positive_tree.h"
+#include "host/facet/scene.h"
+#include "host/solids/polyhedra.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+bool is_union(const model::Tree& tree) {
+  return std::all_of(tree.nodes.begin(), tree.nodes.end(),
+                     [](const model::Node& node) { return node.is_leaf || node.op == model::Operator::unite; });
+}
+
+}  // namespace
+
+std::vector<model::Polyhedron> pieces_of(const model::Tree& tree) {
+  if (tree.root == model::no_index) return {};
+  const facet::Scene scene = facet::make_scene(tree);
+  std::vector<model::Polyhedron> made;
+  const auto add = [&](const convex::Polytope& polytope) {
+    if (!polytope.empty()) made.push_back(polyhedron_of(polytope, scene.planes));
+  };
+  if (is_union(tree)) {
+    for (const facet::Convex& solid : scene.solids) add(convex::make_polytope(solid, scene.planes));
+  } else {
+    for (const convex::Piece& piece : convex::pieces(scene, csg::make_positive(tree))) add(piece.polytope);
+  }
+  return made;
+}
+
+std::vector<glm::dvec3> vertices_of(const model::Tree& tree) {
+  std::vector<glm::dvec3> vertices;
+  if (tree.root == model::no_index) return vertices;
+  if (is_union(tree)) {
+    for (const facet::Convex& solid : facet::make_scene(tree).solids) {
+      vertices.insert(vertices.end(), solid.vertices.begin(), solid.vertices.end());
+    }
+    return vertices;
+  }
+  for (const model::Polyhedron& piece : pieces_of(tree)) {
+    vertices.insert(vertices.end(), piece.points.begin(), piece.points.end());
+  }
+  return vertices;
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,149 @@
+#include "host/solids/flat_faces.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace csgsim::solids {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using Face = std::vector<std::uint32_t>;
+
+/// A face seen along the axis that it faces most, counter-clockwise.
+std::vector<Point> projection(const Mesh& mesh, const Face& face, const glm::dvec3& normal) {
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
+  }
+  int u = (axis + 1) % 3;
+  int v = (axis + 2) % 3;
+  if (normal[axis] < 0) std::swap(u, v);
+  std::vector<Point> points;
+  points.reserve(face.size());
+  for (const std::uint32_t corner : face) points.emplace_back(mesh.points[corner][u], mesh.points[corner][v]);
+  return points;
+}
+
+bool is_convex(const std::vector<Point>& points) {
+  int turns = 0;
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point& here = points[i];
+    const Point& next = points[(i + 1) % count];
+    const Point& after = points[(i + 2) % count];
+    if (CGAL::orientation(here, next, after) != CGAL::LEFT_TURN) {
+      if (CGAL::orientation(here, next, after) == CGAL::RIGHT_TURN) return false;
+      if (!CGAL::collinear_are_ordered_along_line(here, next, after)) return false;
+    }
+    if (CGAL::lexicographically_xy_smaller(here, next) != CGAL::lexicographically_xy_smaller(next, after)) ++turns;
+  }
+  return turns == 2;
+}
+
+bool holds(const std::array<Point, 3>& triangle, const Point& point) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (CGAL::orientation(triangle[i], triangle[(i + 1) % 3], point) == CGAL::RIGHT_TURN) return false;
+  }
+  return point != triangle[0] && point != triangle[1] && point != triangle[2];
+}
+
+/// Cuts a face into triangles. Holes may be joined to the outline by edges that it runs along both ways.
+class Ears {
+ public:
+  Ears(const Face& face, const std::vector<Point>& points) : face_(face), points_(points) {
+    for (std::size_t i = 0; i < face.size(); ++i) left_.push_back(i);
+  }
+
+  std::vector<Face> operator()() {
+    while (left_.size() > 3) cut(next());
+    cut(1);
+    return std::move(triangles_);
+  }
+
+ private:
+  [[nodiscard]] std::array<std::size_t, 3> corner(std::size_t i) const {
+    const std::size_t count = left_.size();
+    return {left_[(i + count - 1) % count], left_[i % count], left_[(i + 1) % count]};
+  }
+
+  /// The next ear after the last one. If a face that crosses itself has none, the next corner.
+  [[nodiscard]] std::size_t next() const {
+    for (std::size_t k = 0; k < left_.size(); ++k) {
+      const std::size_t i = (from_ + k) % left_.size();
+      if (is_ear(corner(i))) return i;
+    }
+    return from_ % left_.size();
+  }
+
+  [[nodiscard]] bool is_ear(const std::array<std::size_t, 3>& at) const {
+    const std::array<Point, 3> triangle{points_[at[0]], points_[at[1]], points_[at[2]]};
+    if (CGAL::orientation(triangle[0], triangle[1], triangle[2]) != CGAL::LEFT_TURN) return false;
+    return std::none_of(left_.begin(), left_.end(), [&](std::size_t other) { return holds(triangle, points_[other]); });
+  }
+
+  void cut(std::size_t i) {
+    const auto [a, b, c] = corner(i);
+    triangles_.push_back({face_[a], face_[b], face_[c]});
+    left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+    from_ = i;
+  }
+
+  const Face& face_;
+  const std::vector<Point>& points_;
+  std::vector<std::size_t> left_;  ///< corners that no ear has taken away
+  std::size_t from_ = 0;
+  std::vector<Face> triangles_;
+};
+
+bool is_flat(const Mesh& mesh, const Face& face, const glm::dvec3& normal, double tolerance) {
+  glm::dvec3 mean(0);
+  for (const std::uint32_t corner : face) mean += mesh.points[corner] / static_cast<double>(face.size());
+  return std::all_of(face.begin(), face.end(), [&](std::uint32_t corner) {
+    return std::abs(glm::dot(normal, mesh.points[corner] - mean)) <= tolerance;
+  });
+}
+
+}  // namespace
+
+glm::dvec3 area_vector(const Mesh& mesh, const Face& face) {
+  const glm::dvec3 origin = mesh.points[face.front()];
+  glm::dvec3 sum(0);
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    sum += glm::cross(mesh.points[face[i]] - origin, mesh.points[face[i + 1]] - origin);
+  }
+  return sum;
+}
+
+double largest_coordinate(const Mesh& mesh) {
+  double largest = 0;
+  for (const glm::dvec3& point : mesh.points) {
+    largest = std::max({largest, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+  }
+  return largest;
+}
+
+std::vector<Face> flat_convex_parts(const Mesh& mesh, const Face& face, double tolerance) {
+  const glm::dvec3 vector = area_vector(mesh, face);
+  const double length = glm::length(vector);
+  if (face.size() == 3 || length == 0) return {face};
+  const std::vector<Point> points = projection(mesh, face, vector);
+  if (is_flat(mesh, face, vector / length, tolerance) && is_convex(points)) return {face};
+  return Ears(face, points)();
+}
+
+Mesh with_flat_convex_faces(const Mesh& mesh, double tolerance) {
+  Mesh made{mesh.points, {}};
+  made.faces.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    for (Face& part : flat_convex_parts(mesh, face, tolerance)) made.faces.push_back(std::move(part));
+  }
+  return made;
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "host/solids/check.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+using Face = std::vector<std::uint32_t>;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Edges that no face runs back along.
+std::set<Edge> unjoined_edges(const Mesh& mesh) {
+  std::map<Edge, int> surplus;
+  for (const Face& face : mesh.faces) {
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      ++surplus[{face[k], face[(k + 1) % face.size()]}];
+      --surplus[{face[(k + 1) % face.size()], face[k]}];
+    }
+  }
+  std::set<Edge> found;
+  for (const auto& [edge, count] : surplus) {
+    if (count > 0) found.insert(edge);
+  }
+  return found;
+}
+
+/// Of each point the first one that is near, or itself: of points that are to be joined.
+class Nearest {
+ public:
+  Nearest(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
+
+  /// The first point that was added near to this one; if there is none, this one is added.
+  std::uint32_t first_near(std::uint32_t point) {
+    const Cell at = cell_of(mesh_.points[point]);
+    std::uint32_t first = point;
+    for (Cell cell = {at[0] - 1, 0, 0}; cell[0] <= at[0] + 1; ++cell[0]) {
+      for (cell[1] = at[1] - 1; cell[1] <= at[1] + 1; ++cell[1]) {
+        for (cell[2] = at[2] - 1; cell[2] <= at[2] + 1; ++cell[2]) first = std::min(first, first_in(cell, point));
+      }
+    }
+    if (first == point) cells_[at].push_back(point);
+    return first;
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+
+  [[nodiscard]] Cell cell_of(const glm::dvec3& point) const {
+    const glm::dvec3 cell = glm::floor(point / tolerance_);
+    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y), static_cast<std::int64_t>(cell.z)};
+  }
+
+  [[nodiscard]] std::uint32_t first_in(const Cell& cell, std::uint32_t point) const {
+    const auto found = cells_.find(cell);
+    if (found == cells_.end()) return point;
+    const auto first = std::ranges::find_if(found->second, [&](std::uint32_t other) {
+      return glm::distance(mesh_.points[other], mesh_.points[point]) <= tolerance_;
+    });
+    return first == found->second.end() ? point : *first;
+  }
+
+  const Mesh& mesh_;
+  double tolerance_;
+  std::map<Cell, std::vector<std::uint32_t>> cells_;  ///< points that were added, in ascending order
+};
+
+class Joining {
+ public:
+  Joining(Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance), open_(unjoined_edges(mesh)) {}
+
+  void operator()() {
+    if (open_.empty()) return;
+    for (Face& face : mesh_.faces) {
+      Face made;
+      for (std::size_t k = 0; k < face.size(); ++k) {
+        made.push_back(face[k]);
+        const Face between = corners_on({face[k], face[(k + 1) % face.size()]});
+        made.insert(made.end(), between.begin(), between.end());
+      }
+      face = std::move(made);
+    }
+  }
+
+ private:
+  /// Other faces run back from the edge's end to its beginning by these corners, which are returned in its direction.
+  [[nodiscard]] Face corners_on(const Edge& edge) const {
+    if (!open_.contains(edge)) return {};
+    Face corners;
+    std::uint32_t at = edge.second;
+    while (const std::optional<std::uint32_t> next = next_on(edge, at)) {
+      at = *next;
+      if (at == edge.first) {
+        std::reverse(corners.begin(), corners.end());
+        return corners;
+      }
+      corners.push_back(at);
+    }
+    return {};
+  }
+
+  /// The end of an edge from there, if it is on the first edge and nearer to its beginning.
+  [[nodiscard]] std::optional<std::uint32_t> next_on(const Edge& edge, std::uint32_t at) const {
+    const glm::dvec3& origin = mesh_.points[edge.first];
+    const glm::dvec3 along = glm::normalize(mesh_.points[edge.second] - origin);
+    const double place = glm::dot(mesh_.points[at] - origin, along);
+    for (auto found = open_.lower_bound({at, 0}); found != open_.end() && found->first == at; ++found) {
+      const glm::dvec3 offset = mesh_.points[found->second] - origin;
+      const double next = glm::dot(offset, along);
+      const bool is_on = glm::length(offset - next * along) <= tolerance_;
+      if (is_on && next < place && (next > 0 || found->second == edge.first)) return found->second;
+    }
+    return std::nullopt;
+  }
+
+  Mesh& mesh_;
+  double tolerance_;
+  std::set<Edge> open_;
+};
+
+}  // namespace
+
+void join_near_points(Numbered& numbered, double tolerance) {
+  std::set<std::uint32_t> ends;
+  for (const auto& [from, to] : unjoined_edges(numbered.mesh)) ends.insert({from, to});
+  Nearest nearest(numbered.mesh, tolerance);
+  Mesh moved = numbered.mesh;
+  for (const std::uint32_t end : ends) moved.points[end] = numbered.mesh.points[nearest.first_near(end)];
+  if (moved.points == numbered.mesh.points) return;
+  Numbered joined = join_points(moved);
+  for (std::uint32_t& number : joined.point_numbers) number = numbered.point_numbers[number];
+  for (std::uint32_t& number : joined.face_numbers) number = numbered.face_numbers[number];
+  numbered = std::move(joined);
+}
+
+void join_edges(Numbered& numbered, double tolerance) { Joining(numbered.mesh, tolerance)(); }
+
+}  // namespace csgsim::solids

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "host/flat/parts.h"
+#include "host/solids/bent_slices.h"
+#include "host/solids/side_lines.h"
+#include "host/solids/sweep.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// A frustum's lower and upper end.
+struct Ends {
+  double low = 0;
+  double high = 0;
+  double scale = 1;  ///< of the upper end
+};
+
+/// The plane that holds a line in the lower end and the line scaled in the upper one.
+glm::dvec4 side_plane(const glm::dvec3& line, const Ends& ends) {
+  const double slope = -line.z * (1.0 - ends.scale) / (ends.high - ends.low);
+  const double length = std::hypot(1.0, slope);
+  return glm::dvec4(line.x, line.y, slope, line.z - slope * ends.low) / length;
+}
+
+model::Polyhedron frustum(const flat::Outline& part, const Ends& ends, SideLines& lines) {
+  const auto count = static_cast<std::uint32_t>(part.size());
+  const bool is_pyramid = ends.scale == 0.0;
+  model::Polyhedron piece;
+  std::vector<std::uint32_t> bottom(count);
+  std::vector<std::uint32_t> top(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    bottom[i] = i;
+    top[i] = is_pyramid ? count : count + i;
+    piece.points.emplace_back(part[i], ends.low);
+  }
+  if (is_pyramid) piece.points.emplace_back(0, 0, ends.high);
+  for (std::uint32_t i = 0; i < count && !is_pyramid; ++i) piece.points.emplace_back(ends.scale * part[i], ends.high);
+  piece.faces.emplace_back(bottom.rbegin(), bottom.rend());
+  piece.planes.emplace_back(0, 0, -1, ends.low);
+  if (!is_pyramid) {
+    piece.faces.push_back(top);
+    piece.planes.emplace_back(0, 0, 1, -ends.high);
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t next = (i + 1) % count;
+    piece.faces.push_back({bottom[i], bottom[next], top[next]});
+    if (!is_pyramid) piece.faces.back().push_back(top[i]);
+    piece.planes.push_back(side_plane(lines(part[i], part[next]), ends));
+  }
+  return piece;
+}
+
+/// With scales that are used; none if there is nothing of it.
+std::optional<LinearExtrude> used(const flat::Area& area, LinearExtrude sweep) {
+  sweep.scale = glm::max(sweep.scale, glm::dvec2(0));
+  if (area.empty() || !(sweep.height > 0.0)) return std::nullopt;
+  return sweep;
+}
+
+bool is_straight(const LinearExtrude& sweep) { return sweep.twist == 0.0 && sweep.scale.x == sweep.scale.y; }
+
+Ends ends_of(const LinearExtrude& sweep) {
+  const double low = sweep.center ? -sweep.height / 2.0 : 0.0;
+  return {low, sweep.center ? sweep.height / 2.0 : sweep.height, sweep.scale.x};
+}
+
+/// An outline by itself, counter-clockwise; none if it is not convex.
+std::optional<flat::Outline> as_convex(flat::Outline outline, bool is_hole) {
+  if (is_hole) std::reverse(outline.begin(), outline.end());
+  std::vector<flat::Outline> parts = flat::convex_parts({{std::move(outline)}});
+  if (parts.size() != 1) return std::nullopt;
+  return std::move(parts.front());
+}
+
+/// The outer outline, then the holes; none if there are two outer ones, no holes, or one is not convex.
+std::vector<flat::Outline> convex_outlines(const flat::Area& area) {
+  std::vector<flat::Outline> found;
+  std::size_t outer = 0;
+  for (const flat::Outline& outline : area.outlines) {
+    const bool is_hole = signed_area(outline) < 0.0;
+    std::optional<flat::Outline> convex = as_convex(outline, is_hole);
+    if (!convex || (!is_hole && ++outer > 1)) return {};
+    found.insert(is_hole ? found.end() : found.begin(), *std::move(convex));
+  }
+  return outer == 1 && found.size() > 1 ? found : std::vector<flat::Outline>{};
+}
+
+/// Half-spaces of prisms over outlines.
+std::size_t halfspaces_over(const std::vector<flat::Outline>& outlines) {
+  std::size_t count = 0;
+  for (const flat::Outline& outline : outlines) count += outline.size() + 2;
+  return count;
+}
+
+}  // namespace
+
+std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& sweep) {
+  const std::optional<LinearExtrude> made = used(area, sweep);
+  if (!made) return {};
+  if (!is_straight(*made)) return extrude_bent(area, *made);
+  std::vector<model::Polyhedron> pieces;
+  SideLines lines(area);
+  for (const flat::Outline& part : flat::convex_parts(area)) pieces.push_back(frustum(part, ends_of(*made), lines));
+  return pieces;
+}
+
+std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& sweep) {
+  const std::optional<LinearExtrude> made = used(area, sweep);
+  if (!made || area.outlines.size() < 2 || !is_straight(*made)) return std::nullopt;
+  const std::vector<flat::Outline> outlines = convex_outlines(area);
+  if (outlines.empty() || 2 * halfspaces_over(outlines) > halfspaces_over(flat::convex_parts(area)))
+    return std::nullopt;
+  SideLines lines(area);
+  HoledPrism prism{frustum(outlines.front(), ends_of(*made), lines), {}};
+  for (std::size_t i = 1; i < outlines.size(); ++i) {
+    prism.holes.push_back(frustum(outlines[i], ends_of(*made), lines));
+  }
+  return prism;
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,95 @@
+#include "host/solids/minkowski.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "host/facet/scene.h"
+#include "host/solids/hull.h"
+#include "host/solids/limits.h"
+#include "hw/base/error.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+std::size_t corners_of(const Pieces& pieces) {
+  std::size_t count = 0;
+  for (const model::Polyhedron& piece : pieces) count += piece.points.size();
+  return count;
+}
+
+facet::Box box_of(const model::Polyhedron& piece) {
+  facet::Box box;
+  for (const glm::dvec3& point : piece.points) box = facet::hull(box, point);
+  return box;
+}
+
+/// Whether a piece's planes have all of another's points behind them, but for rounding.
+bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, double near) {
+  return std::all_of(piece.planes.begin(), piece.planes.end(), [&](const glm::dvec4& plane) {
+    return std::all_of(other.points.begin(), other.points.end(),
+                       [&](const glm::dvec3& point) { return glm::dot(glm::dvec3(plane), point) + plane.w <= near; });
+  });
+}
+
+/// Of equal pieces the first stays.
+Pieces without_covered(Pieces pieces) {
+  std::vector<facet::Box> boxes;
+  facet::Box whole;
+  for (const model::Polyhedron& piece : pieces) {
+    boxes.push_back(box_of(piece));
+    whole = facet::hull(whole, boxes.back());
+  }
+  const double near = double_precision_tolerance * glm::length(whole.high - whole.low);
+  const auto box_holds = [&](const facet::Box& outer, const facet::Box& inner) {
+    return glm::all(glm::lessThanEqual(outer.low - near, inner.low)) &&
+           glm::all(glm::lessThanEqual(inner.high, outer.high + near));
+  };
+  std::vector<bool> covered(pieces.size(), false);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t other = 0; other < pieces.size() && !covered[i]; ++other) {
+      covered[i] =
+          other != i && !covered[other] && box_holds(boxes[other], boxes[i]) && holds(pieces[other], pieces[i], near);
+    }
+  }
+  Pieces kept;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!covered[i]) kept.push_back(std::move(pieces[i]));
+  }
+  return kept;
+}
+
+Pieces sum(const Pieces& first, const Pieces& second) {
+  if (corners_of(first) > most_sums / std::max<std::size_t>(corners_of(second), 1)) {
+    throw InputError("the Minkowski sum takes more than " + std::to_string(most_sums) +
+                     " sums of corners; give its solids fewer facets ($fn)");
+  }
+  Pieces made;
+  std::vector<glm::dvec3> sums;
+  for (const model::Polyhedron& one : first) {
+    for (const model::Polyhedron& other : second) {
+      sums.clear();
+      for (const glm::dvec3& a : one.points) {
+        for (const glm::dvec3& b : other.points) sums.push_back(a + b);
+      }
+      if (std::optional<model::Polyhedron> piece = hull_piece(sums)) made.push_back(std::move(*piece));
+    }
+  }
+  return without_covered(std::move(made));
+}
+
+}  // namespace
+
+Pieces minkowski(std::span<const Pieces> solids) {
+  Pieces total;
+  for (const Pieces& solid : solids) {
+    if (!solid.empty()) total = total.empty() ? solid : sum(total, solid);
+  }
+  return total;
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,89 @@
+#include "host/solids/neighbours.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace csgsim::solids {
+
+namespace {
+
+struct Side {
+  std::uint32_t low;
+  std::uint32_t high;
+  std::uint32_t number;
+  std::uint32_t face;
+  bool forward;  ///< from the lower corner to the higher one
+
+  [[nodiscard]] bool along(const Side& other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<Side> sorted_sides(const Mesh& mesh) {
+  std::vector<Side> sides;
+  for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+    const std::vector<std::uint32_t>& face = mesh.faces[i];
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t here = face[k];
+      const std::uint32_t next = face[(k + 1) % face.size()];
+      sides.push_back(
+          {std::min(here, next), std::max(here, next), static_cast<std::uint32_t>(sides.size()), i, here < next});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.number) < std::tie(b.low, b.high, b.number);
+  });
+  return sides;
+}
+
+/// Calls visit(begin, end) for the sides along each edge.
+template <class Visit>
+void for_edges(const std::vector<Side>& sides, const Visit& visit) {
+  for (auto begin = sides.begin(); begin != sides.end();) {
+    const auto end = std::find_if(begin, sides.end(), [&](const Side& side) { return !side.along(*begin); });
+    visit(begin, end);
+    begin = end;
+  }
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t at) {
+  while (parents[at] != at) at = parents[at] = parents[parents[at]];
+  return at;
+}
+
+}  // namespace
+
+Neighbours find_neighbours(const Mesh& mesh) {
+  Neighbours found;
+  found.first_side.push_back(0);
+  for (const auto& face : mesh.faces) {
+    found.first_side.push_back(found.first_side.back() + static_cast<std::uint32_t>(face.size()));
+  }
+  found.face.assign(found.first_side.back(), none);
+  for_edges(sorted_sides(mesh), [&](auto begin, auto end) {
+    if (end - begin != 2 || begin->forward == begin[1].forward) return;
+    found.face[begin->number] = begin[1].face;
+    found.face[begin[1].number] = begin->face;
+  });
+  return found;
+}
+
+std::vector<std::uint32_t> find_shells(const Mesh& mesh) {
+  std::vector<std::uint32_t> parents(mesh.faces.size());
+  std::iota(parents.begin(), parents.end(), 0U);
+  for_edges(sorted_sides(mesh), [&](auto begin, auto end) {
+    for (auto side = begin; side != end; ++side) {
+      const std::uint32_t one = root_of(parents, begin->face);
+      const std::uint32_t other = root_of(parents, side->face);
+      parents[std::max(one, other)] = std::min(one, other);
+    }
+  });
+  std::vector<std::uint32_t> shells(mesh.faces.size());
+  std::uint32_t count = 0;
+  for (std::uint32_t face = 0; face < parents.size(); ++face) {
+    const std::uint32_t root = root_of(parents, face);
+    shells[face] = root == face ? count++ : shells[root];
+  }
+  return shells;
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,201 @@
+#include "host/solids/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "host/convex/clip.h"
+#include "host/convex/merge.h"
+#include "host/facet/scene.h"
+#include "host/solids/convex_shell.h"
+#include "host/solids/flat_faces.h"
+#include "host/solids/partition.h"
+#include "host/solids/polyhedra.h"
+#include "host/solids/regions.h"
+#include "host/solids/shells.h"
+#include "hw/base/error.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// Sides of faces, of which an edge has two.
+constexpr std::ptrdiff_t fewest_edges_in_level = 8;
+
+facet::Box box_of(const Mesh& mesh) {
+  facet::Box box;
+  for (const glm::dvec3& point : mesh.points) box = facet::hull(box, point);
+  return box;
+}
+
+double tolerance_of(const Mesh& mesh, const facet::Box& box, const Limits& limits) {
+  return std::min(limits.tolerance * largest_coordinate(mesh), largest_tolerance * glm::length(box.high - box.low));
+}
+
+class Division {
+ public:
+  Division(const Mesh& mesh, const facet::Box& box, const Limits& limits)
+      : mesh_(with_flat_convex_faces(mesh, tolerance_of(mesh, box, limits))),
+        limits_(limits),
+        neighbours_(find_neighbours(mesh_)),
+        regions_(find_regions(mesh_, neighbours_, tolerance_of(mesh, box, limits))),
+        planes_(box.centre(), glm::length(box.high - box.low)),
+        near_(2.0 * std::max(regions_.deviation, convex::tolerance(planes_))) {
+    for (const facet::Plane& plane : regions_.planes) halfspaces_.push_back(planes_.add(plane));
+  }
+
+  std::vector<model::Polyhedron> operator()() {
+    for (const FaceList& solid : faces_of_solids(mesh_)) divide(solid);
+    return std::move(pieces_);
+  }
+
+  /// By how much the pieces have more volume than the solids that were cut.
+  [[nodiscard]] double gain() const { return gain_; }
+
+  /// What corners that are off their planes may make of that.
+  [[nodiscard]] double largest_gain() const { return near_ * area_; }
+
+ private:
+  void divide(const FaceList& solid) {
+    if (std::optional<model::Polyhedron> whole = as_convex(mesh_, solid, neighbours_, regions_, near_)) {
+      pieces_.push_back(std::move(*whole));
+      return;
+    }
+    Limits left = limits_;
+    left.most_pieces -= std::min(left.most_pieces, pieces_.size());
+    Soup soup = soup_of(solid);
+    const std::vector<Level> levels = levels_of(soup);
+    std::vector<convex::Polytope> polytopes =
+        partition(std::move(soup), cell_around(solid), levels, planes_, near_, left);
+    convex::merge(polytopes, planes_);
+    weigh(solid, polytopes);
+    for (const convex::Polytope& polytope : polytopes) pieces_.push_back(polyhedron_of(polytope, planes_));
+  }
+
+  void weigh(const FaceList& solid, std::span<const convex::Polytope> polytopes) {
+    gain_ -= six_volumes(mesh_, solid) / 6;
+    for (const std::uint32_t face : solid) area_ += glm::length(area_vector(mesh_, mesh_.faces[face])) / 2;
+    for (const convex::Polytope& polytope : polytopes) gain_ += convex::volume(polytope);
+  }
+
+  [[nodiscard]] Soup soup_of(const FaceList& solid) const {
+    Soup soup;
+    std::map<std::uint32_t, std::uint32_t> places;
+    for (const std::uint32_t face : solid) {
+      if (regions_.of_face[face] == none) continue;
+      const auto begin = static_cast<std::uint32_t>(soup.corners.size());
+      const std::vector<std::uint32_t>& corners = mesh_.faces[face];
+      for (std::uint32_t k = 0; k < corners.size(); ++k) {
+        const auto [place, is_new] = places.try_emplace(corners[k], static_cast<std::uint32_t>(soup.points.size()));
+        if (is_new) soup.points.push_back(mesh_.points[corners[k]] - planes_.centre());
+        soup.corners.push_back({place->second, is_reflex(face, k)});
+      }
+      soup.fragments.push_back(
+          {halfspaces_[regions_.of_face[face]], begin, static_cast<std::uint32_t>(soup.corners.size())});
+    }
+    return soup;
+  }
+
+  /// Whether the face beyond a side rises in front of this one. What joins not just one face may be.
+  [[nodiscard]] bool is_reflex(std::uint32_t face, std::uint32_t side) const {
+    const std::uint32_t beyond = neighbours_.face[neighbours_.first_side[face] + side];
+    if (beyond == none) return true;
+    const std::uint32_t region = regions_.of_face[face];
+    if (regions_.of_face[beyond] == region || regions_.of_face[beyond] == none) return false;
+    const facet::Plane& plane = regions_.planes[region];
+    return std::any_of(mesh_.faces[beyond].begin(), mesh_.faces[beyond].end(), [&](std::uint32_t corner) {
+      return glm::dot(plane.normal, mesh_.points[corner]) + plane.offset > near_;
+    });
+  }
+
+  /// In order of axis and place.
+  std::vector<Level> levels_of(const Soup& soup) {
+    std::vector<Level> levels;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::vector<double> places = edges_across(soup, axis);
+      glm::dvec3 normal(0);
+      normal[axis] = 1;
+      for (auto begin = places.begin(); begin != places.end();) {
+        const auto end = std::find_if(begin, places.end(), [&](double place) { return place > *begin + near_; });
+        if (end - begin >= fewest_edges_in_level) {
+          levels.push_back({axis, *begin, planes_.add({normal, -(*begin + planes_.centre()[axis])})});
+        }
+        begin = end;
+      }
+    }
+    return levels;
+  }
+
+  /// Where reflex edges that run across an axis are along it, in order.
+  [[nodiscard]] std::vector<double> edges_across(const Soup& soup, int axis) const {
+    std::vector<double> places;
+    for (const Fragment& fragment : soup.fragments) {
+      for (std::uint32_t i = fragment.begin; i < fragment.end; ++i) {
+        if (!soup.corners[i].reflex) continue;
+        const std::uint32_t next = i + 1 < fragment.end ? i + 1 : fragment.begin;
+        const double place = soup.points[soup.corners[i].point][axis];
+        if (std::abs(soup.points[soup.corners[next].point][axis] - place) <= near_) places.push_back(place);
+      }
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+  /// A box with room around the solid.
+  convex::Polytope cell_around(const FaceList& solid) {
+    facet::Box box;
+    for (const std::uint32_t face : solid) {
+      for (const std::uint32_t corner : mesh_.faces[face]) box = facet::hull(box, mesh_.points[corner]);
+    }
+    const glm::dvec3 margin(0.1 * planes_.diagonal());
+    const glm::dvec3 low = box.low - margin;
+    const glm::dvec3 high = box.high + margin;
+    std::vector<facet::Halfspace> walls;
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 normal(0);
+      normal[axis] = 1;
+      walls.push_back(planes_.add({normal, -high[axis]}));
+      walls.push_back(planes_.add({-normal, low[axis]}));
+    }
+    return convex::intersection({low - planes_.centre(), high - planes_.centre()}, walls, planes_);
+  }
+
+  Mesh mesh_;
+  const Limits& limits_;
+  Neighbours neighbours_;
+  Regions regions_;
+  facet::PlaneTable planes_;
+  double near_;
+  std::vector<facet::Halfspace> halfspaces_;  ///< of the regions
+  std::vector<model::Polyhedron> pieces_;
+  double gain_ = 0;
+  double area_ = 0;  ///< of the surface of what was cut
+};
+
+/// Each face in its own plane: what is lost or gained by tolerances shows in the volume.
+std::vector<model::Polyhedron> exact_pieces(const Mesh& mesh, const facet::Box& box, Limits limits) {
+  limits.tolerance = double_precision_tolerance;
+  limits.watches_cover = false;
+  Division division(mesh, box, limits);
+  std::vector<model::Polyhedron> pieces = division();
+  if (std::abs(division.gain()) > division.largest_gain())
+    throw HoleError("the faces leave a hole in the solid's surface; close it");
+  return pieces;
+}
+
+}  // namespace
+
+std::vector<model::Polyhedron> convex_pieces(const Mesh& mesh, const Limits& limits) {
+  if (mesh.faces.empty()) return {};
+  const facet::Box box = box_of(mesh);
+  try {
+    return Division(mesh, box, limits)();
+  } catch (const HoleError&) {
+    return exact_pieces(mesh, box, limits);
+  }
+}
+
+}  // namespace csgsim::solids

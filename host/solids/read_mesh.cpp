@@ -1,0 +1,38 @@
+#include "host/solids/read_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/text.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+std::string lower(std::string text) {
+  for (char& letter : text) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + ('a' - 'A'));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Mesh> read_meshes(const std::filesystem::path& path) {
+  const std::string ending = lower(path.extension().string());
+  const bool is_known = ending == ".stl" || ending == ".off" || ending == ".amf" || ending == ".3mf";
+  if (!is_known) {
+    throw InputError(
+        fmt::format("{}: meshes are read from .stl, .off, .amf and .3mf files; convert it", printable(path.native())));
+  }
+  const std::string text = read_file(path, {"a mesh file", most_mesh_bytes, "make the mesh coarser"});
+  if (ending == ".stl") return {parse_stl(text, path.native())};
+  if (ending == ".off") return {parse_off(text, path.native())};
+  return ending == ".amf" ? parse_amf(text, path.native()) : parse_3mf(text, path.native());
+}
+
+}  // namespace csgsim::solids

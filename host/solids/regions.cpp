@@ -1,0 +1,136 @@
+#include "host/solids/regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "host/solids/flat_faces.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// What is summed up over faces to fit a plane.
+struct Sums {
+  glm::dvec3 vector{0};  ///< of areas
+  glm::dvec3 middle{0};  ///< times the area
+  double area = 0;
+
+  void operator+=(const Sums& other) {
+    vector += other.vector;
+    middle += other.middle;
+    area += other.area;
+  }
+
+  [[nodiscard]] facet::Plane plane() const {
+    const glm::dvec3 normal = glm::normalize(vector);
+    return {normal, -glm::dot(normal, middle / area)};
+  }
+};
+
+class Growing {
+ public:
+  Growing(const Mesh& mesh, const Neighbours& neighbours, double tolerance)
+      : mesh_(mesh), neighbours_(neighbours), tolerance_(tolerance) {
+    regions_.of_face.assign(mesh.faces.size(), none);
+    for (const auto& face : mesh.faces) sums_.push_back(sums_of(face));
+  }
+
+  Regions operator()() {
+    std::vector<std::uint32_t> order(mesh_.faces.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::uint32_t a, std::uint32_t b) { return sums_[a].area > sums_[b].area; });
+    for (const std::uint32_t face : order) {
+      // What grows from a face may in the end be without it.
+      while (regions_.of_face[face] == none && glm::length(sums_[face].vector) > 0) grow(face);
+    }
+    return std::move(regions_);
+  }
+
+ private:
+  [[nodiscard]] Sums sums_of(const std::vector<std::uint32_t>& face) const {
+    Sums sums;
+    sums.vector = area_vector(mesh_, face);
+    sums.area = glm::length(sums.vector);
+    for (const std::uint32_t corner : face) sums.middle += mesh_.points[corner];
+    sums.middle *= sums.area / static_cast<double>(face.size());
+    return sums;
+  }
+
+  /// The farthest that a corner is off the plane.
+  [[nodiscard]] double off(std::uint32_t face, const facet::Plane& plane) const {
+    double most = 0;
+    for (const std::uint32_t corner : mesh_.faces[face]) {
+      most = std::max(most, std::abs(glm::dot(plane.normal, mesh_.points[corner]) + plane.offset));
+    }
+    return most;
+  }
+
+  [[nodiscard]] bool fits(std::uint32_t face, const facet::Plane& plane) const {
+    return glm::dot(sums_[face].vector, plane.normal) >= 0 && off(face, plane) <= tolerance_;
+  }
+
+  void grow(std::uint32_t seed) {
+    const auto region = static_cast<std::uint32_t>(regions_.planes.size());
+    std::vector<std::uint32_t> members = gather(seed, region);
+    Sums sums = total(members);
+    // Those gathered first need not fit what has become of the plane.
+    for (bool settled = false; !settled && members.size() > 1; sums = total(members)) {
+      const facet::Plane plane = sums.plane();
+      settled = std::erase_if(members, [&](std::uint32_t face) {
+                  if (off(face, plane) <= tolerance_) return false;
+                  regions_.of_face[face] = none;
+                  return true;
+                }) == 0;
+    }
+    if (members.empty() || glm::length(sums.vector) == 0) {
+      members = {seed};
+      sums = sums_[seed];
+    }
+    const facet::Plane plane = sums.plane();
+    for (const std::uint32_t face : members) {
+      regions_.of_face[face] = region;
+      regions_.deviation = std::max(regions_.deviation, off(face, plane));
+    }
+    regions_.planes.push_back(plane);
+  }
+
+  std::vector<std::uint32_t> gather(std::uint32_t seed, std::uint32_t region) {
+    std::vector<std::uint32_t> members{seed};
+    regions_.of_face[seed] = region;
+    Sums sums = sums_[seed];
+    for (std::size_t next = 0; next < members.size(); ++next) {
+      const std::uint32_t face = members[next];
+      for (std::uint32_t side = neighbours_.first_side[face]; side < neighbours_.first_side[face + 1]; ++side) {
+        const std::uint32_t beyond = neighbours_.face[side];
+        if (beyond == none || regions_.of_face[beyond] != none || !fits(beyond, sums.plane())) continue;
+        regions_.of_face[beyond] = region;
+        members.push_back(beyond);
+        sums += sums_[beyond];
+      }
+    }
+    return members;
+  }
+
+  [[nodiscard]] Sums total(const std::vector<std::uint32_t>& members) const {
+    Sums sums;
+    for (const std::uint32_t face : members) sums += sums_[face];
+    return sums;
+  }
+
+  const Mesh& mesh_;
+  const Neighbours& neighbours_;
+  double tolerance_;
+  std::vector<Sums> sums_;  ///< of each face
+  Regions regions_;
+};
+
+}  // namespace
+
+Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance) {
+  return Growing(mesh, neighbours, tolerance)();
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "host/solids/mesh.h"
+
+namespace csgsim::solids {
+
+using FaceList = std::vector<std::uint32_t>;
+
+/// Six times what the faces enclose, seen from the first of their points: negative if they face inwards.
+double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces);
+
+/// How many times closed faces run around a point: 1 within a shell that faces outwards, 0 outside it, and between them
+/// on it.
+double winding(const Mesh& mesh, std::span<const std::uint32_t> faces, const glm::dvec3& point);
+
+/// The faces of each shell, in ascending order.
+std::vector<FaceList> faces_of_shells(const Mesh& mesh);
+
+/// How many other shells each is within. Shells may touch but not cross.
+std::vector<std::uint32_t> depths_of(const Mesh& mesh, const std::vector<FaceList>& shells);
+
+/// The faces of each solid: of a shell that faces outwards, and of the voids that are directly within it. Shells may
+/// touch but not cross. Throws InputError for a void that is in no solid.
+std::vector<FaceList> faces_of_solids(const Mesh& mesh);
+
+}  // namespace csgsim::solids

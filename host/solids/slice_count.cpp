@@ -1,0 +1,92 @@
+#include "host/solids/slice_count.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+
+#include "host/solids/sweep_limits.h"
+#include "hw/base/error.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// Lengths below this are none to OpenSCAD.
+constexpr double grid_fine = 0.00000095367431640625;
+
+constexpr double degrees_a_slice = 120.0;  ///< at most
+
+/// The greatest of a length that each corner has, squared.
+template <class Squared>
+double greatest(const flat::Area& area, const Squared& squared) {
+  double most = 0;
+  for (const flat::Outline& outline : area.outlines) {
+    for (const glm::dvec2& corner : outline) most = std::max(most, squared(corner));
+  }
+  return most;
+}
+
+/// Of the spiral of Archimedes r = step * angle from its start, angles in radians.
+double spiral_length(double step, double angle) {
+  return 0.5 * step * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
+}
+
+/// Of the way of a corner at that distance from the axis, turned by `turn` radians on its way up.
+double way_length(double squared_radius, double turn, const LinearExtrude& sweep) {
+  const double scale = sweep.scale.x;
+  if (scale == 1.0 || scale != sweep.scale.y) {
+    const double rise = sweep.height / turn;
+    return turn * std::sqrt(squared_radius + rise * rise);
+  }
+  const double last = scale > 1.0 ? turn * scale / (scale - 1.0) : turn / (1.0 - scale);
+  const double step = std::sqrt(squared_radius) / last;
+  const double flat = spiral_length(step, last) - spiral_length(step, last - turn);
+  return std::sqrt(flat * flat + sweep.height * sweep.height);
+}
+
+double twisted_count(const flat::Area& area, const LinearExtrude& sweep) {
+  const double twist = std::abs(sweep.twist);
+  const double fewest = std::max(std::ceil(twist / degrees_a_slice), 1.0);
+  const double squared_radius = greatest(area, [](const glm::dvec2& corner) { return glm::dot(corner, corner); });
+  const model::FacetControl& facets = sweep.facets;
+  if (std::sqrt(squared_radius) < grid_fine || !std::isfinite(facets.fn)) return fewest;
+  if (facets.fn > 0.0) return std::max(std::ceil(twist / 360.0 * facets.fn), fewest);
+  const double turn = twist * std::numbers::pi / 180.0;
+  const double by_length = std::ceil(way_length(squared_radius, turn, sweep) / facets.fs);
+  return std::max(std::min(std::ceil(twist / facets.fa), by_length), fewest);
+}
+
+double straight_count(const flat::Area& area, const LinearExtrude& sweep) {
+  const double squared_shift = greatest(area, [&](const glm::dvec2& corner) {
+    const glm::dvec2 shift = corner - corner * sweep.scale;
+    return glm::dot(shift, shift);
+  });
+  const model::FacetControl& facets = sweep.facets;
+  if (std::sqrt(squared_shift) < grid_fine || !std::isfinite(facets.fn)) return 1.0;
+  if (facets.fn > 0.0) return std::max(std::floor(facets.fn), 1.0);
+  return std::max(std::ceil(std::sqrt(squared_shift + sweep.height * sweep.height) / facets.fs), 1.0);
+}
+
+std::size_t corner_count(const flat::Area& area) {
+  std::size_t count = 0;
+  for (const flat::Outline& outline : area.outlines) count += outline.size();
+  return count;
+}
+
+}  // namespace
+
+std::uint32_t slice_count(const flat::Area& area, const LinearExtrude& sweep) {
+  const double count = sweep.slices != 0    ? sweep.slices
+                       : sweep.twist != 0.0 ? twisted_count(area, sweep)
+                                            : straight_count(area, sweep);
+  const double most = static_cast<double>(most_swept_faces) / (2.0 * static_cast<double>(corner_count(area)));
+  if (!(count <= most)) {
+    throw InputError("linear_extrude() makes more than " + std::to_string(most_swept_faces) +
+                     " faces; ask for fewer slices, or raise $fa or $fs");
+  }
+  return static_cast<std::uint32_t>(count);
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host/flat/area.h"
+#include "host/solids/sweep.h"
+
+namespace csgsim::solids {
+
+/// Slices of an extrusion whose sides bend, as OpenSCAD 2021.01 counts them. As many as the sweep says; else with a
+/// twist by the length of the helix, or conical helix, that the outermost corner runs along, against $fs, and by the
+/// twist against $fa or $fn; else, if x and y scale differently, by the longest way of a corner against $fs, or $fn.
+/// Throws InputError past most_swept_faces.
+std::uint32_t slice_count(const flat::Area& area, const LinearExtrude& sweep);
+
+}  // namespace csgsim::solids

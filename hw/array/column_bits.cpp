@@ -1,0 +1,59 @@
+#include "hw/array/column_bits.h"
+
+namespace csgsim::array {
+
+namespace {
+
+/// Of 64 rows of words, in each column of them: bit i of row j becomes bit j of row i.
+void transpose(Words& rows, std::size_t stride, std::size_t columns) {
+  std::uint64_t mask = low_bits(word_bits / 2);
+  for (std::size_t distance = word_bits / 2; distance > 0; distance /= 2) {
+    for (std::size_t row = 0; row < word_bits; row = (row + distance + 1) & ~distance) {
+      std::uint64_t* const upper = &rows[row * stride];
+      std::uint64_t* const lower = &rows[(row + distance) * stride];
+      for (std::size_t i = 0; i < columns; ++i) {
+        const std::uint64_t swapped = (upper[i] >> distance ^ lower[i]) & mask;
+        lower[i] ^= swapped;
+        upper[i] ^= swapped << distance;
+      }
+    }
+    mask ^= mask << distance / 2;
+  }
+}
+
+}  // namespace
+
+ColumnBits::ColumnBits(PlaneShape shape, std::span<const Place> places)
+    : width_(shape.width),
+      row_words_(shape.row_words()),
+      stride_(round_up(row_words_ + kernels::block_words, kernels::block_words)),
+      places_(places.begin(), places.end()) {}
+
+std::span<const kernels::StreamTable> ColumnBits::of(std::span<const Stream> streams) {
+  if (words_.size() < streams.size()) words_.resize(streams.size(), Words(word_bits * stride_));
+  tables_.clear();
+  for (std::size_t i = 0; i < streams.size(); ++i) tables_.push_back(table_of(streams[i], words_[i]));
+  return tables_;
+}
+
+/// Beyond the row's width the columns go on.
+kernels::StreamTable ColumnBits::table_of(const Stream& stream, Words& words) const {
+  for (std::size_t bit = 0; bit < word_bits; ++bit) {
+    std::uint64_t* const row = &words[bit * stride_];
+    for (std::size_t word = 0; word < row_words_; ++word) {
+      const std::size_t column = word * word_bits + bit;
+      row[word] = stream.a * column + stream.c;
+    }
+  }
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    words[i % word_bits * stride_ + i / word_bits] = stream.a * places_[i].x + stream.b * places_[i].y + stream.c;
+  }
+  transpose(words, stride_, row_words_);
+  for (std::size_t bit = 0; bit < stream.bits; ++bit) {
+    std::uint64_t* const row = &words[bit * stride_];
+    for (std::size_t word = row_words_; word < stride_; ++word) row[word] = row[word - row_words_];
+  }
+  return {.columns = words.data(), .stride = stride_, .b = places_.empty() ? stream.b : 0, .bits = stream.bits};
+}
+
+}  // namespace csgsim::array

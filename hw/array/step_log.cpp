@@ -1,0 +1,164 @@
+#include "hw/array/step_log.h"
+
+#include <algorithm>
+
+#include "hw/array/plane.h"
+
+namespace csgsim::array {
+
+namespace {
+
+constexpr unsigned longest_run = 64;
+
+/// The function without the carry that it begins with.
+void part_carry(AluFunction function, Run& run) {
+  struct Part {
+    AluFunction function;
+    AluFunction rest;
+    CarryIn carry;
+  };
+  static constexpr Part parts[] = {{AluFunction::compare_from_0, AluFunction::compare, CarryIn::zero},
+                                   {AluFunction::compare_from_1, AluFunction::compare, CarryIn::one},
+                                   {AluFunction::less_from_0, AluFunction::less, CarryIn::zero},
+                                   {AluFunction::less_from_1, AluFunction::less, CarryIn::one},
+                                   {AluFunction::sum_from_0, AluFunction::sum, CarryIn::zero}};
+  run.function = function;
+  for (const Part& part : parts) {
+    if (part.function != function) continue;
+    run.function = part.rest;
+    run.carry_in = part.carry;
+  }
+}
+
+/// Whether `next` is the step after those of `run`.
+bool continues(const Run& run, const Run& next) {
+  if (run.function != next.function || next.carry_in != CarryIn::keep || run.latches != next.latches ||
+      run.from_tree != next.from_tree || run.count == longest_run) {
+    return false;
+  }
+  const AluInfo& row = info(run.function);
+  const auto follows = [&](unsigned first, unsigned bit) { return first + run.count == bit; };
+  if (row.reads_x && run.from_tree && (run.stream != next.stream || !follows(run.stream_bit, next.stream_bit)))
+    return false;
+  if (row.reads_x && !run.from_tree && !follows(run.x, next.x)) return false;
+  const bool writes = row.writes || run.function == AluFunction::latch_x;
+  return (!row.reads_y || follows(run.y, next.y)) && (!writes || follows(run.write, next.write)) &&
+         (row.reads_x || row.reads_y || writes);
+}
+
+bool overlap(BitRange one, BitRange other) { return one.first < other.end && other.first < one.end; }
+
+BitRange range_of(unsigned first, unsigned count) { return {first, first + count}; }
+
+/// Joined to the last, where it goes on with that.
+void add(BitRange range, std::vector<BitRange>& ranges) {
+  if (!ranges.empty() && ranges.back().end == range.first) {
+    ranges.back().end = range.end;
+  } else {
+    ranges.push_back(range);
+  }
+}
+
+}  // namespace
+
+bool Batch::writes_any(BitRange bits) const {
+  return std::any_of(writes.begin(), writes.end(), [&](BitRange written) { return overlap(written, bits); });
+}
+
+void Batch::clear() {
+  runs.clear();
+  streams.clear();
+  reads.clear();
+  writes.clear();
+  carry = Touch::none;
+  latch = Touch::none;
+  acts_where_disabled = false;
+}
+
+void StepLog::push(const ArrayStep& step, const StreamBit& tree) {
+  if (step.function == AluFunction::idle || step.function == AluFunction::answer) return;
+  const bool latches = takes_latch(step);
+  ArrayStep one = step;
+  if (latches) {
+    one.source = OperandSource::memory;
+    one.x = static_cast<std::uint16_t>(batch_.runs.back().x - bits_.memory(0));
+    batch_.runs.pop_back();
+  }
+  for (unsigned bit = 0; bit < one.bits; ++bit) push_bit(one, bit, tree, latches);
+}
+
+/// The step before has brought the one bit of operand x from memory into the latch, where it stays.
+bool StepLog::takes_latch(const ArrayStep& step) const {
+  if (step.source != OperandSource::latch || step.bits != 1 || batch_.runs.empty()) return false;
+  if (!info(function_of_bit(step, 0)).reads_x) return false;
+  const Run& before = batch_.runs.back();
+  return before.function == AluFunction::latch_x && before.count == 1 && !before.from_tree && bits_.alu_bits == 1;
+}
+
+void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit& tree, bool latches) {
+  Run run{.count = 1};
+  part_carry(function_of_bit(step, bit), run);
+  const AluInfo& row = info(run.function);
+  run.constant = step.constant >> bit & 1U;
+  if (row.reads_x) {
+    run.latches = latches;
+    run.from_tree = step.source == OperandSource::tree;
+    if (run.from_tree) {
+      run.stream = stream_of(tree);
+      run.stream_bit = static_cast<std::uint16_t>(tree.token.active() ? tree.token.bit : 0);
+    } else {
+      run.x = static_cast<std::uint16_t>(step.source == OperandSource::latch ? bits_.latch(bit)
+                                                                             : bits_.memory(step.x + bit));
+    }
+  }
+  if (row.reads_y) run.y = static_cast<std::uint16_t>(bits_.memory(step.y + bit));
+  if (row.writes) run.write = static_cast<std::uint16_t>(bits_.memory(step.write + bit));
+  if (run.function == AluFunction::latch_x) run.write = static_cast<std::uint16_t>(bits_.latch(bit));
+  append(run);
+}
+
+void StepLog::append(const Run& run) {
+  note(run);
+  if (batch_.runs.empty() || !continues(batch_.runs.back(), run)) {
+    batch_.runs.push_back(run);
+    return;
+  }
+  Run& last = batch_.runs.back();
+  last.constant |= run.constant << last.count;
+  ++last.count;
+}
+
+void StepLog::note(const Run& run) {
+  const AluInfo& row = info(run.function);
+  const auto first_touch = [](Touch& touch, bool sets) {
+    if (touch == Touch::none) touch = sets ? Touch::sets : Touch::uses;
+  };
+  if (row.has_carry) first_touch(batch_.carry, run.carry_in != CarryIn::keep);
+  if (run.function == AluFunction::latch_x || run.latches) first_touch(batch_.latch, bits_.alu_bits == 1);
+  if (row.reads_x && !run.from_tree && run.x < bits_.memory(0)) batch_.latch = Touch::uses;
+  batch_.acts_where_disabled = batch_.acts_where_disabled || row.acts_where_disabled;
+  if (row.reads_x && !run.from_tree) add(range_of(run.x, 1), batch_.reads);
+  if (row.reads_y) add(range_of(run.y, 1), batch_.reads);
+  if (row.writes) add(range_of(run.write, 1), batch_.writes);
+}
+
+/// Coefficients that agree in the bits that both have are taken for those of one stream: its bits are the same.
+std::uint16_t StepLog::stream_of(const StreamBit& tree) {
+  const StreamBit bits = tree.token.active() ? tree : StreamBit{.token = {.bit = 0}};
+  const unsigned known = static_cast<unsigned>(bits.token.bit) + 1;
+  if (!batch_.streams.empty()) {
+    Stream& last = batch_.streams.back();
+    const std::uint64_t both = low_bits(std::min(known, last.bits));
+    const bool agrees =
+        ((last.a ^ bits.a) & both) == 0 && ((last.b ^ bits.b) & both) == 0 && ((last.c ^ bits.c) & both) == 0;
+    if (agrees && known <= last.bits) return static_cast<std::uint16_t>(batch_.streams.size() - 1);
+    if (agrees) {
+      last = {bits.a, bits.b, bits.c, known};
+      return static_cast<std::uint16_t>(batch_.streams.size() - 1);
+    }
+  }
+  batch_.streams.push_back({bits.a, bits.b, bits.c, known});
+  return static_cast<std::uint16_t>(batch_.streams.size() - 1);
+}
+
+}  // namespace csgsim::array

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/array/array_step.h"
+#include "hw/array/stream_bit.h"
+
+/// Steps that the pixels have still to carry out. As no pixel reads another's bits, they may be carried out block of
+/// pixels by block of pixels, all steps of a block one after the other.
+namespace csgsim::array {
+
+/// Where a pixel's bits lie beside each other: the carry, the latch, the memory.
+struct PixelBits {
+  unsigned alu_bits = 1;
+  unsigned memory_bits = 0;
+
+  static constexpr unsigned carry = 0;
+  [[nodiscard]] constexpr unsigned latch(unsigned bit) const { return 1 + bit; }
+  [[nodiscard]] constexpr unsigned memory(unsigned address) const { return 1 + alu_bits + address; }
+  [[nodiscard]] constexpr unsigned count() const { return 1 + alu_bits + memory_bits; }
+};
+
+/// The carry before the first of a run's steps.
+enum class CarryIn : std::uint8_t { keep, zero, one };
+
+/// One function on adjacent bits, one after the other. Functions that differ from another only in the carry before them
+/// are that other: of compare_from_0, compare_from_1, less_from_0, less_from_1 and sum_from_0 there is no run.
+struct Run {
+  AluFunction function = AluFunction::idle;
+  CarryIn carry_in = CarryIn::keep;
+  bool from_tree = false;        ///< operand x is bits of a stream
+  bool latches = false;          ///< operand x goes into the first bit of the latch as well
+  std::uint16_t stream = 0;      ///< of the batch
+  std::uint16_t stream_bit = 0;  ///< the first bit of it
+  std::uint16_t count = 0;       ///< bits, 1 to 64
+  std::uint16_t x = 0;           ///< the pixel's bits, by PixelBits, that the first step works on
+  std::uint16_t y = 0;
+  std::uint16_t write = 0;
+  std::uint64_t constant = 0;  ///< a bit a step
+};
+
+/// A stream whose bits operand x takes, with as much of its coefficients as the bits need.
+struct Stream {
+  std::uint64_t a = 0;
+  std::uint64_t b = 0;
+  std::uint64_t c = 0;
+  unsigned bits = 0;  ///< of the coefficients that are there
+};
+
+/// What steps do to a register besides the enable bit.
+enum class Touch : std::uint8_t {
+  none,
+  uses,  ///< what they leave depends on what was there, or they do not write all of it
+  sets,  ///< they write it before they read it
+};
+
+/// The pixel's bits from `first` to before `end`.
+struct BitRange {
+  unsigned first = 0;
+  unsigned end = 0;
+};
+
+/// Steps that are carried out together.
+struct Batch {
+  std::vector<Run> runs;
+  std::vector<Stream> streams;
+  Touch carry = Touch::none;
+  Touch latch = Touch::none;
+  bool acts_where_disabled = false;  ///< on enable or memory of pixels that are not enabled
+  std::vector<BitRange> reads;       ///< memory
+  std::vector<BitRange> writes;      ///< memory
+
+  [[nodiscard]] bool empty() const { return runs.empty(); }
+  [[nodiscard]] bool writes_any(BitRange bits) const;
+  void clear();
+};
+
+/// Gathers steps clock by clock.
+class StepLog {
+ public:
+  explicit StepLog(PixelBits bits) : bits_(bits) {}
+
+  /// The step of a clock, in which `tree` is at the pixels.
+  void push(const ArrayStep& step, const StreamBit& tree);
+
+  [[nodiscard]] const Batch& batch() const { return batch_; }
+  void clear() { batch_.clear(); }
+
+ private:
+  void push_bit(const ArrayStep& step, unsigned bit, const StreamBit& tree, bool latches);
+  void append(const Run& run);
+  void note(const Run& run);
+  [[nodiscard]] bool takes_latch(const ArrayStep& step) const;
+  std::uint16_t stream_of(const StreamBit& tree);
+
+  PixelBits bits_;
+  Batch batch_;
+};
+
+}  // namespace csgsim::array

@@ -1,0 +1,58 @@
+#include "hw/base/module.h"
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace csgsim {
+
+namespace {
+
+/// The folders in which the dynamic linker looks for libraries of the object that this code is part of: those of
+/// LD_LIBRARY_PATH, of its own run path, and the system's. It is asked for them, not for the module: a sanitizer that
+/// stands between would make it look for those of the sanitizer's library. The folder that happens to be the current
+/// one is not among them.
+std::vector<std::filesystem::path> library_folders() {
+  Dl_info unused{};
+  void* object = nullptr;
+  static const char here = 0;
+  if (::dladdr1(&here, &unused, &object, RTLD_DL_LINKMAP) == 0) return {};
+  Dl_serinfo size{};
+  if (::dlinfo(object, RTLD_DI_SERINFOSIZE, &size) != 0) return {};
+  const std::unique_ptr<std::byte[]> memory(new std::byte[size.dls_size]);  // NOLINT(modernize-avoid-c-arrays)
+  auto* const info = ::new (memory.get()) Dl_serinfo{size};
+  if (::dlinfo(object, RTLD_DI_SERINFOSIZE, info) != 0 || ::dlinfo(object, RTLD_DI_SERINFO, info) != 0) return {};
+  std::vector<std::filesystem::path> folders;
+  for (const Dl_serpath& path : std::span(&info->dls_serpath[0], info->dls_cnt)) {
+    std::filesystem::path folder(path.dls_name);
+    if (folder.is_absolute()) folders.push_back(std::move(folder));
+  }
+  return folders;
+}
+
+}  // namespace
+
+std::filesystem::path find_module(const char* file) {
+  for (const std::filesystem::path& folder : library_folders()) {
+    std::error_code unused;
+    if (std::filesystem::exists(folder / file, unused)) return folder / file;
+  }
+  return {};
+}
+
+OpenedModule open_module(const std::filesystem::path& file, const char* symbol) {
+  void* const library = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr) return {nullptr, ::dlerror()};
+  const void* const address = ::dlsym(library, symbol);
+  if (address == nullptr) return {nullptr, "it is of another version"};
+  return {address, {}};
+}
+
+}  // namespace csgsim

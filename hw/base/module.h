@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace csgsim {
+
+// Modules are shared libraries of csgsim's own, of the same build as what opens them: for what is seldom asked for, and
+// whose libraries take longer to load than most runs take.
+
+/// Where the dynamic linker looks for libraries of this program; empty if the module is in none of those folders.
+std::filesystem::path find_module(const char* file);
+
+struct OpenedModule {
+  const void* symbol = nullptr;  ///< null if it could not be opened, or has no such symbol
+  std::string error;             ///< why
+};
+
+/// The symbol that the module has for others.
+OpenedModule open_module(const std::filesystem::path& file, const char* symbol);
+
+}  // namespace csgsim

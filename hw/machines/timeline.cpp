@@ -1,0 +1,38 @@
+#include "hw/machines/timeline.h"
+
+#include <fmt/format.h>
+
+#include "hw/base/error.h"
+#include "hw/machines/kind.h"
+
+namespace csgsim::machines {
+
+Timeline timeline(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) {
+  if (machine.kind->timeline == nullptr) {
+    throw InputError(fmt::format(
+        "machines of the kind {} do not tell when their instructions are carried out; take another --machine",
+        machine.kind->name));
+  }
+  return machine.kind->timeline(program, machine, skips);
+}
+
+std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,
+                                std::uint32_t segment, std::uint32_t x, std::uint32_t y) {
+  return machine.kind->at_pixel(timeline, program, machine, segment, x, y);
+}
+
+Timeline blank_timeline(const isa::Program& program) {
+  Timeline blank;
+  blank.cleared.resize(program.segments.size());
+  for (const isa::Segment& segment : program.segments) blank.issued.emplace_back(segment.instructions.size());
+  return blank;
+}
+
+std::vector<ClockSpan> later(std::vector<ClockSpan> spans, std::uint64_t clocks) {
+  for (ClockSpan& span : spans) {
+    if (span.end > 0) span = {span.begin + clocks, span.end + clocks};
+  }
+  return spans;
+}
+
+}  // namespace csgsim::machines

@@ -1,0 +1,107 @@
+#include "hw/pixel_planes/probed.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+#include "hw/machines/clocks.h"
+#include "hw/machines/regions.h"
+
+namespace csgsim::pixel_planes {
+
+namespace {
+
+/// Visits the instructions that a frame carries out: visit(segment, index, questions asked before); false ends it.
+template <class Visit>
+void for_each_carried_out(const isa::Program& program, const std::vector<bool>& answers, Visit visit) {
+  std::size_t questions = 0;
+  for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
+    const std::vector<isa::Instruction>& all = program.segments[s].instructions;
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+      if (!visit(s, i, questions)) return;
+      if (!isa::is_question(all[i].opcode)) continue;
+      i += static_cast<std::uint32_t>(isa::skipped_after(all[i], answers.at(questions++) ? 1 : 0));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
+                                  const kernel::Foretold& foretold, wave::Window window) {
+  // One more for the word that the pixels have carried out last, which is looked at too.
+  const std::uint64_t lead = machines::evaluator_latency(machine.array) + 2;
+  std::optional<Start> start;
+  std::uint64_t first = 0;  // ordinal of the segment's first instruction
+  std::uint32_t segment_before = 0;
+  for_each_carried_out(program, foretold.answers,
+                       [&](std::uint32_t segment, std::uint32_t index, std::size_t questions) {
+                         if (segment != segment_before) first += program.segments[segment_before].instructions.size();
+                         segment_before = segment;
+                         const std::uint64_t begin = foretold.timeline->issued[segment][index].begin;
+                         if (begin + lead <= window.begin)
+                           start = Start{segment, index, first + index, {}, questions, 0};
+                         if (start) start->end = first + index + 2 + machine.link.fifo_depth;
+                         return begin < window.end;
+                       });
+  if (start) start->moment = moment_of(program, machine, foretold.skips, start->segment, start->index);
+  return start;
+}
+
+array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
+                                const array::PixelReplay& fresh) {
+  // Of these all is carried out at all pixels: as a rule they write every register.
+  constexpr std::uint64_t last_ones = 400;
+  const auto replayed = [&](bool leaves_out) {
+    array::PixelReplay replay = fresh;
+    std::uint64_t first = 0;  // ordinal of the segment's first instruction
+    std::optional<std::uint32_t> begun;
+    for_each_carried_out(program, answers, [&](std::uint32_t s, std::uint32_t i, std::size_t /*questions*/) {
+      if (begun != s) {
+        if (begun) first += program.segments[*begun].instructions.size();
+        replay.begin(program.segments[s].region);
+        begun = s;
+      }
+      if (s == start.segment && i == start.index) return false;
+      const isa::Instruction& instruction = program.segments[s].instructions[i];
+      if (leaves_out && first + i + last_ones < start.ordinal) {
+        replay.execute_where_enabled(instruction);
+      } else {
+        replay.execute(instruction);
+      }
+      return true;
+    });
+    return replay;
+  };
+  array::PixelReplay quick = replayed(true);
+  return quick.knows_registers() ? quick : replayed(false);
+}
+
+array::Place place_of(wave::Pixel pixel, const isa::Program& program, const machines::Machine& machine) {
+  for (const isa::Segment& segment : program.segments) {
+    const isa::Region& region = segment.region;
+    const array::Place place{pixel.x - region.x, pixel.y - region.y};
+    if (region.holds(pixel.x, pixel.y) && place.x < machine.array.width && place.y < machine.array.height) return place;
+  }
+  throw InputError("no segment of the Program holds pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
+                   "; choose another --pixel");
+}
+
+std::uint32_t foretold_place(const kernel::Foretold& foretold, array::Place place) {
+  const auto found = std::find(foretold.pixels.begin(), foretold.pixels.end(), place);
+  if (found == foretold.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
+  return static_cast<std::uint32_t>(std::distance(foretold.pixels.begin(), found));
+}
+
+isa::Field shown_field(const isa::Program& program, const machines::Machine& machine) {
+  const isa::Field colour = isa::frame_header(program).colour;
+  const isa::Field second = machines::second_buffer(colour.width, machine);
+  return second.width > 0 ? second : colour;
+}
+
+}  // namespace csgsim::pixel_planes

@@ -1,0 +1,160 @@
+#include "hw/pixel_planes/taps.h"
+
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/wave/instruction_taps.h"
+#include "hw/wave/pixel_taps.h"
+
+namespace csgsim::pixel_planes {
+
+namespace {
+
+using wave::Number;
+using wave::Tap;
+
+constexpr unsigned address_bits = 12;  // of isa::max_memory_bits
+
+std::string_view function_of(const ControlWord& word) {
+  if (word.clears) return "clear";
+  if (word.refreshes) return "refresh";
+  return word.step.function == array::AluFunction::idle ? "" : array::info(word.step.function).name;
+}
+
+/// One pixel of the array, as its taps look at it.
+class Probe {
+ public:
+  explicit Probe(PixelPoint point) : point_(std::move(point)) {}
+
+  [[nodiscard]] bool shows() const { return !point_.shows || point_.shows(); }
+  [[nodiscard]] array::PixelProbe registers() const { return point_.processors.probe(point_.built.x, point_.built.y); }
+  [[nodiscard]] array::LevelProbe level(wave::TreeLevel level) const {
+    return level.axis == wave::TreeLevel::Axis::x ? point_.evaluator.x_level(level.level, point_.place)
+                                                  : point_.evaluator.y_level(level.level, point_.place);
+  }
+
+  [[nodiscard]] std::uint64_t memory(isa::Field field) const {
+    std::uint64_t value = 0;
+    for (unsigned bit = 0; bit < field.width; ++bit) {
+      const bool is_set = point_.processors.pixels().memory_bit(field.base + bit, point_.built.x, point_.built.y);
+      value |= static_cast<std::uint64_t>(is_set) << bit;
+    }
+    return value;
+  }
+
+  /// On the first read port.
+  [[nodiscard]] Number read_x() const {
+    const array::ArrayStep& step = point_.control.read().step;
+    const bool is_read = array::info(step.function).reads_x && step.source == array::OperandSource::memory;
+    return is_read ? Number(memory({step.x, step.bits})) : std::nullopt;
+  }
+  /// On the second, or on the only one if operand x is not from memory.
+  [[nodiscard]] Number read_y() const {
+    const array::ArrayStep& step = point_.control.read().step;
+    return array::info(step.function).reads_y ? Number(memory({step.y, step.bits})) : std::nullopt;
+  }
+  /// What the step before has left where it may have written.
+  [[nodiscard]] Number written() const {
+    const array::ArrayStep& step = point_.processors.carried_out().step;
+    return array::info(step.function).writes ? Number(memory({step.write, step.bits})) : std::nullopt;
+  }
+
+ private:
+  PixelPoint point_;
+};
+
+}  // namespace
+
+std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root) {
+  const auto tap = [&](const char* name, auto read) {
+    return wave::bit(part + name, [&root, read] {
+      const array::RootBits& bits = root.read().bits;
+      return bits.token.active() ? Number(read(bits)) : std::nullopt;
+    });
+  };
+  return {tap(".a", [](const array::RootBits& bits) { return bits.a; }),
+          tap(".b", [](const array::RootBits& bits) { return bits.b; }),
+          tap(".c", [](const array::RootBits& bits) { return bits.c; }), wave::number(part + ".bit", 8, [&root] {
+            const array::Token token = root.read().bits.token;
+            return token.active() ? Number(static_cast<std::uint64_t>(token.bit)) : std::nullopt;
+          })};
+}
+
+std::vector<Tap> control_taps(const std::string& part, const sc_core::sc_signal<ControlWord>& control,
+                              const isa::Program& program, std::function<Number()> at) {
+  std::vector<Tap> taps = wave::instruction_taps(
+      part, program, [&control, at = std::move(at)] { return control.read().steps ? at() : std::nullopt; });
+  taps.push_back(wave::text(part + ".function", [&control] { return std::string(function_of(control.read())); }));
+  const auto address = [&](const char* name, auto has, auto read) {
+    taps.push_back(wave::number(part + name, address_bits, [&control, has, read] {
+      const array::ArrayStep& step = control.read().step;
+      return has(step) ? Number(read(step)) : std::nullopt;
+    }));
+  };
+  using Step = array::ArrayStep;
+  address(
+      ".read_x",
+      [](const Step& step) {
+        return array::info(step.function).reads_x && step.source == array::OperandSource::memory;
+      },
+      [](const Step& step) { return step.x; });
+  address(
+      ".read_y", [](const Step& step) { return array::info(step.function).reads_y; },
+      [](const Step& step) { return step.y; });
+  address(
+      ".write", [](const Step& step) { return array::info(step.function).writes; },
+      [](const Step& step) { return step.write; });
+  taps.push_back(wave::number(part + ".bits", 6, [&control] {
+    const Step& step = control.read().step;
+    return step.function == array::AluFunction::idle ? std::nullopt : Number(step.bits);
+  }));
+  taps.push_back(
+      wave::hexadecimal(part + ".constant", 32, [&control]() -> Number { return control.read().step.constant; }));
+  return taps;
+}
+
+std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Program& program,
+                            std::span<const wave::TreeLevel> levels, unsigned alu_bits) {
+  const std::string part = wave::part_of(pixel);
+  for (const wave::TreeLevel level : levels) {
+    const bool is_x = level.axis == wave::TreeLevel::Axis::x;
+    const unsigned deepest = is_x ? point.evaluator.x_levels() : point.evaluator.y_levels();
+    if (level.level > deepest)
+      throw InputError(std::string("the ") + (is_x ? "X" : "Y") + " tree has levels 0 to " + std::to_string(deepest) +
+                       "; there is no tree." + (is_x ? "x:" : "y:") + std::to_string(level.level));
+  }
+  const auto probe = std::make_shared<const Probe>(std::move(point));
+  const auto shown = [probe](auto read) {
+    return [probe, read]() -> Number { return probe->shows() ? Number(read(*probe)) : std::nullopt; };
+  };
+  std::vector<Tap> taps;
+  for (const wave::TreeLevel level : levels) {
+    const std::string name =
+        part + (level.axis == wave::TreeLevel::Axis::x ? ".tree_x_" : ".tree_y_") + std::to_string(level.level);
+    const auto read = [shown, level](auto member) {
+      return shown([level, member](const Probe& one) -> Number {
+        const array::LevelProbe at = one.level(level);
+        return at.token.active() ? member(at) : std::nullopt;
+      });
+    };
+    taps.push_back(wave::bit(name, read([](const array::LevelProbe& at) -> Number { return at.stream; })));
+    taps.push_back(wave::bit(name + "_carry", read([](const array::LevelProbe& at) -> Number { return at.carry; })));
+    taps.push_back(wave::number(name + "_bit", 8, read([](const array::LevelProbe& at) -> Number {
+                                  return static_cast<std::uint64_t>(at.token.bit);
+                                })));
+  }
+  taps.push_back(wave::bit(part + ".tree_bit", shown([](const Probe& one) { return one.registers().tree; })));
+  taps.push_back(wave::bit(part + ".carry", shown([](const Probe& one) { return one.registers().carry; })));
+  taps.push_back(wave::bit(part + ".enable", shown([](const Probe& one) { return one.registers().enable; })));
+  taps.push_back(wave::bits(part + ".latch", alu_bits, shown([](const Probe& one) { return one.registers().latch; })));
+  taps.push_back(wave::bits(part + ".mem_read_x", alu_bits, shown([](const Probe& one) { return one.read_x(); })));
+  taps.push_back(wave::bits(part + ".mem_read_y", alu_bits, shown([](const Probe& one) { return one.read_y(); })));
+  taps.push_back(wave::bits(part + ".mem_written", alu_bits, shown([](const Probe& one) { return one.written(); })));
+  const auto field = [probe](isa::Field at) { return probe->shows() ? Number(probe->memory(at)) : std::nullopt; };
+  for (Tap& tap : wave::field_taps(part, program, field)) taps.push_back(std::move(tap));
+  return taps;
+}
+
+}  // namespace csgsim::pixel_planes

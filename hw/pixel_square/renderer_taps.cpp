@@ -1,0 +1,76 @@
+#include "hw/pixel_square/renderer_taps.h"
+
+#include <optional>
+#include <utility>
+
+#include "hw/isa/instruction_numbers.h"
+#include "hw/pixel_planes/taps.h"
+#include "hw/wave/instruction_taps.h"
+#include "hw/wave/pixel_taps.h"
+#include "hw/wave/segments.h"
+
+namespace csgsim::pixel_square {
+
+namespace {
+
+using wave::Number;
+using wave::Tap;
+
+/// What tells the number of the instruction at the pixels. Where `segment` is given, only one of that.
+std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program& program,
+                                  std::optional<std::uint32_t> segment) {
+  return [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
+    const std::optional<std::uint32_t> drawn = parts.completion.segment();
+    const pixel_planes::ControlWord& word = parts.control_at_pixels.read();
+    if (!drawn || !word.steps || (segment && *segment != *drawn)) return std::nullopt;
+    return firsts[*drawn] + word.ordinal;
+  };
+}
+
+}  // namespace
+
+/// While memory is being cleared, some of it is still the square's before.
+bool has(const RendererParts& parts, std::uint32_t segment) {
+  const pixel_planes::ControlWord& before = parts.processors.carried_out();
+  return parts.completion.segment() == segment && !(before.clears && !before.last);
+}
+
+std::vector<Tap> renderer_taps(const std::string& part, const RendererParts& parts, const isa::Program& program,
+                               const SquareNames& names) {
+  const auto segment = [parts, &names]() -> std::optional<std::uint32_t> {
+    const std::optional<isa::Region> square = parts.controller.square();
+    return square ? std::optional(names.segment_of(*square)) : std::nullopt;
+  };
+  std::vector<Tap> taps{wave::text(part + ".state", [parts] { return std::string(parts.controller.state()); }),
+                        wave::text(part + ".square", [segment, &program] {
+                          const std::optional<std::uint32_t> number = segment();
+                          return number ? wave::place_of(program.segments[*number]) : std::string();
+                        })};
+  wave::add(wave::instruction_taps(part + ".controller", program,
+                                   [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
+                                     const pixel_planes::ControlWord& word = parts.control.read();
+                                     const std::optional<std::uint32_t> number = word.steps ? segment() : std::nullopt;
+                                     return number ? Number(firsts[*number] + word.ordinal) : std::nullopt;
+                                   }),
+            taps);
+  wave::add(pixel_planes::root_taps(part + ".root", parts.root), taps);
+  wave::add(pixel_planes::control_taps(part + ".pixels", parts.control_at_pixels, program,
+                                       at_pixels(parts, program, std::nullopt)),
+            taps);
+  return taps;
+}
+
+std::vector<Tap> pixel_taps(wave::Pixel pixel, std::uint32_t segment, const RendererParts& parts,
+                            const isa::Program& program, std::span<const wave::TreeLevel> levels, unsigned alu_bits) {
+  const isa::Region& region = program.segments[segment].region;
+  const array::Place place{pixel.x - region.x, pixel.y - region.y};
+  const auto shows = [parts, segment] { return has(parts, segment); };
+  std::vector<Tap> taps = wave::instruction_taps(wave::part_of(pixel), program, at_pixels(parts, program, segment));
+  wave::add(
+      pixel_planes::pixel_taps(pixel, {parts.processors, parts.evaluator, parts.control_at_pixels, place, place, shows},
+                               program, levels, alu_bits),
+      taps);
+  return taps;
+}
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,144 @@
+#include "hw/scan_line/taps.h"
+
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include "hw/isa/instruction_numbers.h"
+#include "hw/wave/instruction_taps.h"
+#include "hw/wave/pixel_taps.h"
+#include "hw/wave/segments.h"
+
+namespace csgsim::scan_line {
+
+namespace {
+
+using wave::Number;
+using wave::Tap;
+
+constexpr unsigned row_bits = 16;
+constexpr unsigned sum_bits = 64;
+
+/// Null where there is none.
+using Beat = std::function<const PacketWord*()>;
+
+Number row_of(std::size_t line, const isa::Program& program) {
+  return line < program.segments.size() ? Number(program.segments[line].region.y) : std::nullopt;
+}
+
+Tap activity_tap(const std::string& part, std::function<std::string_view()> read) {
+  return wave::text(part + ".activity", [read = std::move(read)] { return std::string(read()); });
+}
+
+std::string_view kind_of(const PacketWord* beat) {
+  if (beat == nullptr) return "";
+  switch (beat->kind) {
+    case WordKind::none: return "";
+    case WordKind::clear: return "clear";
+    case WordKind::instruction: return "instruction";
+    case WordKind::mark: return "mark";
+  }
+  return "";
+}
+
+/// Words of F and A come in with the beat.
+bool brings_words(const PacketWord* beat) {
+  return beat != nullptr && beat->kind == WordKind::instruction && beat->instruction.linear.width > 0 &&
+         beat->number < beat->words;
+}
+
+/// The instruction of the packet that the beat belongs to, `.packet`, `.beat`, and the words that come in, `.a`, `.f`.
+std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const isa::Program& program,
+                             std::uint32_t word_bits) {
+  std::vector<Tap> taps =
+      wave::instruction_taps(part, program, [beat, firsts = isa::first_numbers(program)]() -> Number {
+        const PacketWord* const at = beat();
+        if (at == nullptr || at->kind != WordKind::instruction) return std::nullopt;
+        return firsts[at->segment] + at->index;
+      });
+  taps.push_back(wave::text(part + ".packet", [beat] { return std::string(kind_of(beat())); }));
+  taps.push_back(wave::number(part + ".beat", 16, [beat] {
+    const PacketWord* const at = beat();
+    return kind_of(at).empty() ? std::nullopt : Number(at->number);
+  }));
+  const auto word = [&](const char* name, auto read) {
+    taps.push_back(wave::hexadecimal(part + name, word_bits, [beat, read] {
+      const PacketWord* const at = beat();
+      return brings_words(at) ? Number(read(*at)) : std::nullopt;
+    }));
+  };
+  word(".a", [](const PacketWord& at) { return at.a; });
+  word(".f", [](const PacketWord& at) { return at.f; });
+  return taps;
+}
+
+}  // namespace
+
+std::vector<Tap> host_taps(const LineHost& host, const isa::Program& program) {
+  return {activity_tap("host", [&host] { return host.activity(); }),
+          wave::number("host.line", row_bits, [&host, &program] { return row_of(host.line(), program); })};
+}
+
+std::vector<Tap> chain_taps(const std::string& suffix, const ChainParts& parts, const isa::Program& program,
+                            std::uint32_t word_bits) {
+  const std::string link = "link" + suffix;
+  const std::string entry = "entry" + suffix;
+  const std::string refresh = "refresh" + suffix;
+  std::vector<Tap> taps{
+      activity_tap(link, [parts] { return parts.link.activity(); }),
+      wave::number(link + ".line", row_bits,
+                   [parts, &program]() -> Number {
+                     const std::optional<std::uint32_t> line = parts.link.line();
+                     return line ? row_of(*line, program) : std::nullopt;
+                   }),
+      wave::number(link + ".fill", 32,
+                   [parts] { return Number(static_cast<std::uint64_t>(parts.words.num_available())); }),
+      activity_tap(entry, [parts] { return parts.queue.activity(); }),
+      wave::number(entry + ".line", row_bits, [parts, &program] {
+        const PacketWord& at = parts.entry.read();
+        return at.kind == WordKind::none ? std::nullopt : row_of(at.segment, program);
+      })};
+  wave::add(packet_taps(
+                entry, [parts] { return &parts.entry.read(); }, program, word_bits),
+            taps);
+  const auto shown = [parts](auto read) {
+    return [parts, read]() -> Number { return parts.refresh.read().valid ? Number(read()) : std::nullopt; };
+  };
+  taps.push_back(wave::number(refresh + ".line", row_bits, shown([parts, &program] {
+                                return row_of(parts.collector.line_of(parts.number), program);
+                              })));
+  taps.push_back(
+      wave::hexadecimal(refresh + ".colour", 32, shown([parts]() -> Number { return parts.refresh.read().colour; })));
+  return taps;
+}
+
+std::vector<Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains, const isa::Program& program,
+                           std::uint32_t word_bits) {
+  const std::string part = wave::part_of(pixel);
+  const std::uint32_t line = wave::segment_of(pixel, program);
+  const ChainParts parts = chains[line % chains.size()];
+  const std::uint32_t cell = pixel.x - program.segments[line].region.x;
+  const Beat beat = [parts, cell, line]() -> const PacketWord* {
+    const PacketWord* const at = cell == 0 ? &parts.entry.read() : parts.chain.chain().beat_in(cell);
+    return at != nullptr && at->segment == line ? at : nullptr;
+  };
+  std::vector<Tap> taps = packet_taps(part, beat, program, word_bits);
+  const auto held = [parts, cell, line](auto read) {
+    return [parts, cell, line, read]() -> Number {
+      const Chain& chain = parts.chain.chain();
+      return chain.segment_of(cell) == line ? Number(read(chain.cells())) : std::nullopt;
+    };
+  };
+  taps.push_back(
+      wave::hexadecimal(part + ".sum", sum_bits, held([cell](const Cells& cells) { return cells.sum(cell); })));
+  taps.push_back(
+      wave::bit(part + ".enable", held([cell](const Cells& cells) -> Number { return cells.enabled(cell); })));
+  wave::add(wave::field_taps(part, program,
+                             [held, cell](isa::Field field) {
+                               return held([cell, field](const Cells& cells) { return cells.read(cell, field); })();
+                             }),
+            taps);
+  return taps;
+}
+
+}  // namespace csgsim::scan_line

@@ -1,0 +1,19 @@
+#include "hw/systemc/clock.h"
+
+#include <stdexcept>
+
+namespace csgsim::kernel {
+
+Clock::Clock(sc_core::sc_module_name name, const sc_core::sc_time& period) : sc_core::sc_module(name), period_(period) {
+  SC_HAS_PROCESS(Clock);
+  SC_METHOD(tick);
+  sensitive << edge_;
+}
+
+const sc_core::sc_event& Clock::negedge_event() const {
+  throw std::logic_error("a clock of rising edges alone has no falling ones");
+}
+
+void Clock::tick() { edge_.notify(period_); }
+
+}  // namespace csgsim::kernel

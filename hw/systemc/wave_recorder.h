@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <systemc>
+#include <vector>
+
+#include "hw/wave/request.h"
+#include "hw/wave/vcd_writer.h"
+
+namespace csgsim::kernel {
+
+/// Samples a wave's taps in the middle of each clock of its windows, when every wire has settled. It stands beside a
+/// machine, is no part of it, and costs nothing outside the windows.
+class WaveRecorder final : public sc_core::sc_module {
+ public:
+  /// `period`: of the machine's clock.
+  WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time& period);
+
+  /// Records the run that begins at this time. `first_clock`: the frame's clock that the next rising edge begins.
+  /// `stops`: the simulation ends with the last window (kernel::stop).
+  void arm(wave::VcdWriter writer, std::vector<wave::Window> windows, std::uint64_t first_clock, bool stops);
+
+  /// Wall time that sampling, and writing the file, have taken since arm.
+  [[nodiscard]] std::chrono::duration<double> writing() const { return writing_; }
+
+  /// Ends the file. Says whether a window was reached.
+  bool finish();
+
+ private:
+  void proceed();
+
+  sc_core::sc_time period_;
+  sc_core::sc_event next_{"next"};
+  std::optional<wave::VcdWriter> writer_;
+  std::vector<wave::Window> windows_;
+  std::size_t window_ = 0;   ///< that is being recorded, or comes next
+  std::uint64_t clock_ = 0;  ///< of the frame, in which it samples next
+  std::chrono::duration<double> writing_{};
+  bool stops_ = false;
+  bool reached_ = false;
+};
+
+}  // namespace csgsim::kernel

@@ -1,0 +1,149 @@
+#include "hw/wave/vcd_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <utility>
+
+namespace csgsim::wave {
+
+namespace {
+
+constexpr std::size_t piece = 1U << 16U;      // bytes written at once
+constexpr std::string_view clock_code = "!";  // of the variable that is no tap
+
+/// The n-th short name of printable characters, after the clock's.
+std::string code_of(std::size_t n) {
+  constexpr std::size_t characters = 94;
+  std::string code;
+  for (++n; n > 0; n /= characters) code += static_cast<char>('!' + n % characters);
+  return code;
+}
+
+std::vector<std::string_view> words_of(std::string_view name) {
+  std::vector<std::string_view> words;
+  for (std::size_t dot = 0; (dot = name.find('.')) != std::string_view::npos; name.remove_prefix(dot + 1))
+    words.push_back(name.substr(0, dot));
+  words.push_back(name);
+  return words;
+}
+
+void put_text(std::string& out, std::string_view shown) {
+  out += 's';
+  if (shown.empty()) out += '-';
+  for (const char c : shown) {
+    if (c > ' ' && c <= '~' && c != '\\') {
+      out += c;
+    } else {
+      fmt::format_to(std::back_inserter(out), "\\x{:02x}", static_cast<unsigned char>(c));
+    }
+  }
+  out += ' ';
+}
+
+void put_number(std::string& out, const Number& number, unsigned width) {
+  if (width > 1) out += 'b';
+  if (!number) {
+    out += 'z';
+  } else if (width == 1) {
+    out += *number != 0 ? '1' : '0';
+  } else {
+    for (auto bit = std::max(static_cast<int>(std::bit_width(*number)), 1); bit-- > 0;)
+      out += (*number >> bit & 1U) != 0 ? '1' : '0';
+  }
+  if (width > 1) out += ' ';
+}
+
+}  // namespace
+
+VcdWriter::VcdWriter(std::string_view top, std::vector<Tap> taps, std::uint64_t period_ps,
+                     std::function<void(std::string_view)> write)
+    : taps_(std::move(taps)), shown_(taps_.size()), period_(period_ps), write_(std::move(write)) {
+  for (std::size_t i = 0; i < taps_.size(); ++i) codes_.push_back(code_of(i));
+  write_header(top);
+  for (std::string& code : codes_) code += '\n';
+}
+
+void VcdWriter::write_header(std::string_view top) {
+  auto out = std::back_inserter(text_);
+  fmt::format_to(out, "$version csgsim $end\n$timescale 1 ps $end\n$scope module {} $end\n", top);
+  fmt::format_to(out, "$var wire 1 {} clock $end\n", clock_code);
+  std::vector<std::string_view> open;
+  for (std::size_t i = 0; i < taps_.size(); ++i) {
+    std::vector<std::string_view> words = words_of(taps_[i].name);
+    const std::string_view own = words.back();
+    words.pop_back();
+    const auto [left, entered] = std::mismatch(open.begin(), open.end(), words.begin(), words.end());
+    for (auto scope = left; scope != open.end(); ++scope) text_ += "$upscope $end\n";
+    for (auto scope = entered; scope != words.end(); ++scope) fmt::format_to(out, "$scope module {} $end\n", *scope);
+    open = std::move(words);
+    if (taps_[i].show == Show::text) {
+      fmt::format_to(out, "$var string 1 {} {} $end\n", codes_[i], own);
+    } else if (taps_[i].width == 1) {
+      fmt::format_to(out, "$var wire 1 {} {} $end\n", codes_[i], own);
+    } else {
+      fmt::format_to(out, "$var wire {} {} {} [{}:0] $end\n", taps_[i].width, codes_[i], own, taps_[i].width - 1);
+    }
+  }
+  for (std::size_t scope = 0; scope <= open.size(); ++scope) text_ += "$upscope $end\n";
+  text_ += "$enddefinitions $end\n";
+}
+
+void VcdWriter::put_time(std::uint64_t time) {
+  text_ += '#';
+  text_ += fmt::format_int(time).c_str();
+  text_ += '\n';
+}
+
+void VcdWriter::sample(std::uint64_t clock) {
+  const bool follows = begun_ && clock == next_;
+  if (begun_ && !follows) {
+    put_time((next_ + 1) * period_);
+    text_ += "$dumpoff\nx!\n";
+    for (std::size_t i = 0; i < taps_.size(); ++i) show_unknown(i);
+    text_ += "$end\n";
+  }
+  put_time((clock + 1) * period_);
+  if (!follows) text_ += begun_ ? "$dumpon\n" : "$dumpvars\n";
+  text_ += "1!\n";
+  for (std::size_t i = 0; i < taps_.size(); ++i) show(i);
+  if (!follows) text_ += "$end\n";
+  put_time((clock + 1) * period_ + period_ / 2);
+  text_ += "0!\n";
+  begun_ = true;
+  next_ = clock + 1;
+  if (text_.size() >= piece) write_(std::exchange(text_, {}));
+}
+
+void VcdWriter::show(std::size_t tap) {
+  const Tap& from = taps_[tap];
+  Shown& shown = shown_[tap];
+  const bool has_value = std::exchange(shown.state, Shown::State::value) == Shown::State::value;
+  if (from.show == Show::text) {
+    std::string text = from.text();
+    if (has_value && text == shown.text) return;
+    put_text(text_, text);
+    shown.text = std::move(text);
+  } else {
+    const Number number = from.number();
+    if (has_value && number == shown.number) return;
+    put_number(text_, number, from.width);
+    shown.number = number;
+  }
+  text_ += codes_[tap];
+}
+
+void VcdWriter::show_unknown(std::size_t tap) {
+  shown_[tap].state = Shown::State::unknown;
+  text_ += taps_[tap].show == Show::text ? "s- " : taps_[tap].width == 1 ? "x" : "bx ";
+  text_ += codes_[tap];
+}
+
+void VcdWriter::finish() {
+  if (begun_) fmt::format_to(std::back_inserter(text_), "#{}\n", (next_ + 1) * period_);
+  write_(std::exchange(text_, {}));
+}
+
+}  // namespace csgsim::wave

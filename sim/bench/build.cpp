@@ -1,0 +1,33 @@
+#include "sim/bench/build.h"
+
+#include <hwy/highway.h>
+
+#include <fstream>
+#include <thread>
+
+namespace csgsim::bench {
+
+namespace {
+
+std::string cpu_model() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+/// Of the sets that the kernels are compiled for and the processor has, the lowest bit is the best.
+std::string best_vectors() {
+  const auto both = hwy::SupportedTargets() & (HWY_TARGETS);
+  return hwy::TargetName(both & -both);
+}
+
+}  // namespace
+
+Build this_build() {
+  return {CSGSIM_COMMIT, CSGSIM_COMPILER, CSGSIM_FLAGS, cpu_model(), std::thread::hardware_concurrency(),
+          best_vectors()};
+}
+
+}  // namespace csgsim::bench

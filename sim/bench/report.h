@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/bench/bench.h"
+
+namespace csgsim::bench {
+
+/// All results, with the command of each figure.
+nlohmann::ordered_json to_json(const Results& results);
+
+/// The same for people, as tables in Markdown.
+std::string to_tables(const Results& results);
+
+/// Draws seconds against what grows, a plot each, as growth_NAME.png and .svg into the folder, by gnuplot. Returns the
+/// files. Throws InputError if gnuplot cannot be run.
+std::vector<std::filesystem::path> draw_growths(const Results& results);
+
+}  // namespace csgsim::bench

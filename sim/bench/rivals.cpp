@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/camera.h"
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
+#include "sim/bench/povray.h"
+#include "sim/bench/process.h"
+#include "sim/bench/runs.h"
+
+namespace csgsim::bench {
+
+namespace {
+
+constexpr unsigned side = 512;    // pixels of the pictures
+constexpr unsigned longest = 20;  // seconds that another program may take
+
+/// OpenSCAD draws with OpenGL: it takes a display, a real one or Xvfb.
+Words openscad_words(const std::filesystem::path& model, const std::filesystem::path& picture, bool exact) {
+  Words words{"openscad"};
+  if (exact) words.emplace_back("--render");
+  words.insert(words.end(), {"-q", "--viewall", "--autocenter", fmt::format("--imgsize={0},{0}", side), "-o",
+                             picture.native(), model.native()});
+  return words;
+}
+
+/// POV-Ray on one thread, as csgsim.
+Words povray_words(const Settings& settings, const std::filesystem::path& model) {
+  const model::Tree tree = read::read_csg_file(model);
+  const facet::Scene scene = facet::make_scene(tree);
+  const view::Camera camera = view::view_all(view::default_camera(scene.box, side, side), scene.box, side, side);
+  const std::filesystem::path file = settings.folder / (model.stem().native() + ".pov");
+  write_file(file, povray_scene(tree, scene, camera));
+  return {"povray",
+          "-D",
+          "-GA",
+          "+WT1",
+          fmt::format("+W{}", side),
+          fmt::format("+H{}", side),
+          "+I" + file.native(),
+          "+O" + (settings.folder / "povray.png").native()};
+}
+
+/// Another program cannot be run here.
+struct NotMeasured {
+  std::string reason;
+};
+
+double seconds_of(const Words& words) {
+  try {
+    if (const std::optional<Took> took = run_process_within(longest, words)) return took->wall;
+  } catch (const InputError& error) {
+    throw NotMeasured{error.what()};
+  }
+  throw NotMeasured{"not installed"};
+}
+
+/// In turn with csgsim, which draws the same into a PNG.
+Rival rival_of(const Settings& settings, const std::filesystem::path& model, const Words& words) {
+  const Words ours{settings.csgsim.native(),
+                   "render",
+                   model.native(),
+                   "--view-all",
+                   "--size",
+                   fmt::format("{0}x{0}", side),
+                   "-o",
+                   (settings.folder / "csgsim.png").native()};
+  Rival rival{model.stem().native(), command_text(words), {}, 0, command_text(ours), 0};
+  const std::array<Timed, 2> timed{[&] { return seconds_of(words); }, [&] { return whole_process(ours); }};
+  try {
+    const std::vector<double> medians = medians_in_turn(timed, settings.rounds);
+    rival.rival = medians[0];
+    rival.csgsim = medians[1];
+  } catch (const NotMeasured& why) {
+    rival.reason = why.reason;
+  }
+  return rival;
+}
+
+}  // namespace
+
+std::vector<Rival> measure_rivals(const Settings& settings) {
+  std::vector<Rival> rivals;
+  for (const std::filesystem::path& model : all_models(settings)) {
+    for (const bool exact : {false, true})
+      rivals.push_back(rival_of(settings, model, openscad_words(model, settings.folder / "openscad.png", exact)));
+    rivals.push_back(rival_of(settings, model, povray_words(settings, model)));
+  }
+  return rivals;
+}
+
+}  // namespace csgsim::bench

@@ -1,0 +1,49 @@
+#include "sim/bench/rounds.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+namespace csgsim::bench {
+
+double median(std::vector<double> values) {
+  if (values.empty()) throw std::invalid_argument("no values have no median");
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+std::vector<double> medians_in_turn(std::span<const Timed> all, Rounds rounds) {
+  std::vector<std::vector<double>> taken(all.size());
+  const auto begin = std::chrono::steady_clock::now();
+  const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  for (unsigned round = 0; round == 0 || (round < rounds.most && passed() < rounds.seconds); ++round) {
+    for (std::size_t i = 0; i < all.size(); ++i) taken[i].push_back(all[i]());
+  }
+  std::vector<double> medians;
+  medians.reserve(taken.size());
+  for (std::vector<double>& one : taken) medians.push_back(median(std::move(one)));
+  return medians;
+}
+
+double exponent(std::span<const Point> points) {
+  double mean_x = 0;
+  double mean_y = 0;
+  for (const Point& point : points) {
+    mean_x += std::log(point.x) / static_cast<double>(points.size());
+    mean_y += std::log(point.y) / static_cast<double>(points.size());
+  }
+  double across = 0;
+  double along = 0;
+  for (const Point& point : points) {
+    const double x = std::log(point.x) - mean_x;
+    across += x * (std::log(point.y) - mean_y);
+    along += x * x;
+  }
+  if (!(along > 0)) throw std::invalid_argument("a law takes two different points");
+  return across / along;
+}
+
+}  // namespace csgsim::bench

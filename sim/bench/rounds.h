@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace csgsim::bench {
+
+/// How often something is measured.
+struct Rounds {
+  unsigned most = 5;
+  double seconds = 20;  ///< no further round begins when it has taken so long; the first always does
+};
+
+/// Something that is measured: does it once, and tells how many seconds that took.
+using Timed = std::function<double()>;
+
+/// Measures each once a round, in turn, so that what else the machine does meets all alike: A B C A B C. Returns each
+/// one's median.
+std::vector<double> medians_in_turn(std::span<const Timed> all, Rounds rounds);
+
+double median(std::vector<double> values);
+
+/// The power p of the law y = c x^p that fits best, by least squares of the logarithms. Throws std::invalid_argument
+/// for fewer than two different x.
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+double exponent(std::span<const Point> points);
+
+}  // namespace csgsim::bench

@@ -1,0 +1,81 @@
+#include "sim/bench/runs.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
+#include "sim/bench/process.h"
+#include "sim/bench/subjects.h"
+
+namespace csgsim::bench {
+
+namespace {
+
+constexpr unsigned grid_cubes = 64;
+constexpr unsigned sphere_fragments = 32;
+
+std::filesystem::path stats_path(const Settings& settings) { return settings.folder / "run.json"; }
+
+}  // namespace
+
+std::filesystem::path put_model(const Settings& settings, const std::string& name, const std::string& text) {
+  std::filesystem::path path = settings.folder / (name + ".csg");
+  write_file(path, text);
+  return path;
+}
+
+std::vector<std::filesystem::path> all_models(const Settings& settings) {
+  std::vector<std::filesystem::path> models = settings.models;
+  models.push_back(put_model(settings, fmt::format("grid_{}", grid_cubes), grid_of_cubes(grid_cubes)));
+  models.push_back(put_model(settings, fmt::format("sphere_{}", sphere_halfspaces(sphere_fragments)),
+                             drilled_sphere(sphere_fragments)));
+  return models;
+}
+
+Words compile_words(const Settings& settings, const std::filesystem::path& model, const Compiled& compiled,
+                    const std::string& size) {
+  return {settings.csgsim.native(),
+          "compile",
+          model.native(),
+          "--machine",
+          compiled.machine,
+          "--size",
+          size,
+          "--view-all",
+          "-o",
+          compiled.program.native()};
+}
+
+Compiled compile(const Settings& settings, const std::filesystem::path& model, const std::string& machine,
+                 const std::string& size) {
+  Compiled compiled{settings.folder / fmt::format("{}-{}-{}.csgt", model.stem().native(),
+                                                  std::filesystem::path(machine).stem().native(), size),
+                    machine};
+  whole_process(compile_words(settings, model, compiled, size));
+  return compiled;
+}
+
+Words run_words(const Settings& settings, const Compiled& compiled, const std::string& level, unsigned threads) {
+  Words words{
+      settings.csgsim.native(), "run", compiled.program.native(), "--machine", compiled.machine, "--level", level};
+  if (threads > 1) words.insert(words.end(), {"--threads", std::to_string(threads)});
+  words.insert(words.end(), {"--stats", stats_path(settings).native()});
+  return words;
+}
+
+Ran run(const Settings& settings, const Words& words) {
+  whole_process(words);
+  const nlohmann::json stats = nlohmann::json::parse(std::ifstream(stats_path(settings)));
+  return {stats.at("clocks"), stats.at("simulated_seconds"), stats.at("wall_seconds")};
+}
+
+double whole_process(const Words& words) {
+  const std::optional<Took> took = run_process(words);
+  if (!took) throw InputError(words.front() + ": cannot be run; is it there, and executable?");
+  return took->wall;
+}
+
+}  // namespace csgsim::bench

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/bench/bench.h"
+
+namespace csgsim::bench {
+
+/// A model compiled for a machine.
+struct Compiled {
+  std::filesystem::path program;
+  std::string machine;
+};
+
+/// What a run of csgsim tells of itself.
+struct Ran {
+  std::uint64_t clocks = 0;
+  double simulated = 0;  ///< seconds
+  double wall = 0;       ///< seconds, of the run without start, reading and writing
+};
+
+using Words = std::vector<std::string>;
+
+/// Writes a generated model into the folder.
+std::filesystem::path put_model(const Settings& settings, const std::string& name, const std::string& text);
+
+/// The models asked for, and two generated ones: a grid of 64 cubes, and a drilled sphere of 482 half-spaces that fills
+/// the picture.
+std::vector<std::filesystem::path> all_models(const Settings& settings);
+
+Words compile_words(const Settings& settings, const std::filesystem::path& model, const Compiled& compiled,
+                    const std::string& size);
+
+/// `csgsim compile` of a model that fills the picture.
+Compiled compile(const Settings& settings, const std::filesystem::path& model, const std::string& machine,
+                 const std::string& size);
+
+Words run_words(const Settings& settings, const Compiled& compiled, const std::string& level, unsigned threads = 1);
+
+/// Runs `csgsim run`, and reads what it tells.
+Ran run(const Settings& settings, const Words& words);
+
+/// Runs a process of csgsim. Throws InputError if it fails.
+double whole_process(const Words& words);
+
+}  // namespace csgsim::bench

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace csgsim::bench {
+
+/// Models that can be made of any size, as OpenSCAD's .csg. All lie about the origin.
+
+/// A square of so many cubes, which do not touch; the last row may be shorter.
+std::string grid_of_cubes(unsigned cubes);
+
+/// A sphere of so many fragments, less three cylinders along the axes.
+std::string drilled_sphere(unsigned fragments);
+
+/// Half-spaces of the sphere: 32 fragments make 482.
+unsigned sphere_halfspaces(unsigned fragments);
+
+}  // namespace csgsim::bench

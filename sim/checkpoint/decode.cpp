@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+#include "hw/isa/pieces.h"
+#include "sim/checkpoint/format.h"
+#include "sim/checkpoint/packed.h"
+#include "sim/checkpoint/snapshot.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+constexpr std::uint64_t most = ~std::uint64_t{0};
+
+void require(bool holds, const char* what) {
+  if (!holds) throw isa::MalformedBytes(what);
+}
+
+/// What stands between the version and the checksum, after a check of all three.
+std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
+  constexpr std::size_t head = snapshot_magic.size() + 1;
+  require(bytes.size() >= snapshot_magic.size() &&
+              std::equal(snapshot_magic.begin(), snapshot_magic.end(), bytes.begin(),
+                         [](std::uint8_t expected, std::byte found) { return std::byte{expected} == found; }),
+          "is no checkpoint: it does not begin with CSGS");
+  require(bytes.size() >= head + snapshot_checksum_size, "ends too soon");
+  const auto version = std::to_integer<unsigned>(bytes[snapshot_magic.size()]);
+  if (version != snapshot_version)
+    throw isa::MalformedBytes(
+        fmt::format("has format version {}, and this csgsim reads {}", version, snapshot_version));
+  const auto summed = bytes.first(bytes.size() - snapshot_checksum_size);
+  isa::ByteReader sum(bytes.subspan(summed.size()));
+  require(fixed(sum, snapshot_checksum_size) == snapshot_checksum(summed), "is damaged: its checksum does not match");
+  return summed.subspan(head);
+}
+
+/// Bits of the last word of a row that stand for no pixel.
+std::uint64_t padding_of(const isa::Region& region) {
+  return region.width % 64 == 0 ? 0 : ~std::uint64_t{0} << region.width % 64;
+}
+
+void read_planes(isa::ByteReader& in, const isa::Program& program, RunState& run) {
+  if (program.segments.empty()) return require(in.varint() == 0, "holds pixels of no segment");
+  const isa::Region region = program.segments[run.place.segment].region;
+  const std::size_t row = (region.width + 63U) / 64U;
+  const std::size_t words = row * region.height;
+  const std::uint64_t stored = in.varint();  // 0: all planes are zeros
+  require(stored == 0 || stored == words, "holds pixels of another region");
+  run.planes.resize(std::size_t{program.shape.memory_bits} + 1);
+  if (stored == 0) return;
+  for (std::vector<std::uint64_t>& one : run.planes) {
+    one = plane(in, words);
+    for (std::size_t last = row - 1; last < one.size(); last += row)
+      require((one[last] & padding_of(region)) == 0, "holds bits beside the pixels");
+  }
+}
+
+/// Instructions that the run has carried out, by its place and skips, which have to lead there.
+std::uint64_t carried_out(const RunState& run, const isa::Program& program) {
+  std::uint64_t count = 0;
+  std::uint64_t skipped = 0;
+  std::size_t answers = 0;
+  auto skip = run.skips.begin();
+  for (std::uint32_t segment = 0; segment <= run.place.segment && segment < program.segments.size(); ++segment) {
+    const std::vector<isa::Instruction>& all = program.segments[segment].instructions;
+    const std::size_t end = segment == run.place.segment ? run.place.index : all.size();
+    std::size_t index = 0;
+    for (; index < end; ++index, ++count) {
+      if (all[index].opcode == isa::Opcode::global_or) ++answers;
+      if (skip == run.skips.end() || skip->segment != segment || skip->index != index) continue;
+      const std::uint64_t left_out = isa::skipped_after(all[index], 0);
+      require(left_out > 0, "skips where the Program does not");
+      skipped += left_out;
+      index += static_cast<std::size_t>(left_out);
+      ++skip;
+    }
+    require(index == end, "stands inside what it has skipped");
+  }
+  require(skip == run.skips.end() && skipped == run.skipped, "skips what the Program does not");
+  require(answers == run.answers.size(), "holds answers to other questions than the Program's");
+  return count;
+}
+
+RunState read_run(isa::ByteReader& in, const isa::Program& program) {
+  RunState run;
+  const std::size_t segments = program.segments.size();
+  run.place.segment = in.varint_to<std::uint32_t>(segments == 0 ? 0 : segments - 1);
+  const std::size_t instructions = segments == 0 ? 0 : program.segments[run.place.segment].instructions.size();
+  run.place.index = in.varint_to<std::uint32_t>(instructions);
+  run.told_end = in.varint_to<std::uint8_t>(1) != 0;
+  require(!run.told_end || run.place.index == instructions, "ends a segment before its end");
+  run.overflows = in.varint_to<std::uint64_t>(most);
+  run.skipped = in.varint_to<std::uint64_t>(most);
+  run.answers = bits(in, Numbers(program).count());
+  const std::uint64_t skips = in.varint();
+  require(skips <= in.left(), "ends too soon");
+  for (std::uint64_t i = 0; i < skips; ++i) {
+    const auto segment = in.varint_to<std::uint32_t>(~std::uint32_t{0});
+    run.skips.push_back({segment, in.varint_to<std::uint32_t>(~std::uint32_t{0})});
+  }
+  read_planes(in, program, run);
+  return run;
+}
+
+void check_below(const std::vector<std::uint32_t>& values, std::uint64_t limit, std::uint32_t other, const char* what) {
+  require(
+      std::all_of(values.begin(), values.end(), [&](std::uint32_t value) { return value < limit || value == other; }),
+      what);
+}
+
+FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Program& program) {
+  const std::size_t count = std::size_t{program.shape.width} * program.shape.height;
+  const std::size_t owners = isa::piece_count(program.facts);
+  FrameObserver::Gathered picture;
+  picture.frame.width = program.shape.width;
+  picture.frame.height = program.shape.height;
+  picture.frame.colour = pixels(in, count);
+  picture.frame.depth = pixels(in, count);
+  picture.frame.owner = pixels(in, count);
+  if (isa::field_of(program, isa::FieldRole::candidate_colour).width > 0) picture.candidate_owner = pixels(in, count);
+  const unsigned colour = isa::field_of(program, isa::FieldRole::colour).width;
+  const unsigned depth = isa::field_of(program, isa::FieldRole::depth).width;
+  check_below(picture.frame.colour, std::uint64_t{1} << colour, program.background, "holds a colour out of range");
+  check_below(picture.frame.depth, std::uint64_t{1} << depth, 0, "holds a depth out of range");
+  for (const std::vector<std::uint32_t>* one : {&picture.frame.owner, &picture.candidate_owner})
+    check_below(*one, owners, no_owner, "holds an owner that the Program does not name");
+  return picture;
+}
+
+Stats read_stats(isa::ByteReader& in, const isa::Program& program) {
+  Stats stats = StatsObserver(program).stats();
+  for_each_cost(stats, [&](Cost& cost) {
+    for (std::uint64_t* number : {&cost.instructions, &cost.clocks, &cost.pixel_operations, &cost.enabled})
+      *number = in.varint();
+  });
+  return stats;
+}
+
+Snapshot read_body(std::span<const std::byte> body, const isa::Program& program, const machines::Machine& machine) {
+  isa::ByteReader in(body);
+  Snapshot snapshot;
+  snapshot.identity.program = fixed(in, 8);
+  snapshot.identity.machine = fixed(in, 8);
+  const RunIdentity expected = identity_of(program, machine);
+  if (snapshot.identity.program != expected.program)
+    throw InputError("the checkpoint is of another Program; resume it with the one it was made of");
+  if (snapshot.identity.machine != expected.machine)
+    throw InputError("the checkpoint is of a run on another machine; give the same --machine");
+  snapshot.run = read_run(in, program);
+  snapshot.picture = read_picture(in, program);
+  snapshot.stats = read_stats(in, program);
+  require(in.left() == 0, "has bytes left over");
+  require(snapshot.stats.total.instructions == carried_out(snapshot.run, program),
+          "counts other instructions than its place says");
+  return snapshot;
+}
+
+}  // namespace
+
+Snapshot decode(std::span<const std::byte> bytes, std::string_view name, const isa::Program& program,
+                const machines::Machine& machine) {
+  try {
+    return read_body(checked_body(bytes), program, machine);
+  } catch (const isa::MalformedBytes& error) {
+    throw InputError(fmt::format("{}: the checkpoint {}; run the Program from its beginning", name, error.what()));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/isa/bytes.h"
+
+namespace csgsim::sim {
+
+/// How parts of a Snapshot stand in its file (sim/checkpoint/snapshot.h). What reads throws isa::MalformedBytes.
+
+void put_fixed(isa::ByteWriter& out, std::uint64_t value, unsigned bytes);
+std::uint64_t fixed(isa::ByteReader& in, unsigned bytes);
+
+/// A plane of so many words; an empty one is zeros, and comes back empty.
+void put_plane(isa::ByteWriter& out, std::span<const std::uint64_t> plane, std::size_t words);
+std::vector<std::uint64_t> plane(isa::ByteReader& in, std::size_t words);
+
+void put_pixels(isa::ByteWriter& out, std::span<const std::uint32_t> pixels);
+std::vector<std::uint32_t> pixels(isa::ByteReader& in, std::size_t count);
+
+void put_bits(isa::ByteWriter& out, const std::vector<bool>& bits);
+std::vector<bool> bits(isa::ByteReader& in, std::uint64_t most);
+
+}  // namespace csgsim::sim

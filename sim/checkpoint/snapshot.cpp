@@ -1,0 +1,82 @@
+#include "sim/checkpoint/snapshot.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "hw/base/hash.h"
+#include "hw/isa/binary.h"
+#include "hw/machines/kind.h"
+#include "sim/checkpoint/format.h"
+#include "sim/checkpoint/packed.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+std::uint64_t hash_of(const isa::Program& program) {
+  const std::vector<std::byte> bytes = isa::encode(program);
+  Hash hash;
+  hash.add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  return hash.value();
+}
+
+std::uint64_t hash_of(const machines::Machine& machine) {
+  std::string text =
+      fmt::format("{} {}x{} of {}x{} {} {} {} {} {} {}", machine.kind->name, machine.picture.width,
+                  machine.picture.height, machine.array.width, machine.array.height, machine.array.memory_bits,
+                  machine.clock_hz, machine.memory_reads, machine.alu_bits, machine.clear_clocks, machine.link.width);
+  for (const machines::Figure& figure : machine.figures) text += fmt::format(" {}={}", figure.key, figure.value);
+  Hash hash;
+  hash.add(text);
+  return hash.value();
+}
+
+/// Words of one plane, or 0 where the run has no pixels yet.
+std::size_t plane_words(const RunState& run) {
+  for (const std::vector<std::uint64_t>& plane : run.planes)
+    if (!plane.empty()) return plane.size();
+  return 0;
+}
+
+}  // namespace
+
+RunIdentity identity_of(const isa::Program& program, const machines::Machine& machine) {
+  return {hash_of(program), hash_of(machine)};
+}
+
+std::vector<std::byte> encode(const Snapshot& snapshot) {
+  isa::ByteWriter out;
+  out.block(snapshot_magic);
+  out.byte(snapshot_version);
+  put_fixed(out, snapshot.identity.program, 8);
+  put_fixed(out, snapshot.identity.machine, 8);
+
+  const RunState& run = snapshot.run;
+  for (const std::uint64_t number : {std::uint64_t{run.place.segment}, std::uint64_t{run.place.index},
+                                     std::uint64_t{run.told_end}, run.overflows, run.skipped})
+    out.varint(number);
+  put_bits(out, run.answers);
+  out.varint(run.skips.size());
+  for (const machines::Skip& skip : run.skips) {
+    out.varint(skip.segment);
+    out.varint(skip.index);
+  }
+  const std::size_t words = plane_words(run);
+  out.varint(words);
+  for (const std::vector<std::uint64_t>& plane : run.planes) put_plane(out, plane, words);
+
+  const Frame& frame = snapshot.picture.frame;
+  for (const std::vector<std::uint32_t>* values :
+       {&frame.colour, &frame.depth, &frame.owner, &snapshot.picture.candidate_owner})
+    put_pixels(out, *values);
+  for_each_cost(snapshot.stats, [&](const Cost& cost) {
+    for (const std::uint64_t number : {cost.instructions, cost.clocks, cost.pixel_operations, cost.enabled})
+      out.varint(number);
+  });
+  put_fixed(out, snapshot_checksum(out.written()), snapshot_checksum_size);
+  return out.take();
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "hw/isa/program.h"
+
+namespace csgsim::debug {
+
+/// A field of one pixel of the picture, or its enable bit.
+struct Watched {
+  isa::Field field;  ///< of width 0: E
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+
+  bool operator==(const Watched&) const = default;
+};
+
+enum class Relation : std::uint8_t { less, not_greater, equal, not_equal, not_less, greater, changes };
+
+/// What is waited for at a pixel.
+struct Condition {
+  Watched what;
+  Relation relation{};
+  std::uint32_t value = 0;  ///< to compare with; for `changes` without meaning
+
+  bool operator==(const Condition&) const = default;
+};
+
+/// Before the instruction of that number in the whole Program.
+struct AtInstruction {
+  std::uint64_t number = 0;
+  bool operator==(const AtInstruction&) const = default;
+};
+
+/// Before the first instruction that is not yet carried out when the clock ends.
+struct AtClock {
+  std::uint64_t clock = 0;
+  bool operator==(const AtClock&) const = default;
+};
+
+/// Before the first of several instructions that serve the primitive.
+struct AtPrimitive {
+  std::uint32_t primitive = 0;
+  bool operator==(const AtPrimitive&) const = default;
+};
+
+/// Where a run stops.
+using Target = std::variant<AtInstruction, AtClock, AtPrimitive, Condition>;
+
+struct Nothing {};  ///< an empty line, or a comment
+struct RunOn {};
+struct StepOn {
+  std::uint64_t count = 1;
+};
+struct Until {
+  Target target;
+};
+struct Back {
+  std::uint64_t count = 1;
+};
+struct SetBreak {
+  Target target;
+};
+struct DeleteBreak {
+  std::uint64_t number = 0;
+};
+struct ListBreaks {};
+struct PrintValue {
+  Watched what;
+};
+struct PrintPixel {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+};
+struct PrintEnable {};
+struct Where {};
+struct ListAround {
+  std::optional<std::uint64_t> number;  ///< of an instruction; the next one if there is none
+};
+struct TakePicture {
+  isa::Field field;  ///< of width 0: E
+  std::string file;
+};
+struct WriteCheckpoint {
+  std::string file;
+};
+struct ReadCheckpoint {
+  std::string file;
+};
+struct Help {};
+struct Quit {};
+
+using Command =
+    std::variant<Nothing, RunOn, StepOn, Until, Back, SetBreak, DeleteBreak, ListBreaks, PrintValue, PrintPixel,
+                 PrintEnable, Where, ListAround, TakePicture, WriteCheckpoint, ReadCheckpoint, Help, Quit>;
+
+/// A command and what it does, for help and for completion.
+struct CommandInfo {
+  std::string_view word;
+  std::string_view form;
+  std::string_view meaning;
+};
+
+inline constexpr CommandInfo command_table[] = {
+    {"run", "run", "go on to the next breakpoint, or to the end"},
+    {"step", "step [N]", "carry out the next instruction, or N of them"},
+    {"until", "until STOP", "go on to STOP, a breakpoint or the end"},
+    {"back", "back [N]", "go back before the last instruction, or the last N"},
+    {"break", "break STOP", "set a breakpoint"},
+    {"breakpoints", "breakpoints", "list the breakpoints"},
+    {"delete", "delete N", "delete breakpoint N"},
+    {"print", "print FIELD[x,y]", "a field of a pixel of the picture; E is its enable bit"},
+    {"print", "print x,y", "all fields of a pixel"},
+    {"print", "print E", "how many pixels are enabled"},
+    {"where", "where", "the next instruction, whom it serves, and its clocks"},
+    {"list", "list [iN]", "the instructions around the next one, or around iN"},
+    {"picture", "picture FIELD FILE.png", "a field, or E, of every pixel as a picture"},
+    {"checkpoint", "checkpoint FILE", "write the state of the run, for resume and csgsim run --resume"},
+    {"resume", "resume FILE", "go on from a checkpoint"},
+    {"help", "help", "this list"},
+    {"quit", "quit", "end"},
+};
+
+/// The forms of STOP, as command_table has commands.
+inline constexpr CommandInfo stop_table[] = {
+    {"i", "i123", "before instruction 123 of the whole Program"},
+    {"clock", "clock N",
+     "before the first instruction that is still to be done, in part or whole, when clock N begins"},
+    {"primitive", "primitive P", "before instructions of a primitive: its index, as 3 or p3, or its name"},
+    {"", "Z2[100,20] < 5000", "after the instruction that makes it so; also <= > >= == !="},
+    {"", "E[100,20]", "after the instruction that enables the pixel; a field: that makes it other than 0"},
+    {"not", "not E[100,20]", "after the instruction that disables the pixel; a field: that makes it 0"},
+    {"change", "change Z2[100,20]", "after the instruction that changes it"},
+};
+
+/// Reads one line. A field is its name, one in double quotes if it is no word, or its place, [base+:width]; `#` begins
+/// a comment. Throws InputError, `name:line:column: what, and what to do`.
+Command parse_command(std::string_view text, std::string_view name, std::size_t line, const isa::Program& program);
+
+}  // namespace csgsim::debug

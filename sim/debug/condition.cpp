@@ -1,0 +1,93 @@
+#include "sim/debug/condition.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/quoting.h"
+
+namespace csgsim::debug {
+
+namespace {
+
+std::string_view sign_of(Relation relation) {
+  switch (relation) {
+    case Relation::less: return "<";
+    case Relation::not_greater: return "<=";
+    case Relation::equal: return "==";
+    case Relation::not_equal: return "!=";
+    case Relation::not_less: return ">=";
+    case Relation::greater: return ">";
+    case Relation::changes: return "";
+  }
+  return "";
+}
+
+/// E is written where a meaning says `E := ...`.
+constexpr auto enable_changers = [] {
+  std::array<bool, isa::opcode_numbers> changers{};
+  for (const isa::OpcodeInfo& row : isa::opcode_table)
+    changers.at(static_cast<std::size_t>(row.opcode)) = row.meaning.find("E := ") != std::string_view::npos;
+  return changers;
+}();
+
+}  // namespace
+
+bool changes_enable(isa::Opcode opcode) { return enable_changers.at(static_cast<std::size_t>(opcode)); }
+
+bool can_change(const isa::Instruction& instruction, isa::Field watched) {
+  if (watched.width == 0) return changes_enable(instruction.opcode);
+  for (std::size_t i = 0; i < isa::max_operands; ++i) {
+    const bool is_target = isa::operands_of(instruction.opcode)[i] == isa::OperandKind::target;
+    if (is_target && watched.overlaps(instruction.fields[i])) return true;
+  }
+  return false;
+}
+
+std::uint32_t value_of(const Watched& what, const sim::Run& run) {
+  const isa::Region region = run.region();
+  const std::uint32_t x = what.x - region.x;
+  const std::uint32_t y = what.y - region.y;
+  if (what.field.width == 0) return run.enabled(x, y) ? 1 : 0;
+  return run.value(what.field, x, y);
+}
+
+bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before) {
+  switch (condition.relation) {
+    case Relation::less: return value < condition.value;
+    case Relation::not_greater: return value <= condition.value;
+    case Relation::equal: return value == condition.value;
+    case Relation::not_equal: return value != condition.value;
+    case Relation::not_less: return value >= condition.value;
+    case Relation::greater: return value > condition.value;
+    case Relation::changes: return value != before;
+  }
+  return false;
+}
+
+std::string text_of(isa::Field field, const isa::Program& program) {
+  if (field.width == 0) return "E";
+  for (const isa::NamedField& named : program.facts.fields)
+    if (named.field == field) return isa::word_or_quoted(named.name);
+  return field.width == 1 ? fmt::format("[{}]", field.base) : fmt::format("[{}+:{}]", field.base, field.width);
+}
+
+std::string text_of(const Watched& what, const isa::Program& program) {
+  return fmt::format("{}[{},{}]", text_of(what.field, program), what.x, what.y);
+}
+
+std::string text_of(const Target& target, const isa::Program& program) {
+  if (const auto* at = std::get_if<AtInstruction>(&target)) return fmt::format("i{}", at->number);
+  if (const auto* at = std::get_if<AtClock>(&target)) return fmt::format("clock {}", at->clock);
+  if (const auto* at = std::get_if<AtPrimitive>(&target)) {
+    return fmt::format("primitive p{} {}", at->primitive, isa::word_or_quoted(program.facts.primitives[at->primitive]));
+  }
+  const auto& condition = std::get<Condition>(target);
+  const std::string what = text_of(condition.what, program);
+  if (condition.relation == Relation::changes) return "change " + what;
+  return fmt::format("{} {} {}", what, sign_of(condition.relation), condition.value);
+}
+
+}  // namespace csgsim::debug

@@ -1,0 +1,88 @@
+#include "sim/debug/field_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "hw/isa/colour_format.h"
+
+namespace csgsim::debug {
+
+namespace {
+
+std::vector<std::uint32_t> values_of(isa::Field field, const sim::Run& run) {
+  const isa::Region region = run.region();
+  std::vector<std::uint32_t> values(std::size_t{region.width} * region.height);
+  if (field.width > 0) {
+    run.read_field(field, values);
+    return values;
+  }
+  for (std::uint32_t y = 0; y < region.height; ++y)
+    for (std::uint32_t x = 0; x < region.width; ++x)
+      values[std::size_t{y} * region.width + x] = run.enabled(x, y) ? 1 : 0;
+  return values;
+}
+
+struct Meaning {
+  bool is_colour = false;
+  bool is_depth = false;
+};
+
+Meaning meaning_of(isa::Field field, const isa::Program& program) {
+  using enum isa::FieldRole;
+  for (const isa::NamedField& named : program.facts.fields) {
+    if (named.field != field) continue;
+    const bool is_colour = named.role == colour || named.role == candidate_colour || named.role == shown;
+    return {is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits,
+            named.role == depth || named.role == candidate_depth};
+  }
+  return {};
+}
+
+/// The least and the greatest value that count.
+struct Range {
+  std::uint32_t low = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t high = 0;
+};
+
+std::uint8_t grey(std::uint32_t value, const Range& range) {
+  if (value >= range.high) return 255;
+  const std::uint64_t above = value - range.low;
+  return static_cast<std::uint8_t>(above * 255 / (range.high - range.low));
+}
+
+}  // namespace
+
+FieldPicture picture_of(isa::Field field, const sim::Run& run, const isa::Program& program) {
+  const std::vector<std::uint32_t> values = values_of(field, run);
+  const Meaning meaning = meaning_of(field, program);
+  const std::uint64_t nothing = meaning.is_depth ? (std::uint64_t{1} << field.width) - 1 : std::uint64_t{1} << 32U;
+  Range range;
+  for (const std::uint32_t value : values) {
+    if (value == nothing) continue;
+    range = {std::min(range.low, value), std::max(range.high, value)};
+  }
+  if (field.width <= 1) range = {0, 1};
+  range.low = std::min(range.low, range.high);
+  FieldPicture made{{program.shape.width, program.shape.height, meaning.is_colour ? 3 : 1, {}}, ""};
+  const auto channels = static_cast<std::size_t>(made.picture.channels);
+  made.picture.bytes.resize(channels * program.shape.width * program.shape.height);
+  const isa::Region region = run.region();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t at = (region.y + i / region.width) * program.shape.width + region.x + i % region.width;
+    std::uint8_t* const pixel = &made.picture.bytes[channels * at];
+    if (meaning.is_colour) {
+      std::ranges::copy(isa::unpack_colour(values[i], field.width), pixel);
+    } else {
+      *pixel = values[i] == nothing ? 255 : grey(values[i], range);
+    }
+  }
+  made.scale = meaning.is_colour ? "in its colours" : fmt::format("black is {}, white {}", range.low, range.high);
+  if (meaning.is_depth) made.scale += " or nothing";
+  return made;
+}
+
+}  // namespace csgsim::debug

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <tao/pegtl.hpp>
+
+/// The grammar of the debugger's commands, of which sim/debug/command.h tells.
+namespace csgsim::debug::grammar {
+
+using namespace tao::pegtl;  // the vocabulary of rules
+
+struct gap : star<blank> {};
+struct word_part : ranges<'a', 'z', 'A', 'Z', '0', '9', '_', '_', '.', '.'> {};
+template <typename Word>
+struct whole : seq<Word, not_at<word_part>> {};
+
+struct number : plus<digit> {};
+struct count : seq<number, not_at<word_part>> {};
+struct instruction_number : seq<number, not_at<word_part>> {};
+struct breakpoint_number : seq<number, not_at<word_part>> {};
+struct column : number {};
+struct row : number {};
+struct comma : seq<gap, one<','>> {};
+
+struct quoted_body : star<sor<seq<one<'\\'>, any>, not_one<'"', '\\'>>> {};
+struct quote_end : one<'"'> {};
+struct quoted : if_must<one<'"'>, quoted_body, quote_end> {};
+
+struct base : number {};
+struct width : number {};
+struct place_end : seq<gap, one<']'>> {};
+struct place : if_must<one<'['>, gap, base, opt<if_must<seq<gap, string<'+', ':'>>, gap, width>>, place_end> {};
+struct field_word : seq<ranges<'a', 'z', 'A', 'Z', '_', '_'>, star<word_part>> {};
+struct field_quoted : seq<quoted> {};
+struct field : sor<place, field_quoted, field_word> {};
+
+struct pixel_begin : seq<gap, one<'['>> {};
+struct pixel_end : seq<gap, one<']'>> {};
+struct pixel_of_field : must<pixel_begin, gap, column, comma, gap, row, pixel_end> {};
+struct watched : seq<field, pixel_of_field> {};
+
+struct less : one<'<'> {};
+struct not_greater : string<'<', '='> {};
+struct equal : sor<string<'=', '='>, one<'='>> {};
+struct not_equal : string<'!', '='> {};
+struct not_less : string<'>', '='> {};
+struct greater : one<'>'> {};
+struct relation : sor<not_greater, less, equal, not_equal, not_less, greater> {};
+struct hexadecimal : plus<xdigit> {};
+struct decimal : number {};
+struct value : seq<sor<if_must<string<'0', 'x'>, hexadecimal>, decimal>, not_at<word_part>> {};
+
+struct change : whole<TAO_PEGTL_STRING("change")> {};
+struct negation : whole<TAO_PEGTL_STRING("not")> {};
+struct changes : if_must<change, gap, watched> {};
+struct is_not : if_must<negation, gap, watched> {};
+struct compared : seq<watched, opt<if_must<seq<gap, relation>, gap, value>>> {};
+struct condition : sor<changes, is_not, compared> {};
+
+struct at_instruction : seq<one<'i'>, instruction_number> {};
+struct clock_number : seq<number, not_at<word_part>> {};
+struct at_clock : if_must<whole<TAO_PEGTL_STRING("clock")>, gap, clock_number> {};
+struct primitive_word : plus<not_one<' ', '\t', '\r', '\n', '#', '"'>> {};
+struct primitive_quoted : seq<quoted> {};
+struct primitive : sor<primitive_quoted, primitive_word> {};
+struct at_primitive : if_must<whole<TAO_PEGTL_STRING("primitive")>, gap, primitive> {};
+struct target : sor<at_instruction, at_clock, at_primitive, condition> {};
+
+struct file_word : plus<not_one<' ', '\t', '\r', '\n', '#', '"'>> {};
+struct file_quoted : seq<quoted> {};
+struct file : sor<file_quoted, file_word> {};
+
+struct lone_pixel : seq<column, must<comma, gap, row>> {};
+struct lone_enable : seq<one<'E'>, not_at<word_part>, not_at<gap, one<'['>>> {};
+struct printed : sor<lone_enable, lone_pixel, watched> {};
+
+template <typename Word, typename... Rest>
+struct command : if_must<whole<Word>, Rest...> {};
+
+struct run : command<sor<TAO_PEGTL_STRING("run"), TAO_PEGTL_STRING("continue")>> {};
+struct step : command<TAO_PEGTL_STRING("step"), opt<gap, count>> {};
+struct until_target : command<TAO_PEGTL_STRING("until"), gap, target> {};
+struct back : command<TAO_PEGTL_STRING("back"), opt<gap, count>> {};
+struct breakpoints : command<TAO_PEGTL_STRING("breakpoints")> {};
+struct set_break : command<TAO_PEGTL_STRING("break"), gap, target> {};
+struct delete_break : command<TAO_PEGTL_STRING("delete"), gap, breakpoint_number> {};
+struct print : command<TAO_PEGTL_STRING("print"), gap, printed> {};
+struct where : command<TAO_PEGTL_STRING("where")> {};
+struct list_around : command<TAO_PEGTL_STRING("list"), opt<gap, one<'i'>, instruction_number>> {};
+struct picture : command<TAO_PEGTL_STRING("picture"), gap, field, gap, file> {};
+struct checkpoint : command<TAO_PEGTL_STRING("checkpoint"), gap, file> {};
+struct resume : command<TAO_PEGTL_STRING("resume"), gap, file> {};
+struct help : command<TAO_PEGTL_STRING("help")> {};
+struct quit : command<TAO_PEGTL_STRING("quit")> {};
+
+struct any_command : sor<run, step, until_target, back, breakpoints, set_break, delete_break, print, where, list_around,
+                         picture, checkpoint, resume, help, quit> {};
+struct comment : seq<one<'#'>, until<eof>> {};
+struct line_end : seq<gap, opt<one<'\r'>>, sor<comment, eof>> {};
+struct known_command : seq<any_command> {};
+struct line : seq<gap, sor<line_end, seq<must<known_command>, must<line_end>>>> {};
+
+/// What is said where a rule that has to match does not.
+template <typename>
+inline constexpr const char* message = nullptr;
+template <>
+inline constexpr const char* message<known_command> = "unknown command; help lists those that there are";
+template <>
+inline constexpr const char* message<line_end> = "unexpected text; end the line here, or begin a comment with #";
+template <>
+inline constexpr const char* message<quote_end> = "the name does not end; close it with \"";
+template <>
+inline constexpr const char* message<quoted_body> = "expected a name in double quotes";
+template <>
+inline constexpr const char* message<base> = "expected the number of a bit, as in [12] or [12+:20]";
+template <>
+inline constexpr const char* message<width> = "expected a width in bits, as in [12+:20]";
+template <>
+inline constexpr const char* message<place_end> = "expected ] at the end of the field, as in [12] or [12+:20]";
+template <>
+inline constexpr const char* message<field> = "expected a field: its name, [base+:width] or E";
+template <>
+inline constexpr const char* message<watched> = "expected a field of a pixel, as in Z2[100,20]";
+template <>
+inline constexpr const char* message<pixel_begin> = "expected a pixel of the field, as in Z2[100,20]";
+template <>
+inline constexpr const char* message<pixel_end> = "expected ] after the pixel, as in Z2[100,20]";
+template <>
+inline constexpr const char* message<column> = "expected the pixel's column, as in Z2[100,20]";
+template <>
+inline constexpr const char* message<row> = "expected the pixel's row, as in Z2[100,20]";
+template <>
+inline constexpr const char* message<comma> = "expected a comma and the pixel's row, as in 100,20";
+template <>
+inline constexpr const char* message<hexadecimal> = "expected hexadecimal digits after 0x";
+template <>
+inline constexpr const char* message<value> = "expected a number to compare with, as in 5000 or 0xff";
+template <>
+inline constexpr const char* message<clock_number> = "expected the number of a clock, as in clock 12000";
+template <>
+inline constexpr const char* message<primitive> = "expected a primitive: its index or its name";
+template <>
+inline constexpr const char* message<target> =
+    "expected where to stop: i123, clock N, primitive P, or a condition as Z2[100,20] < 5000";
+template <>
+inline constexpr const char* message<breakpoint_number> = "expected the number of a breakpoint; breakpoints lists them";
+template <>
+inline constexpr const char* message<printed> = "expected what to print: Z2[100,20], 100,20 or E";
+template <>
+inline constexpr const char* message<file> = "expected the name of a file";
+
+struct Messages {
+  template <typename Rule>
+  static constexpr const char* message = grammar::message<Rule>;
+  /// Only where it has to match; elsewhere another rule may.
+  template <typename Rule>
+  static constexpr bool raise_on_failure = false;
+};
+
+template <typename Rule>
+using Control = must_if<Messages, normal, false>::control<Rule>;
+
+}  // namespace csgsim::debug::grammar

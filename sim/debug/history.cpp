@@ -1,0 +1,50 @@
+#include "sim/debug/history.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace csgsim::debug {
+
+namespace {
+
+constexpr std::uint64_t most_bytes = std::uint64_t{256} << 20U;
+constexpr std::uint64_t most_kept = 32;
+
+std::uint64_t bytes_of(const sim::Snapshot& snapshot) {
+  std::uint64_t bytes = 0;
+  for (const std::vector<std::uint64_t>& plane : snapshot.run.planes) bytes += plane.size() * sizeof(std::uint64_t);
+  const sim::Frame& frame = snapshot.picture.frame;
+  for (const std::vector<std::uint32_t>* values :
+       {&frame.colour, &frame.depth, &frame.owner, &snapshot.picture.candidate_owner})
+    bytes += values->size() * sizeof(std::uint32_t);
+  return bytes;
+}
+
+}  // namespace
+
+bool History::is_kept(std::uint64_t number) const {
+  const auto after = kept_.upper_bound(number);
+  return after != kept_.begin() && number - std::prev(after)->first < stride_;
+}
+
+void History::keep(std::uint64_t number, sim::Snapshot snapshot) {
+  const std::uint64_t fit = most_bytes / std::max<std::uint64_t>(bytes_of(snapshot), 1);
+  kept_.insert_or_assign(number, std::move(snapshot));
+  while (kept_.size() > std::clamp<std::uint64_t>(fit, 2, most_kept)) {
+    stride_ *= 2;
+    // The first stays, and of the others those that are as far apart as the stride.
+    std::uint64_t last = kept_.begin()->first;
+    std::erase_if(kept_, [&, is_first = true](const auto& one) mutable {
+      const bool stays = std::exchange(is_first, false) || one.first - last >= stride_;
+      if (stays) last = one.first;
+      return !stays;
+    });
+  }
+}
+
+const sim::Snapshot& History::before(std::uint64_t number) const {
+  return std::prev(kept_.upper_bound(number))->second;
+}
+
+}  // namespace csgsim::debug

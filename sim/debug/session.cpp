@@ -1,0 +1,230 @@
+#include "sim/debug/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "hw/isa/operands.h"
+#include "hw/isa/quoting.h"
+#include "sim/checkpoint/file.h"
+#include "sim/debug/condition.h"
+#include "sim/debug/field_picture.h"
+#include "sim/debug/show.h"
+
+namespace csgsim::debug {
+
+Session::Session(const isa::Program& program, const machines::Machine& machine, unsigned threads)
+    : program_(program),
+      machine_(machine),
+      numbers_(program),
+      identity_(sim::identity_of(program, machine)),
+      engine_(sim::make_functional_engine(machine, threads)),
+      run_(engine_->begin(program)),
+      frame_(program),
+      stats_(program),
+      clocks_(program, machine) {
+  keep();
+}
+
+std::string Session::carry_out(const Command& command) {
+  return std::visit([this](const auto& one) { return does(one); }, command);
+}
+
+std::vector<std::string> Session::words() const {
+  std::vector<std::string> words{"E", "clock", "primitive", "change", "not", "continue"};
+  for (const CommandInfo& one : command_table) words.emplace_back(one.word);
+  for (const isa::NamedField& named : program_.facts.fields) words.push_back(isa::word_or_quoted(named.name));
+  for (const std::string& name : program_.facts.primitives) words.push_back(printable(name));
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
+  return words;
+}
+
+std::string Session::place() const { return place_text(*run_, program_); }
+
+sim::Snapshot Session::snapshot() const { return sim::take_snapshot(identity_, *run_, frame_, stats_); }
+
+void Session::restore(const sim::Snapshot& snapshot) { sim::resume(snapshot, *run_, frame_, stats_); }
+
+void Session::keep() {
+  if (!history_.is_kept(number())) history_.keep(number(), snapshot());
+}
+
+void Session::advance(std::uint64_t number) {
+  const std::array<sim::Observer*, 2> observers{&frame_, &stats_};
+  while (!run_->finished()) {
+    const std::uint64_t here = numbers_.of(run_->place());
+    if (here >= number) return;
+    run_->advance(std::min(number, history_.due(here)), observers);
+    keep();
+  }
+}
+
+void Session::end_if_none_is_left() {
+  if (number() == numbers_.count()) advance(sim::Run::end);
+}
+
+std::string Session::go(std::optional<Stop> until, const Target* target) {
+  std::vector<Stop> stops;
+  stops.reserve(breakpoints_.size());
+  for (const Breakpoint& one : breakpoints_) stops.emplace_back(one.target, program_, numbers_, *run_, clocks_);
+  while (!run_->finished()) {
+    std::uint64_t look = until ? until->next_look() : sim::Run::end;
+    for (Stop& stop : stops) look = std::min(look, stop.next_look());
+    advance(look);
+    std::string why;
+    // Each is asked, since each keeps the value that it saw.
+    if (until && until->reached()) why = text_of(*target, program_) + "\n";
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      if (stops[i].reached())
+        why += fmt::format("breakpoint {}: {}\n", breakpoints_[i].number, text_of(breakpoints_[i].target, program_));
+    }
+    end_if_none_is_left();
+    if (!why.empty()) return why + place();
+  }
+  return (until ? text_of(*target, program_) + " is not reached\n" : "") + place();
+}
+
+std::string Session::does(const Nothing& /*command*/) { return ""; }
+
+std::string Session::does(const RunOn& /*command*/) { return go({}, nullptr); }
+
+std::string Session::does(const StepOn& command) {
+  for (std::uint64_t i = 0; i < command.count && !run_->finished(); ++i) {
+    advance(number() + 1);
+    end_if_none_is_left();
+  }
+  return place();
+}
+
+std::string Session::does(const Until& command) {
+  Stop stop(command.target, program_, numbers_, *run_, clocks_);
+  const std::string what = text_of(command.target, program_);
+  if (stop.holds_already()) return fmt::format("{} holds already\n{}", what, place());
+  if (stop.is_behind()) throw InputError(fmt::format("{} is not ahead; go back first, with back N", what));
+  return go(stop, &command.target);
+}
+
+std::vector<std::uint64_t> Session::carried_out() const {
+  const sim::RunState state = run_->save();
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(numbers_.of(state.place));
+  auto skip = state.skips.begin();
+  for (std::uint64_t number = 0; number < numbers_.of(state.place); ++number) {
+    numbers.push_back(number);
+    const sim::Place at = numbers_.place(number);
+    if (skip == state.skips.end() || skip->segment != at.segment || skip->index != at.index) continue;
+    number += program_.segments[at.segment].instructions[at.index].constant;
+    ++skip;
+  }
+  return numbers;
+}
+
+std::string Session::does(const Back& command) {
+  const std::vector<std::uint64_t> done = carried_out();
+  const std::uint64_t target = command.count < done.size() ? done[done.size() - command.count] : 0;
+  if (command.count == 0) return place();
+  restore(history_.before(target));
+  if (number() < target) advance(target);
+  return place();
+}
+
+std::string Session::does(const SetBreak& command) {
+  const Stop check(command.target, program_, numbers_, *run_, clocks_);
+  breakpoints_.push_back({next_breakpoint_++, command.target});
+  return fmt::format("breakpoint {}: {}\n", breakpoints_.back().number, text_of(command.target, program_));
+}
+
+std::string Session::does(const DeleteBreak& command) {
+  const auto found = std::find_if(breakpoints_.begin(), breakpoints_.end(),
+                                  [&](const Breakpoint& one) { return one.number == command.number; });
+  if (found == breakpoints_.end())
+    throw InputError(fmt::format("there is no breakpoint {}; breakpoints lists them", command.number));
+  breakpoints_.erase(found);
+  return "";
+}
+
+std::string Session::does(const ListBreaks& /*command*/) {
+  std::string text;
+  for (const Breakpoint& one : breakpoints_)
+    text += fmt::format("{:>3}  {}\n", one.number, text_of(one.target, program_));
+  return text.empty() ? "no breakpoints\n" : text;
+}
+
+void Session::check_seen(std::uint32_t x, std::uint32_t y) const {
+  if (program_.segments.empty()) throw InputError("the Program has no segments; there is nothing to look at");
+  const isa::Region region = run_->region();
+  if (region.holds(x, y)) return;
+  throw InputError(fmt::format("pixel {},{} is not in segment {}, which has {} x {} pixels at {},{}", x, y,
+                               run_->place().segment, region.width, region.height, region.x, region.y));
+}
+
+std::string Session::does(const PrintValue& command) {
+  check_seen(command.what.x, command.what.y);
+  return fmt::format("{} = {}\n", text_of(command.what, program_),
+                     value_text(command.what.field, value_of(command.what, *run_), program_));
+}
+
+std::string Session::does(const PrintPixel& command) {
+  check_seen(command.x, command.y);
+  const auto line = [&](isa::Field field) {
+    const std::uint32_t value = value_of({field, command.x, command.y}, *run_);
+    return fmt::format("  {:<12} {}\n", text_of(field, program_), value_text(field, value, program_));
+  };
+  std::string text = line({});
+  for (const isa::NamedField& named : program_.facts.fields) text += line(named.field);
+  return text;
+}
+
+std::string Session::does(const PrintEnable& /*command*/) {
+  const isa::Region region = run_->region();
+  std::vector<std::uint64_t> words((region.width + 63U) / 64U * std::size_t{region.height});
+  if (!words.empty()) run_->read_enable(words);
+  std::uint64_t enabled = 0;
+  for (const std::uint64_t word : words) enabled += static_cast<std::uint64_t>(std::popcount(word));
+  return fmt::format("E = 1 at {} of {} pixels\n", enabled, std::uint64_t{region.width} * region.height);
+}
+
+std::string Session::does(const Where& /*command*/) { return where_text(*run_, program_, clocks_); }
+
+std::string Session::does(const ListAround& command) {
+  const std::uint64_t number = command.number.value_or(this->number());
+  if (command.number && number >= numbers_.count())
+    throw InputError(fmt::format("there is no instruction i{}: the Program has {}", number, numbers_.count()));
+  return list_text(number, program_);
+}
+
+std::string Session::does(const TakePicture& command) {
+  check_seen(run_->region().x, run_->region().y);
+  sim::check_format(command.file);
+  const FieldPicture made = picture_of(command.field, *run_, program_);
+  OutputFile file(command.file);
+  sim::write_picture(file, made.picture);
+  file.commit();
+  return fmt::format("{}: {}, {}\n", printable(command.file), text_of(command.field, program_), made.scale);
+}
+
+std::string Session::does(const WriteCheckpoint& command) {
+  sim::save_snapshot(command.file, snapshot());
+  return fmt::format("{}: before i{}\n", printable(command.file), number());
+}
+
+std::string Session::does(const ReadCheckpoint& command) {
+  restore(sim::load_snapshot(command.file, program_, machine_));
+  keep();
+  return place();
+}
+
+std::string Session::does(const Help& /*command*/) { return help_text(); }
+
+std::string Session::does(const Quit& /*command*/) {
+  is_over_ = true;
+  return "";
+}
+
+}  // namespace csgsim::debug

@@ -1,0 +1,114 @@
+#include "sim/debug/show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hw/base/text.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/pieces.h"
+#include "hw/isa/text.h"
+
+namespace csgsim::debug {
+
+namespace {
+
+constexpr std::uint64_t around = 5;  ///< instructions on either side
+
+std::string origin_text(const isa::Origin& origin, const isa::Facts& facts) {
+  std::string text(isa::info(origin.purpose).name);
+  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_label(facts, origin.primitive);
+  if (origin.node != isa::no_node) text += " against " + isa::piece_label(facts, origin.node);
+  if (origin.effect != isa::no_effect) text += fmt::format(" for e{}", origin.effect);
+  return text;
+}
+
+/// Names and meanings of the origin.
+std::string served_text(const isa::Origin& origin, const isa::Program& program) {
+  std::string text = fmt::format("  {}", isa::info(origin.purpose).name);
+  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(program.facts, origin.primitive);
+  if (origin.node != isa::no_node) text += " against " + isa::piece_name(program.facts, origin.node);
+  if (origin.effect != isa::no_effect)
+    text += fmt::format(" for {}", printable(program.facts.compile.effects[origin.effect]));
+  return text + fmt::format(": {}\n", isa::info(origin.purpose).meaning);
+}
+
+std::string clocks_text(sim::Place place, Clocks& clocks) {
+  const machines::ClockSpan span = clocks.issued(place);
+  if (span.empty()) return "";
+  return fmt::format("  issued in clocks {}..{}\n", span.begin, span.end - 1);
+}
+
+/// The next instruction's place; none if the run is over.
+std::optional<sim::Place> next_of(const sim::Run& run, const sim::Numbers& numbers) {
+  if (numbers.count() == 0) return std::nullopt;
+  const std::uint64_t number = numbers.of(run.place());
+  if (number == numbers.count()) return std::nullopt;
+  return numbers.place(number);
+}
+
+const isa::Instruction& instruction_at(sim::Place place, const isa::Program& program) {
+  return program.segments[place.segment].instructions[place.index];
+}
+
+}  // namespace
+
+std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program) {
+  std::string text = fmt::format("{}", value);
+  if (field.width > 4) text += fmt::format(" ({:#x})", value);
+  using enum isa::FieldRole;
+  for (const isa::NamedField& named : program.facts.fields) {
+    if (named.field != field) continue;
+    const bool is_depth = named.role == depth || named.role == candidate_depth;
+    if (is_depth && value == (std::uint64_t{1} << field.width) - 1) text += ", nothing";
+    const bool is_colour = named.role == colour || named.role == candidate_colour || named.role == shown;
+    if (is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits) {
+      const auto [red, green, blue] = isa::unpack_colour(value, field.width);
+      text += fmt::format(", #{:02x}{:02x}{:02x}", red, green, blue);
+    }
+    break;
+  }
+  return text;
+}
+
+std::string place_text(const sim::Run& run, const isa::Program& program) {
+  const sim::Numbers numbers(program);
+  const std::optional<sim::Place> next = next_of(run, numbers);
+  if (numbers.count() == 0) return "the Program has no instructions\n";
+  if (!next) return fmt::format("at the end, after i{}\n", numbers.count() - 1);
+  return fmt::format("i{} of {}: {}\n", numbers.of(*next), numbers.count(),
+                     isa::text_of(instruction_at(*next, program), program.facts.fields));
+}
+
+std::string where_text(const sim::Run& run, const isa::Program& program, Clocks& clocks) {
+  std::string text = place_text(run, program);
+  const std::optional<sim::Place> next = next_of(run, sim::Numbers(program));
+  if (!next) return text;
+  const isa::Region& region = program.segments[next->segment].region;
+  text += served_text(instruction_at(*next, program).origin, program);
+  text += clocks_text(*next, clocks);
+  return text + fmt::format("  segment {} of {}: {} x {} pixels at {},{}\n", next->segment, program.segments.size(),
+                            region.width, region.height, region.x, region.y);
+}
+
+std::string list_text(std::uint64_t number, const isa::Program& program) {
+  const sim::Numbers numbers(program);
+  const std::uint64_t end = std::min(numbers.count(), number + around + 1);
+  std::string text;
+  for (std::uint64_t i = number - std::min(number, around); i < end; ++i) {
+    const isa::Instruction& one = instruction_at(numbers.place(i), program);
+    text += fmt::format("{} {:<8} {:<54}  ; {}\n", i == number ? '>' : ' ', fmt::format("i{}", i),
+                        isa::text_of(one, program.facts.fields), origin_text(one.origin, program.facts));
+  }
+  return text.empty() ? "there are no instructions\n" : text;
+}
+
+std::string help_text() {
+  std::string text;
+  for (const CommandInfo& one : command_table) text += fmt::format("  {:<26} {}\n", one.form, one.meaning);
+  text += "where STOP is one of\n";
+  for (const CommandInfo& one : stop_table) text += fmt::format("  {:<26} {}\n", one.form, one.meaning);
+  return text;
+}
+
+}  // namespace csgsim::debug

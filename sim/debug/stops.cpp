@@ -1,0 +1,98 @@
+#include "sim/debug/stops.h"
+
+#include <fmt/format.h>
+
+#include "hw/base/error.h"
+#include "hw/isa/pieces.h"
+#include "sim/debug/condition.h"
+
+namespace csgsim::debug {
+
+Stop::Stop(const Target& target, const isa::Program& program, const sim::Numbers& numbers, const sim::Run& run,
+           Clocks& clocks)
+    : target_(target), program_(program), numbers_(numbers), run_(run), begin_(numbers.of(run.place())) {
+  if (const auto* at = std::get_if<AtInstruction>(&target)) {
+    if (at->number >= numbers.count())
+      throw InputError(fmt::format("there is no instruction i{}: the Program has {}", at->number, numbers.count()));
+    number_ = at->number;
+  }
+  if (const auto* at = std::get_if<AtClock>(&target)) number_ = clocks.first_after(at->clock, begin_);
+  const auto* condition = std::get_if<Condition>(&target);
+  if (condition == nullptr || program.segments.empty()) return;
+  if (!run.region().holds(condition->what.x, condition->what.y)) return;
+  segment_ = run.place().segment;
+  value_ = value_of(condition->what, run);
+  held_ = holds(*condition, value_, value_);
+}
+
+bool Stop::is_behind() const {
+  const bool is_place = std::holds_alternative<AtInstruction>(target_) || std::holds_alternative<AtClock>(target_);
+  return is_place && number_ <= begin_;
+}
+
+bool Stop::begins(std::uint32_t primitive, std::uint64_t number) const {
+  const auto serves = [&](std::uint64_t one) {
+    const auto [segment, index] = numbers_.place(one);
+    const std::uint32_t piece = program_.segments[segment].instructions[index].origin.primitive;
+    return isa::primitive_of(program_.facts, piece) == primitive;
+  };
+  return number < numbers_.count() && serves(number) && (number == 0 || !serves(number - 1));
+}
+
+std::uint64_t Stop::look_at_primitive(std::uint32_t primitive, std::uint64_t from) const {
+  for (std::uint64_t number = from + 1; number < numbers_.count(); ++number)
+    if (begins(primitive, number)) return number;
+  return sim::Run::end;
+}
+
+std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t from) const {
+  for (std::uint64_t number = from; number < numbers_.count();) {
+    const auto [segment, index] = numbers_.place(number);
+    const isa::Segment& part = program_.segments[segment];
+    if (!part.region.holds(condition.what.x, condition.what.y)) {
+      number = numbers_.first(segment + 1);
+      continue;
+    }
+    if (can_change(part.instructions[index], condition.what.field)) return number + 1;
+    ++number;
+  }
+  return sim::Run::end;
+}
+
+std::uint64_t Stop::next_look() {
+  const std::uint64_t from = numbers_.of(run_.place());
+  if (look_ > from) return look_;
+  if (const auto* condition = std::get_if<Condition>(&target_)) {
+    look_ = look_at_condition(*condition, from);
+  } else if (const auto* at = std::get_if<AtPrimitive>(&target_)) {
+    look_ = look_at_primitive(at->primitive, from);
+  } else {
+    look_ = number_ > from ? number_ : sim::Run::end;
+  }
+  return look_;
+}
+
+bool Stop::is_met(const Condition& condition) {
+  const std::uint32_t segment = run_.place().segment;
+  if (!run_.region().holds(condition.what.x, condition.what.y)) return false;
+  if (segment_ != segment) {  // whose memory was 0 when it began
+    segment_ = segment;
+    value_ = 0;
+    held_ = holds(condition, 0, 0);
+  }
+  const std::uint32_t before = value_;
+  value_ = value_of(condition.what, run_);
+  const bool held_before = held_;
+  held_ = condition.relation != Relation::changes && holds(condition, value_, before);
+  return condition.relation == Relation::changes ? value_ != before : held_ && !held_before;
+}
+
+bool Stop::reached() {
+  const std::uint64_t here = numbers_.of(run_.place());
+  if (here < look_ || here == begin_) return false;
+  if (const auto* condition = std::get_if<Condition>(&target_)) return is_met(*condition);
+  if (const auto* at = std::get_if<AtPrimitive>(&target_)) return begins(at->primitive, here);
+  return begin_ < number_ && here >= number_;
+}
+
+}  // namespace csgsim::debug

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "hw/isa/instruction_numbers.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::sim {
+
+/// An instruction boundary of a run: before an instruction, or at the end of its segment.
+struct Place {
+  std::uint32_t segment = 0;
+  std::uint32_t index = 0;  ///< of the segment's next instruction; as many as it has: none is left
+
+  constexpr bool operator==(const Place&) const = default;
+};
+
+/// Numbers of instructions in a whole Program (hw/isa/instruction_numbers.h), and where they stand.
+class Numbers {
+ public:
+  explicit Numbers(const isa::Program& program) : firsts_(isa::first_numbers(program)) {}
+
+  /// Of the whole Program.
+  [[nodiscard]] std::uint64_t count() const { return firsts_.back(); }
+
+  /// Of the instruction there; at a segment's end of the one after it.
+  [[nodiscard]] std::uint64_t of(Place place) const { return firsts_[place.segment] + place.index; }
+
+  /// Of the segment's first instruction.
+  [[nodiscard]] std::uint64_t first(std::uint32_t segment) const { return firsts_[segment]; }
+
+  /// Where the instruction of that number, below count(), stands.
+  [[nodiscard]] Place place(std::uint64_t number) const {
+    const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), number);
+    const auto segment = static_cast<std::uint32_t>(after - firsts_.begin() - 1);
+    return {segment, static_cast<std::uint32_t>(number - firsts_[segment])};
+  }
+
+ private:
+  std::vector<std::uint64_t> firsts_;  ///< of each segment, and the count
+};
+
+}  // namespace csgsim::sim

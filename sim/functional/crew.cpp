@@ -1,0 +1,81 @@
+#include "sim/functional/crew.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+/// Looks so often whether the value is still the old one before it sleeps: a run has the next jobs some microseconds
+/// after the last, and to wake a thread takes longer.
+constexpr int looks = 2000;
+
+template <class Number>
+void wait_while(const std::atomic<Number>& value, Number old) {
+  for (int i = 0; i < looks; ++i) {
+    if (value.load(std::memory_order_acquire) != old) return;
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+Crew::Crew(unsigned threads) : shares_(threads) {
+  for (unsigned thread = 1; thread < threads; ++thread)
+    others_.emplace_back([this, thread](const std::stop_token& stop) { stand_by(thread, stop); });
+}
+
+Crew::~Crew() {
+  for (std::jthread& other : others_) other.request_stop();
+  calls_.fetch_add(1, std::memory_order_release);
+  calls_.notify_all();
+}
+
+void Crew::run(std::size_t jobs, const Work& work) {
+  if (jobs == 0) return;
+  work_ = &work;
+  done_.store(0, std::memory_order_relaxed);
+  for (std::size_t share = 0; share < shares_.size(); ++share)
+    shares_[share].open.store((jobs + shares_.size() - 1 - share) / shares_.size(), std::memory_order_release);
+  if (jobs > 1 && !others_.empty()) {
+    calls_.fetch_add(1, std::memory_order_release);
+    calls_.notify_all();
+  }
+  take_jobs(0);
+  for (std::size_t done = done_.load(std::memory_order_acquire); done != jobs;
+       done = done_.load(std::memory_order_acquire))
+    wait_while(done_, done);
+}
+
+void Crew::take_jobs(unsigned thread) {
+  const auto shares = static_cast<unsigned>(shares_.size());
+  for (unsigned i = 0; i < shares; ++i) {
+    const std::size_t done = take_from((thread + i) % shares, thread);
+    if (done == 0) continue;
+    done_.fetch_add(done, std::memory_order_acq_rel);
+    done_.notify_one();
+  }
+}
+
+std::size_t Crew::take_from(unsigned share, unsigned thread) {
+  std::atomic<std::size_t>& jobs = shares_[share].open;
+  std::size_t done = 0;
+  for (std::size_t open = jobs.load(std::memory_order_acquire); open > 0; open = jobs.load(std::memory_order_acquire)) {
+    if (!jobs.compare_exchange_weak(open, open - 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+    (*work_)((open - 1) * shares_.size() + share, thread);
+    ++done;
+  }
+  return done;
+}
+
+void Crew::stand_by(unsigned thread, const std::stop_token& stop) {
+  std::uint64_t seen = 0;
+  while (!stop.stop_requested()) {
+    wait_while(calls_, seen);
+    seen = calls_.load(std::memory_order_acquire);
+    take_jobs(thread);
+  }
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,200 @@
+#include "sim/functional/lane_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/functional/lane_kernels.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+#include "sim/functional/block_lanes-inl.h"
+#include "sim/functional/mask_bits-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace csgsim::sim {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+void count_work(const Enabled& pixels, std::uint64_t blocks) {
+  const auto number = static_cast<std::uint64_t>(std::popcount(blocks));
+  pixels.work.words += number;
+  pixels.work.lanes += number * block_pixels;
+}
+
+void set_block(const Enabled& pixels, Lanes& lanes, unsigned block, std::uint32_t value) {
+  if (lanes.is_constant(block)) {
+    if (lanes.least[block] == value) return;
+    fill(lanes, block);
+  }
+  write_block(lanes.block(block), pixels.enable.word(block, pixels.shape),
+              [&](std::size_t /*from*/, Numbers /*old*/) { return hn::Set(NumberTag(), value); });
+  widen(lanes, block, value, value);
+}
+
+void set_all(const Enabled& pixels, Lanes& lanes, std::uint32_t value) {
+  each_bit(pixels.enable.full(), [&](unsigned block) { lanes.set_constant(block, value); });
+  count_work(pixels, pixels.enable.mixed());
+  each_bit(pixels.enable.mixed(), [&](unsigned block) { set_block(pixels, lanes, block, value); });
+}
+
+void copy_block(const Enabled& pixels, Lanes& target, const Lanes& source, unsigned block) {
+  if (source.is_constant(block)) return set_block(pixels, target, block, source.least[block]);
+  if (target.is_constant(block)) fill(target, block);
+  const std::uint32_t* const from_block = source.block(block);
+  write_block(target.block(block), pixels.enable.word(block, pixels.shape),
+              [&](std::size_t from, Numbers /*old*/) { return hn::LoadU(NumberTag(), from_block + from); });
+  widen(target, block, source.least[block], source.greatest[block]);
+}
+
+void copy_all(const Enabled& pixels, Lanes& target, const Lanes& source) {
+  std::uint64_t moved = pixels.enable.mixed();
+  each_bit(pixels.enable.full(), [&](unsigned block) {
+    target.least[block] = source.least[block];
+    target.greatest[block] = source.greatest[block];
+    if (source.is_constant(block)) return;
+    moved |= std::uint64_t{1} << block;
+    std::copy_n(source.block(block), block_pixels, target.block(block));
+  });
+  count_work(pixels, moved);
+  each_bit(pixels.enable.mixed(), [&](unsigned block) { copy_block(pixels, target, source, block); });
+}
+
+void add_all(const Enabled& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits) {
+  count_work(pixels, pixels.enable.any());
+  each_bit(pixels.enable.any(), [&](unsigned block) {
+    if (target.is_constant(block)) fill(target, block);
+    const BlockNumbers addend(source, block);
+    write_block(target.block(block), pixels.enable.word(block, pixels.shape), [&](std::size_t from, Numbers old) {
+      return hn::And(hn::Add(old, addend.at(from)), hn::Set(NumberTag(), low_bits));
+    });
+    bound(target, block);
+  });
+}
+
+/// Blocks in which every value of one is less than every one of the other, by their bounds.
+std::uint64_t all_less(const Bounds& greatest, const Bounds& least) {
+  return each_bound(greatest, least, [](Numbers high, Numbers low) { return hn::Lt(high, low); });
+}
+std::uint64_t all_less_or_equal(const Bounds& greatest, const Bounds& least) {
+  return each_bound(greatest, least, [](Numbers high, Numbers low) { return hn::Not(hn::Gt(high, low)); });
+}
+std::uint64_t same(const Bounds& left, const Bounds& right) {
+  return each_bound(left, right, [](Numbers l, Numbers r) { return hn::Eq(l, r); });
+}
+
+/// Blocks for which a test comes out the same at every pixel.
+struct Decided {
+  std::uint64_t all = 0;
+  std::uint64_t none = 0;
+};
+
+Decided decided(Comparison comparison, const Lanes& left, const Lanes& right) {
+  switch (comparison) {
+    case Comparison::less: return {all_less(left.greatest, right.least), all_less_or_equal(right.greatest, left.least)};
+    case Comparison::less_or_equal:
+      return {all_less_or_equal(left.greatest, right.least), all_less(right.greatest, left.least)};
+    case Comparison::equal: break;
+  }
+  return {same(left.least, left.greatest) & same(right.least, right.greatest) & same(left.least, right.least),
+          all_less(left.greatest, right.least) | all_less(right.greatest, left.least)};
+}
+
+template <class Holds>
+void test_blocks(const Enabled& pixels, std::uint64_t blocks, const Lanes& left, const Lanes& right,
+                 const Holds& holds) {
+  each_bit(blocks, [&](unsigned block) {
+    const BlockNumbers l(left, block);
+    const BlockNumbers r(right, block);
+    const std::uint64_t word = test_block([&](std::size_t from) { return holds(l.at(from), r.at(from)); });
+    pixels.enable.set_word(block, pixels.enable.word(block, pixels.shape) & word, pixels.shape);
+  });
+}
+
+void compare_blocks(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
+  const Decided by_bounds = pixels.decide == Decide::by_block ? decided(comparison, left, right) : Decided{};
+  pixels.enable.clear_blocks(by_bounds.none);
+  const std::uint64_t open = pixels.enable.any() & ~by_bounds.all;
+  count_work(pixels, open);
+  switch (comparison) {
+    case Comparison::less:
+      return test_blocks(pixels, open, left, right, [](Numbers l, Numbers r) { return hn::Lt(l, r); });
+    case Comparison::less_or_equal:
+      return test_blocks(pixels, open, left, right, [](Numbers l, Numbers r) { return hn::Not(hn::Gt(l, r)); });
+    case Comparison::equal:
+      return test_blocks(pixels, open, left, right, [](Numbers l, Numbers r) { return hn::Eq(l, r); });
+  }
+}
+
+std::uint32_t compare_all(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
+  compare_blocks(pixels, comparison, left, right);
+  return count(pixels.enable, pixels.shape);
+}
+
+std::uint32_t count_all(const TileBits& bits, const TileShape& shape) { return count(bits, shape); }
+
+void fill_one(Lanes& lanes, unsigned block) { fill(lanes, block); }
+void bound_one(Lanes& lanes, unsigned block) { bound(lanes, block); }
+
+std::uint64_t gather(const std::uint32_t* block, unsigned bit) {
+  const Numbers one = hn::Set(NumberTag(), std::uint32_t{1} << bit);
+  return test_block([&](std::size_t from) { return hn::TestBit(hn::LoadU(NumberTag(), block + from), one); });
+}
+
+void scatter(std::uint64_t bits, std::uint32_t* block, unsigned bit) {
+  write_block(block, bits, [&](std::size_t /*from*/, Numbers old) {
+    return hn::Or(old, hn::Set(NumberTag(), std::uint32_t{1} << bit));
+  });
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace csgsim::sim
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace csgsim::sim {
+
+HWY_EXPORT(count_all);
+HWY_EXPORT(set_all);
+HWY_EXPORT(copy_all);
+HWY_EXPORT(add_all);
+HWY_EXPORT(compare_all);
+HWY_EXPORT(fill_one);
+HWY_EXPORT(bound_one);
+HWY_EXPORT(gather);
+HWY_EXPORT(scatter);
+
+std::uint32_t count_ones(const TileBits& bits, const TileShape& shape) {
+  return HWY_DYNAMIC_DISPATCH(count_all)(bits, shape);
+}
+
+void set_lanes(const Enabled& pixels, Lanes& lanes, std::uint32_t value) {
+  HWY_DYNAMIC_DISPATCH(set_all)(pixels, lanes, value);
+}
+
+void copy_lanes(const Enabled& pixels, Lanes& target, const Lanes& source) {
+  HWY_DYNAMIC_DISPATCH(copy_all)(pixels, target, source);
+}
+
+void add_lanes(const Enabled& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits) {
+  HWY_DYNAMIC_DISPATCH(add_all)(pixels, target, source, low_bits);
+}
+
+std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
+  return HWY_DYNAMIC_DISPATCH(compare_all)(pixels, comparison, left, right);
+}
+
+void fill_block(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(fill_one)(lanes, block); }
+void find_bounds(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(bound_one)(lanes, block); }
+
+std::uint64_t gather_bit(const std::uint32_t* block, unsigned bit) { return HWY_DYNAMIC_DISPATCH(gather)(block, bit); }
+
+void scatter_bit(std::uint64_t bits, std::uint32_t* block, unsigned bit) {
+  HWY_DYNAMIC_DISPATCH(scatter)(bits, block, bit);
+}
+
+}  // namespace csgsim::sim
+#endif

@@ -1,0 +1,104 @@
+#include "sim/functional/run.h"
+
+#include <algorithm>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+#include "hw/machines/clocks.h"
+#include "hw/machines/runs_on.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+using Instructions = std::span<const isa::Instruction>;
+using Observers = std::span<Observer* const>;
+
+}  // namespace
+
+FunctionalRun::FunctionalRun(const isa::Program& program, const machines::Machine& machine, unsigned threads)
+    : program_(program), machine_(machine), numbers_(program), tiles_(program, threads) {
+  machines::check_runs_on(program, machine_);
+  if (!program.segments.empty()) tiles_.begin(program.segments.front().region);
+}
+
+Instructions FunctionalRun::instructions() const { return program_.segments[place_.segment].instructions; }
+
+bool FunctionalRun::finished() const {
+  return program_.segments.empty() || (told_end_ && place_.segment + 1 == program_.segments.size());
+}
+
+void FunctionalRun::tell_end(Observers observers) {
+  if (told_end_) return;
+  for (Observer* const observer : observers) observer->after_segment(place_.segment, tiles_);
+  told_end_ = true;
+}
+
+void FunctionalRun::advance(std::uint64_t number, Observers observers) {
+  while (!finished()) {
+    const std::uint64_t next = numbers_.of(place_);
+    if (place_.index < instructions().size()) {
+      if (next >= number) return;
+      execute_stretch(number - next, observers);
+      continue;
+    }
+    tell_end(observers);
+    if (finished() || next >= number) return;
+    place_ = {place_.segment + 1, 0};
+    told_end_ = false;
+    tiles_.begin(program_.segments[place_.segment].region);
+  }
+}
+
+void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
+  const Instructions left = instructions().subspan(place_.index);
+  const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(most, left.size())));
+  const Stretch stretch(within, observers);
+  const Instructions executed = stretch.instructions();
+  const Tiles::Tally tally = tiles_.execute(stretch);
+  overflows_ += tally.overflows;
+  for (std::size_t i = 0; i < executed.size(); ++i) {
+    const Step step{place_.segment, place_.index + static_cast<std::uint32_t>(i), executed[i],
+                    machines::clocks(executed[i], machine_), tally.enabled[i]};
+    if (step.instruction.opcode == isa::Opcode::global_or) answers_.push_back(step.enabled_pixels != 0);
+    for (Observer* const observer : observers)
+      if (!stretch.is_looked_at(i) || !observer->reads_enable_alone(step.instruction))
+        observer->after_instruction(step, tiles_);
+  }
+  place_.index += static_cast<std::uint32_t>(executed.size());
+  const std::uint64_t skipped = isa::skipped_after(executed.back(), tally.enabled.back());
+  if (skipped == 0) return;
+  skips_.push_back({place_.segment, place_.index - 1});
+  skipped_ += skipped;
+  place_.index += static_cast<std::uint32_t>(skipped);
+}
+
+RunState FunctionalRun::save() const {
+  RunState state{place_, told_end_, overflows_, skipped_, answers_, skips_, {}};
+  if (!program_.segments.empty()) state.planes = tiles_.planes();
+  return state;
+}
+
+void FunctionalRun::restore(const RunState& state) {
+  place_ = state.place;
+  told_end_ = state.told_end;
+  overflows_ = state.overflows;
+  skipped_ = state.skipped;
+  answers_ = state.answers;
+  skips_ = state.skips;
+  if (program_.segments.empty()) return;
+  tiles_.begin(program_.segments[place_.segment].region);
+  tiles_.load(state.planes);
+}
+
+RunResult FunctionalRun::result() const {
+  RunResult result;
+  result.overflows = overflows_;
+  result.skipped = skipped_;
+  result.answers = answers_;
+  result.work = tiles_.work();
+  put(machines::time_frame(program_, machine_, skips_), result);
+  return result;
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "hw/machines/machine.h"
+#include "sim/engine/run.h"
+#include "sim/functional/tiles.h"
+
+namespace csgsim::sim {
+
+/// A run in bit planes. The Program has to outlive it.
+class FunctionalRun final : public Run {
+ public:
+  /// Throws InputError if the machine lacks what the Program needs.
+  FunctionalRun(const isa::Program& program, const machines::Machine& machine, unsigned threads);
+
+  [[nodiscard]] Place place() const override { return place_; }
+  [[nodiscard]] bool finished() const override;
+  void advance(std::uint64_t number, std::span<Observer* const> observers) override;
+  [[nodiscard]] RunState save() const override;
+  void restore(const RunState& state) override;
+  [[nodiscard]] RunResult result() const override;
+
+  [[nodiscard]] isa::Region region() const override { return tiles_.region(); }
+  void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
+    tiles_.read_field(field, values);
+  }
+  void read_enable(std::span<std::uint64_t> words) const override { tiles_.read_enable(words); }
+  [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const override {
+    return tiles_.value(field, x, y);
+  }
+  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const override { return tiles_.enabled(x, y); }
+
+ private:
+  [[nodiscard]] std::span<const isa::Instruction> instructions() const;
+  /// Carries out instructions, `most` at most, until one after which an observer looks at the pixels.
+  void execute_stretch(std::uint64_t most, std::span<Observer* const> observers);
+  void tell_end(std::span<Observer* const> observers);
+
+  const isa::Program& program_;
+  machines::Machine machine_;
+  Numbers numbers_;
+  Tiles tiles_;
+  Place place_;
+  bool told_end_ = false;
+  std::uint64_t overflows_ = 0;
+  std::uint64_t skipped_ = 0;
+  std::vector<bool> answers_;
+  std::vector<machines::Skip> skips_;
+};
+
+}  // namespace csgsim::sim

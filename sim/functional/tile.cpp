@@ -1,0 +1,344 @@
+#include "sim/functional/tile.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "sim/functional/linear_kernels.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+using isa::Field;
+using isa::Instruction;
+using isa::Opcode;
+
+/// Fields no wider than this stay in bit planes as long as only bits of theirs are moved and compared.
+constexpr unsigned max_width_as_bits = 8;
+
+LinearKind kind_of(Opcode opcode) {
+  switch (opcode) {
+    case Opcode::edge_negative:
+    case Opcode::stripe: return LinearKind::negative;
+    case Opcode::linear_ge: return LinearKind::greater_or_equal;
+    case Opcode::linear_gt: return LinearKind::greater;
+    case Opcode::linear_le: return LinearKind::less_or_equal;
+    case Opcode::linear_lt: return LinearKind::less;
+    case Opcode::linear_eq: return LinearKind::equal;
+    case Opcode::load_linear: return LinearKind::load;
+    case Opcode::keep_max: return LinearKind::keep_max;
+    case Opcode::keep_min: return LinearKind::keep_min;
+    case Opcode::edge_not_negative:
+    case Opcode::enable_all:
+    case Opcode::enable_invert:
+    case Opcode::enable_load:
+    case Opcode::enable_and:
+    case Opcode::enable_and_not:
+    case Opcode::enable_or:
+    case Opcode::enable_xor:
+    case Opcode::enable_store:
+    case Opcode::set_constant:
+    case Opcode::copy:
+    case Opcode::field_lt:
+    case Opcode::field_le:
+    case Opcode::field_eq:
+    case Opcode::bit_and:
+    case Opcode::bit_or:
+    case Opcode::bit_xor:
+    case Opcode::bit_and_not:
+    case Opcode::bit_not:
+    case Opcode::global_or:
+    case Opcode::xor_constant:
+    case Opcode::skip_if_none:
+    case Opcode::add: break;
+  }
+  return LinearKind::not_negative;
+}
+
+Comparison comparison_of(Opcode opcode) {
+  return opcode == Opcode::field_lt   ? Comparison::less
+         : opcode == Opcode::field_le ? Comparison::less_or_equal
+                                      : Comparison::equal;
+}
+
+}  // namespace
+
+Tile::Tile(std::uint32_t x, std::uint32_t y, TileShape shape, std::uint32_t memory_bits, Decide decide)
+    : x_(x), y_(y), shape_(shape), decide_(decide), memory_(shape, memory_bits) {}
+
+void Tile::clear() {
+  memory_.clear();
+  enable_.clear();
+  enabled_ = 0;
+}
+
+void Tile::write_enable(const std::uint64_t* rows, std::size_t stride) {
+  read_rows(rows, stride, shape_, enable_);
+  enabled_ = count_ones(enable_, shape_);
+}
+
+void Tile::write_bit(unsigned bit, const std::uint64_t* rows, std::size_t stride) {
+  read_rows(rows, stride, shape_, memory_.plane(bit));
+}
+
+std::uint64_t Tile::execute(const Instruction& instruction) {
+  const auto& fields = instruction.fields;
+  ++work_.instructions;
+  switch (instruction.opcode) {
+    case Opcode::enable_all:
+      enable_.fill(shape_);
+      enabled_ = shape_.area();
+      return 0;
+    case Opcode::enable_invert: invert_enable(); break;
+    case Opcode::enable_load:
+    case Opcode::enable_and:
+    case Opcode::enable_and_not:
+    case Opcode::enable_or:
+    case Opcode::enable_xor: combine_enable(instruction.opcode, fields[0].base); break;
+    case Opcode::enable_store: memory_.plane(fields[0].base).assign(enable_); return 0;
+    case Opcode::edge_not_negative:
+    case Opcode::edge_negative:
+    case Opcode::stripe:
+    case Opcode::linear_ge:
+    case Opcode::linear_gt:
+    case Opcode::linear_le:
+    case Opcode::linear_lt:
+    case Opcode::linear_eq:
+    case Opcode::load_linear:
+    case Opcode::keep_max:
+    case Opcode::keep_min: return execute_linear(instruction);
+    case Opcode::set_constant: set_constant(fields[0], instruction.constant); return 0;
+    case Opcode::copy: copy(fields[0], fields[1]); return 0;
+    case Opcode::field_lt:
+    case Opcode::field_le:
+    case Opcode::field_eq: compare(instruction.opcode, fields[0], fields[1]); return 0;
+    case Opcode::bit_and:
+    case Opcode::bit_or:
+    case Opcode::bit_xor:
+    case Opcode::bit_and_not:
+    case Opcode::bit_not: combine_bits(instruction); return 0;
+    case Opcode::global_or:
+    case Opcode::skip_if_none: return 0;
+    case Opcode::xor_constant: xor_constant(fields[0], instruction.constant); return 0;
+    case Opcode::add: add(fields[0], fields[1]); return 0;
+  }
+  enabled_ = count_ones(enable_, shape_);
+  return 0;
+}
+
+void Tile::invert_enable() {
+  const std::uint64_t full = enable_.full();
+  const std::uint64_t none = shape_.blocks() & ~enable_.any();
+  each_bit(enable_.mixed(), [&](unsigned block) {
+    enable_.set_word(block, enable_.word(block, shape_) ^ shape_.pixels(block), shape_);
+  });
+  enable_.clear_blocks(full);
+  enable_.fill_blocks(none);
+}
+
+void Tile::combine_enable(Opcode opcode, unsigned bit) {
+  const bool within_enable = opcode == Opcode::enable_and || opcode == Opcode::enable_and_not;
+  const TileBits& source = memory_.read(bit, within_enable ? enable_.any() : shape_.blocks(), first_copy_);
+  const auto combine = [&](std::uint64_t blocks, const auto& combined) {
+    each_bit(blocks, [&](unsigned block) {
+      enable_.set_word(block, combined(enable_.word(block, shape_), source.word(block, shape_)), shape_);
+    });
+  };
+  using Word = std::uint64_t;
+  if (opcode == Opcode::enable_load) {
+    enable_.assign(source);
+  } else if (opcode == Opcode::enable_and) {
+    enable_.clear_blocks(~source.any());
+    combine(enable_.any() & ~source.full(), [](Word e, Word s) { return e & s; });
+  } else if (opcode == Opcode::enable_and_not) {
+    enable_.clear_blocks(source.full());
+    combine(enable_.any() & source.any(), [](Word e, Word s) { return e & ~s; });
+  } else if (opcode == Opcode::enable_or) {
+    enable_.fill_blocks(source.full());
+    combine(source.mixed() & ~enable_.full(), [](Word e, Word s) { return e | s; });
+  } else {
+    combine(source.any(), [](Word e, Word s) { return e ^ s; });
+  }
+}
+
+std::uint64_t Tile::execute_linear(const Instruction& instruction) {
+  if (enabled_ == 0) return 0;
+  LinearTask task;
+  task.kind = kind_of(instruction.opcode);
+  const auto& [a, b, c, width, shift] = instruction.linear;
+  task.linear = {a, b, c + a * x_ + b * y_, width, shift};
+  if (const Field field = instruction.fields[0]; field.width > 0) task.lanes = &memory_.lanes(field);
+  const LinearResult result = run_linear(pixels(), task, enabled_);
+  enabled_ = result.enabled;
+  return isa::cuts_sum(instruction.opcode) ? 0 : result.overflows;
+}
+
+bool Tile::as_bits(Field first, Field second) const {
+  if (first.width == 1) return true;
+  return first.width <= max_width_as_bits && memory_.in_planes(first) &&
+         (second.width == 0 || memory_.in_planes(second));
+}
+
+void Tile::set_constant(Field target, std::uint64_t constant) {
+  if (enabled_ == 0) return;
+  if (as_bits(target, {})) {
+    for (unsigned bit = 0; bit < target.width; ++bit) {
+      TileBits& plane = memory_.plane(target.base + bit);
+      const std::uint64_t value = (constant >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
+      work_.words += static_cast<std::uint64_t>(std::popcount(enable_.mixed()));
+      if (value == 0) {
+        plane.clear_blocks(enable_.full());
+      } else {
+        plane.fill_blocks(enable_.full());
+      }
+      each_bit(enable_.mixed(), [&](unsigned block) {
+        const std::uint64_t mask = enable_.word(block, shape_);
+        plane.set_word(block, (plane.word(block, shape_) & ~mask) | (value & mask), shape_);
+      });
+    }
+    return;
+  }
+  if (!memory_.in_lanes(target)) {
+    if (const std::vector<Field> parts = memory_.parts(target); !parts.empty()) {
+      for (const Field& part : parts) {
+        const std::uint64_t ones = (std::uint64_t{1} << part.width) - 1;
+        set_constant(part, constant >> static_cast<unsigned>(part.base - target.base) & ones);
+      }
+      return;
+    }
+  }
+  set_lanes(pixels(), memory_.lanes(target), static_cast<std::uint32_t>(constant));
+}
+
+/// Whether the source is held in parts as those of the target.
+bool Tile::has_parts_of(Field source, Field target, const std::vector<Field>& parts) const {
+  const std::vector<Field> others = memory_.parts(source);
+  return std::equal(parts.begin(), parts.end(), others.begin(), others.end(),
+                    [&](const Field& one, const Field& other) {
+                      return one.width == other.width && one.base - target.base == other.base - source.base;
+                    });
+}
+
+void Tile::copy(Field target, Field source) {
+  if (enabled_ == 0) return;
+  if (as_bits(target, source)) {
+    for (unsigned bit = 0; bit < target.width; ++bit) {
+      TileBits& to = memory_.plane(target.base + bit);
+      const TileBits& from = memory_.read(source.base + bit, enable_.any(), first_copy_);
+      work_.words += static_cast<std::uint64_t>(std::popcount(enable_.any()));
+      write_where(enable_, to, shape_, [&](unsigned block) { return from.word(block, shape_); });
+    }
+    return;
+  }
+  if (!memory_.in_lanes(target)) {
+    if (const std::vector<Field> parts = memory_.parts(target); !parts.empty() && has_parts_of(source, target, parts)) {
+      for (const Field& part : parts)
+        copy(part, {static_cast<std::uint16_t>(source.base + part.base - target.base), part.width});
+      return;
+    }
+  }
+  Lanes& to = memory_.lanes(target);
+  copy_lanes(pixels(), to, memory_.lanes(source));
+}
+
+void Tile::compare(Opcode opcode, Field left, Field right) {
+  if (enabled_ == 0) return;
+  if (as_bits(left, right)) return compare_bits(comparison_of(opcode), left, right);
+  Lanes& s = memory_.lanes(left);
+  enabled_ = compare_lanes(pixels(), comparison_of(opcode), s, memory_.lanes(right));
+}
+
+void Tile::compare_bits(Comparison comparison, Field left, Field right) {
+  std::array<std::uint64_t, blocks_a_tile> less{};
+  std::array<std::uint64_t, blocks_a_tile> differ{};
+  const std::uint64_t blocks = enable_.any();
+  work_.words += static_cast<std::uint64_t>(std::popcount(blocks)) * left.width;
+  for (unsigned bit = 0; bit < left.width; ++bit) {
+    const TileBits& s = memory_.read(left.base + bit, blocks, first_copy_);
+    const TileBits& r = memory_.read(right.base + bit, blocks, second_copy_);
+    each_bit(blocks, [&](unsigned block) {
+      const std::uint64_t s_word = s.word(block, shape_);
+      const std::uint64_t r_word = r.word(block, shape_);
+      less[block] = (~s_word & r_word) | (~(s_word ^ r_word) & less[block]);
+      differ[block] |= s_word ^ r_word;
+    });
+  }
+  each_bit(blocks, [&](unsigned block) {
+    const std::uint64_t holds = comparison == Comparison::less            ? less[block]
+                                : comparison == Comparison::less_or_equal ? less[block] | ~differ[block]
+                                                                          : ~differ[block];
+    enable_.set_word(block, enable_.word(block, shape_) & holds, shape_);
+  });
+  enabled_ = count_ones(enable_, shape_);
+}
+
+void Tile::combine_bits(const Instruction& instruction) {
+  if (enabled_ == 0) return;
+  const auto [target, left, right] = instruction.fields;
+  for (unsigned bit = 0; bit < target.width; ++bit) {
+    combine_bit(instruction.opcode, target.base + bit, left.base + bit, right.base + bit);
+  }
+}
+
+void Tile::combine_bit(Opcode opcode, unsigned target, unsigned left, unsigned right) {
+  const std::uint64_t blocks = enable_.any();
+  work_.words += static_cast<std::uint64_t>(std::popcount(blocks));
+  TileBits& t = memory_.plane(target);
+  const TileBits& s = memory_.read(left, blocks, first_copy_);
+  const bool is_not = opcode == Opcode::bit_not;
+  const TileBits& r = is_not ? s : memory_.read(right, blocks, second_copy_);
+  const auto write = [&](auto combine) {
+    write_where(enable_, t, shape_,
+                [&](unsigned block) { return combine(s.word(block, shape_), r.word(block, shape_)); });
+  };
+  using Word = std::uint64_t;
+  if (is_not)
+    write([](Word a, Word) { return ~a; });
+  else if (opcode == Opcode::bit_and)
+    write([](Word a, Word b) { return a & b; });
+  else if (opcode == Opcode::bit_or)
+    write([](Word a, Word b) { return a | b; });
+  else if (opcode == Opcode::bit_xor)
+    write([](Word a, Word b) { return a ^ b; });
+  else
+    write([](Word a, Word b) { return a & ~b; });
+}
+
+void Tile::add(Field target, Field source) {
+  if (enabled_ == 0) return;
+  if (as_bits(target, source)) return add_bits(target, source);
+  Lanes& to = memory_.lanes(target);
+  const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
+  add_lanes(pixels(), to, memory_.lanes(source), low_bits);
+}
+
+/// A full adder a word of pixels at a time, its carry rippling from bit to bit.
+void Tile::add_bits(Field target, Field source) {
+  std::array<std::uint64_t, blocks_a_tile> carries{};
+  work_.words += static_cast<std::uint64_t>(std::popcount(enable_.any())) * target.width;
+  for (unsigned bit = 0; bit < target.width; ++bit) {
+    TileBits& t = memory_.plane(target.base + bit);
+    const bool in_source = bit < source.width;
+    const TileBits* const s = in_source ? &memory_.read(source.base + bit, enable_.any(), first_copy_) : nullptr;
+    write_where(enable_, t, shape_, [&](unsigned block) {
+      std::uint64_t& carry = carries[block];
+      const std::uint64_t t_word = t.word(block, shape_);
+      const std::uint64_t s_word = s == nullptr ? 0 : s->word(block, shape_);
+      const std::uint64_t half = t_word ^ s_word;
+      const std::uint64_t sum = half ^ carry;
+      carry = (t_word & s_word) | (half & carry);
+      return sum;
+    });
+  }
+}
+
+void Tile::xor_constant(Field target, std::uint64_t constant) {
+  if (enabled_ == 0) return;
+  for (unsigned bit = 0; bit < target.width; ++bit) {
+    if ((constant >> bit & 1U) != 0) combine_bit(Opcode::bit_not, target.base + bit, target.base + bit, 0);
+  }
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/isa/instruction.h"
+#include "sim/engine/work.h"
+#include "sim/functional/lane_kernels.h"
+#include "sim/functional/memory.h"
+#include "sim/functional/tile_bits.h"
+
+namespace csgsim::sim {
+
+/// Up to 64 x 64 pixels of a segment: memory and enable. An instruction costs time for the blocks of 8 x 8 pixels that
+/// it does not treat alike only. Tiles of one segment share nothing.
+class alignas(64) Tile {
+ public:
+  /// Its first pixel is (x, y) of the segment.
+  Tile(std::uint32_t x, std::uint32_t y, TileShape shape, std::uint32_t memory_bits, Decide decide);
+
+  /// Memory and enable 0, as a segment begins.
+  void clear();
+
+  /// Carries out one valid instruction. Returns the number of enabled pixels at which A*x + B*y + C did not fit its
+  /// width, but had to.
+  std::uint64_t execute(const isa::Instruction& instruction);
+
+  [[nodiscard]] std::uint32_t x() const { return x_; }
+  [[nodiscard]] std::uint32_t y() const { return y_; }
+  [[nodiscard]] const TileShape& shape() const { return shape_; }
+  [[nodiscard]] const Work& work() const { return work_; }
+
+  /// Pixels whose E is 1.
+  [[nodiscard]] std::uint32_t enabled() const { return enabled_; }
+
+  [[nodiscard]] const Memory& memory() const { return memory_; }
+  [[nodiscard]] const TileBits& enable() const { return enable_; }
+  /// A bit of memory, to look at.
+  [[nodiscard]] const TileBits& bit(unsigned number, TileBits& copy) const {
+    return memory_.read(number, shape_.blocks(), copy);
+  }
+  /// Rows of 64 pixels, as read_rows reads them.
+  void write_enable(const std::uint64_t* rows, std::size_t stride);
+  void write_bit(unsigned bit, const std::uint64_t* rows, std::size_t stride);
+
+  /// Of one pixel of the tile.
+  [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const {
+    return memory_.value(field, x, y);
+  }
+  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const {
+    return (enable_.word(block_of(x, y), shape_) >> bit_of(x, y) & 1U) != 0;
+  }
+
+ private:
+  [[nodiscard]] Enabled pixels() { return {enable_, shape_, decide_, work_}; }
+
+  void invert_enable();
+  void combine_enable(isa::Opcode opcode, unsigned bit);
+  std::uint64_t execute_linear(const isa::Instruction& instruction);
+
+  void set_constant(isa::Field target, std::uint64_t constant);
+  void copy(isa::Field target, isa::Field source);
+  [[nodiscard]] bool has_parts_of(isa::Field source, isa::Field target, const std::vector<isa::Field>& parts) const;
+  void compare(isa::Opcode opcode, isa::Field left, isa::Field right);
+  void compare_bits(Comparison comparison, isa::Field left, isa::Field right);
+  void combine_bits(const isa::Instruction& instruction);
+  void combine_bit(isa::Opcode opcode, unsigned target, unsigned left, unsigned right);
+  void add(isa::Field target, isa::Field source);
+  void add_bits(isa::Field target, isa::Field source);
+  void xor_constant(isa::Field target, std::uint64_t constant);
+  [[nodiscard]] bool as_bits(isa::Field first, isa::Field second) const;
+
+  std::uint32_t x_;
+  std::uint32_t y_;
+  TileShape shape_;
+  Decide decide_;
+  Memory memory_;
+  TileBits enable_;
+  std::uint32_t enabled_ = 0;
+  Work work_;
+  TileBits first_copy_;   ///< bits read from lanes
+  TileBits second_copy_;  ///< bits read from lanes
+};
+
+}  // namespace csgsim::sim

@@ -1,0 +1,90 @@
+#include "sim/lockstep/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace csgsim::sim {
+
+namespace {
+
+/// Instructions from one comparison of all memory to the next, where that takes longer than an instruction.
+constexpr std::uint64_t usual_stride = 512;
+
+bool same_operation(const isa::Instruction& a, const isa::Instruction& b) {
+  return a.opcode == b.opcode && a.fields == b.fields && a.linear == b.linear && a.constant == b.constant;
+}
+
+/// As many instructions for each region.
+bool same_layout(const isa::Program& a, const isa::Program& b) {
+  return std::equal(a.segments.begin(), a.segments.end(), b.segments.begin(), b.segments.end(),
+                    [](const isa::Segment& one, const isa::Segment& other) {
+                      return one.region == other.region && one.instructions.size() == other.instructions.size();
+                    });
+}
+
+Comparison run_both(const Side& a, const Side& b, LockstepSettings settings) {
+  Comparison comparison;
+  const std::unique_ptr<Run> b_run = b.engine.begin(b.program);
+  FrameObserver a_frame(a.program);
+  FrameObserver b_frame(b.program);
+  const std::array<Observer*, 1> b_observers{&b_frame};
+  Lockstep lockstep(a.program, b.program, *b_run, settings, b_observers);
+  const std::array<Observer*, 2> a_observers{&a_frame, &lockstep};
+  comparison.a.result = a.engine.run(a.program, a_observers);
+  lockstep.finish();
+  comparison.b.result = b_run->result();
+  comparison.a.frame = a_frame.frame();
+  comparison.b.frame = b_frame.frame();
+  comparison.divergence = lockstep.divergence();
+  comparison.compared = lockstep.compared();
+  // What was found late may have been there before: the instructions since the last look at everything are gone
+  // through again, with all of memory compared after each.
+  const bool may_be_late = comparison.divergence && comparison.divergence->pixel && settings.whole_every > 1;
+  if (!may_be_late) return comparison;
+  settings.whole_every = 1;
+  settings.begin = lockstep.whole_until();
+  return run_both(a, b, settings);
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> first_other_instruction(const isa::Program& a, const isa::Program& b) {
+  std::uint64_t number = 0;
+  for (std::size_t s = 0; s < std::max(a.segments.size(), b.segments.size()); ++s) {
+    if (s >= a.segments.size() || s >= b.segments.size() || a.segments[s].region != b.segments[s].region) return number;
+    const std::vector<isa::Instruction>& ours = a.segments[s].instructions;
+    const std::vector<isa::Instruction>& theirs = b.segments[s].instructions;
+    const auto [at, other] = std::mismatch(ours.begin(), ours.end(), theirs.begin(), theirs.end(), same_operation);
+    number += static_cast<std::uint64_t>(at - ours.begin());
+    if (at != ours.end() || other != theirs.end()) return number;
+  }
+  return std::nullopt;
+}
+
+std::optional<PictureDifference> first_difference(const Frame& a, const Frame& b) {
+  std::optional<PictureDifference> difference;
+  for (std::size_t i = 0; i < a.owner.size(); ++i) {
+    if (a.owner[i] == b.owner[i] && a.depth[i] == b.depth[i] && a.colour[i] == b.colour[i]) continue;
+    if (!difference) {
+      difference = {static_cast<std::uint32_t>(i % a.width), static_cast<std::uint32_t>(i / a.width), 0};
+    }
+    ++difference->pixels;
+  }
+  return difference;
+}
+
+Comparison compare(const Side& a, const Side& b) {
+  LockstepSettings settings;
+  settings.whole_every = usual_stride;
+  settings.clocks = machines::same_hardware(a.machine, b.machine);
+  const std::optional<std::uint64_t> other = first_other_instruction(a.program, b.program);
+  if (other && !same_layout(a.program, b.program)) settings.end = *other;
+  Comparison comparison = run_both(a, b, settings);
+  comparison.other_instruction = other;
+  comparison.picture = first_difference(comparison.a.frame, comparison.b.frame);
+  return comparison;
+}
+
+}  // namespace csgsim::sim

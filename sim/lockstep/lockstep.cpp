@@ -1,0 +1,70 @@
+#include "sim/lockstep/lockstep.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace csgsim::sim {
+
+Lockstep::Lockstep(const isa::Program& a, const isa::Program& b, Run& b_run, LockstepSettings settings,
+                   std::span<Observer* const> b_observers)
+    : b_program_(b),
+      a_numbers_(a),
+      b_numbers_(b),
+      b_(b_run),
+      settings_(settings),
+      comparison_(a, std::min(a.shape.memory_bits, b.shape.memory_bits)),
+      b_observers_(b_observers.begin(), b_observers.end()) {
+  b_observers_.push_back(&last_);
+}
+
+void Lockstep::differ(Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise) {
+  divergence_ = Divergence{place, std::move(pixel), std::move(otherwise)};
+  compares_ = false;
+}
+
+std::optional<TwoValues> Lockstep::other_step(const Step& step) const {
+  if (settings_.clocks && last_.clocks != step.clocks) return TwoValues{"clocks", step.clocks, last_.clocks};
+  if (last_.enabled_pixels != step.enabled_pixels)
+    return TwoValues{"enabled pixels", step.enabled_pixels, last_.enabled_pixels};
+  return std::nullopt;
+}
+
+void Lockstep::after_instruction(const Step& step, const PixelState& state) {
+  if (!compares_) return;
+  const Place place{step.segment, step.index};
+  const std::uint64_t number = a_numbers_.of(place);
+  if (number >= settings_.end) {
+    compares_ = false;
+    return;
+  }
+  const std::uint64_t next = b_numbers_.of(b_.place());
+  if (next == number && !b_.finished()) b_.advance(number + 1, b_observers_);
+  if (next != number || last_.place != place) return differ(place, {}, TwoValues{"instruction", number, next});
+  if (number < settings_.begin) return;
+  const bool is_whole = (number + 1) % settings_.whole_every == 0;
+  std::optional<PixelDifference> pixel =
+      is_whole ? comparison_.whole(state, b_) : comparison_.written(step.instruction, state, b_);
+  if (!pixel && !is_whole) {
+    const isa::Instruction& other = b_program_.segments[step.segment].instructions[step.index];
+    if (other.fields != step.instruction.fields) pixel = comparison_.written(other, state, b_);
+  }
+  if (pixel) return differ(place, std::move(pixel), {});
+  if (std::optional<TwoValues> otherwise = other_step(step)) return differ(place, {}, std::move(otherwise));
+  ++compared_;
+  if (is_whole) whole_until_ = number + 1;
+}
+
+void Lockstep::after_segment(std::uint32_t segment, const PixelState& state) {
+  if (!compares_ || a_numbers_.first(segment + 1) > settings_.end) return;
+  // Segments without instructions are gone through when B goes on: they have nothing to compare.
+  if (a_numbers_.first(segment) == a_numbers_.first(segment + 1)) return;
+  const Place last{segment, static_cast<std::uint32_t>(a_numbers_.first(segment + 1) - a_numbers_.first(segment) - 1)};
+  if (b_.place() != Place{segment, last.index + 1})
+    return differ(last, {}, TwoValues{"instruction", a_numbers_.first(segment + 1), b_numbers_.of(b_.place())});
+  if (std::optional<PixelDifference> pixel = comparison_.whole(state, b_)) return differ(last, std::move(pixel), {});
+  whole_until_ = a_numbers_.first(segment + 1);
+}
+
+void Lockstep::finish() { b_.advance(Run::end, b_observers_); }
+
+}  // namespace csgsim::sim

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+
+/// What has two values.
+struct TwoValues {
+  std::string name;  ///< of the Program's field, its place where no name covers it, or E
+  std::uint64_t a = 0;
+  std::uint64_t b = 0;
+
+  bool operator==(const TwoValues&) const = default;
+};
+
+/// What differs at the first pixel, in row order, that differs at all.
+struct PixelDifference {
+  std::uint32_t x = 0;  ///< of the picture
+  std::uint32_t y = 0;
+  std::vector<TwoValues> fields;  ///< E first, then in the order of the Program
+  std::uint64_t pixels = 0;       ///< that differ
+
+  bool operator==(const PixelDifference&) const = default;
+};
+
+/// Compares states of the same segment. The fields' names are one Program's.
+class StateComparison {
+ public:
+  /// Of two Programs with pixels of different memory, what both have is compared.
+  StateComparison(const isa::Program& names, std::uint32_t memory_bits);
+
+  /// E and all of memory.
+  std::optional<PixelDifference> whole(const PixelState& a, const PixelState& b);
+
+  /// E, and the fields of memory that an instruction can write.
+  std::optional<PixelDifference> written(const isa::Instruction& instruction, const PixelState& a, const PixelState& b);
+
+ private:
+  struct Part {
+    std::string name;
+    isa::Field field;
+  };
+
+  std::optional<PixelDifference> compare(const std::vector<const Part*>& parts, const PixelState& a,
+                                         const PixelState& b);
+  void compare_enable(const PixelState& a, const PixelState& b);
+  void compare_part(const Part& part, const PixelState& a, const PixelState& b);
+  void read(const Part& part, const PixelState& a, const PixelState& b);
+
+  std::vector<Part> parts_;  ///< which cover all of memory
+  std::vector<bool> differs_;
+  std::vector<std::uint32_t> a_values_;
+  std::vector<std::uint32_t> b_values_;
+  std::vector<std::uint64_t> a_enable_;
+  std::vector<std::uint64_t> b_enable_;
+};
+
+}  // namespace csgsim::sim

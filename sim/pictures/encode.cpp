@@ -1,0 +1,72 @@
+#include "sim/pictures/encode.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "hw/base/error.h"
+#include "hw/base/memory_file.h"
+#include "sim/pictures/module_loader.h"
+#include "sim/pictures/png.h"
+
+namespace csgsim::pictures {
+
+namespace {
+
+constexpr std::string_view png_extension = ".png";
+
+/// Endings that the module surely knows: nobody waits for it to say so.
+constexpr auto known_extensions = std::to_array<std::string_view>({".exr", ".jpg", ".ppm", ".tif"});
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().native();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+[[noreturn]] void throw_no_format(const std::filesystem::path& path) {
+  throw InputError(path.native() + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like");
+}
+
+[[noreturn]] void throw_unwritten(const std::filesystem::path& path, const std::string& why) {
+  throw InputError(path.native() + ": cannot be written: " + why);
+}
+
+std::string encode_by_module(const std::filesystem::path& path, const Raster& raster) {
+  const Module& module = opened_module(path);
+  const Target target = module.target_for(path.c_str());
+  if (target == Target::none) throw_no_format(path);
+  Encoded encoded;
+  if (target == Target::memory) {
+    encoded = module.encode(path.c_str(), nullptr, raster);
+  } else {
+    const MemoryFile file(path);
+    encoded = module.encode(path.c_str(), file.path().c_str(), raster);
+    if (encoded.error.empty()) encoded.bytes = file.content();
+  }
+  if (!encoded.error.empty()) throw_unwritten(path, encoded.error);
+  if (encoded.bytes.empty()) throw InputError(path.native() + ": this format makes no file; take .png");
+  return std::move(encoded.bytes);
+}
+
+}  // namespace
+
+void check_format(const std::filesystem::path& path, Samples samples) {
+  const std::string extension = extension_of(path);
+  if (extension == png_extension && samples == Samples::bytes) return;
+  begin_to_open_module(path);
+  if (extension == png_extension || std::ranges::find(known_extensions, extension) != known_extensions.end()) return;
+  if (opened_module(path).target_for(path.c_str()) == Target::none) throw_no_format(path);
+}
+
+std::string encode(const std::filesystem::path& path, const Raster& raster) {
+  const auto* const bytes = std::get_if<Bytes>(&raster.samples);
+  if (bytes == nullptr || extension_of(path) != png_extension) return encode_by_module(path, raster);
+  Encoded encoded = encode_png(raster, *bytes);
+  if (!encoded.error.empty()) throw_unwritten(path, encoded.error);
+  return std::move(encoded.bytes);
+}
+
+}  // namespace csgsim::pictures

@@ -1,0 +1,136 @@
+#include "sim/reference/reference_run.h"
+
+#include <algorithm>
+
+#include "hw/isa/opcodes.h"
+#include "hw/machines/clocks.h"
+#include "hw/machines/runs_on.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+constexpr std::uint32_t word_bits = 64;
+
+isa::Field bit_field(std::size_t bit) { return {static_cast<std::uint16_t>(bit), 1}; }
+
+/// Where a pixel is in a plane.
+struct Bit {
+  std::size_t word;
+  unsigned shift;
+};
+
+Bit bit_of(std::uint32_t x, std::uint32_t y, std::uint32_t width) {
+  const std::size_t words = (width + word_bits - 1) / word_bits;
+  return {y * words + x / word_bits, x % word_bits};
+}
+
+}  // namespace
+
+ReferenceRun::ReferenceRun(const isa::Program& program, const machines::Machine& machine)
+    : program_(program), machine_(machine), numbers_(program) {
+  machines::check_runs_on(program, machine_);
+  if (!program.segments.empty()) begin_segment(0);
+}
+
+void ReferenceRun::begin_segment(std::uint32_t segment) {
+  so_far_.overflows += array_.overflows();
+  array_ = ReferenceArray(program_.segments[segment].region, program_.shape.memory_bits);
+  place_ = {segment, 0};
+  told_end_ = false;
+}
+
+bool ReferenceRun::finished() const {
+  return program_.segments.empty() || (told_end_ && place_.segment + 1 == program_.segments.size());
+}
+
+void ReferenceRun::advance(std::uint64_t number, std::span<Observer* const> observers) {
+  while (!finished()) {
+    const std::uint64_t next = numbers_.of(place_);
+    const bool has_more = place_.index < program_.segments[place_.segment].instructions.size();
+    if (has_more && next >= number) return;
+    if (has_more) {
+      execute(observers);
+      continue;
+    }
+    if (!told_end_) {
+      for (Observer* observer : observers) observer->after_segment(place_.segment, array_);
+      told_end_ = true;
+    }
+    if (finished() || next >= number) return;
+    begin_segment(place_.segment + 1);
+  }
+}
+
+void ReferenceRun::execute(std::span<Observer* const> observers) {
+  const isa::Instruction& instruction = program_.segments[place_.segment].instructions[place_.index];
+  const std::uint64_t enabled = array_.enabled_pixels();
+  array_.execute(instruction);
+  if (instruction.opcode == isa::Opcode::global_or) so_far_.answers.push_back(enabled > 0);
+  const Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
+  for (Observer* observer : observers) observer->after_instruction(step, array_);
+  if (instruction.opcode == isa::Opcode::skip_if_none && enabled == 0) {
+    skips_.push_back({place_.segment, place_.index});
+    place_.index += static_cast<std::uint32_t>(instruction.constant);
+    so_far_.skipped += instruction.constant;
+  }
+  ++place_.index;
+}
+
+RunState ReferenceRun::save() const {
+  RunState state{place_, told_end_, so_far_.overflows + array_.overflows(), so_far_.skipped, so_far_.answers,
+                 skips_, {}};
+  if (program_.segments.empty()) return state;
+  const isa::Region region = array_.region();
+  const std::size_t words = (region.width + word_bits - 1) / word_bits * static_cast<std::size_t>(region.height);
+  for (std::size_t plane = 0; plane <= program_.shape.memory_bits; ++plane) {
+    std::vector<std::uint64_t> bits(words);
+    bool any = false;
+    for (std::uint32_t y = 0; y < region.height; ++y) {
+      for (std::uint32_t x = 0; x < region.width; ++x) {
+        const bool one = plane == 0 ? array_.enabled(x, y) : array_.read(bit_field(plane - 1), x, y) != 0;
+        const Bit at = bit_of(x, y, region.width);
+        bits[at.word] |= std::uint64_t{one} << at.shift;
+        any = any || one;
+      }
+    }
+    if (!any) bits.clear();
+    state.planes.push_back(std::move(bits));
+  }
+  return state;
+}
+
+void ReferenceRun::restore(const RunState& state) {
+  if (program_.segments.empty()) return;
+  begin_segment(state.place.segment);
+  place_ = state.place;
+  told_end_ = state.told_end;
+  so_far_.overflows = state.overflows;
+  so_far_.skipped = state.skipped;
+  so_far_.answers = state.answers;
+  skips_ = state.skips;
+  const isa::Region region = array_.region();
+  for (std::size_t plane = 0; plane < state.planes.size(); ++plane) {
+    if (state.planes[plane].empty()) continue;
+    for (std::uint32_t y = 0; y < region.height; ++y) {
+      for (std::uint32_t x = 0; x < region.width; ++x) {
+        const Bit at = bit_of(x, y, region.width);
+        const bool one = (state.planes[plane][at.word] >> at.shift & 1U) != 0;
+        if (plane == 0) {
+          array_.write_enable(x, y, one);
+        } else {
+          array_.write(bit_field(plane - 1), x, y, one ? 1 : 0);
+        }
+      }
+    }
+  }
+}
+
+RunResult ReferenceRun::result() const {
+  RunResult result = so_far_;
+  result.overflows += array_.overflows();
+  put(machines::time_frame(program_, machine_, skips_), result);
+  return result;
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "hw/machines/machine.h"
+#include "sim/engine/run.h"
+#include "sim/reference/reference_array.h"
+
+namespace csgsim::sim {
+
+/// A run an instruction, a pixel and a bit at a time. The Program has to outlive it.
+class ReferenceRun final : public Run {
+ public:
+  /// Throws InputError if the machine lacks what the Program needs.
+  ReferenceRun(const isa::Program& program, const machines::Machine& machine);
+
+  [[nodiscard]] Place place() const override { return place_; }
+  [[nodiscard]] bool finished() const override;
+  void advance(std::uint64_t number, std::span<Observer* const> observers) override;
+  [[nodiscard]] RunState save() const override;
+  void restore(const RunState& state) override;
+  [[nodiscard]] RunResult result() const override;
+
+  [[nodiscard]] isa::Region region() const override { return array_.region(); }
+  void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
+    array_.read_field(field, values);
+  }
+  void read_enable(std::span<std::uint64_t> words) const override { array_.read_enable(words); }
+  [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const override {
+    return array_.read(field, x, y);
+  }
+  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const override { return array_.enabled(x, y); }
+
+ private:
+  /// Goes to the segment's first instruction, with pixels that are all 0.
+  void begin_segment(std::uint32_t segment);
+  void execute(std::span<Observer* const> observers);
+
+  const isa::Program& program_;
+  machines::Machine machine_;
+  Numbers numbers_;
+  Place place_;
+  bool told_end_ = false;
+  ReferenceArray array_{isa::Region{}, 0};
+  RunResult so_far_;
+  std::vector<machines::Skip> skips_;
+};
+
+}  // namespace csgsim::sim

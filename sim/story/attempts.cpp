@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <optional>
+
+#include "sim/story/events.h"
+
+namespace csgsim::story {
+
+namespace {
+
+using Events = std::span<const Event>;
+
+/// Whether the event belongs to the surface that was rendered last.
+bool goes_on(const Event& event, std::uint32_t primitive, std::uint32_t segment) {
+  const isa::Origin& origin = event.origin;
+  if (event.segment != segment) return false;
+  switch (event.what) {
+    case What::depth_test:
+    case What::comparison:
+    case What::bits:
+    case What::merge:
+    case What::skip: return origin.primitive == primitive && origin.purpose != isa::Purpose::render;
+    case What::shade: return origin.primitive == primitive || origin.node == primitive;
+    case What::setup:
+    case What::surface:
+    case What::effect: return false;
+  }
+  return false;
+}
+
+/// The last event of the attempt for which that holds.
+template <class Holds>
+std::optional<std::size_t> last_that(Events events, const Attempt& attempt, Holds holds) {
+  for (std::size_t i = attempt.last_event; i > attempt.first_event; --i)
+    if (holds(events[i])) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> last_of(Events events, const Attempt& attempt, What what) {
+  return last_that(events, attempt, [what](const Event& event) { return event.what == what; });
+}
+
+/// Whether the depth test itself took the pixel out, not what stands beside it.
+bool is_behind(const Event& surface, const Event& test) {
+  return test.cut && test.decision && surface.decision &&
+         test.cut->instruction.fields[0] == surface.decision->instruction.fields[0];
+}
+
+void tell_classified(const isa::Program& program, Events events, Attempt& attempt) {
+  attempt.fate = Fate::classified;
+  const auto emptied = last_that(events, attempt, [&](const Event& event) {
+    const Change* const mask = event.change_of(program, isa::FieldRole::mask);
+    return event.what == What::bits && mask != nullptr && mask->before == 1 && mask->after == 0;
+  });
+  attempt.deciding_event = emptied.value_or(attempt.last_event);
+  Attempt until = attempt;
+  until.last_event = attempt.deciding_event;
+  const auto comparison = last_of(events, until, What::comparison);
+  const auto count = std::count_if(events.begin() + static_cast<std::ptrdiff_t>(until.first_event),
+                                   events.begin() + static_cast<std::ptrdiff_t>(until.last_event) + 1,
+                                   [](const Event& event) { return event.what == What::comparison; });
+  // Which leaf a label waits for is a result of those before.
+  const bool has_labels = isa::field_of(program, isa::FieldRole::label).width > 0;
+  const bool is_alone = count == 1 || (emptied && !events[*emptied].by_results && !has_labels);
+  if (comparison && is_alone) attempt.deciding_comparison = comparison;
+}
+
+/// The next event that takes from the pixel what was merged.
+std::optional<std::size_t> covered_by(Events events, std::size_t merge) {
+  for (std::size_t i = merge + 1; i < events.size(); ++i)
+    if (events[i].what == What::merge || events[i].what == What::setup) return i;
+  return std::nullopt;
+}
+
+void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
+  const Event& surface = events[attempt.first_event];
+  attempt.deciding_event = attempt.first_event;
+  if (!surface.enabled_after) {
+    attempt.fate = surface.decision ? Fate::no_depth : Fate::outside;
+    return;
+  }
+  const auto test = last_of(events, attempt, What::depth_test);
+  if (test && !events[*test].enabled_after) {
+    attempt.fate = is_behind(surface, events[*test]) ? Fate::behind : Fate::refused;
+    attempt.deciding_event = *test;
+    return;
+  }
+  const auto merge = last_of(events, attempt, What::merge);
+  if (!merge) return tell_classified(program, events, attempt);
+  const auto covering = covered_by(events, *merge);
+  attempt.fate = covering ? Fate::covered : Fate::seen;
+  attempt.deciding_event = covering.value_or(*merge);
+}
+
+}  // namespace
+
+std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events) {
+  std::vector<Attempt> attempts;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (events[i].what != What::surface) continue;
+    Attempt attempt;
+    attempt.primitive = events[i].origin.primitive;
+    attempt.first_event = attempt.last_event = i;
+    while (attempt.last_event + 1 < events.size() &&
+           goes_on(events[attempt.last_event + 1], attempt.primitive, events[i].segment))
+      ++attempt.last_event;
+    tell_fate(program, events, attempt);
+    attempts.push_back(attempt);
+  }
+  return attempts;
+}
+
+}  // namespace csgsim::story

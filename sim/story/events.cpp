@@ -1,0 +1,247 @@
+#include "sim/story/events.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hw/isa/opcodes.h"
+#include "sim/observe/frame.h"
+
+namespace csgsim::story {
+
+namespace {
+
+using isa::FieldRole;
+using isa::Opcode;
+using isa::Purpose;
+
+bool compares_fields(Opcode opcode) { return opcode == Opcode::field_lt || opcode == Opcode::field_le; }
+
+/// Whether the instruction may make the depth of a surface.
+bool may_set_depth(Opcode opcode) {
+  return opcode == Opcode::load_linear || opcode == Opcode::set_constant || opcode == Opcode::keep_max ||
+         opcode == Opcode::keep_min;
+}
+
+/// Whether such an instruction made the depth that the pixel has afterwards.
+bool sets_depth(Opcode opcode, const PixelStep& step) {
+  if (!step.enabled_before) return false;
+  if (opcode == Opcode::keep_max) return step.value > static_cast<std::int64_t>(step.met);
+  if (opcode == Opcode::keep_min) return step.value < static_cast<std::int64_t>(step.met);
+  return true;
+}
+
+/// An event that is not finished.
+struct Open {
+  Event event;
+  bool is_met = false;       ///< the pixel was enabled, or written to
+  bool tests_depth = false;  ///< holds a comparison of fields
+};
+
+/// Goes through the steps of a run and closes an event where the origin changes.
+class Narrator {
+ public:
+  Narrator(const isa::Program& program, const PixelRun& run, std::span<const std::uint64_t> first_numbers)
+      : program_(program), run_(run), first_numbers_(first_numbers) {}
+
+  std::vector<Event> tell() {
+    for (const PixelStep& step : run_.steps) {
+      if (open_ && open_->event.segment != step.segment) close();
+      take(step);
+      owner_ = step.owner;
+    }
+    close();
+    return std::move(events_);
+  }
+
+ private:
+  [[nodiscard]] const isa::Instruction& instruction_of(const PixelStep& step) const {
+    return program_.segments[step.segment].instructions[step.index];
+  }
+
+  [[nodiscard]] std::uint64_t number_of(const PixelStep& step) const {
+    return first_numbers_[step.segment] + step.index;
+  }
+
+  [[nodiscard]] Decision decision_of(const PixelStep& step) const {
+    return {step.segment, number_of(step), instruction_of(step), step.value, step.met, step.met_too};
+  }
+
+  [[nodiscard]] bool has_role(isa::Field field, FieldRole role) const {
+    return std::any_of(program_.facts.fields.begin(), program_.facts.fields.end(), [&](const isa::NamedField& named) {
+      return named.role == role && field.width > 0 && named.field.overlaps(field);
+    });
+  }
+
+  [[nodiscard]] bool is_result(isa::Field field) const {
+    return has_role(field, FieldRole::stack) || has_role(field, FieldRole::product);
+  }
+
+  /// Whether a surface's colours are being written beside Z1.
+  [[nodiscard]] bool goes_on_with_surface(const isa::Origin& origin) const {
+    return open_ && open_->event.what == What::surface &&
+           (origin.purpose == Purpose::shade ||
+            (origin.purpose == Purpose::render && origin.primitive == open_->event.origin.primitive));
+  }
+
+  [[nodiscard]] bool copies_depth(const isa::Instruction& instruction) const {
+    return instruction.opcode == Opcode::copy && z1_.width > 0 && instruction.fields[1] == z1_;
+  }
+
+  [[nodiscard]] What what_of(const isa::Instruction& instruction) const {
+    const isa::Origin& origin = instruction.origin;
+    if (goes_on_with_surface(origin)) return What::surface;
+    switch (origin.purpose) {
+      case Purpose::setup: return What::setup;
+      case Purpose::render: return What::surface;
+      case Purpose::classify: return origin.node != isa::no_node ? What::comparison : What::bits;
+      case Purpose::stack: return What::bits;
+      case Purpose::shade: return What::shade;
+      case Purpose::effect: return What::effect;
+      case Purpose::merge: {
+        const bool goes_on = open_ && open_->event.what == What::merge &&
+                             open_->event.origin.primitive == origin.primitive && !compares_fields(instruction.opcode);
+        return goes_on || copies_depth(instruction) ? What::merge : What::depth_test;
+      }
+    }
+    return What::effect;
+  }
+
+  void take(const PixelStep& step) {
+    const isa::Instruction& instruction = instruction_of(step);
+    if (instruction.opcode == Opcode::skip_if_none) return take_question(step);
+    const What what = what_of(instruction);
+    const bool goes_on = open_ && open_->event.what == what &&
+                         (what == What::surface || what == What::merge || open_->event.origin == instruction.origin);
+    if (!goes_on) begin(what, instruction.origin, step);
+    if (what == What::surface && instruction.origin.purpose == Purpose::render) note_depth(instruction, step);
+    note_bits(instruction, step);
+    note_change(step);
+    note_cut(instruction, step);
+    if (!step.fits && step.enabled_before && !open_->event.misfit) open_->event.misfit = decision_of(step);
+    if (compares_fields(instruction.opcode)) {
+      open_->tests_depth = true;
+      if (step.enabled_before) open_->event.decision = decision_of(step);
+    }
+    if (what == What::shade && instruction.opcode == Opcode::linear_eq && step.enabled_after)
+      open_->event.decision = decision_of(step);
+    open_->is_met = open_->is_met || step.enabled_before || step.enabled_after;
+    open_->event.last = number_of(step);
+    open_->event.enabled_after = step.enabled_after;
+    open_->event.owner_after = step.owner;
+  }
+
+  void take_question(const PixelStep& step) {
+    if (step.skipped == 0) return;
+    close();
+    const std::uint64_t after = number_of(step) + 1;
+    Event event;
+    event.what = What::skip;
+    event.segment = step.segment;
+    event.first = after;
+    event.last = after + step.skipped - 1;
+    event.origin = instruction_of(step).origin;
+    event.decision = decision_of(step);
+    event.owner_before = event.owner_after = owner_;
+    events_.push_back(event);
+  }
+
+  void begin(What what, const isa::Origin& origin, const PixelStep& step) {
+    close();
+    open_.emplace();
+    open_->event.what = what;
+    open_->event.segment = step.segment;
+    open_->event.first = number_of(step);
+    open_->event.origin = origin;
+    open_->event.enabled_before = step.enabled_before;
+    open_->event.owner_before = owner_;
+    if (what == What::surface) {
+      z1_ = {};
+      with_results_ = false;
+    }
+  }
+
+  void note_depth(const isa::Instruction& instruction, const PixelStep& step) {
+    if (!may_set_depth(instruction.opcode)) return;
+    z1_ = instruction.fields[0];
+    if (sets_depth(instruction.opcode, step)) open_->event.decision = decision_of(step);
+  }
+
+  /// Whether what the mask is narrowed by next is the last comparison alone.
+  void note_bits(const isa::Instruction& instruction, const PixelStep& step) {
+    if (instruction.origin.purpose != Purpose::stack) return;
+    const isa::Operands& operands = isa::operands_of(instruction.opcode);
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      if (operands[i] == isa::OperandKind::source && is_result(instruction.fields[i])) with_results_ = true;
+    }
+    const bool meets_mask = has_role(instruction.fields[0], FieldRole::mask);
+    if (!meets_mask) return;
+    if (step.before == 1 && step.after == 0 && step.target.width > 0) open_->event.by_results = with_results_;
+    if (instruction.opcode == Opcode::enable_load || step.target.width > 0) with_results_ = false;
+  }
+
+  void note_change(const PixelStep& step) {
+    const bool is_written = step.target.width > 0 && (step.enabled_before || step.before != step.after);
+    if (!is_written) return;
+    std::vector<Change>& changes = open_->event.changes;
+    const auto known =
+        std::find_if(changes.begin(), changes.end(), [&](const Change& one) { return one.field == step.target; });
+    const std::uint64_t number = number_of(step);
+    if (known == changes.end()) {
+      changes.push_back({step.target, step.before, step.after, number});
+    } else {
+      known->after = step.after;
+      known->number = number;
+    }
+    open_->is_met = true;
+  }
+
+  void note_cut(const isa::Instruction& instruction, const PixelStep& step) {
+    if (step.enabled_after) {
+      open_->event.cut.reset();
+    } else if (step.enabled_before && instruction.opcode != Opcode::enable_load) {
+      open_->event.cut = decision_of(step);
+    }
+  }
+
+  void close() {
+    if (!open_) return;
+    if (is_told(*open_)) events_.push_back(open_->event);
+    open_.reset();
+  }
+
+  [[nodiscard]] static bool is_told(const Open& open) {
+    const std::vector<Change>& changes = open.event.changes;
+    const bool differs = std::any_of(changes.begin(), changes.end(), [](const Change& one) { return one.differs(); });
+    switch (open.event.what) {
+      case What::setup:
+      case What::shade: return !changes.empty();
+      case What::surface: return open.is_met;
+      case What::merge: return !changes.empty();
+      case What::depth_test: return open.tests_depth && (open.event.enabled_before || differs);
+      case What::comparison: return open.event.enabled_before;
+      case What::bits:
+      case What::effect:
+      case What::skip: return differs;
+    }
+    return false;
+  }
+
+  const isa::Program& program_;
+  const PixelRun& run_;
+  std::span<const std::uint64_t> first_numbers_;
+  std::vector<Event> events_;
+  std::optional<Open> open_;
+  std::uint32_t owner_ = sim::no_owner;
+  isa::Field z1_;              ///< in which the surface's depth is
+  bool with_results_ = false;  ///< E holds results of several comparisons
+};
+
+}  // namespace
+
+std::vector<Event> events_of(const isa::Program& program, const PixelRun& run,
+                             std::span<const std::uint64_t> first_numbers) {
+  return Narrator(program, run, first_numbers).tell();
+}
+
+}  // namespace csgsim::story

@@ -1,0 +1,83 @@
+#include "sim/story/halfspaces.h"
+
+#include <glm/geometric.hpp>
+
+#include "host/csg/positive_tree.h"
+#include "host/emit/broadcast.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::story {
+
+namespace {
+
+/// The instruction that the host makes of a plane for that region.
+isa::Linear broadcast(const view::View& view, const view::ScreenPlane& plane, const isa::Region& region) {
+  isa::Segment segment{region, {}, {}};
+  emit::Broadcast out(segment, view.sampling);
+  const auto x = static_cast<std::int32_t>(region.x);
+  const auto y = static_cast<std::int32_t>(region.y);
+  const view::PixelRect corner{x, y, x, y};
+  if (plane.kind == view::PlaneKind::edge) {
+    out.edge(isa::Opcode::edge_negative, plane.linear, corner);
+  } else {
+    out.surface(isa::Opcode::edge_negative, {}, plane.linear, corner);
+  }
+  return segment.instructions.front().linear;
+}
+
+/// But for the width, which depends on the pixels.
+bool same_plane(const isa::Linear& one, const isa::Linear& other) {
+  return one.a == other.a && one.b == other.b && one.c == other.c && one.shift == other.shift;
+}
+
+ModelHalfspace in_model(const facet::PlaneTable& table, const facet::Halfspace& halfspace) {
+  const facet::Plane& plane = table.planes()[halfspace.plane];
+  const double sign = halfspace.positive ? 1 : -1;
+  ModelHalfspace found;
+  found.normal = sign * plane.normal + 0.0;  // no -0
+  found.distance = sign * (glm::dot(plane.normal, table.centre()) - plane.offset) + 0.0;
+  return found;
+}
+
+}  // namespace
+
+HalfspaceFinder::HalfspaceFinder(const model::Tree& tree, const facet::Scene& scene, const view::View& view)
+    : scene_(scene),
+      view_(view),
+      sets_(csg::convex_sets(csg::make_positive(tree), true)),
+      set_of_(tree.primitives.size()) {
+  for (std::size_t set = 0; set < sets_.size(); ++set)
+    for (const std::uint32_t primitive : sets_[set]) set_of_[primitive] = set;
+}
+
+std::optional<ModelHalfspace> HalfspaceFinder::find_in(std::uint32_t primitive, const isa::Instruction& instruction,
+                                                       const isa::Region& region) const {
+  const std::vector<facet::Halfspace>& halfspaces = scene_.solids[primitive].halfspaces;
+  for (std::size_t i = 0; i < halfspaces.size(); ++i) {
+    const view::ScreenPlane& plane = view_.planes[halfspaces[i].plane];
+    if (!plane.representable || !same_plane(broadcast(view_, plane, region), instruction.linear)) continue;
+    ModelHalfspace found = in_model(scene_.planes, halfspaces[i]);
+    found.primitive = primitive;
+    found.index = i;
+    found.count = halfspaces.size();
+    return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<ModelHalfspace> HalfspaceFinder::find(const isa::Instruction& instruction,
+                                                    const isa::Region& region) const {
+  const isa::Origin& origin = instruction.origin;
+  const bool compares = origin.purpose == isa::Purpose::classify && origin.node != isa::no_node;
+  const std::uint32_t primitive = compares ? origin.node : origin.primitive;
+  if (instruction.linear.width == 0 || primitive >= set_of_.size()) return std::nullopt;
+  std::optional<ModelHalfspace> found = find_in(primitive, instruction, region);
+  if (compares) return found;
+  for (const std::uint32_t other : set_of(primitive)) {
+    if (found) break;
+    found = find_in(other, instruction, region);
+  }
+  return found;
+}
+
+}  // namespace csgsim::story

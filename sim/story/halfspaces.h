@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "host/csg/convex_sets.h"
+#include "host/facet/scene.h"
+#include "host/model/tree.h"
+#include "host/view/projection.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::story {
+
+/// A half-space of a primitive in the model: normal . p <= distance.
+struct ModelHalfspace {
+  std::uint32_t primitive = 0;
+  std::size_t index = 0;  ///< among the primitive's, from 0 on
+  std::size_t count = 0;  ///< that the primitive has
+  glm::dvec3 normal{0};   ///< points out of the solid; of length 1
+  double distance = 0;    ///< from the origin along the normal, model units
+};
+
+/// Finds whose plane an instruction streams, by its coefficients. A Program does not say it.
+class HalfspaceFinder {
+ public:
+  /// Keeps references to the scene and the view.
+  HalfspaceFinder(const model::Tree& tree, const facet::Scene& scene, const view::View& view);
+
+  /// A half-space of the primitive whose surface is drawn or that it is compared with, or of one that makes one convex
+  /// solid with it. None where the instruction has no linear expression, or one of another origin: a rectangle of
+  /// pixels, a sample beside the pixel's centre, a model in a mirror.
+  [[nodiscard]] std::optional<ModelHalfspace> find(const isa::Instruction& instruction,
+                                                   const isa::Region& region) const;
+
+  /// Primitives that may be drawn as one solid with that one, itself among them, in tree order.
+  [[nodiscard]] const csg::ConvexSet& set_of(std::uint32_t primitive) const { return sets_[set_of_[primitive]]; }
+
+  /// Pixels beside which the primitive is nowhere.
+  [[nodiscard]] const view::PixelRect& rectangle_of(std::uint32_t primitive) const {
+    return view_.extents[primitive].pixels;
+  }
+
+ private:
+  [[nodiscard]] std::optional<ModelHalfspace> find_in(std::uint32_t primitive, const isa::Instruction& instruction,
+                                                      const isa::Region& region) const;
+
+  const facet::Scene& scene_;
+  const view::View& view_;
+  std::vector<csg::ConvexSet> sets_;
+  std::vector<std::size_t> set_of_;  ///< one a primitive
+};
+
+}  // namespace csgsim::story

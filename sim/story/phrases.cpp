@@ -1,0 +1,110 @@
+#include "sim/story/phrases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hw/base/text.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/depth_scale.h"
+#include "hw/isa/pieces.h"
+#include "hw/isa/text.h"
+#include "sim/observe/frame.h"
+
+namespace csgsim::story {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> what_names{"setup", "surface", "depth_test", "comparison", "bits",
+                                                     "merge", "shade",   "effect",     "skip"};
+constexpr std::array<std::string_view, 7> fate_names{"outside",    "no_depth", "refused", "behind",
+                                                     "classified", "covered",  "seen"};
+
+const isa::NamedField* find(const isa::Program& program, isa::Field field) {
+  const auto& fields = program.facts.fields;
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const isa::NamedField& named) { return named.field == field; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string_view name_of(What what) { return what_names.at(static_cast<std::size_t>(what)); }
+std::string_view name_of(Fate fate) { return fate_names.at(static_cast<std::size_t>(fate)); }
+
+std::string primitive_text(const isa::Program& program, std::uint32_t primitive) {
+  if (primitive == sim::no_owner) return "nothing";
+  return isa::piece_name(program.facts, primitive);
+}
+
+std::optional<double> distance_of(const isa::Program& program, std::uint32_t steps) {
+  const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
+  const double distance = isa::distance_of(program.facts.depth_scale, bits, steps);
+  return std::isfinite(distance) ? std::optional(distance) : std::nullopt;
+}
+
+std::string depth_text(const isa::Program& program, std::uint32_t steps) {
+  const std::optional<double> distance = distance_of(program, steps);
+  return distance ? fmt::format("{} ({:.6g})", steps, *distance) : "nothing";
+}
+
+std::string colour_text(const isa::Program& program, std::uint32_t colour) {
+  const unsigned bits = isa::field_of(program, isa::FieldRole::colour).width;
+  if (bits < isa::fewest_colour_bits || bits > isa::most_colour_bits) return fmt::format("{:#x}", colour);
+  const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
+  return fmt::format("#{:02x}{:02x}{:02x}", channels[0], channels[1], channels[2]);
+}
+
+isa::FieldRole role_of(const isa::Program& program, isa::Field field) {
+  const isa::NamedField* const named = find(program, field);
+  return named != nullptr ? named->role : isa::FieldRole::scratch;
+}
+
+std::string value_text(const isa::Program& program, isa::Field field, std::uint32_t value) {
+  switch (role_of(program, field)) {
+    case isa::FieldRole::depth:
+    case isa::FieldRole::candidate_depth: return depth_text(program, value);
+    case isa::FieldRole::colour:
+    case isa::FieldRole::candidate_colour:
+    case isa::FieldRole::shown: return colour_text(program, value);
+    case isa::FieldRole::scratch:
+    case isa::FieldRole::mask:
+    case isa::FieldRole::stack:
+    case isa::FieldRole::product:
+    case isa::FieldRole::label:
+    case isa::FieldRole::owner:
+    case isa::FieldRole::effect: break;
+  }
+  return std::to_string(value);
+}
+
+std::string field_name(const isa::Program& program, isa::Field field) {
+  const isa::NamedField* const named = find(program, field);
+  if (named != nullptr) return printable(named->name);
+  return field.width == 1 ? fmt::format("[{}]", field.base) : fmt::format("[{}+:{}]", field.base, field.width);
+}
+
+std::string decision_text(const isa::Program& program, const Decision& decision) {
+  std::string text =
+      fmt::format("i{} {}", decision.number, printable(isa::text_of(decision.instruction, program.facts.fields)));
+  if (decision.instruction.linear.width > 0) text += fmt::format(": F = {}", decision.value);
+  return text;
+}
+
+std::optional<ModelHalfspace> halfspace_of(const Subject& subject, const Decision& decision) {
+  if (subject.model == nullptr) return std::nullopt;
+  return subject.model->find(decision.instruction, subject.program.segments[decision.segment].region);
+}
+
+std::string halfspace_text(const Subject& subject, const Decision& decision) {
+  const std::optional<ModelHalfspace> found = halfspace_of(subject, decision);
+  if (!found) return "";
+  const glm::dvec3& normal = found->normal;
+  return fmt::format("half-space {} of {} of {}: normal ({:.4g}, {:.4g}, {:.4g}), distance {:.6g}", found->index + 1,
+                     found->count, primitive_text(subject.program, found->primitive), normal.x, normal.y, normal.z,
+                     found->distance);
+}
+
+}  // namespace csgsim::story

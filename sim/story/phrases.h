@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sim/story/halfspaces.h"
+#include "sim/story/story.h"
+
+namespace csgsim::story {
+
+/// What a story is of: the Program, and its model where there is one.
+struct Subject {
+  const isa::Program& program;
+  const HalfspaceFinder* model = nullptr;
+};
+
+std::string_view name_of(What what);
+std::string_view name_of(Fate fate);
+
+/// `p3 cylinder@9:9` or `p3.2 text@9:9`, of a piece (hw/isa/pieces.h); `nothing` for sim::no_owner.
+std::string primitive_text(const isa::Program& program, std::uint32_t primitive);
+
+/// `523114 (83.214)`: steps and model units; `nothing` for all ones.
+std::string depth_text(const isa::Program& program, std::uint32_t steps);
+
+/// Distance from the eye along the view axis, model units; none for all ones.
+std::optional<double> distance_of(const isa::Program& program, std::uint32_t steps);
+
+/// `#c8a05a`, of a colour as the colour field holds it.
+std::string colour_text(const isa::Program& program, std::uint32_t colour);
+
+/// A field's value, by what the field holds.
+std::string value_text(const isa::Program& program, isa::Field field, std::uint32_t value);
+
+std::string field_name(const isa::Program& program, isa::Field field);
+isa::FieldRole role_of(const isa::Program& program, isa::Field field);
+
+/// `i123 keep_max Z1, 12*x - 7*y + 991 (w35 >> 12): F = 523114`.
+std::string decision_text(const isa::Program& program, const Decision& decision);
+
+/// `half-space 3 of 8 of p3 cylinder@9:9: normal (0, -1, 0), distance 4`; empty without a model, or if there is none.
+std::string halfspace_text(const Subject& subject, const Decision& decision);
+
+/// The half-space that decided, if the model is known.
+std::optional<ModelHalfspace> halfspace_of(const Subject& subject, const Decision& decision);
+
+}  // namespace csgsim::story

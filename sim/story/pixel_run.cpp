@@ -1,0 +1,171 @@
+#include "sim/story/pixel_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+#include "hw/machines/runs_on.h"
+#include "sim/observe/frame.h"
+#include "sim/reference/reference_array.h"
+
+namespace csgsim::story {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+/// An instruction as the one pixel of an array meets it: of the sum the bits that are streamed, as a constant.
+struct AtPixel {
+  isa::Instruction instruction;
+  bool fits = true;
+};
+
+AtPixel at_pixel(const isa::Instruction& instruction, std::uint32_t x, std::uint32_t y) {
+  const isa::Linear& linear = instruction.linear;
+  if (linear.width == 0) return {instruction};
+  const Wide sum = static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
+  const unsigned unused = 64U - linear.width;
+  const auto low_bits = static_cast<std::uint64_t>(sum) << unused;
+  const std::int64_t streamed = static_cast<std::int64_t>(low_bits) >> unused;
+  AtPixel one{instruction, streamed == sum || isa::cuts_sum(instruction.opcode)};
+  one.instruction.linear = {0, 0, streamed, linear.width, linear.shift};
+  return one;
+}
+
+isa::Field target_of(const isa::Program& program, const isa::Instruction& instruction) {
+  const bool writes = isa::operands_of(instruction.opcode)[0] == isa::OperandKind::target;
+  return writes ? named_around(program, instruction.fields[0]) : isa::Field{};
+}
+
+/// Takes down where a skip_if_none found no pixel.
+class SkipObserver final : public sim::Observer {
+ public:
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
+  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+    if (isa::skipped_after(step.instruction, step.enabled_pixels) > 0) skips.push_back({step.segment, step.index});
+  }
+
+  std::vector<machines::Skip> skips;
+};
+
+/// Runs the segments that hold a pixel.
+class Runner {
+ public:
+  Runner(const isa::Program& program, std::uint32_t x, std::uint32_t y)
+      : program_(program),
+        x_(x),
+        y_(y),
+        place_(static_cast<std::size_t>(y) * program.shape.width + x),
+        depth_(isa::field_of(program, isa::FieldRole::depth)),
+        frame_(program) {}
+
+  /// `skips`: from the first of the segment on, if there is one.
+  void run_segment(std::uint32_t number, std::span<const machines::Skip> skips) {
+    const isa::Segment& segment = program_.segments[number];
+    run_.segments.push_back(number);
+    sim::ReferenceArray pixel({x_, y_, 1, 1}, program_.shape.memory_bits);
+    for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
+      PixelStep step = carry_out(number, static_cast<std::uint32_t>(i), pixel);
+      if (!skips.empty() && skips.front() == machines::Skip{number, step.index}) {
+        step.skipped = segment.instructions[i].constant;
+        skips = skips.subspan(1);
+      }
+      i += step.skipped;
+      run_.steps.push_back(step);
+    }
+    frame_.after_segment(number, pixel);
+  }
+
+  PixelRun finish() {
+    run_.owner = frame_.frame().owner[place_];
+    run_.depth = frame_.frame().depth[place_];
+    run_.colour = frame_.frame().colour[place_];
+    return std::move(run_);
+  }
+
+ private:
+  PixelStep carry_out(std::uint32_t number, std::uint32_t index, sim::ReferenceArray& pixel) {
+    const isa::Segment& segment = program_.segments[number];
+    const isa::Instruction& instruction = segment.instructions[index];
+    const AtPixel here = at_pixel(instruction, x_ - segment.region.x, y_ - segment.region.y);
+    const isa::Linear& linear = here.instruction.linear;
+    const auto value_of = [&](isa::Field field) { return field.width > 0 ? pixel.read(field, 0, 0) : 0U; };
+    PixelStep step;
+    step.segment = number;
+    step.index = index;
+    step.fits = here.fits;
+    step.value = linear.width > 0 ? linear.c >> linear.shift : 0;
+    step.enabled_before = pixel.enabled(0, 0);
+    step.met = value_of(instruction.fields[0]);
+    step.met_too = value_of(instruction.fields[1]);
+    step.target = target_of(program_, instruction);
+    step.before = value_of(step.target);
+    pixel.execute(here.instruction);
+    frame_.after_instruction({number, index, instruction, 0, step.enabled_before ? 1U : 0U}, pixel);
+    step.enabled_after = pixel.enabled(0, 0);
+    step.after = value_of(step.target);
+    const bool is_empty = depth_.width > 0 && value_of(depth_) == (1ULL << depth_.width) - 1;
+    step.owner = is_empty ? sim::no_owner : frame_.frame().owner[place_];
+    return step;
+  }
+
+  const isa::Program& program_;
+  std::uint32_t x_;
+  std::uint32_t y_;
+  std::size_t place_;
+  isa::Field depth_;
+  sim::FrameObserver frame_;
+  PixelRun run_;
+};
+
+}  // namespace
+
+isa::Field named_around(const isa::Program& program, isa::Field field) {
+  isa::Field smallest = field;
+  bool is_found = false;
+  for (const isa::NamedField& named : program.facts.fields) {
+    const bool is_depth = named.role == isa::FieldRole::depth || named.role == isa::FieldRole::candidate_depth;
+    const bool holds =
+        is_depth ? named.field == field : named.field.base <= field.base && named.field.end() >= field.end();
+    if (!holds || (is_found && named.field.width >= smallest.width)) continue;
+    smallest = named.field;
+    is_found = true;
+  }
+  return smallest;
+}
+
+std::vector<machines::Skip> skips_of(const isa::Program& program, const machines::Machine& machine) {
+  machines::check_runs_on(program, machine);
+  const bool asks = std::any_of(program.segments.begin(), program.segments.end(), [](const isa::Segment& segment) {
+    return std::any_of(segment.instructions.begin(), segment.instructions.end(),
+                       [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
+  });
+  if (!asks) return {};
+  SkipObserver observer;
+  const std::array<sim::Observer*, 1> observers{&observer};
+  sim::make_functional_engine(machine)->run(program, observers);
+  return observer.skips;
+}
+
+PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,
+                   std::uint32_t y) {
+  if (x >= program.shape.width || y >= program.shape.height) {
+    throw InputError(fmt::format("there is no pixel {},{} in a picture of {} x {}", x, y, program.shape.width,
+                                 program.shape.height));
+  }
+  Runner runner(program, x, y);
+  for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
+    const auto begin =
+        std::find_if(skips.begin(), skips.end(), [&](const machines::Skip& one) { return one.segment == segment; });
+    if (program.segments[segment].region.holds(x, y))
+      runner.run_segment(segment, skips.subspan(static_cast<std::size_t>(begin - skips.begin())));
+  }
+  return runner.finish();
+}
+
+}  // namespace csgsim::story

@@ -1,0 +1,69 @@
+#include "sim/story/story.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "hw/isa/instruction_numbers.h"
+#include "hw/machines/kind.h"
+#include "sim/story/events.h"
+#include "sim/story/pixel_run.h"
+
+namespace csgsim::story {
+
+namespace {
+
+/// From the beginning of the first instruction of the event to the end of the last. `clocks`: of the segment's
+/// instructions at the pixel.
+machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
+                              const std::vector<machines::ClockSpan>& clocks) {
+  if (event.what == What::skip) return {};
+  return {clocks[event.first - first_number].begin, clocks[event.last - first_number].end};
+}
+
+std::optional<machines::Timeline> timeline_of(const isa::Program& program, const machines::Machine& machine,
+                                              std::span<const machines::Skip> skips) {
+  if (machine.kind->timeline == nullptr) return std::nullopt;
+  return machines::timeline(program, machine, skips);
+}
+
+}  // namespace
+
+const Change* Event::change_of(const isa::Program& program, isa::FieldRole role) const {
+  for (const Change& change : changes) {
+    const bool has_role =
+        std::any_of(program.facts.fields.begin(), program.facts.fields.end(),
+                    [&](const isa::NamedField& named) { return named.role == role && named.field == change.field; });
+    if (has_role) return &change;
+  }
+  return nullptr;
+}
+
+Teller::Teller(const isa::Program& program, const machines::Machine& machine)
+    : program_(program),
+      machine_(machine),
+      first_numbers_(isa::first_numbers(program)),
+      skips_(skips_of(program, machine)),
+      timeline_(timeline_of(program, machine, skips_)) {}
+
+Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
+  const PixelRun run = run_pixel(program_, skips_, x, y);
+  Story story;
+  story.x = x;
+  story.y = y;
+  story.owner = run.owner;
+  story.depth = run.depth;
+  story.colour = run.colour;
+  story.events = events_of(program_, run, first_numbers_);
+  for (const std::uint32_t segment : run.segments) {
+    story.segments.push_back({segment, first_numbers_[segment], first_numbers_[segment + 1]});
+    if (!timeline_) continue;
+    const std::vector<machines::ClockSpan> clocks = machines::at_pixel(*timeline_, program_, machine_, segment, x, y);
+    for (Event& event : story.events)
+      if (event.segment == segment) event.clocks = clocks_of(event, first_numbers_[segment], clocks);
+  }
+  story.attempts = attempts_of(program_, story.events);
+  return story;
+}
+
+}  // namespace csgsim::story

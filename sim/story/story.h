@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "hw/machines/timeline.h"
+#include "hw/machines/timing.h"
+
+namespace csgsim::story {
+
+/// What a stretch of instructions does at a pixel.
+enum class What : std::uint8_t {
+  setup,       ///< nothing is seen yet
+  surface,     ///< a primitive's visible surface into Z1
+  depth_test,  ///< Z1 against Z2
+  comparison,  ///< Z1 against a primitive of the active tree
+  bits,        ///< results of comparisons combined
+  merge,       ///< Z1 becomes Z2
+  shade,       ///< colour
+  effect,      ///< what an effect does that no surface asks for
+  skip,        ///< instructions that a skip_if_none leaves out
+};
+
+/// A field that was written. Of several writes the value before the first and that after the last.
+struct Change {
+  isa::Field field;  ///< the named one, if the target lies within one
+  std::uint32_t before = 0;
+  std::uint32_t after = 0;
+  std::uint64_t number = 0;  ///< of the instruction that wrote last
+
+  [[nodiscard]] bool differs() const { return before != after; }
+};
+
+/// An instruction that decided something, with what it met at the pixel.
+struct Decision {
+  std::uint32_t segment = 0;
+  std::uint64_t number = 0;
+  isa::Instruction instruction;
+  std::int64_t value = 0;     ///< F; 0 without a linear expression
+  std::uint32_t met = 0;      ///< the instruction's first field before it
+  std::uint32_t met_too = 0;  ///< its second field
+};
+
+/// Instructions with one origin, one after another, that had the pixel enabled or wrote to its memory.
+struct Event {
+  What what{};
+  std::uint32_t segment = 0;
+  std::uint64_t first = 0;     ///< number of the first instruction (hw/isa/instruction_numbers.h)
+  std::uint64_t last = 0;      ///< of the last
+  machines::ClockSpan clocks;  ///< in which the pixel carries them out; empty where they are not told, or skipped
+  isa::Origin origin;
+  bool enabled_before = false;
+  bool enabled_after = false;
+  /// Which instruction took the pixel out, if it is enabled no more.
+  std::optional<Decision> cut;
+  /// surface: which put Z1 there; shade: which found the facet; depth_test: the comparison with Z2.
+  std::optional<Decision> decision;
+  std::optional<Decision> misfit;  ///< the first whose A*x + B*y + C did not fit its width where the pixel was enabled
+  std::vector<Change> changes;
+  bool by_results = false;         ///< bits: results of several comparisons took part, not the last one alone
+  std::uint32_t owner_before = 0;  ///< primitive that owns the pixel; sim::no_owner if none does
+  std::uint32_t owner_after = 0;   ///< the same
+
+  /// Of the first field of that role among the changes; null if none is.
+  [[nodiscard]] const Change* change_of(const isa::Program& program, isa::FieldRole role) const;
+};
+
+/// How a surface that was drawn ended at the pixel.
+enum class Fate : std::uint8_t {
+  outside,     ///< cut out before it had a depth: beside the primitive's outline
+  no_depth,    ///< a half-space of its other side, or the depth range, leaves nothing of it
+  refused,     ///< an effect or a mirror does not admit it
+  behind,      ///< Z1 is not nearer than Z2
+  classified,  ///< taken out by primitives of its active tree
+  covered,     ///< merged, and another merged over it later
+  seen,        ///< merged, and owner of the pixel in the end
+};
+
+/// A primitive's surface, or that of several which make one convex solid, from its rendering to its merge.
+struct Attempt {
+  std::uint32_t primitive = 0;
+  std::size_t first_event = 0;  ///< into Story::events: its rendering
+  std::size_t last_event = 0;   ///< the last before another surface is rendered, or an effect works
+  Fate fate{};
+  /// The event that decided: surface, depth_test, the bits that emptied the mask, the merge that covered it, or its
+  /// own.
+  std::size_t deciding_event = 0;
+  /// classified: the comparison that decided by itself, if one did.
+  std::optional<std::size_t> deciding_comparison;
+};
+
+/// A part of the picture that holds the pixel.
+struct StorySegment {
+  std::uint32_t segment = 0;
+  std::uint64_t first = 0;  ///< number of its first instruction
+  std::uint64_t end = 0;    ///< one more than that of its last
+};
+
+/// All that happened at a pixel in a frame.
+struct Story {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::vector<StorySegment> segments;  ///< one, unless the picture is drawn several times; none: the background shows
+  std::uint32_t owner = 0;             ///< primitive seen; sim::no_owner if none is
+  std::uint32_t depth = 0;             ///< steps; all ones where nothing is seen
+  std::uint32_t colour = 0;            ///< as the colour field holds it
+  std::vector<Event> events;           ///< in the order of the instructions
+  std::vector<Attempt> attempts;
+};
+
+/// Tells the stories of a Program's pixels. The Program has to outlive it.
+class Teller {
+ public:
+  /// Runs the Program once, at the functional level, if instructions may be skipped. Throws InputError if the machine
+  /// cannot run it.
+  Teller(const isa::Program& program, const machines::Machine& machine);
+
+  /// Throws InputError where the picture has no such pixel.
+  [[nodiscard]] Story story_of(std::uint32_t x, std::uint32_t y) const;
+
+ private:
+  const isa::Program& program_;
+  machines::Machine machine_;
+  std::vector<std::uint64_t> first_numbers_;
+  std::vector<machines::Skip> skips_;
+  std::optional<machines::Timeline> timeline_;  ///< none of a kind of machine that does not tell
+};
+
+}  // namespace csgsim::story

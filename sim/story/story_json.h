@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "sim/story/phrases.h"
+#include "sim/story/story.h"
+#include "sim/story/why_not.h"
+
+namespace csgsim::story {
+
+/// The whole story; docs/explain.md describes every key with its unit.
+nlohmann::ordered_json to_json(const Subject& subject, const Story& story);
+
+nlohmann::ordered_json to_json(const Subject& subject, const Story& story, const WhyNot& answer);
+
+}  // namespace csgsim::story

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hw/isa/pieces.h"
+#include "sim/story/phrases.h"
+#include "sim/story/story.h"
+
+namespace csgsim::story {
+
+/// Why a primitive is not what a pixel shows.
+struct WhyNot {
+  isa::PieceRange pieces;
+  /// Whose surface the first of them is part of: its own, or that of the first of those that make one convex solid
+  /// with it.
+  std::uint32_t drawn_as = 0;
+  bool is_seen = false;               ///< one of them is what the pixel shows
+  bool is_broadcast = false;          ///< some instruction of the segment draws such a surface
+  std::vector<std::size_t> attempts;  ///< into Story::attempts
+};
+
+WhyNot why_not(const Subject& subject, const Story& story, std::uint32_t primitive);
+
+/// One sentence on how an attempt ended.
+std::string fate_text(const Subject& subject, const Story& story, const Attempt& attempt);
+
+/// The answer for people, in lines.
+std::string text_of(const Subject& subject, const Story& story, const WhyNot& answer);
+
+}  // namespace csgsim::story

@@ -1,0 +1,47 @@
+#include "sim/waves/foreknowledge.h"
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+
+namespace csgsim::waves {
+
+namespace {
+
+class Watcher final : public sim::Observer {
+ public:
+  Watcher(const isa::Program& program, Foreknowledge& known) : program_(program), known_(known) {}
+
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
+
+  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+    if (!isa::is_question(step.instruction.opcode)) return;
+    known_.answers.push_back(step.enabled_pixels > 0);
+    if (isa::skipped_after(step.instruction, step.enabled_pixels) > 0)
+      known_.skips.push_back({step.segment, step.index});
+  }
+
+  void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
+    const isa::Field colour = isa::frame_header(program_).colour;
+    if (program_.segments.size() != 1 || colour.width == 0) return;
+    const isa::Region& region = program_.segments[segment].region;
+    known_.picture.resize(std::size_t{region.width} * region.height);
+    state.read_field(colour, known_.picture);
+  }
+
+ private:
+  const isa::Program& program_;
+  Foreknowledge& known_;
+};
+
+}  // namespace
+
+Foreknowledge foresee(const isa::Program& program, const machines::Machine& machine) {
+  Foreknowledge known;
+  Watcher watcher(program, known);
+  sim::Observer* const watchers[] = {&watcher};
+  known.result = sim::make_functional_engine(machine)->run(program, watchers);
+  known.timeline = machines::timeline(program, machine, known.skips);
+  return known;
+}
+
+}  // namespace csgsim::waves

@@ -1,0 +1,78 @@
+#include "sim/waves/gtkwave_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include "hw/base/text.h"
+
+namespace csgsim::waves {
+
+namespace {
+
+constexpr std::uint64_t most_clocks_in_view = 64;
+constexpr unsigned window_width = 1900;  // pixels of the screen
+constexpr unsigned names_width = 560;
+constexpr unsigned row_height = 23;
+
+/// GTKWave's flags for the way a signal is shown.
+std::string_view flags_of(wave::Show show) {
+  switch (show) {
+    case wave::Show::bits: return "@28\n";
+    case wave::Show::number: return "@24\n";
+    case wave::Show::hexadecimal: return "@22\n";
+    case wave::Show::text: return "@820\n";
+  }
+  return "";
+}
+
+/// Picoseconds a clock, rounded as SystemC does.
+std::uint64_t period_of(const machines::Machine& machine) {
+  return static_cast<std::uint64_t>(std::llround(1.0 / static_cast<double>(machine.clock_hz) * 1e12));
+}
+
+/// GTKWave shows 2^-zoom units of time in 200 pixels of the screen.
+double zoom_of(std::uint64_t clocks, std::uint64_t period) {
+  const auto shown = static_cast<double>(std::min(clocks, most_clocks_in_view) * period);
+  return -std::log2(shown * 200.0 / (window_width - names_width));
+}
+
+std::string_view part_of(std::string_view name) { return name.substr(0, name.rfind('.')); }
+
+}  // namespace
+
+std::string gtkwave_view(const Recording& recording, std::span<const wave::Window> windows, std::uint64_t marked,
+                         const std::string& waveform, const machines::Machine& machine) {
+  const std::uint64_t period = period_of(machine);
+  const wave::Window& first = windows.front();
+  std::string view;
+  auto out = std::back_inserter(view);
+  // A name that would end its line or its quotes is left out: the file is then named beside this one.
+  const bool is_plain = printable(waveform) == waveform && waveform.find('"') == std::string::npos;
+  if (is_plain) fmt::format_to(out, "[dumpfile] \"{}\"\n", waveform);
+  fmt::format_to(out, "[timestart] {}\n[size] {} {}\n[pos] -1 -1\n", (first.begin + 1) * period, window_width,
+                 row_height * (recording.taps.size() + 16));
+  fmt::format_to(out, "*{:.6f} {}\n", zoom_of(first.end - first.begin, period), (marked + 1) * period);
+  fmt::format_to(out, "[sst_expanded] 0\n[sst_width] 0\n[signals_width] {}\n", names_width);
+  fmt::format_to(out, "{}{}.clock\n", flags_of(wave::Show::bits), recording.top);
+  std::vector<const wave::Tap*> taps;
+  for (const wave::Tap& tap : recording.taps) taps.push_back(&tap);
+  std::stable_partition(taps.begin(), taps.end(), [](const wave::Tap* tap) { return tap->name.starts_with("pixel_"); });
+  std::string_view part;
+  for (const wave::Tap* tap : taps) {
+    if (part_of(tap->name) != part) {
+      part = part_of(tap->name);
+      fmt::format_to(out, "@200\n-{}\n", part);
+    }
+    fmt::format_to(out, "{}{}.{}", flags_of(tap->show), recording.top, tap->name);
+    if (tap->width > 1) fmt::format_to(out, "[{}:0]", tap->width - 1);
+    view += '\n';
+  }
+  return view;
+}
+
+}  // namespace csgsim::waves

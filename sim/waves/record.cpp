@@ -1,0 +1,71 @@
+#include "sim/waves/record.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/kinds/make.h"
+#include "hw/machines/kind.h"
+#include "hw/systemc/kernel.h"
+#include "hw/systemc/run_listener.h"
+#include "hw/systemc/wave_recorder.h"
+#include "hw/wave/vcd_writer.h"
+#include "sim/cycle/elaboration.h"
+
+namespace csgsim::waves {
+
+namespace {
+
+/// The pixels of a Program of one segment, by their places in the array.
+kernel::Foretold foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
+  kernel::Foretold foretold{.pixels = {},
+                            .answers = known.answers,
+                            .skips = known.skips,
+                            .timeline = &known.timeline,
+                            .picture = known.picture};
+  const isa::Region& region = program.segments.front().region;
+  for (const wave::Pixel pixel : request.pixels) foretold.pixels.push_back({pixel.x - region.x, pixel.y - region.y});
+  return foretold;
+}
+
+/// Nobody looks at what instructions leave.
+class Nobody final : public kernel::RunListener {};
+
+bool can_be_probed(const isa::Program& program, const machines::Machine& machine, const wave::Request& request) {
+  const isa::Region whole{0, 0, machine.array.width, machine.array.height};
+  return kinds::can_be_probed(machine) && !request.pixels.empty() && program.segments.size() == 1 &&
+         program.segments.front().region == whole;
+}
+
+}  // namespace
+
+Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
+                 const wave::Request& request, Fidelity fidelity) {
+  sim::claim_elaboration(machine);
+  sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);  // that it has been stopped
+  const bool probes = fidelity == Fidelity::probed && can_be_probed(program, machine, request);
+  const std::unique_ptr<kernel::ClockedMachine> hardware =
+      probes ? kinds::make_probed_machine(machine, foretold_of(program, known, request))
+             : kinds::make_clocked_machine(machine);
+  const sc_core::sc_time period = kernel::period_of(machine);
+  kernel::WaveRecorder recorder("wave", period);
+
+  Recording recording{
+      .reached = false, .taps = hardware->taps(program, request), .top = wave::identifier(machine.kind->name)};
+  if (recording.taps.empty()) {
+    throw InputError("machines of the kind " + std::string(machine.kind->name) +
+                     " have no waves; take another --machine");
+  }
+  const std::uint64_t first = hardware->skip_to(program, {request.windows.front().begin, request.windows.back().end});
+  const auto picoseconds = static_cast<std::uint64_t>(period.to_seconds() * 1e12 + 0.5);
+  recorder.arm(wave::VcdWriter(recording.top, recording.taps, picoseconds, request.write), request.windows, first,
+               true);
+  Nobody nobody;
+  hardware->run(program, nobody);
+  recording.writing_seconds = recorder.writing().count();
+  recording.reached = recorder.finish();
+  return recording;
+}
+
+}  // namespace csgsim::waves

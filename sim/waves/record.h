@@ -1,0 +1,31 @@
+#pragma once
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "hw/wave/request.h"
+#include "hw/wave/tap.h"
+#include "sim/waves/foreknowledge.h"
+
+namespace csgsim::waves {
+
+/// What of the machine is stepped.
+enum class Fidelity : std::uint8_t {
+  probed,  ///< where the kind can: the probed pixels alone, from shortly before the first window on
+  whole,   ///< all of it, from the frame's first clock on
+};
+
+/// What a file has been written of.
+struct Recording {
+  double writing_seconds = 0;   ///< wall time to sample the taps and to write what they show
+  bool reached = false;         ///< a window: else the frame is over before the first
+  std::vector<wave::Tap> taps;  ///< as they are in the file, within `top`; not to be sampled
+  std::string top;
+};
+
+/// Runs the Program on the clocked machine until the last window is over, and writes the windows as a value change dump
+/// to request.write. One run a process: SystemC elaborates once. Throws InputError for a machine without waves, and for
+/// a pixel or tree level that the machine has not.
+Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
+                 const wave::Request& request, Fidelity fidelity);
+
+}  // namespace csgsim::waves

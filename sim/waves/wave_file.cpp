@@ -1,0 +1,96 @@
+#include "sim/waves/wave_file.h"
+
+#include <fmt/format.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask is POSIX
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+
+#include "hw/base/child_process.h"
+#include "hw/base/error.h"
+
+namespace csgsim::waves {
+
+namespace {
+
+/// vcd2fst writes files of its own beside the one it is told.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(const std::filesystem::path& purpose) {
+    std::string name = (std::filesystem::temp_directory_path() / "csgsim-XXXXXX").native();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw InputError(purpose.native() + ": there can be no temporary folder; check TMPDIR");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Signals wait for the end of what is done while it lives, so that they leave no temporary folder behind.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
+WaveFile::WaveFile(OutputFile& file, bool is_fst) : file_(file) {
+  if (is_fst) dump_.emplace(file.asked());
+}
+
+void WaveFile::write(std::string_view text) {
+  if (dump_) {
+    dump_->append(text);
+  } else {
+    file_.write(text);
+  }
+}
+
+void WaveFile::finish() {
+  if (!dump_) return;
+  dump_->rewind();
+  const SignalsHeld held;
+  const TemporaryFolder folder(file_.asked());
+  const std::string made = (folder.path() / "wave.fst").native();
+  const MemoryFile output(file_.asked());
+  const MemoryFile errors(file_.asked());
+  const std::array<std::string, 3> words{"vcd2fst", "-", made};
+  const std::optional<int> status = run_child(words, {*dump_, output, errors});
+  if (!status) {
+    throw InputError(file_.asked().native() +
+                     ": vcd2fst cannot be run; install it (package gtkwave) or choose a name that ends in .vcd");
+  }
+  std::ifstream fst(made, std::ios::binary);
+  const std::string content((std::istreambuf_iterator<char>(fst)), std::istreambuf_iterator<char>());
+  if (*status != 0 || content.empty()) {
+    throw InputError(fmt::format("{}: vcd2fst did not make it ({}); choose a name that ends in .vcd",
+                                 file_.asked().native(), why_failed(*status, errors)));
+  }
+  file_.write(content);
+}
+
+}  // namespace csgsim::waves

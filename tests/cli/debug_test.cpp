@@ -1,0 +1,220 @@
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+std::string trace(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/traces/" + name + ".csgt"; }
+
+/// Begins csgsim with these words, and kills it as soon as the file is there.
+void kill_when_there(const std::vector<std::string>& words, const std::string& file, int signal) {
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    std::vector<char*> arguments;
+    std::vector<std::string> all{std::string(CSGSIM_BINARY_DIR) + "/csgsim"};
+    all.insert(all.end(), words.begin(), words.end());
+    for (std::string& word : all) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
+    ::execv(arguments.front(), arguments.data());
+    std::_Exit(127);
+  }
+  int status = 0;
+  while (!fs::exists(file) && ::waitpid(child, &status, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(child, signal);
+  ::waitpid(child, &status, 0);
+}
+
+nlohmann::json without_wall(const std::string& path) {
+  nlohmann::json stats = json(path);
+  stats.erase("wall_seconds");
+  return stats;
+}
+
+}  // namespace
+
+TEST_CASE("a run that is killed goes on from its checkpoint, to the same pictures and counts") {
+  const Folder folder;
+  const std::string program = trace("old_example002_lines");
+  const auto outputs = [&](const std::string& name) {
+    return " -o " + (folder / (name + ".png")) + " --depth " + (folder / (name + "d.exr")) + " --owner " +
+           (folder / (name + "o.exr")) + " --stats " + (folder / (name + ".json"));
+  };
+  const std::string machine = " --machine scan-line ";
+  REQUIRE(run("run " + program + machine + outputs("whole")).code == 0);
+  for (const int signal : {SIGINT, SIGKILL}) {
+    const std::string file = folder / "c.csgs";
+    fs::remove(file);
+    kill_when_there({"run", program, "--machine", "scan-line", "--level", "reference", "--checkpoint", file,
+                     "--checkpoint-every", "3000"},
+                    file, signal);
+    REQUIRE(run("run " + program + machine + outputs("rest") + " --resume " + file + " --checkpoint " + file).code ==
+            0);
+    CHECK(content(folder / "rest.png") == content(folder / "whole.png"));
+    CHECK(content(folder / "restd.exr") == content(folder / "wholed.exr"));
+    CHECK(content(folder / "resto.exr") == content(folder / "wholeo.exr"));
+    CHECK(without_wall(folder / "rest.json") == without_wall(folder / "whole.json"));
+  }
+}
+
+TEST_CASE("checkpoints that cannot be are refused in one line, and leave nothing") {
+  const Folder folder;
+  const std::string run_it = "run " + trace("thesis_fig_2_3");
+  const std::string file = folder / "c.csgs";
+  misused(run_it + " --checkpoint " + file + " --level cycle", "the cycle level cannot stop");
+  misused(run_it + " --resume " + file + " --level cycle", "the cycle level cannot stop");
+  misused(run_it + " --checkpoint-every 5", "--checkpoint FILE");
+  misused(run_it + " --checkpoint-every 0 --checkpoint " + file, "take 1");
+  misused(run_it + " --checkpoint " + (folder / "p.png") + " -o " + (folder / "p.png"), "same file");
+  CHECK(run(run_it + " --checkpoint " + (folder / "none/c.csgs")).code == 1);
+  CHECK(folder.files() == 0);
+  REQUIRE(run(run_it + " --checkpoint " + file).code == 0);
+  const auto refused = [&](const std::string& words, const std::string& text) {
+    const Outcome outcome = run(words);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK(one_line(outcome.err));
+    CHECK(outcome.err.find(text) != std::string::npos);
+  };
+  refused("run " + trace("old_example002") + " --resume " + file, "of another Program");
+  refused(run_it + " --machine pixel-planes-4+clock.frequency=11000000 --resume " + file, "on another machine");
+  write(folder / "short.csgs", content(file).substr(0, 1000));
+  refused(run_it + " --resume " + (folder / "short.csgs"), "checksum does not match");
+  refused(run_it + " --resume " + trace("thesis_fig_2_3"), "does not begin with CSGS");
+}
+
+namespace {
+
+/// Each pixel gets a colour, those from column `from` on another one.
+std::string two_colours(int from) {
+  return ".array width=8 height=2 memory_bits=16\n.field Z2 [0+:8] depth\n.field colour [8+:6] colour\n"
+         ".primitive \"a\"\n.segment x=0 y=0 width=8 height=2\n  enable_all\n  set_constant Z2, 255\n"
+         "  set_constant colour, 3\n  edge_not_negative x - " +
+         std::to_string(from) + " (w8) ; render p0\n  set_constant colour, 48 ; shade p0\n";
+}
+
+}  // namespace
+
+TEST_CASE("diff tells the first instruction and pixel where two Programs differ, and the stories there") {
+  const Folder folder;
+  write(folder / "a.txt", two_colours(5));
+  write(folder / "b.txt", two_colours(4));
+  const Outcome outcome = run("diff " + (folder / "a.txt") + " " + (folder / "b.txt"));
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err == "A and B differ\n");
+  const std::string expected =
+      "i3 is another instruction:\n  A  edge_not_negative x - 5 (w8)\n  B  edge_not_negative x - 4 (w8)\n"
+      "the states are equal after 3 instructions\n"
+      "after i3, edge_not_negative x - 5 (w8)\n2 pixels differ, first 4,0:\n  E                A 0, B 1\n"
+      "the pictures differ at 2 pixels, first 4,0:\n";
+  CAPTURE(outcome.out);
+  CHECK(outcome.out.find(expected) != std::string::npos);
+  CHECK(outcome.out.find("\nA  pixel 4,0 shows") != std::string::npos);
+  CHECK(outcome.out.find("\nB  pixel 4,0 shows") != std::string::npos);
+}
+
+TEST_CASE("diff finds levels and machines equal, and refuses what it cannot compare") {
+  const std::string model_64 = "diff " + model("old_example011") + " --size 16x16 ";
+  const Outcome levels = run(model_64 + "--level-b cycle");
+  CHECK(levels.code == 0);
+  CHECK(levels.out.find("the states are equal after 26 instructions\nthe pictures are equal\n") != std::string::npos);
+  CHECK(run(model_64 + "--level-a cycle --level-b reference").code == 0);
+  CHECK(run(model_64 + "--machine-b scan-line").code == 0);
+  misused(model_64 + "--level-a cycle --level-b cycle", "one machine a process");
+  misused("diff " + trace("thesis_fig_2_3") + " --strategy-b list", "for models");
+  misused("diff " + trace("thesis_fig_2_3") + " --size 8x8", "for models");
+  const Outcome sizes = run("diff " + trace("thesis_fig_2_3") + " " + trace("old_example002"));
+  CHECK(sizes.code == 1);
+  CHECK(sizes.err.find("A draws 512 x 512 pixels and B 200 x 150") != std::string::npos);
+}
+
+TEST_CASE("a script shows each command and what it tells, and ends at its first error") {
+  const Folder folder;
+  write(folder / "p.txt", two_colours(5));
+  write(folder / "s", "step 2\n\nuntil colour[6,1] == 48  # the second\nprint colour[6,1]\nprint color[6,1]\nstep\n");
+  const Outcome outcome = run("debug " + (folder / "p.txt") + " -x " + (folder / "s"));
+  CHECK(outcome.code == 1);
+  CHECK(outcome.out ==
+        "> step 2\ni2 of 5: set_constant colour, 3\n"
+        "> until colour[6,1] == 48  # the second\ncolour[6,1] == 48\nat the end, after i4\n"
+        "> print colour[6,1]\ncolour[6,1] = 48 (0x30), #ff0000\n> print color[6,1]\n");
+  CHECK(outcome.err == (folder / "s") + ":5:7: there is no field 'color'; the nearest is 'colour'\n");
+  write(folder / "s", "step\nquit\nstep\n");
+  const Outcome quit = run("debug " + (folder / "p.txt") + " -x " + (folder / "s"));
+  CHECK(quit.code == 0);
+  CHECK(quit.out == "> step\ni1 of 5: set_constant Z2, 255\n> quit\n");
+  misused("debug " + (folder / "p.txt") + " --strategy list", "for models");
+  CHECK(run("debug " + model("old_example011") + " --size 16x16").code == 0);  // which reads /dev/null
+}
+
+TEST_CASE("at a terminal words are completed, lines edited, and errors do not end the session") {
+  const Folder folder;
+  write(folder / "p.txt", two_colours(5));
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::setenv("TERM", "dumb", 1);
+    const std::string binary = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
+    const std::string program = folder / "p.txt";
+    ::execl(binary.c_str(), binary.c_str(), "debug", program.c_str(), nullptr);
+    std::_Exit(127);
+  }
+  std::string shown;
+  const auto read_some = [&] {
+    pollfd waiting{terminal, POLLIN, 0};
+    if (::poll(&waiting, 1, 20'000) != 1) return false;
+    char buffer[512];
+    const ssize_t got = ::read(terminal, buffer, sizeof buffer);
+    if (got > 0) shown.append(buffer, static_cast<std::size_t>(got));
+    return got > 0;
+  };
+  // A line's keys are the editor's only when it has taken the terminal over, which it does after it has drawn the
+  // prompt after the answer to the line before; until then they are the terminal's, which echoes them and erases.
+  const auto is_taken_over = [&] {
+    termios mode{};
+    return ::tcgetattr(terminal, &mode) == 0 && (mode.c_lflag & ICANON) == 0;
+  };
+  const std::pair<std::string, std::string> lines[] = {
+      {"help lists the commands\r\n", "wrong\n"},
+      {"unknown command", "ste\t2\n"},
+      {"i2 of 5: set_constant colour, 3\r\n", "prin\tcol\t\x7f[6,1]\n"},
+      {"print colour[6,1]\r\n", "quit\n"}};
+  std::size_t said = 0;
+  for (const auto& [answer, keys] : lines) {
+    while ((shown.find(answer, said) == std::string::npos || !shown.ends_with("> ")) && read_some()) {
+    }
+    for (int i = 0; i < 20'000 && !is_taken_over(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    REQUIRE(is_taken_over());
+    said = shown.size();
+    shown += '|';
+    REQUIRE(::write(terminal, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
+  }
+  while (read_some()) {
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(terminal);
+  CAPTURE(shown);
+  CHECK(status == 0);
+  CHECK(shown.find("5 instructions on pixel-planes-4; help lists the commands") != std::string::npos);
+  CHECK(shown.find("debug:1:1: unknown command") != std::string::npos);
+  CHECK(shown.find("i2 of 5: set_constant colour, 3") != std::string::npos);
+  CHECK(shown.find("colour[6,1] = 0 (0x0), #000000") != std::string::npos);
+}

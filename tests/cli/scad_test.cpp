@@ -1,0 +1,46 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+/// Draws source with a program on the PATH that does for `openscad` what the shell commands say.
+Outcome draw_source(const std::string& commands) {
+  const Folder folder;
+  write(folder / "openscad", "#!/bin/sh\n" + commands);
+  fs::permissions(folder / "openscad", fs::perms::owner_all);
+  write(folder / "part.scad", "// whatever\n");
+  const std::string path = "PATH=" + folder.path().string() + ":/usr/bin:/bin";
+  const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
+  return run_program("/usr/bin/env", {path, program, "render", "part.scad", "--size", "16x16"}, folder.path());
+}
+
+}  // namespace
+
+TEST_CASE("source is drawn as OpenSCAD evaluates it, with its warnings") {
+  const Outcome outcome =
+      draw_source("echo 'WARNING: Ignoring unknown variable' >&2; echo 'ECHO: 1' >&2; echo 'cube(size = [8, 6, 4]);'");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.find(", 6 half-spaces") != outcome.out.npos);
+  CHECK(outcome.err == "openscad: WARNING: Ignoring unknown variable\n");
+}
+
+TEST_CASE("of many warnings of OpenSCAD's the first are told, the others counted") {
+  const Outcome outcome =
+      draw_source("for i in $(seq 25); do echo \"WARNING: $i\" >&2; done; echo 'cube(size = [8, 6, 4]);'");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.find("WARNING: 10\n") != outcome.err.npos);
+  CHECK(outcome.err.find("WARNING: 11") == outcome.err.npos);
+  CHECK(outcome.err.find("openscad: 15 more warnings") != outcome.err.npos);
+}
+
+TEST_CASE("source that makes no shape is refused as such") {
+  const Outcome outcome = draw_source("echo 'ECHO: 1' >&2; echo");
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err == "part.scad: it makes no shape, so there is nothing to draw; call a module that makes one\n");
+}

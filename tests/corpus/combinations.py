@@ -1,0 +1,87 @@
+"""Machines and strategies, each of which has to draw what Pixel-planes 4 draws with the stack: depth, owner and colour of every pixel."""
+import re
+from collections import defaultdict
+
+from drawn import render
+
+MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor")
+STRATEGIES = ("stack", "list", "bits", "products", "parallel")
+FIRST = (MACHINES[0], STRATEGIES[0])
+# What a machine may refuse, by words of its message, and what it draws the model with then.
+HOST_DIVIDES, MORE_BITS = "+divider.kind=host", ("--memory-bits", "512")
+REFUSALS = (("divides the model itself", HOST_DIVIDES), ("memory bits a pixel", MORE_BITS), ("multiplies out", None), ("the divider keeps", None))
+
+
+def chosen(machines, strategies, cross):
+    """Pairs to hold against the first: machines with the stack and strategies on the first machine, or each with each."""
+    names = (MACHINES if machines else MACHINES[:1]), (STRATEGIES if strategies else STRATEGIES[:1])
+    pairs = [(machine, strategy) for machine in names[0] for strategy in names[1]]
+    return [pair for pair in pairs if pair != FIRST and (cross or pair[0] == FIRST[0] or pair[1] == FIRST[1])]
+
+
+def draw(csgsim, model, view, size, pair):
+    """What is drawn in the end, and what was refused before, in words."""
+    machine, more, refused = pair[0], (), []
+    while True:
+        drawn = render(csgsim, model, view, size, ("--machine", machine, "--strategy", pair[1], *more))
+        known = [(words, mend) for words, mend in REFUSALS if words in drawn.said]
+        if drawn.code != 1 or not known:
+            return drawn, refused
+        refused.append(re.sub(r"^\S+:\d+:\d+: ", "", drawn.said))
+        mend = known[0][1]
+        if mend == HOST_DIVIDES and machine == pair[0] and machine != "multi-processor":  # whose cells divide, always
+            machine += mend
+        elif mend == MORE_BITS and not more:
+            more = mend
+        else:
+            return drawn, refused
+
+
+class Tally:
+    """What came of each machine with each strategy, over all models and views."""
+
+    def __init__(self):
+        self.counts = defaultdict(lambda: defaultdict(int))
+        self.refusals = defaultdict(set)
+
+    def add(self, pair, model, drawn, refused):
+        counts = self.counts[pair]
+        counts["drawn" if drawn else "refused" if refused else "failed"] += 1
+        for said in refused:
+            self.refusals[pair, re.sub(r"\d+", "N", said)].add(model.stem)
+        if drawn:
+            counts["most bits"] = max(counts["most bits"], drawn.stats["memory_bits"]["used"])
+
+    def compare(self, pair, first, other):
+        """What is not the same."""
+        differs = {"depths": int((first.depth != other.depth).sum()), "owners": int((first.owner != other.owner).sum()),
+                   "colours": int(first.picture != other.picture)}
+        for what, count in differs.items():
+            self.counts[pair][what] = max(self.counts[pair][what], count)
+        return ", ".join(f"{count} {what} differ" for what, count in differs.items() if count)
+
+    def print(self):
+        columns = ("drawn", "refused", "failed", "depths", "owners", "colours", "most bits")
+        print("\n%-16s %-9s" % ("machine", "strategy") + "%10s" * len(columns) % columns)
+        for pair, counts in self.counts.items():
+            print("%-16s %-9s" % pair + "%10d" * len(columns) % tuple(counts[name] for name in columns))
+        for (pair, said), models in sorted(self.refusals.items()):
+            print(f"{' '.join(pair)} refused {len(models)} models: {said}\n    {' '.join(sorted(models))}")
+
+
+def judge(csgsim, model, view, size, pairs, tally):
+    """What machines and strategies draw otherwise than the first of them."""
+    first = render(csgsim, model, view, size, ("--machine", FIRST[0], "--strategy", FIRST[1]))
+    if not first:
+        return [first.said]
+    faults = []
+    for pair in pairs:
+        drawn, refused = draw(csgsim, model, view, size, pair)
+        tally.add(pair, model, drawn, refused)
+        if drawn:
+            fault = tally.compare(pair, first, drawn)
+        else:
+            fault = "" if refused else f"exit code {drawn.code}: {drawn.said}"
+        if fault:
+            faults.append(f"{' '.join(pair)}: {fault}")
+    return faults

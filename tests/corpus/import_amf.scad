@@ -1,0 +1,2 @@
+// An AMF file of two objects.
+import("data/two_boxes.amf");

@@ -1,0 +1,94 @@
+#include "tests/corpus/reference.h"
+
+#include <png.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace csgsim::testing {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::path(CSGSIM_SOURCE_DIR) / "tests" / "corpus";
+
+struct Values {
+  std::uint32_t width = 0;
+  std::vector<std::uint16_t> pixels;
+};
+
+/// The grey values of a PNG file of 16 bits.
+Values read_values(const fs::path& path) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&image, path.c_str()) == 0) throw std::runtime_error(path.string() + ": no PNG");
+  image.format = PNG_FORMAT_LINEAR_Y;
+  Values values{image.width, std::vector<std::uint16_t>(std::size_t{image.width} * image.height)};
+  if (png_image_finish_read(&image, nullptr, values.pixels.data(), 0, nullptr) == 0) {
+    throw std::runtime_error(path.string() + ": broken");
+  }
+  return values;
+}
+
+view::Camera read_camera(std::istream& words) {
+  std::string projection;
+  view::Camera camera;
+  words >> projection;
+  for (glm::dvec3* point : {&camera.eye, &camera.centre}) words >> point->x >> point->y >> point->z;
+  camera.projection = projection == "ortho" ? view::Projection::orthographic : view::Projection::perspective;
+  return camera;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> corpus_models() {
+  std::map<std::string, std::string> models;
+  for (const fs::path& where : {folder, folder / "parts"}) {
+    for (const auto& entry : fs::directory_iterator(where)) {
+      if (entry.path().extension() == ".csg") models.emplace(entry.path().stem().string(), entry.path().string());
+    }
+  }
+  return models;
+}
+
+std::vector<Reference> read_references(const std::string& model) {
+  const Values values = read_values(folder / "references" / (model + ".png"));
+  const auto size = static_cast<std::ptrdiff_t>(values.width) * values.width;
+  std::vector<Reference> references;
+  std::ifstream views(folder / "references" / "views.txt");
+  for (std::string line; std::getline(views, line);) {
+    std::istringstream words(line);
+    std::string name;
+    words >> name;
+    if (name != model) continue;
+    Reference reference{.camera = read_camera(words), .size = values.width, .pixels = {}};
+    words >> reference.near >> reference.far >> reference.diagonal;
+    if (!words) throw std::runtime_error("views.txt: cannot be read: " + line);
+    // The perspective picture is above the orthographic one.
+    const bool is_second = reference.camera.projection == view::Projection::orthographic;
+    const auto first = values.pixels.begin() + (is_second ? size : 0);
+    reference.pixels.assign(first, first + size);
+    references.push_back(std::move(reference));
+  }
+  if (references.size() != 2 || std::ssize(values.pixels) != 2 * size) {
+    throw std::runtime_error(model + ": not two references");
+  }
+  return references;
+}
+
+std::map<std::string, std::string> refused_models() {
+  std::map<std::string, std::string> refused;
+  std::ifstream file(folder / "refused.txt");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.empty() || line.front() == '#') continue;
+    if (colon == std::string::npos) throw std::runtime_error("refused.txt: not NAME: REASON: " + line);
+    refused.emplace(line.substr(0, colon), line.substr(colon + 2));
+  }
+  return refused;
+}
+
+}  // namespace csgsim::testing

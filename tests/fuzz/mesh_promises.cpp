@@ -1,0 +1,102 @@
+#include "tests/fuzz/mesh_promises.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "host/convex/clip.h"
+#include "host/solids/check.h"
+#include "host/solids/flat_faces.h"
+#include "host/solids/limits.h"
+#include "host/solids/pieces.h"
+#include "hw/base/text.h"
+#include "tests/fuzz/property.h"
+
+namespace csgsim::fuzz {
+
+namespace {
+
+using Face = std::vector<std::uint32_t>;
+
+/// In units of the largest coordinate, which numbers of any size fit.
+struct Measure {
+  double volume = 0;
+  double area = 0;
+};
+
+Measure measure(std::span<const glm::dvec3> points, std::span<const Face> faces, double unit) {
+  Measure sum;
+  if (faces.empty()) return sum;
+  const glm::dvec3 origin = points[faces[0][0]] / unit;
+  for (const Face& face : faces) {
+    const glm::dvec3 first = points[face[0]] / unit - origin;
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      const glm::dvec3 second = points[face[k]] / unit - origin;
+      const glm::dvec3 third = points[face[k + 1]] / unit - origin;
+      sum.volume += glm::dot(first, glm::cross(second, third)) / 6;
+      sum.area += glm::length(glm::cross(second - first, third - first)) / 2;
+    }
+  }
+  return sum;
+}
+
+void require_closed(std::span<const Face> faces) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> turns;
+  for (const Face& face : faces) {
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t from = face[k];
+      const std::uint32_t to = face[(k + 1) % face.size()];
+      require(from != to, "a face has no side without length");
+      turns[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  for (const auto& [edge, turn] : turns) require(turn == 0, "faces run along an edge as often to and fro");
+}
+
+void check_piece(const model::Polyhedron& piece, double near) {
+  require(piece.points.size() >= 4 && piece.faces.size() >= 4, "a piece has four corners and faces at least");
+  require(piece.planes.size() == piece.faces.size(), "each face of a piece says its plane");
+  require_closed(piece.faces);
+  for (const glm::dvec3& point : piece.points) {
+    require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z), "a piece is bounded");
+    for (const glm::dvec4& plane : piece.planes) {
+      require(glm::dot(glm::dvec3(plane), point) + plane.w <= near, "a piece is convex");
+    }
+  }
+}
+
+}  // namespace
+
+void check_mesh(const solids::Mesh& mesh, double tolerance) {
+  const solids::Checked checked = solids::check(mesh, tolerance);
+  if (checked.defect) {
+    require(checked.defect->face < mesh.faces.size(), "a defect is at a face of the mesh");
+    require(printable(checked.defect->what) == checked.defect->what, "a defect is told in one line of printable text");
+    return;
+  }
+  require_closed(checked.mesh.faces);
+  const double unit = solids::largest_coordinate(checked.mesh);
+  solids::Limits limits;
+  limits.tolerance = tolerance;
+  Measure pieces;
+  // Corners are on planes that they are off by twice the tolerance, or twice what cuts err by, which is told in units
+  // of a diagonal; and both ends of a distance may be.
+  const double cuts = convex::relative_tolerance * 2 * std::sqrt(3.0);
+  const double near = 4 * std::max(tolerance, cuts);
+  for (const model::Polyhedron& piece : solids::convex_pieces(checked.mesh, limits)) {
+    check_piece(piece, near * unit);
+    const Measure one = measure(piece.points, piece.faces, unit);
+    require(one.volume > 0, "the faces of a piece run counter-clockwise seen from outside");
+    pieces.volume += one.volume;
+  }
+  // Faces that are not flat enclose what their triangles do.
+  const solids::Mesh flat = solids::with_flat_convex_faces(checked.mesh, tolerance * unit);
+  const Measure whole = measure(flat.points, flat.faces, unit);
+  require(std::abs(pieces.volume - whole.volume) <= near * whole.area, "the pieces are the whole");
+}
+
+}  // namespace csgsim::fuzz

@@ -1,0 +1,115 @@
+// The file of a checkpoint, whose checksum changes have to keep up with.
+
+#include "sim/checkpoint/snapshot.h"
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "hw/isa/bytes.h"
+#include "hw/isa/text.h"
+#include "hw/machines/kind.h"
+#include "hw/pixel_planes/kind.h"
+#include "sim/checkpoint/format.h"
+#include "sim/checkpoint/packed.h"
+#include "tests/fuzz/property.h"
+
+namespace fuzz = csgsim::fuzz;
+namespace isa = csgsim::isa;
+namespace sim = csgsim::sim;
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed);
+
+namespace {
+
+/// What the checkpoints of the corpus are of.
+constexpr const char* text = R"(.array width=70 height=3 memory_bits=16
+.field Z2 [0+:8] depth
+.field colour [8+:6] colour
+.field beside [2+:6] candidate_colour
+.primitive "a"
+.segment x=0 y=0 width=70 height=3
+  enable_all
+  load_linear [0+:8], x + 2*y (w12)
+  skip_if_none 1
+  global_or
+  edge_negative 5 - x (w9)
+  skip_if_none 2
+  set_constant colour, 33 ; shade p0
+  set_constant beside, 7 ; shade p0 against p0
+.segment x=3 y=1 width=9 height=2
+  enable_all
+  set_constant colour, 63
+)";
+
+const isa::Program& program() {
+  static const isa::Program one = isa::parse(text, "fuzz");
+  return one;
+}
+
+csgsim::machines::Machine planes() {
+  csgsim::machines::Machine machine = csgsim::machines::blank(csgsim::pixel_planes::kind);
+  machine.array = program().shape;
+  machine.picture = {program().shape.width, program().shape.height};
+  machine.clock_hz = 10'000'000;
+  return machine;
+}
+
+const csgsim::machines::Machine& machine() {
+  static const csgsim::machines::Machine one = planes();
+  return one;
+}
+
+/// The file of what stands before the hashes and behind them, with the hashes and the checksum that it has to have.
+std::vector<std::byte> sealed(std::span<const std::uint8_t> front, std::span<const std::uint8_t> body) {
+  static const sim::RunIdentity identity = sim::identity_of(program(), machine());
+  isa::ByteWriter out;
+  out.block(front);
+  sim::put_fixed(out, identity.program, 8);
+  sim::put_fixed(out, identity.machine, 8);
+  out.block(body);
+  const std::uint32_t sum = sim::snapshot_checksum(out.written());
+  for (std::size_t i = 0; i < sim::snapshot_checksum_size; ++i) out.byte(static_cast<std::uint8_t>(sum >> 8U * i));
+  return out.take();
+}
+
+}  // namespace
+
+/// Mostly with a checksum that fits, now and then with one that does not.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  constexpr std::size_t front = sim::snapshot_magic.size() + 1;
+  constexpr std::size_t head = front + 16;  // with the hashes
+  std::minstd_rand random(seed);
+  if (size < head + sim::snapshot_checksum_size || random() % 16 == 0) return LLVMFuzzerMutate(data, size, most);
+  std::vector<std::uint8_t> body(data + head, data + size - sim::snapshot_checksum_size);
+  const std::size_t used = body.size();
+  body.resize(std::max(used, most - head - sim::snapshot_checksum_size));
+  body.resize(LLVMFuzzerMutate(body.data(), used, body.size()));
+  const std::vector<std::byte> file = sealed({data, front}, body);
+  if (file.size() > most) return size;
+  std::memcpy(data, file.data(), file.size());
+  return file.size();
+}
+
+/// Any bytes are either one line of error, or a state from which a run goes on to its end, and which is written as it
+/// is read.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const sim::Snapshot read = sim::decode(std::as_bytes(std::span(data, size)), "fuzz.csgs", program(), machine());
+    const std::vector<std::byte> written = sim::encode(read);
+    fuzz::require(sim::decode(written, "fuzz.csgs", program(), machine()) == read, "a checkpoint is read as written");
+    const auto engine = sim::make_functional_engine(machine());
+    const auto run = engine->begin(program());
+    run->restore(read.run);
+    fuzz::require(run->save() == read.run, "a run has the state that it was given");
+    run->advance(sim::Run::end, {});
+    fuzz::require(run->finished(), "a run goes on to its end");
+    (void)run->result();
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error, "fuzz.csgs");
+  }
+  return 0;
+}

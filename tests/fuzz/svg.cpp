@@ -1,0 +1,18 @@
+// Drawings in SVG.
+
+#include "host/flat/svg.h"
+
+#include "tests/fuzz/area_promises.h"
+#include "tests/fuzz/property.h"
+
+namespace fuzz = csgsim::fuzz;
+
+/// Any bytes are either a drawing or one line of error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    fuzz::check_area(csgsim::flat::read_svg(fuzz::text_of(data, size), {}).area);
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error);
+  }
+  return 0;
+}

@@ -1,0 +1,95 @@
+#include "tests/lockstep/timed_machine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <systemc>
+
+#include "hw/isa/opcodes.h"
+#include "hw/machines/timeline.h"
+#include "hw/systemc/kernel.h"
+#include "sim/cycle/clocked_engine.h"
+#include "tests/lockstep/lockstep.h"
+#include "tests/lockstep/wave_check.h"
+
+namespace csgsim::test {
+
+/// Passes on what it is told.
+class TimedMachine::Listener final : public kernel::RunListener {
+ public:
+  Listener(TimedMachine& machine, kernel::RunListener& next) : machine_(machine), next_(next) {}
+
+  [[nodiscard]] kernel::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override {
+    return next_.keeps_after(segment, index);
+  }
+  void after_instruction(const kernel::Retired& retired, const kernel::PixelView& pixels) override {
+    machine_.told_.push_back({retired.segment, retired.index, machine_.edges()});
+    if (retired.skipped > 0) machine_.skips_.push_back({retired.segment, retired.index});
+    next_.after_instruction(retired, pixels);
+  }
+  void after_segment(std::uint32_t segment, const kernel::PixelView& pixels) override {
+    next_.after_segment(segment, pixels);
+  }
+
+ private:
+  TimedMachine& machine_;
+  kernel::RunListener& next_;
+};
+
+TimedMachine::TimedMachine(const machines::Machine& machine)
+    : machine_(machine), hardware_(sim::clocked_hardware(machine)), recorder_("wave", kernel::period_of(machine)) {}
+
+std::uint64_t TimedMachine::edges() const {
+  return sc_core::sc_time_stamp().value() / kernel::period_of(machine_).value();
+}
+
+kernel::RunReport TimedMachine::run(const isa::Program& program, kernel::RunListener& listener) {
+  told_.clear();
+  skips_.clear();
+  Listener timed(*this, listener);
+  const std::uint64_t before = edges();
+  kernel::RunReport report = hardware_.run(program, timed);
+  for (Told& told : told_) told.edge -= before;
+  return report;
+}
+
+void TimedMachine::check_wave(const isa::Program& program, sim::Engine& judge) {
+  constexpr std::uint64_t period = 1000;
+  const bool has_instructions =
+      std::ranges::any_of(program.segments, [](const isa::Segment& segment) { return !segment.instructions.empty(); });
+  if (!has_instructions) return;
+  const WaveCheck wave(program, machine_, judge);
+  std::string dump;
+  const wave::Request request = wave.request([&dump](std::string_view text) { dump += text; });
+  recorder_.arm(wave::VcdWriter("machine", hardware_.taps(wave.program(), request), period, request.write),
+                request.windows, 0, false);
+  kernel::RunListener nobody;
+  hardware_.run(wave.program(), nobody);
+  if (recorder_.finish()) wave.check(Vcd(dump), "machine", period);
+}
+
+void TimedMachine::check_timeline(const isa::Program& program) const {
+  const machines::Timeline timeline = machines::timeline(program, machine_, skips_);
+  std::size_t carried_out = 0;
+  for (const auto& spans : timeline.issued)
+    carried_out += static_cast<std::size_t>(std::ranges::count_if(spans, [](const auto& one) { return one.end > 0; }));
+  if (carried_out != told_.size())
+    throw Difference(fmt::format("{} instructions in the timeline, {} carried out", carried_out, told_.size()));
+  std::vector<std::vector<machines::ClockSpan>> at_last_pixel;
+  for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
+    const isa::Region& region = program.segments[s].region;
+    at_last_pixel.push_back(
+        machines::at_pixel(timeline, program, machine_, s, region.x + region.width - 1, region.y + region.height - 1));
+  }
+  for (const Told& told : told_) {
+    const isa::Opcode opcode = program.segments[told.segment].instructions[told.index].opcode;
+    const auto& spans = isa::is_question(opcode) ? timeline.issued : at_last_pixel;
+    const std::uint64_t expected = spans[told.segment][told.index].end;
+    const std::uint64_t clock = told.edge - 1;
+    if (clock == expected) continue;
+    throw Difference(fmt::format("segment {}, instruction {} ({}): carried out in clock {}, by the timeline in {}",
+                                 told.segment, told.index, isa::name_of(opcode), clock, expected));
+  }
+}
+
+}  // namespace csgsim::test

@@ -1,0 +1,511 @@
+// The controller: takes commands from the link, and puts bits of A, B and C and a control word for the pixels on the
+// wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/pixel-planes.md.
+`include "faults.vh"
+
+// The control word and coefficient bits of one clock of an instruction.
+//
+// F meets a field from its lowest bit, after `shift` bits of fraction. So that K is the comparison with the bits so far, it
+// begins as the answer for two empty numbers; beyond the field F meets zeros, and its sign decides. Instructions of the
+// table that read two fields with one port latch s first, then meet it with the other.
+module sequencer #(
+  parameter MEMORY_READS = 1,
+  parameter ALU_BITS = 1,
+  parameter ADDRESS = 7,
+  parameter SIDE = 5
+) (
+  input wire [3:0] fault,
+  input wire [COMMAND_BITS-1:0] command,
+  input wire [5:0] at,    // bit of the stream or field, the first of the clock
+  input wire pass,        // of two through a stream, or the read after the first
+  output reg [CONTROL_BITS-1:0] control,
+  output reg first,       // bit of a stream
+  output reg a,
+  output reg b,
+  output reg c,
+  output reg [5:0] next_at,
+  output reg next_pass,
+  output reg last
+);
+`include "command.vh"
+`include "control_word.vh"
+
+  wire [5:0] number = command[5:0];
+  wire [11:0] base_0 = command[FIELD_0 +: 12];
+  wire [11:0] base_1 = command[FIELD_1 +: 12];
+  wire [11:0] base_2 = command[FIELD_2 +: 12];
+  wire [5:0] width_0 = command[FIELD_0 + BASE_BITS +: 6];
+  wire [5:0] width_1 = command[FIELD_1 + BASE_BITS +: 6];
+
+  // The linear expression.
+  wire no_field = number == EDGE_NOT_NEGATIVE || number == EDGE_NEGATIVE || number == STRIPE;
+  wire [5:0] width = no_field ? command[FIELD_0 +: 6] : command[FIELD_1 +: 6];
+  wire [5:0] shift = no_field ? command[FIELD_0 + 6 +: 6] : command[FIELD_1 + 6 +: 6];
+  wire [7:0] at_a = (no_field ? FIELD_0 + 8'd12 : FIELD_1 + 8'd12) + at;
+  wire [7:0] at_b = at_a + width;
+  wire [7:0] at_c = at_b + width;
+  wire twice = number == KEEP_MAX || number == KEEP_MIN;
+  wire stream = number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN || number == STRIPE;
+
+  wire sign = at + 6'd1 == width;
+  wire whole = at >= shift;  // not of the fraction
+  wire [5:0] place = at - shift;
+  wire in_field = whole && place < width_0;
+  wire begins_field = whole && place == 0;
+
+  // Fields.
+  wire one_step = number <= ENABLE_STORE || number == GLOBAL_OR || number == SKIP_IF_NONE;
+  wire two_fields = number >= FIELD_LT && number <= BIT_AND_NOT || number == ADD;
+  wire two_clocks = two_fields && MEMORY_READS == 1;
+  wire latching = two_clocks && !pass;
+  wire [6:0] end_of_step = at + ALU_BITS;
+  wire ends_field = end_of_step >= width_0;
+  wire [31:0] constant = command[24 +: 32] >> at;
+
+  reg [1:0] x_select;
+  reg [1:0] carry_in;
+  reg y_enable, y_zero, y_invert, ripple, sum, invert, write, write_all, write_selected, latch;
+  reg set_enable, and_enable, set_carry, select, question;
+  reg [ALU_BITS-1:0] x_zero;
+  reg [ALU_BITS-1:0] x_invert;
+  reg [ALU_BITS-1:0] active;
+  reg [11:0] address_x;
+  reg [11:0] address_y;
+  reg [11:0] address_w;
+
+  // The fields and s of `add`, where a place has a bit of them.
+  wire [ALU_BITS-1:0] in_target;
+  wire [ALU_BITS-1:0] in_second;
+  genvar i;
+  generate
+    for (i = 0; i < ALU_BITS; i = i + 1) begin : place_of
+      assign in_target[i] = {1'b0, at} + i < {1'b0, width_0};
+      assign in_second[i] = {1'b0, at} + i < {1'b0, width_1};
+    end
+  endgenerate
+
+  // An operand of two: x is s, from memory or latched, y the other field.
+  task meet(input [11:0] base_x, input [11:0] base_y);
+    begin
+      x_select = two_clocks && pass ? X_LATCH : X_MEMORY;
+      address_x = base_x + at;
+      address_y = base_y + at;
+      y_zero = 1'b0;
+    end
+  endtask
+
+  // K := is x > y, or x >= y, in the bits so far.
+  task compare(input or_equal, input is_first);
+    begin
+      y_zero = 1'b0;
+      y_invert = 1'b1;
+      ripple = 1'b1;
+      sum = 1'b0;
+      carry_in = !is_first ? CARRY_KEPT : or_equal ? CARRY_ONE : CARRY_ZERO;
+      set_carry = 1'b1;
+    end
+  endtask
+
+  // F against field 0: K says whether F is greater, or also if it is equal, where the sign is met too.
+  task compare_stream(input or_equal);
+    begin
+      active[0] = whole;
+      if (whole) begin
+        compare(or_equal, begins_field);
+        if (!in_field) y_zero = 1'b1;  // y inverted is 1: the bit of the field is 0
+        if (sign) begin                // a negative F is less than any field
+          x_invert[0] = 1'b1;
+          y_invert = 1'b0;
+        end
+      end
+      address_y = base_0 + place;
+    end
+  endtask
+
+  always @* begin
+    x_select = stream ? X_TREE : X_MEMORY;
+    carry_in = CARRY_ZERO;
+    {y_enable, y_zero, y_invert, ripple, sum, invert} = 6'b010010;
+    {write, write_all, write_selected, latch} = 4'b0000;
+    {set_enable, and_enable, set_carry, select, question} = 5'b00000;
+    x_zero = {ALU_BITS{1'b0}};
+    x_invert = {ALU_BITS{1'b0}};
+    active = {{(ALU_BITS-1){1'b0}}, 1'b1};
+    address_x = base_0 + at;
+    address_y = base_0 + at;
+    address_w = base_0 + at;
+    if (!stream && !one_step) active = in_target;
+
+    case (number)
+      ENABLE_ALL: begin
+        set_enable = 1'b1;
+        x_zero[0] = 1'b1;
+        x_invert[0] = 1'b1;
+      end
+      ENABLE_INVERT: begin
+        set_enable = 1'b1;
+        x_select = X_ENABLE;
+        x_invert[0] = 1'b1;
+      end
+      ENABLE_LOAD: set_enable = 1'b1;
+      ENABLE_AND: {set_enable, and_enable} = 2'b11;
+      ENABLE_AND_NOT: begin
+        {set_enable, and_enable} = 2'b11;
+        x_invert[0] = 1'b1;
+      end
+      ENABLE_OR: begin  // the carry out of x + E + 1
+        set_enable = 1'b1;
+        {y_enable, y_zero, sum} = 3'b100;
+        carry_in = CARRY_ONE;
+      end
+      ENABLE_XOR: begin
+        set_enable = 1'b1;
+        {y_enable, y_zero} = 2'b10;
+      end
+      ENABLE_STORE: begin
+        x_select = X_ENABLE;
+        {write, write_all} = 2'b11;
+      end
+
+      EDGE_NOT_NEGATIVE: begin
+        {set_enable, and_enable} = {2{sign}};
+        x_invert[0] = 1'b1;
+      end
+      EDGE_NEGATIVE, STRIPE: {set_enable, and_enable} = {2{sign}};
+      LINEAR_GE, LINEAR_GT: begin
+        compare_stream(number == LINEAR_GE);
+        {set_enable, and_enable} = {2{sign}};
+      end
+      LINEAR_LT, LINEAR_LE: begin
+        compare_stream(number == LINEAR_LT);
+        {set_enable, and_enable} = {2{sign}};
+        invert = 1'b1;
+      end
+      LINEAR_EQ: begin  // the sum of x, y and 1 is 1 where they are equal
+        {set_enable, and_enable} = {2{whole}};
+        y_zero = !in_field;
+        carry_in = CARRY_ONE;
+        address_y = base_0 + place;
+      end
+      LOAD_LINEAR: begin  // a 1 beyond the field does not fit, nor does a sign
+        write = in_field;
+        {set_enable, and_enable} = {2{whole && !in_field}};
+        x_invert[0] = whole && !in_field;
+        address_w = base_0 + place;
+      end
+      KEEP_MAX, KEEP_MIN: begin
+        if (!pass) begin
+          compare_stream(number == KEEP_MIN);
+          select = sign;
+          invert = number == KEEP_MIN;
+        end else begin
+          write = in_field;
+          write_selected = 1'b1;
+          if (whole && !in_field) begin  // not the carry out of x + K, where it does not fit
+            {set_enable, and_enable} = 2'b11;
+            {sum, invert} = 2'b01;
+            carry_in = CARRY_KEPT;
+          end
+        end
+        address_w = base_0 + place;
+      end
+
+      SET_CONSTANT: begin
+        write = 1'b1;
+        x_zero = {ALU_BITS{1'b1}};
+        x_invert = constant[ALU_BITS-1:0];
+      end
+      XOR_CONSTANT: begin
+        write = 1'b1;
+        x_invert = constant[ALU_BITS-1:0];
+      end
+      COPY: begin
+        write = 1'b1;
+        address_x = base_1 + at;
+      end
+      BIT_NOT: begin
+        write = 1'b1;
+        x_invert = {ALU_BITS{1'b1}};
+        address_x = base_1 + at;
+      end
+      FIELD_LT, FIELD_LE: begin
+        meet(base_0, base_1);
+        compare(number == FIELD_LT || `FAULT(`FAULT_DECODE), at == 0);
+        {set_enable, and_enable} = {2{ends_field}};
+        invert = 1'b1;
+      end
+      FIELD_EQ: begin
+        meet(base_0, base_1);
+        {set_enable, and_enable} = 2'b11;
+        carry_in = CARRY_ONE;
+      end
+      BIT_AND, BIT_AND_NOT: begin  // the carry out of x + y
+        meet(base_1, base_2);
+        write = 1'b1;
+        sum = 1'b0;
+        y_invert = number == BIT_AND_NOT;
+      end
+      BIT_OR: begin  // the carry out of x + y + 1
+        meet(base_1, base_2);
+        write = 1'b1;
+        sum = 1'b0;
+        carry_in = CARRY_ONE;
+      end
+      BIT_XOR: begin
+        meet(base_1, base_2);
+        write = 1'b1;
+      end
+      ADD: begin
+        meet(base_1, base_0);
+        write = 1'b1;
+        ripple = 1'b1;
+        set_carry = 1'b1;
+        carry_in = at == 0 ? CARRY_ZERO : CARRY_KEPT;
+        x_zero = ~in_second;
+      end
+      GLOBAL_OR, SKIP_IF_NONE: question = 1'b1;
+      default: ;
+    endcase
+
+    if (latching) begin
+      {write, set_enable, set_carry} = 3'b000;
+      latch = 1'b1;
+      if (number == ADD) active = in_second;
+    end
+
+    control = {CONTROL_BITS{1'b0}};
+    control[CW_X_SELECT +: 2] = x_select;
+    control[CW_Y_ENABLE] = y_enable;
+    control[CW_Y_ZERO] = y_zero;
+    control[CW_Y_INVERT] = y_invert;
+    control[CW_X_ZERO +: ALU_BITS] = x_zero;
+    control[CW_X_INVERT +: ALU_BITS] = x_invert;
+    control[CW_ACTIVE +: ALU_BITS] = active;
+    control[CW_CARRY_IN +: 2] = carry_in;
+    control[CW_RIPPLE] = ripple;
+    control[CW_SUM] = sum;
+    control[CW_INVERT] = invert;
+    control[CW_WRITE] = write;
+    control[CW_WRITE_ALL] = write_all;
+    control[CW_WRITE_SELECTED] = write_selected;
+    control[CW_LATCH] = latch;
+    control[CW_SET_ENABLE] = set_enable;
+    control[CW_AND_ENABLE] = and_enable;
+    control[CW_SET_CARRY] = set_carry;
+    control[CW_SELECT] = select;
+    control[CW_STREAM] = stream;
+    control[CW_QUESTION] = question;
+    control[CW_X +: ADDRESS] = MEMORY_READS == 1 && x_select != X_MEMORY ? address_y[ADDRESS-1:0] : address_x[ADDRESS-1:0];
+    control[CW_Y +: ADDRESS] = address_y[ADDRESS-1:0];
+    control[CW_W +: ADDRESS] = address_w[ADDRESS-1:0];
+
+    first = stream && at == 0;
+    a = stream && command[at_a];
+    b = stream && command[at_b];
+    c = stream && command[at_c];
+    last = one_step || (stream ? sign && (!twice || pass) : ends_field && !latching);
+    next_at = stream ? (sign ? 6'd0 : at + 6'd1) : latching ? at : end_of_step[5:0];
+    next_pass = stream ? pass | sign : latching;
+  end
+endmodule
+
+// The words that make memory and registers 0: so many clocks, over which the memory's bits are spread evenly
+// (hw/pixel_planes/clear_step.h has in which of them a bit becomes 0).
+module clearer #(
+  parameter MEMORY_BITS = 72,
+  parameter CLOCKS = 1,
+  parameter ADDRESS = 7
+) (
+  input wire clk,
+  input wire reset,
+  input wire [3:0] fault,
+  input wire begins,
+  input wire goes_on,
+  output wire [ADDRESS-1:0] address,
+  output wire [ADDRESS:0] count,
+  output wire last
+);
+  localparam EACH = MEMORY_BITS / CLOCKS;
+  localparam OVER = MEMORY_BITS % CLOCKS;
+  localparam STEPS = $clog2(CLOCKS + 1) + 1;
+  reg [STEPS-1:0] step;
+  reg [STEPS-1:0] rest;  // of the bits times the clocks that have gone by, over CLOCKS
+  reg [ADDRESS:0] done;
+
+  wire [STEPS-1:0] this_step = begins ? 0 : step;
+  wire [STEPS:0] this_rest = (begins ? 0 : rest) + OVER;
+  wire carry = this_rest >= CLOCKS;
+  wire [ADDRESS:0] from = begins ? 0 : done;
+  wire [ADDRESS:0] bits = EACH + carry;
+  assign last = this_step == CLOCKS - 1;
+  assign address = from[ADDRESS-1:0];
+  assign count = bits - (last & `FAULT(`FAULT_CLEAR));
+
+  always @(posedge clk) begin
+    if (reset) begin
+      step <= 0;
+      rest <= 0;
+      done <= 0;
+    end else if (begins | goes_on) begin
+      step <= this_step + 1;
+      rest <= carry ? this_rest - CLOCKS : this_rest;
+      done <= from + bits;
+    end
+  end
+endmodule
+
+module controller #(
+  parameter MEMORY_BITS = 72,
+  parameter MEMORY_READS = 1,
+  parameter ALU_BITS = 1,
+  parameter LINK = 32,
+  parameter LATENCY = 6,       // of the trees
+  parameter CLEAR_CLOCKS = 1,  // 1 at least
+  parameter ADDRESS = 7,
+  parameter SIDE = 5
+) (
+  input wire clk,
+  input wire reset,
+  input wire [3:0] fault,
+
+  input wire frame,                        // the host has one
+  output reg request,                      // of the words from an instruction on
+  output reg [31:0] request_from,
+  input wire [LINK-1:0] word,
+  input wire word_valid,
+  output wire take_word,
+  output wire drop_words,
+
+  output reg first,                        // the wires to the trees
+  output reg a,
+  output reg b,
+  output reg c,
+  output reg [CONTROL_BITS-1:0] control,   // and to the pixels
+  input wire answer_valid,
+  input wire answer,
+
+  output reg told,                         // the host of an answer
+  output reg told_any,
+  output reg done,                         // with the frame
+  output reg [31:0] clocks                 // of the frame, until it was done
+);
+`include "command.vh"
+`include "control_word.vh"
+
+  localparam IDLE = 3'd0, READY = 3'd1, ISSUING = 3'd2, CLEARING = 3'd3, ANSWERING = 3'd4, DRAINING = 3'd5;
+  reg [2:0] state;
+  reg [COMMAND_BITS-1:0] current;  // that is being carried out
+  reg [5:0] at;
+  reg pass;
+  reg [31:0] next_instruction;
+  reg drop_again;
+  reg [7:0] drained;
+
+  wire whole;
+  wire [COMMAND_BITS-1:0] received;
+
+  // What an answer does in the clock in which it is there.
+  wire answered = state == ANSWERING && answer_valid;
+  wire asks_skip = current[5:0] == SKIP_IF_NONE;
+  wire jump = answered && asks_skip && !answer;
+  assign drop_words = jump | drop_again;
+
+  // A command begins at an edge at which nothing else has the control wires.
+  wire free = state == READY || (answered && !jump);
+  wire take = free && whole;
+  wire [5:0] number = received[5:0];
+  wire begins_instruction = take && number <= STRIPE;
+  wire begins_clear = take && number == SEGMENT;
+  wire begins_drain = take && number == FRAME_END;
+
+  receiver #(.LINK(LINK)) in (
+    .clk(clk), .reset(reset), .drop(drop_words), .word(word), .word_valid(word_valid), .take_word(take_word),
+    .whole(whole), .command(received), .take(take));
+
+  wire [CONTROL_BITS-1:0] step_control;
+  wire step_first, step_a, step_b, step_c, step_last, step_next_pass;
+  wire [5:0] step_next_at;
+  wire [COMMAND_BITS-1:0] command = begins_instruction ? received : current;
+  sequencer #(.MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)) steps (
+    .fault(fault), .command(command), .at(begins_instruction ? 6'd0 : at), .pass(begins_instruction ? 1'b0 : pass),
+    .control(step_control), .first(step_first), .a(step_a), .b(step_b), .c(step_c), .next_at(step_next_at),
+    .next_pass(step_next_pass), .last(step_last));
+
+  wire [ADDRESS-1:0] clear_address;
+  wire [ADDRESS:0] clear_count;
+  wire clear_last;
+  clearer #(.MEMORY_BITS(MEMORY_BITS), .CLOCKS(CLEAR_CLOCKS), .ADDRESS(ADDRESS)) clears (
+    .clk(clk), .reset(reset), .fault(fault), .begins(begins_clear), .goes_on(state == CLEARING),
+    .address(clear_address), .count(clear_count), .last(clear_last));
+  wire [COMMAND_BITS-1:0] segment = begins_clear ? received : current;
+
+  wire issues = begins_instruction || state == ISSUING;
+  wire is_clearing = begins_clear || state == CLEARING;
+  wire asks = command[5:0] == GLOBAL_OR || command[5:0] == SKIP_IF_NONE;
+
+  always @(posedge clk) begin
+    request <= 1'b0;
+    told <= 1'b0;
+    done <= 1'b0;
+    drop_again <= jump;
+    control <= {CONTROL_BITS{1'b0}};
+    {first, a, b, c} <= 4'b0000;
+    if (state != IDLE) clocks <= clocks + 1;
+
+    if (take) current <= received;
+    if (begins_instruction) next_instruction <= next_instruction + 1;
+
+    if (answered) begin
+      state <= READY;
+      told <= ~asks_skip;
+      told_any <= answer;
+    end
+    if (jump) begin
+      request <= 1'b1;
+      request_from <= next_instruction + current[6 +: 32] + `FAULT(`FAULT_SKIP);
+      next_instruction <= next_instruction + current[6 +: 32];
+    end
+
+    if (issues) begin
+      control <= step_control;
+      {first, a, b, c} <= {step_first, step_a, step_b, step_c};
+      at <= step_next_at;
+      pass <= step_next_pass;
+      state <= !step_last ? ISSUING : asks ? ANSWERING : READY;
+    end
+    if (is_clearing) begin
+      control[CW_CLEAR] <= 1'b1;
+      control[CW_W +: ADDRESS] <= clear_address;
+      control[CW_COUNT +: ADDRESS + 1] <= clear_count;
+      control[CW_COLUMNS +: SIDE] <= segment[6 + 32 +: SIDE];
+      control[CW_ROWS +: SIDE] <= segment[6 + 48 +: SIDE];
+      state <= clear_last ? READY : CLEARING;
+    end
+
+    // The frame is done when its last step has been carried out, LATENCY clocks after the edge at which this command
+    // begins.
+    if (begins_drain || state == DRAINING) begin
+      drained <= (begins_drain ? 0 : drained) + 1;
+      state <= DRAINING;
+      if ((begins_drain ? 0 : drained) == LATENCY) begin
+        state <= IDLE;
+        done <= 1'b1;
+      end
+    end
+
+    if (state == IDLE && frame) begin
+      request <= 1'b1;
+      request_from <= 0;
+      next_instruction <= 0;
+      clocks <= 0;
+      state <= READY;
+    end
+
+    if (reset) begin
+      state <= IDLE;
+      request <= 1'b0;
+      drop_again <= 1'b0;
+      control <= {CONTROL_BITS{1'b0}};
+      clocks <= 0;
+    end
+  end
+endmodule

@@ -1,0 +1,20 @@
+// Planted faults. A build with CSGSIM_PLANTED_FAULTS has the one whose number is on the wires `fault`; 0 is none.
+`ifdef CSGSIM_PLANTED_FAULTS
+`define FAULT(NUMBER) (fault == NUMBER)
+`else
+`define FAULT(NUMBER) 1'b0
+`endif
+
+`define FAULT_ALU_FUNCTION 1        // the sum of the adder forgets its carry
+`define FAULT_CARRY 2               // a kept carry is taken for 0
+`define FAULT_ENABLE 3              // enable is not held back by what it was
+`define FAULT_SECOND_READ 4         // the latch is loaded only where enabled; the second port reads what the first does
+`define FAULT_MEMORY_WRITE 5        // the topmost memory bit cannot be written
+`define FAULT_TREE_ADDER 6          // carries of the trees start where the stream before ended
+`define FAULT_TREE_DELAY 7          // B enters the Y tree a clock too early
+`define FAULT_TREE_SELECT 8         // the multiplicand counts while its wire has that of the instruction before
+`define FAULT_DECODE 9              // field_le is taken for field_lt
+`define FAULT_CLEAR 10              // the last word of a clear clears a bit less
+`define FAULT_QUESTION 11           // the OR misses the lower half of the picture
+`define FAULT_SKIP 12               // a jump goes an instruction too far
+`define FAULT_REGION 13             // pixels right of a segment take part

@@ -1,0 +1,184 @@
+// rtl_NAME random PROGRAMS INSTRUCTIONS [KEY=NUMBER...]: random Programs, with so many instructions a segment at most,
+// on
+//   the machine in SystemC and on the Verilog, in lockstep. latency= and word= are clocks of the link.
+// rtl_NAME models MODEL...: test models, drawn by both.
+// rtl_NAME speed PRIMITIVES: seconds of both on the benchmarks' typical mix, by pixel and clock; the fastest of some
+// runs. rtl_NAME faults PROGRAMS INSTRUCTIONS NUMBER...: every planted fault but those is noticed within so many random
+// Programs. RC_PARAMS overrides seed and number of the random ones.
+
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "tests/bench/typical_mix.h"
+#include "tests/lockstep/row.h"
+#include "tests/rtl/lockstep.h"
+#include "tests/support/drawing.h"
+#include "tests/support/random_program.h"
+
+namespace csgsim::rtl {
+
+namespace {
+
+constexpr std::uint8_t planted_faults = 13;  ///< in faults.vh
+
+using Words = std::vector<std::string>;
+
+/// Nothing is scanned out, which the Verilog does not have.
+isa::Program unshown(isa::Program program) {
+  program.facts.fields.clear();
+  return program;
+}
+
+/// The figures that are the host's: latency= and word= are clocks of the link.
+machines::Machine machine_with(const Words& words, std::size_t first) {
+  machines::Machine machine = machine_of_parameters();
+  const std::map<std::string, std::uint32_t*> known{{"latency", &machine.link.latency},
+                                                    {"word", &machine.link.word_clocks}};
+  for (std::size_t i = first; i < words.size(); ++i) {
+    const std::size_t equals = words[i].find('=');
+    *known.at(words[i].substr(0, equals)) = static_cast<std::uint32_t>(std::stoul(words[i].substr(equals + 1)));
+  }
+  return machine;
+}
+
+int random_programs(const Words& words) {
+  const auto programs = static_cast<unsigned>(std::stoul(words.at(1)));
+  const std::size_t instructions = std::stoul(words.at(2));
+  Lockstep lockstep(machine_with(words, 3));
+  std::set<isa::Opcode> sent;
+  const int code = test::exit_code_of(programs, [&] {
+    return rc::check("the Verilog has the registers and the memory of the SystemC in every clock", [&] {
+      const isa::Program program = unshown(*test::arbitrary_program(machine_of_parameters().array, instructions));
+      const std::string difference = lockstep.run(program);
+      if (!difference.empty()) RC_FAIL(difference);
+      for (const isa::Segment& segment : program.segments)
+        for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
+    });
+  });
+  if (code == 0 && sent.size() != isa::opcode_table.size()) throw std::runtime_error("an instruction was never sent");
+  fmt::print("{} clocks compared\n", lockstep.clocks_compared());
+  return code;
+}
+
+int models(const Words& words) {
+  const machines::Machine machine = machine_of_parameters();
+  Lockstep lockstep(machine);
+  testing::Setup setup;
+  setup.sampling.width = machine.array.width;
+  setup.sampling.height = machine.array.height;
+  setup.memory_bits = machine.array.memory_bits;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const testing::Compiled compiled =
+        testing::compile_default_view(testing::model_path(words[i]), setup, view::Projection::perspective);
+    const std::string difference = lockstep.run(compiled.program);
+    if (!difference.empty()) throw std::runtime_error(words[i] + ": " + difference);
+    fmt::print("{}: equal, {} clocks compared so far\n", words[i], lockstep.clocks_compared());
+  }
+  return 0;
+}
+
+/// The number of random Programs until one notices the fault; 0 if none of so many does.
+unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned programs, std::size_t instructions) {
+  const auto any_program = test::arbitrary_program(machine_of_parameters().array, instructions);
+  constexpr int size = 50;
+  for (unsigned i = 1; i <= programs; ++i) {
+    const isa::Program program = unshown(any_program(rc::Random(i), size).value());
+    if (!lockstep.run(program, fault).empty()) return i;
+  }
+  return 0;
+}
+
+int faults(const Words& words) {
+  const auto programs = static_cast<unsigned>(std::stoul(words.at(1)));
+  const std::size_t instructions = std::stoul(words.at(2));
+  std::set<unsigned long> left_out;
+  for (std::size_t i = 3; i < words.size(); ++i) left_out.insert(std::stoul(words[i]));
+  Lockstep lockstep(machine_of_parameters());
+  if (noticed_by(lockstep, 0, programs, instructions) != 0) throw std::runtime_error("a difference without any fault");
+  int code = 0;
+  for (std::uint8_t fault = 1; fault <= planted_faults; ++fault) {
+    const unsigned noticed = noticed_by(lockstep, fault, programs, instructions);
+    fmt::print("fault {}: {}\n", fault, noticed == 0 ? "not noticed" : fmt::format("noticed by Program {}", noticed));
+    if ((noticed == 0) != left_out.contains(fault)) code = 1;
+  }
+  return code;
+}
+
+/// Runs a frame on the Verilog alone. Returns its clocks.
+std::uint64_t run_verilog(Machine& machine, const link::FrameWords& words, const machines::Link& link) {
+  HostLink host(link);
+  host.load(words);
+  Inputs inputs{.frame = true};
+  do {
+    host.drive(machine.outputs(), inputs);
+    machine.edge_for_host(inputs);
+    inputs = {};
+  } while (!machine.outputs().done);
+  return machine.outputs().clocks;
+}
+
+/// Nanoseconds of processor time a pixel and clock; the fastest of some runs.
+template <class Run>
+double pixel_clock_ns(const char* what, const isa::ArrayShape& shape, Run run) {
+  constexpr int runs = 3;
+  double best = std::numeric_limits<double>::infinity();
+  std::uint64_t clocks = 0;
+  for (int i = 0; i < runs; ++i) {
+    const std::clock_t begin = std::clock();
+    clocks = run();
+    best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  const double rate = static_cast<double>(clocks) / best;
+  const double each = 1e9 / rate / shape.width / shape.height;
+  fmt::print("{:<20} {:>9} clocks {:>12.0f} clocks/s {:>10.4f} ns a pixel and clock\n", what, clocks, rate, each);
+  return each;
+}
+
+int speed(const Words& words) {
+  const machines::Machine figures = machine_of_parameters();
+  const auto primitives = static_cast<unsigned>(std::stoul(words.at(1)));
+  const isa::Program program = bench::typical_mix(figures.array, primitives);
+  const link::FrameWords frame = link::frame_words(program, figures.link.width);
+  Machine verilog;
+  pixel_planes::PixelPlanes machine("machine", figures);
+  kernel::RunListener nobody;
+  const double by_verilog =
+      pixel_clock_ns("Verilator", figures.array, [&] { return run_verilog(verilog, frame, figures.link); });
+  const double by_machine =
+      pixel_clock_ns("clocked machine", figures.array, [&] { return machine.run(program, nobody).clocks; });
+  fmt::print("the clocked machine is {:.0f} x as fast\n", by_verilog / by_machine);
+  return 0;
+}
+
+int run(const Words& words) {
+  if (words.at(0) == "speed") return speed(words);
+  if (words.at(0) == "random") return random_programs(words);
+  if (words.at(0) == "models") return models(words);
+  if (words.at(0) == "faults") return faults(words);
+  throw std::invalid_argument("no such test: " + words.at(0));
+}
+
+}  // namespace
+
+}  // namespace csgsim::rtl
+
+int main(int count, char** words) {
+  try {
+    return csgsim::rtl::run({words + 1, words + count});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
+  return 2;
+}

@@ -1,0 +1,107 @@
+// Compiled once for each build of the Verilog: CSGSIM_RTL_... are its parameters.
+
+#include "tests/rtl/rtl_machine.h"
+
+#include <verilated.h>
+
+#include <concepts>
+#include <cstddef>
+#include <limits>
+
+#include "Vframe_buffer.h"
+#include "hw/pixel_planes/figures.h"
+#include "tests/lockstep/lockstep.h"
+
+namespace csgsim::rtl {
+
+namespace {
+
+template <std::unsigned_integral Number>
+void assign(Vector& to, Number from) {
+  to.assign(1, from);
+}
+
+template <std::size_t Words>
+void assign(Vector& to, const VlWide<Words>& from) {
+  to.assign((Words + 1) / 2, 0);
+  for (std::size_t i = 0; i < Words; ++i) to[i / 2] |= std::uint64_t{from[i]} << (i % 2 * 32);
+}
+
+template <std::unsigned_integral Number>
+void put(Number& to, const isa::LinkWord& word) {
+  to = static_cast<Number>(word.number(0, std::numeric_limits<Number>::digits));
+}
+
+template <std::size_t Words>
+void put(VlWide<Words>& to, const isa::LinkWord& word) {
+  for (std::size_t i = 0; i < Words; ++i)
+    to[i] = static_cast<std::uint32_t>(word.number(static_cast<unsigned>(i) * 32U, 32));
+}
+
+}  // namespace
+
+machines::Machine machine_of_parameters() {
+  machines::Machine machine = test::machine_of({CSGSIM_RTL_WIDTH, CSGSIM_RTL_HEIGHT, CSGSIM_RTL_MEMORY_BITS},
+                                               CSGSIM_RTL_MEMORY_READS, CSGSIM_RTL_ALU_BITS);
+  machine.link.width = CSGSIM_RTL_LINK;
+  machine.link.fifo_depth = CSGSIM_RTL_FIFO_DEPTH;
+  machine.clear_clocks = CSGSIM_RTL_CLEAR_CLOCKS;
+  machines::own<pixel_planes::Figures>(machine).or_fan_in = CSGSIM_RTL_FAN_IN;
+  return machine;
+}
+
+struct Machine::Verilated {
+  VerilatedContext context;
+  Vframe_buffer top{&context};
+};
+
+Machine::Machine() : verilated_(std::make_unique<Verilated>()) { edge({.reset = true}); }
+
+Machine::~Machine() { verilated_->top.final(); }
+
+void Machine::edge(const Inputs& inputs) {
+  clock(inputs);
+  read_host();
+  read_pixels();
+}
+
+void Machine::edge_for_host(const Inputs& inputs) {
+  clock(inputs);
+  read_host();
+}
+
+void Machine::clock(const Inputs& inputs) {
+  Vframe_buffer& top = verilated_->top;
+  top.reset = inputs.reset ? 1 : 0;
+  top.fault = inputs.fault;
+  top.frame = inputs.frame ? 1 : 0;
+  top.word_valid = inputs.word_valid ? 1 : 0;
+  put(top.word, inputs.word);
+  top.clk = 0;
+  top.eval();
+  top.clk = 1;
+  top.eval();
+}
+
+void Machine::read_host() {
+  const Vframe_buffer& top = verilated_->top;
+  outputs_.request = top.request != 0;
+  outputs_.request_from = top.request_from;
+  outputs_.word_ready = top.word_ready != 0;
+  outputs_.told = top.told != 0;
+  outputs_.told_any = top.told_any != 0;
+  outputs_.done = top.done != 0;
+  outputs_.clocks = top.clocks;
+}
+
+void Machine::read_pixels() {
+  const Vframe_buffer& top = verilated_->top;
+  outputs_.tree_valid = top.tree_valid != 0;
+  assign(outputs_.tree, top.tree);
+  assign(outputs_.enable, top.enable);
+  assign(outputs_.carry, top.carry);
+  assign(outputs_.latch, top.latch);
+  assign(outputs_.memory, top.memory);
+}
+
+}  // namespace csgsim::rtl

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hw/isa/link_word.h"
+#include "hw/machines/machine.h"
+
+/// The machine in Verilog, as Verilator made it, with the parameters of one build.
+namespace csgsim::rtl {
+
+/// What the parameters say of a frame-buffer machine, the rest being up to the host.
+machines::Machine machine_of_parameters();
+
+/// On the wires to the machine at an edge.
+struct Inputs {
+  bool reset = false;
+  bool frame = false;  ///< the host has one
+  bool word_valid = false;
+  isa::LinkWord word{};
+  std::uint8_t fault = 0;  ///< number of the planted fault (faults.vh); 0: none
+};
+
+/// Bit i of a vector is bit i % 64 of word i / 64.
+using Vector = std::vector<std::uint64_t>;
+
+/// On the wires from the machine after an edge. Pixel (x, y) has bit y * width + x.
+struct Outputs {
+  bool request = false;
+  std::uint32_t request_from = 0;
+  bool word_ready = false;
+  bool told = false;  ///< an answer
+  bool told_any = false;
+  bool done = false;         ///< with the frame, in this clock
+  std::uint32_t clocks = 0;  ///< of the frame
+  bool tree_valid = false;   ///< bits of F are at the pixels
+  Vector tree;
+  Vector enable;
+  Vector carry;
+  Vector latch;   ///< the ALU's first place at every pixel, then the next
+  Vector memory;  ///< bit 0 of every pixel, then bit 1
+};
+
+class Machine {
+ public:
+  /// After reset: all is 0.
+  Machine();
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+  Machine(Machine&&) = delete;
+  Machine& operator=(Machine&&) = delete;
+  ~Machine();
+
+  void edge(const Inputs& inputs);
+  /// The same, but of the outputs only what the host and its link look at is there afterwards.
+  void edge_for_host(const Inputs& inputs);
+  [[nodiscard]] const Outputs& outputs() const { return outputs_; }
+
+ private:
+  struct Verilated;
+  void clock(const Inputs& inputs);
+  void read_host();
+  void read_pixels();
+
+  std::unique_ptr<Verilated> verilated_;
+  Outputs outputs_;
+};
+
+}  // namespace csgsim::rtl

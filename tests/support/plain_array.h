@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/array/array_step.h"
+#include "hw/array/plane.h"
+#include "hw/array/stream_bit.h"
+
+namespace csgsim::test {
+
+/// One pixel's operands and registers in a clock in which it works on one bit.
+struct PixelState {
+  bool x = false;
+  bool y = false;
+  bool present = false;
+  bool enable = false;
+  bool carry = false;
+  bool latch = false;
+  bool memory = false;  ///< at the address written
+
+  bool operator==(const PixelState&) const = default;
+};
+
+/// What the table of ALU functions says.
+PixelState after(array::AluFunction function, bool constant, PixelState p);
+
+/// Pixel processors, each a struct of bools, that carry out each step at once, pixel by pixel.
+class PlainArray {
+ public:
+  PlainArray(array::PlaneShape shape, std::uint32_t memory_bits, unsigned alu_bits);
+
+  struct Pixel {
+    bool present = true;
+    bool enable = false;
+    bool carry = false;
+    std::vector<bool> latch;
+    std::vector<bool> memory;
+  };
+
+  [[nodiscard]] const Pixel& at(std::uint32_t x, std::uint32_t y) const {
+    return pixels_[std::size_t{y} * shape_.width + x];
+  }
+
+  // As those of array::PixelArray.
+  void clear_memory(std::uint32_t address, std::uint32_t bits);
+  void select(std::uint32_t width, std::uint32_t height);
+  void step(const array::ArrayStep& step, const array::StreamBit& tree);
+
+ private:
+  array::PlaneShape shape_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace csgsim::test

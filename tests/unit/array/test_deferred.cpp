@@ -1,0 +1,215 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/array/pixel_array.h"
+#include "hw/array/sequencer.h"
+#include "hw/isa/opcodes.h"
+#include "tests/support/plain_array.h"
+#include "tests/support/random_program.h"
+
+namespace {
+
+using namespace csgsim;
+using array::ArrayStep;
+using array::PixelArray;
+using array::StreamBit;
+using test::PlainArray;
+
+constexpr std::uint32_t memory_bits = 24;
+
+/// An array, and the same that carries out every step at once.
+struct Pair {
+  array::PlaneShape shape;
+  unsigned alu_bits;
+  PixelArray deferred;
+  PlainArray plain;
+  StreamBit tree{};
+
+  Pair(array::PlaneShape s, unsigned alu)
+      : shape(s), alu_bits(alu), deferred({s.width, s.height, memory_bits}, alu), plain(s, memory_bits, alu) {
+    deferred.reset(s.width, s.height);
+    plain.select(s.width, s.height);
+  }
+
+  void step(const ArrayStep& step) {
+    deferred.step(step, tree);
+    plain.step(step, tree);
+  }
+};
+
+void look_at_registers(const Pair& pair) {
+  for (std::uint32_t y = 0; y < pair.shape.height; ++y) {
+    for (std::uint32_t x = 0; x < pair.shape.width; ++x) {
+      const array::PixelProbe probe = pair.deferred.probe(x, y, pair.tree);
+      const PlainArray::Pixel& pixel = pair.plain.at(x, y);
+      RC_ASSERT(probe.enable == pixel.enable);
+      RC_ASSERT(probe.carry == pixel.carry);
+      for (unsigned bit = 0; bit < pair.alu_bits; ++bit)
+        RC_ASSERT((probe.latch >> bit & 1U) == (pixel.latch[bit] ? 1U : 0U));
+    }
+  }
+}
+
+void look_at_enable(const Pair& pair) {
+  std::uint64_t count = 0;
+  for (std::uint32_t y = 0; y < pair.shape.height; ++y)
+    for (std::uint32_t x = 0; x < pair.shape.width; ++x) count += pair.plain.at(x, y).enable ? 1U : 0U;
+  RC_ASSERT(pair.deferred.any_enabled() == (count > 0));
+  for (std::uint32_t y = 0; y < pair.shape.height; ++y)
+    for (std::uint32_t x = 0; x < pair.shape.width; ++x)
+      RC_ASSERT(array::bit_of(pair.deferred.enable(), pair.shape, x, y) == pair.plain.at(x, y).enable);
+}
+
+void look_at_memory(const Pair& pair, std::uint32_t address) {
+  const array::Words plane = pair.deferred.memory(address);
+  array::Words row(pair.shape.row_words());
+  for (std::uint32_t y = 0; y < pair.shape.height; ++y) {
+    pair.deferred.read_row(address, y, row);
+    for (std::uint32_t x = 0; x < pair.shape.width; ++x) {
+      const bool expected = pair.plain.at(x, y).memory[address];
+      RC_ASSERT(array::bit_of(plane, pair.shape, x, y) == expected);
+      RC_ASSERT(((row[x / 64] >> (x % 64) & 1U) != 0) == expected);
+      RC_ASSERT(pair.deferred.memory_bit(address, x, y) == expected);
+    }
+  }
+}
+
+void look_at_field(const Pair& pair) {
+  const auto width = *rc::gen::inRange<std::uint16_t>(1, 9);
+  const isa::Field field{*rc::gen::inRange<std::uint16_t>(0, memory_bits - 8), width};
+  const std::uint32_t columns = *rc::gen::inRange(1U, pair.shape.width + 1);
+  std::vector<std::uint32_t> values(std::size_t{columns} * pair.shape.height);
+  pair.deferred.read_field(field, columns, pair.shape.height, values);
+  for (std::uint32_t y = 0; y < pair.shape.height; ++y) {
+    for (std::uint32_t x = 0; x < columns; ++x) {
+      for (std::uint32_t bit = 0; bit < field.width; ++bit)
+        RC_ASSERT((values[std::size_t{y} * columns + x] >> bit & 1U) ==
+                  (pair.plain.at(x, y).memory[field.base + bit] ? 1U : 0U));
+    }
+  }
+}
+
+/// Of some of what can be looked at.
+void look(const Pair& pair) {
+  switch (*rc::gen::inRange(0, 5)) {
+    case 0: return look_at_registers(pair);
+    case 1: return look_at_enable(pair);
+    case 2: return look_at_memory(pair, *rc::gen::inRange(0U, memory_bits));
+    case 3: return look_at_field(pair);
+    default: break;
+  }
+  look_at_registers(pair);
+  look_at_enable(pair);
+  for (std::uint32_t address = 0; address < memory_bits; ++address) look_at_memory(pair, address);
+}
+
+std::uint64_t up_to(std::uint64_t value, std::int16_t bit) {
+  return value & array::low_bits(static_cast<std::size_t>(bit) + 1);
+}
+
+/// An instruction's steps, at some of whose clocks somebody looks: at none, at a few, or at each.
+void carry_out(Pair& pair, const isa::Instruction& instruction, array::Sequencer& sequencer) {
+  const int looks_of_8 = *rc::gen::weightedElement<int>({{6, 0}, {2, 1}, {1, 8}});
+  const auto a = static_cast<std::uint64_t>(instruction.linear.a);
+  const auto b = static_cast<std::uint64_t>(instruction.linear.b);
+  const auto c = static_cast<std::uint64_t>(instruction.linear.c);
+  sequencer.begin(instruction);
+  while (sequencer.busy()) {
+    const array::BitStep step = sequencer.issue();
+    const std::int16_t bit = step.root.token.bit;
+    // As the trees bring it: no coefficient has more bits than have come.
+    if (step.root.token.active()) pair.tree = {step.root.token, up_to(a, bit), up_to(b, bit), up_to(c, bit)};
+    pair.step(step.pixels);
+    if (looks_of_8 > 0 && *rc::gen::inRange(0, 8) < looks_of_8) look(pair);
+  }
+}
+
+/// A step that no instruction has, perhaps.
+ArrayStep any_step(unsigned alu_bits) {
+  const auto bits = *rc::gen::inRange(1U, alu_bits + 1);
+  const auto address = rc::gen::inRange<std::uint16_t>(0, memory_bits - 8);
+  return {.function = static_cast<array::AluFunction>(*rc::gen::inRange<std::size_t>(0, std::size(array::alu_table))),
+          .source = *rc::gen::element(array::OperandSource::latch, array::OperandSource::memory),
+          .x = *address,
+          .y = *address,
+          .write = *address,
+          .bits = static_cast<std::uint16_t>(bits),
+          .constant = *rc::gen::arbitrary<std::uint32_t>()};
+}
+
+/// Few pixels or none are enabled, so that blocks of them have nothing to do: those whose column has that bit.
+void enable_few(Pair& pair) {
+  const auto bit = *rc::gen::inRange<std::int16_t>(3, 12);
+  pair.tree = {
+      .token = {bit}, .a = *rc::gen::element<std::uint64_t>(0, 1), .b = *rc::gen::inRange<std::uint64_t>(0, 600)};
+  pair.step({.function = array::AluFunction::enable_all});
+  pair.step({.function = array::AluFunction::enable_and});
+}
+
+void act(Pair& pair, array::Sequencer& sequencer) {
+  switch (*rc::gen::weightedElement<int>({{12, 0}, {3, 1}, {2, 2}, {1, 3}, {1, 4}})) {
+    case 0:
+      return carry_out(pair,
+                       *test::arbitrary_instruction({pair.shape.width, pair.shape.height, memory_bits}, memory_bits, 3),
+                       sequencer);
+    case 1: return enable_few(pair);
+    case 2: return pair.step(any_step(pair.alu_bits));
+    case 3: {
+      const auto address = *rc::gen::inRange(0U, memory_bits - 4);
+      pair.deferred.clear_memory(address, 4);
+      return pair.plain.clear_memory(address, 4);
+    }
+    default: {
+      const auto width = *rc::gen::inRange(1U, pair.shape.width + 1);
+      const auto height = *rc::gen::inRange(1U, pair.shape.height + 1);
+      pair.deferred.select(width, height);
+      return pair.plain.select(width, height);
+    }
+  }
+}
+
+void check(array::PlaneShape shape) {
+  CAPTURE(shape.width);
+  CAPTURE(shape.height);
+  CHECK(rc::check([shape] {
+    const auto alu_bits = *rc::gen::element(1U, 1U, 3U);
+    array::Sequencer sequencer(*rc::gen::inRange(1U, 3U), alu_bits);
+    Pair pair(shape, alu_bits);
+    const int acts = *rc::gen::inRange(5, 60);
+    for (int i = 0; i < acts; ++i) act(pair, sequencer);
+    look_at_registers(pair);
+    look_at_enable(pair);
+    for (std::uint32_t address = 0; address < memory_bits; ++address) look_at_memory(pair, address);
+  }));
+}
+
+}  // namespace
+
+TEST_CASE("whoever looks, at whatever clock, sees what the steps so far leave when each is carried out at once") {
+  for (const array::PlaneShape shape : {array::PlaneShape{1, 1}, {5, 9}, {64, 20}, {130, 9}, {512, 4}, {640, 3}})
+    check(shape);
+}
+
+TEST_CASE("what is owed for long is paid although nobody looks, and later looks see it") {
+  Pair pair({512, 3}, 1);
+  pair.step({.function = array::AluFunction::enable_all});
+  pair.tree = {.token = {.bit = 5}, .a = 3, .b = 1};
+  pair.step({.function = array::AluFunction::store_x, .write = 2});
+  // No pixel of the rows after the first is enabled from here on.
+  pair.tree = {.token = {.bit = 0}, .b = 1, .c = 1};
+  pair.step({.function = array::AluFunction::enable_and});
+  pair.tree = {.token = {.bit = 1}, .b = 1, .c = 2};
+  pair.step({.function = array::AluFunction::enable_and});
+  REQUIRE(pair.deferred.count_enabled() == 512);
+  pair.step({.function = array::AluFunction::compare_from_1, .source = array::OperandSource::memory, .x = 2, .y = 3});
+  for (int i = 0; i < 500; ++i) {
+    pair.step({.function = array::AluFunction::latch_x, .source = array::OperandSource::memory, .x = 2});
+    REQUIRE(pair.deferred.count_enabled() == 512);
+  }
+  pair.step({.function = array::AluFunction::store_not_x, .source = array::OperandSource::latch, .write = 2});
+  look_at_registers(pair);
+  look_at_memory(pair, 2);
+}

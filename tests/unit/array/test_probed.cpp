@@ -1,0 +1,125 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/array/linear_evaluator.h"
+#include "hw/array/pixel_replay.h"
+#include "hw/isa/opcodes.h"
+#include "sim/reference/reference_array.h"
+#include "tests/support/probed_trees.h"
+#include "tests/support/random_program.h"
+
+namespace {
+
+using namespace csgsim;
+using array::Place;
+
+std::vector<Place> any_places(array::PlaneShape shape) {
+  std::vector<Place> places(*rc::gen::inRange<std::size_t>(1, 5));
+  for (Place& place : places) place = {*rc::gen::inRange(0U, shape.width), *rc::gen::inRange(0U, shape.height)};
+  return places;
+}
+
+/// A clock's bits at the roots: of streams of any width, some back to back, some with clocks between.
+class AnyStream {
+ public:
+  array::RootBits next() {
+    if (left_ == 0 && *rc::gen::weightedElement<bool>({{4, true}, {1, false}})) {
+      left_ = *rc::gen::inRange(1, 30);
+      bit_ = 0;
+    }
+    if (left_ == 0) return {};
+    --left_;
+    return {{bit_++}, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+  }
+
+ private:
+  int left_ = 0;
+  std::int16_t bit_ = 0;
+};
+
+bool same(const array::LevelProbe& one, const array::LevelProbe& other) {
+  if (one.token != other.token) return false;
+  return !one.token.active() || (one.stream == other.stream && one.carry == other.carry);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the evaluator has at every level and clock, on the way to any pixels, what adder by adder comes of the bits") {
+  rc::check([] {
+    const array::PlaneShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)};
+    const std::vector<Place> places = any_places(shape);
+    array::LinearEvaluator whole(shape);
+    test::ProbedTrees probed(shape, places);
+    RC_ASSERT(probed.x_levels() == whole.x_levels());
+    RC_ASSERT(probed.y_levels() == whole.y_levels());
+    array::StreamBit whole_leaves;
+    array::Words probed_leaves(array::PlaneShape{static_cast<std::uint32_t>(places.size()), 1}.padded_words());
+    AnyStream stream;
+    for (int clock = 0; clock < 120; ++clock) {
+      const array::RootBits root = stream.next();
+      for (std::uint32_t i = 0; i < places.size(); ++i) {
+        for (unsigned k = 0; k <= whole.x_levels(); ++k)
+          RC_ASSERT(same(whole.x_level(k, places[i].x, root), probed.x_level(k, i, root)));
+        for (unsigned k = 0; k <= whole.y_levels(); ++k)
+          RC_ASSERT(same(whole.y_level(k, places[i], root), probed.y_level(k, i, root)));
+      }
+      const bool reached = whole.clock(root, whole_leaves);
+      RC_ASSERT(probed.clock(root, probed_leaves) == reached);
+      RC_ASSERT(probed.any_active() == whole.any_active());
+      for (std::uint32_t i = 0; i < places.size(); ++i) {
+        RC_ASSERT(whole_leaves.at(places[i]) == ((probed_leaves[0] >> i & 1U) != 0));
+      }
+    }
+  });
+}
+
+TEST_CASE("pixels replayed alone have the reference's memory and enable, whatever is passed over") {
+  rc::check([] {
+    constexpr std::uint32_t bits = 40;
+    const isa::ArrayShape shape{*rc::gen::inRange(1U, 12U), *rc::gen::inRange(1U, 12U), bits};
+    const std::vector<Place> places = any_places({shape.width, shape.height});
+    const auto reads = *rc::gen::inRange(1U, 3U);
+    const auto alu = *rc::gen::inRange(1U, 5U);
+    const isa::Region region{0, 0, *rc::gen::inRange(1U, shape.width + 1), *rc::gen::inRange(1U, shape.height + 1)};
+    array::PixelReplay replay(places, bits, array::Sequencer(reads, alu), alu);
+    array::PixelReplay quick = replay;
+    replay.begin(region);
+    quick.begin(region);
+    sim::ReferenceArray reference(region, bits);
+    bool passes_over = true;
+    for (int n = 0; n < 40; ++n) {
+      isa::Instruction one = *test::arbitrary_instruction({region.width, region.height, bits}, bits, 3);
+      if (*rc::gen::inRange(0, 6) == 0) one = {.opcode = isa::Opcode::enable_all};
+      reference.execute(one);
+      replay.execute(one);
+      passes_over = passes_over && n < 25;
+      passes_over ? quick.execute_where_enabled(one) : quick.execute(one);
+      for (std::uint32_t i = 0; i < places.size(); ++i) {
+        const Place at = places[i];
+        if (at.x >= region.width || at.y >= region.height) continue;
+        const auto same_as_reference = [&](const array::PixelReplay& pixels) {
+          const bool enabled = pixels.pixels().probe(i, 0, pixels.tree()).enable;
+          if (enabled != reference.enabled(at.x, at.y)) return false;
+          for (std::uint16_t bit = 0; bit < bits; ++bit) {
+            if (pixels.pixels().memory_bit(bit, i, 0) != (reference.read({bit, 1}, at.x, at.y) != 0)) return false;
+          }
+          return true;
+        };
+        RC_ASSERT(same_as_reference(replay));
+        RC_ASSERT(same_as_reference(quick));
+      }
+    }
+    if (!quick.knows_registers()) return;
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      const array::PixelProbe expected = replay.pixels().probe(i, 0, replay.tree());
+      const array::PixelProbe found = quick.pixels().probe(i, 0, quick.tree());
+      RC_ASSERT(found.tree == expected.tree);
+      RC_ASSERT(found.carry == expected.carry);
+      RC_ASSERT(found.latch == expected.latch);
+    }
+  });
+}

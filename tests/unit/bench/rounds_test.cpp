@@ -1,0 +1,105 @@
+#include "sim/bench/rounds.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/camera.h"
+#include "hw/base/error.h"
+#include "sim/bench/povray.h"
+#include "sim/bench/process.h"
+#include "sim/bench/subjects.h"
+
+using namespace csgsim;
+
+TEST_CASE("the median is the middle value, or half way between the two in the middle") {
+  CHECK(bench::median({3}) == 3);
+  CHECK(bench::median({9, 1, 4}) == 4);
+  CHECK(bench::median({8, 1, 2, 4}) == 3);
+  CHECK_THROWS_AS(bench::median({}), std::invalid_argument);
+}
+
+TEST_CASE("all are measured in turn, as many rounds as asked for, or until the time is over") {
+  std::string order;
+  double slower = 0;
+  const std::array<bench::Timed, 2> all{[&] {
+                                          order += 'a';
+                                          return 1.0;
+                                        },
+                                        [&] {
+                                          order += 'b';
+                                          return slower += 1.0;
+                                        }};
+  CHECK(bench::medians_in_turn(all, {3, 1000}) == std::vector<double>{1, 2});
+  CHECK(order == "ababab");
+  order.clear();
+  bench::medians_in_turn(all, {1000, 0});
+  CHECK(order == "ab");
+}
+
+TEST_CASE("the exponent of a power law is found, whatever its factor") {
+  for (const double power : {-1.0, 0.0, 0.5, 2.0}) {
+    std::vector<bench::Point> points;
+    for (const double x : {1.0, 3.0, 10.0, 80.0}) points.push_back({x, 7 * std::pow(x, power)});
+    CHECK(bench::exponent(points) == doctest::Approx(power));
+  }
+  CHECK_THROWS_AS(bench::exponent(std::array<bench::Point, 2>{{{2, 1}, {2, 3}}}), std::invalid_argument);
+}
+
+TEST_CASE("generated models have as many half-spaces as they say, and lie about the origin") {
+  const auto scene_of = [](const std::string& text) { return facet::make_scene(read::read_csg_text(text, "made")); };
+  for (const unsigned fragments : {8U, 31U, 32U}) {
+    const facet::Scene sphere = scene_of(bench::drilled_sphere(fragments));
+    REQUIRE(sphere.solids.size() == 4);
+    CHECK(sphere.solids[0].halfspaces.size() == bench::sphere_halfspaces(fragments));
+  }
+  CHECK(bench::sphere_halfspaces(32) == 482);
+  for (const unsigned cubes : {1U, 4U, 7U, 64U}) {
+    const facet::Scene grid = scene_of(bench::grid_of_cubes(cubes));
+    CHECK(grid.solids.size() == cubes);
+    for (const facet::Convex& cube : grid.solids) CHECK(cube.halfspaces.size() == 6);
+  }
+}
+
+TEST_CASE("a process is timed; one that is not installed is none, one that fails is told") {
+  const std::array<std::string, 2> sleeps{"sleep", "0.1"};
+  const std::optional<bench::Took> took = bench::run_process(sleeps);
+  REQUIRE(took);
+  CHECK(took->wall >= 0.1);
+  CHECK(took->processor < took->wall);
+  const std::array<std::string, 1> none{"no-such-program-anywhere"};
+  CHECK_FALSE(bench::run_process(none));
+  CHECK(bench::run_process_within(20, sleeps));
+  CHECK_FALSE(bench::run_process_within(20, none));
+  const std::array<std::string, 2> too_long{"sleep", "20"};
+  CHECK_THROWS_WITH_AS(bench::run_process_within(1, too_long), "sleep: takes more than 1 s", InputError);
+  const std::array<std::string, 2> fails{"ls", "/no/such/folder"};
+  CHECK_THROWS_WITH_AS(bench::run_process(fails), doctest::Contains("ls: fails: "), InputError);
+  CHECK_THROWS_WITH_AS(bench::run_process_within(20, fails), doctest::Contains("ls: fails: "), InputError);
+}
+
+TEST_CASE("POV-Ray is given the same half-spaces, in boxes, and the same tree") {
+  const model::Tree tree =
+      read::read_csg_text("difference() { cube(size = 2, center = true); sphere($fn = 8, r = 1); }", "made");
+  const facet::Scene scene = facet::make_scene(tree);
+  const std::string text = bench::povray_scene(tree, scene, view::default_camera(scene.box, 64, 64));
+  const auto count = [&](const std::string& word) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("difference {") == 1);
+  CHECK(count("intersection {") == 2);
+  CHECK(count("bounded_by {") == 2);
+  CHECK(count("plane {") == 6 + bench::sphere_halfspaces(8));
+  // The cube's faces at x = 1 and x = -1: inside is what is below 1 along their normals.
+  CHECK(count("plane { <1, 0, 0>, 1 }") == 1);
+  const std::size_t opposite = text.find("plane { <-1, ");
+  REQUIRE(opposite != std::string::npos);
+  CHECK(text.substr(opposite, text.find('}', opposite) - opposite).ends_with(">, 1 "));
+}

@@ -1,0 +1,242 @@
+#include "sim/checkpoint/snapshot.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/kind.h"
+#include "hw/pixel_planes/kind.h"
+#include "sim/checkpoint/file.h"
+#include "tests/support/error_of.h"
+#include "tests/support/random_program.h"
+
+using namespace csgsim;
+using csgsim::testing::error_of;
+
+namespace {
+
+/// All that a run leaves behind.
+struct Outcome {
+  sim::RunResult result;
+  sim::Frame frame;
+  sim::Stats stats;
+};
+
+bool same(const Outcome& one, const Outcome& other) {
+  const sim::RunResult& a = one.result;
+  const sim::RunResult& b = other.result;
+  return a.clocks == b.clocks && a.latency_clocks == b.latency_clocks && a.shown_clocks == b.shown_clocks &&
+         a.interval_clocks == b.interval_clocks && a.overflows == b.overflows && a.skipped == b.skipped &&
+         a.answers == b.answers && a.account == b.account && one.frame == other.frame && one.stats == other.stats;
+}
+
+/// A run with its observers.
+struct Watched {
+  Watched(sim::Engine& engine, const isa::Program& program)
+      : run(engine.begin(program)), frame(program), stats(program) {}
+
+  void advance(std::uint64_t number) {
+    const std::array<sim::Observer*, 2> observers{&frame, &stats};
+    run->advance(number, observers);
+  }
+
+  std::unique_ptr<sim::Run> run;
+  sim::FrameObserver frame;
+  sim::StatsObserver stats;
+};
+
+Outcome uninterrupted(sim::Engine& engine, const isa::Program& program) {
+  sim::FrameObserver frame(program);
+  sim::StatsObserver stats(program);
+  const std::array<sim::Observer*, 2> observers{&frame, &stats};
+  const sim::RunResult result = engine.run(program, observers);
+  return {result, frame.frame(), stats.stats()};
+}
+
+/// Stops at random places; each time another level may go on, from the bytes of a checkpoint.
+Outcome interrupted(std::span<const std::unique_ptr<sim::Engine>> engines, const isa::Program& program,
+                    const machines::Machine& machine) {
+  const auto any_engine = [&]() -> sim::Engine& { return *engines[*rc::gen::inRange<std::size_t>(0, engines.size())]; };
+  const std::uint64_t count = sim::Numbers(program).count();
+  const sim::RunIdentity identity = sim::identity_of(program, machine);
+  Watched first(any_engine(), program);
+  std::unique_ptr<Watched> last;
+  Watched* current = &first;
+  std::uint64_t at = 0;
+  for (int stops = *rc::gen::inRange(0, 4); stops > 0; --stops) {
+    at = *rc::gen::inRange<std::uint64_t>(at, count + 1);
+    current->advance(at);
+    const sim::Snapshot taken = sim::take_snapshot(identity, *current->run, current->frame, current->stats);
+    const sim::Snapshot read = sim::decode(sim::encode(taken), "test", program, machine);
+    RC_ASSERT(read == taken);
+    last = std::make_unique<Watched>(any_engine(), program);
+    current = last.get();
+    sim::resume(read, *current->run, current->frame, current->stats);
+    RC_ASSERT(current->run->save() == taken.run);
+  }
+  current->advance(sim::Run::end);
+  RC_ASSERT(current->run->finished());
+  return {current->run->result(), current->frame.frame(), current->stats.stats()};
+}
+
+bool survives_interruptions(const machines::Machine& machine, const rc::Gen<isa::Program>& programs) {
+  const std::array<std::unique_ptr<sim::Engine>, 3> engines{sim::make_functional_engine(machine),
+                                                            sim::make_functional_engine(machine, 3),
+                                                            sim::make_reference_engine(machine)};
+  return rc::check([&] {
+    const isa::Program program = *programs;
+    const Outcome expected = uninterrupted(*engines.back(), program);
+    RC_ASSERT(same(interrupted(engines, program, machine), expected));
+  });
+}
+
+machines::Machine planes(isa::ArrayShape shape) {
+  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machine.name = "test";
+  machine.array = shape;
+  machine.picture = {shape.width, shape.height};
+  machine.clock_hz = 10'000'000;
+  return machine;
+}
+
+/// Pixels of 8 x 4, of which some are enabled, with a number in memory.
+isa::Program small_program() {
+  isa::Program program;
+  program.shape = {70, 4, 16};
+  program.facts.fields = {{"Z2", {0, 8}, isa::FieldRole::depth}, {"colour", {8, 6}, isa::FieldRole::colour}};
+  program.facts.primitives = {"a"};
+  const isa::Linear ramp{.a = 1, .b = 2, .c = 0, .width = 12};
+  program.segments.push_back(
+      {.region = {0, 0, 70, 4},
+       .instructions = {{.opcode = isa::Opcode::enable_all},
+                        {.opcode = isa::Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = ramp},
+                        {.opcode = isa::Opcode::skip_if_none, .constant = 1},
+                        {.opcode = isa::Opcode::global_or},
+                        {.opcode = isa::Opcode::edge_negative, .linear = {.a = -1, .c = 5, .width = 9}},
+                        {.opcode = isa::Opcode::set_constant, .fields = {isa::Field{8, 6}}, .constant = 33}}});
+  return program;
+}
+
+sim::Snapshot snapshot_at(std::uint64_t number, const isa::Program& program, const machines::Machine& machine) {
+  const auto engine = sim::make_functional_engine(machine);
+  Watched watched(*engine, program);
+  watched.advance(number);
+  return sim::take_snapshot(sim::identity_of(program, machine), *watched.run, watched.frame, watched.stats);
+}
+
+}  // namespace
+
+TEST_CASE("a run that is stopped anywhere, saved, read and resumed at any level ends as one that never stopped") {
+  for (const isa::ArrayShape shape : {isa::ArrayShape{8, 8, 72}, {70, 5, 33}, {1, 9, 24}})
+    CHECK(survives_interruptions(planes(shape), test::arbitrary_program(shape, 40)));
+}
+
+TEST_CASE("so does one of a machine that draws the picture in parts, at their beginnings and ends too") {
+  for (const char* name : {"scan-line", "pixel-square+divider.kind=host"}) {
+    machines::Machine machine = kinds::load(name);
+    machines::set_picture_size(machine, {20, 9});
+    machine.array.memory_bits = 40;
+    CHECK(survives_interruptions(machine, test::arbitrary_program_in_parts(machine, 8)));
+  }
+}
+
+TEST_CASE("a run stops before the instruction that it is told to stop at, and a segment's pixels stay at its end") {
+  isa::Program program = small_program();
+  program.segments.push_back(program.segments.front());
+  const machines::Machine machine = planes(program.shape);
+  for (const auto& engine : {sim::make_functional_engine(machine), sim::make_reference_engine(machine)}) {
+    const auto run = engine->begin(program);
+    run->advance(2, {});
+    CHECK(run->place() == sim::Place{0, 2});
+    CHECK(run->value({0, 8}, 9, 3) == 15);
+    CHECK(run->enabled(9, 3));
+    run->advance(6, {});
+    CHECK(run->place() == sim::Place{0, 6});
+    CHECK_FALSE(run->enabled(5, 0));
+    CHECK(run->enabled(6, 0));
+    CHECK(run->value({8, 6}, 6, 0) == 33);
+    run->advance(7, {});
+    CHECK(run->place() == sim::Place{1, 1});
+    CHECK(run->value({8, 6}, 6, 0) == 0);
+    CHECK_FALSE(run->finished());
+    run->advance(12, {});
+    CHECK(run->finished());
+    CHECK(run->result().answers == std::vector<bool>{true, true});
+  }
+}
+
+TEST_CASE("a checkpoint that is cut short, longer or changed in any byte is refused") {
+  const isa::Program program = small_program();
+  const machines::Machine machine = planes(program.shape);
+  const std::vector<std::byte> bytes = sim::encode(snapshot_at(5, program, machine));
+  REQUIRE(sim::decode(bytes, "c", program, machine) == snapshot_at(5, program, machine));
+  const auto refused = [&](std::span<const std::byte> changed) {
+    return error_of([&] { sim::decode(changed, "c", program, machine); }).starts_with("c: the checkpoint ");
+  };
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    CHECK(refused(std::span(bytes).first(size)));
+    std::vector<std::byte> changed = bytes;
+    changed[size] ^= std::byte{0x10};
+    CHECK(refused(changed));
+  }
+  std::vector<std::byte> longer = bytes;
+  longer.push_back(std::byte{0});
+  CHECK(refused(longer));
+}
+
+TEST_CASE("a checkpoint of another Program or machine is refused, whatever the machine is called") {
+  const isa::Program program = small_program();
+  const machines::Machine machine = planes(program.shape);
+  const std::vector<std::byte> bytes = sim::encode(snapshot_at(5, program, machine));
+  isa::Program other = program;
+  other.segments[0].instructions.back().constant = 34;
+  CHECK(error_of([&] { sim::decode(bytes, "c", other, machine); }) ==
+        "c: the checkpoint is of another Program; resume it with the one it was made of");
+  machines::Machine slower = machine;
+  slower.memory_reads = 2;
+  CHECK(error_of([&] { sim::decode(bytes, "c", program, slower); }) ==
+        "c: the checkpoint is of a run on another machine; give the same --machine");
+  machines::Machine renamed = machine;
+  renamed.name = "another";
+  CHECK_NOTHROW(sim::decode(bytes, "c", program, renamed));
+}
+
+TEST_CASE("states that no run of the Program can be in are refused") {
+  const isa::Program program = small_program();
+  const machines::Machine machine = planes(program.shape);
+  const sim::Snapshot good = snapshot_at(5, program, machine);
+  const auto refused = [&](auto change) {
+    sim::Snapshot bad = good;
+    change(bad);
+    return !error_of([&] { sim::decode(sim::encode(bad), "c", program, machine); }).empty();
+  };
+  CHECK_FALSE(refused([](sim::Snapshot&) {}));
+  CHECK(refused([](sim::Snapshot& one) { one.run.place.index = 7; }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.place.index = 4; }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.place.segment = 1; }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.told_end = true; }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.answers.push_back(true); }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.skipped = 1; }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.skips.push_back({0, 0}); }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.skips.push_back({0, 2}); }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.planes[1].at(1) |= std::uint64_t{1} << 6U; }));
+  CHECK(refused([](sim::Snapshot& one) { one.picture.frame.owner[3] = 1; }));
+  CHECK(refused([](sim::Snapshot& one) { one.picture.frame.depth[3] = 256; }));
+  CHECK(refused([](sim::Snapshot& one) { one.picture.frame.colour[3] = 64; }));
+  CHECK(refused([](sim::Snapshot& one) { ++one.stats.total.instructions; }));
+}
+
+TEST_CASE("a Program without segments is finished when it begins, and has checkpoints too") {
+  isa::Program nothing;
+  nothing.shape = {1, 1, 1};
+  const machines::Machine machine = planes(nothing.shape);
+  const auto run = sim::make_functional_engine(machine)->begin(nothing);
+  CHECK(run->finished());
+  const sim::Snapshot snapshot = snapshot_at(0, nothing, machine);
+  CHECK(sim::decode(sim::encode(snapshot), "c", nothing, machine) == snapshot);
+}

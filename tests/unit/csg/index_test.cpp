@@ -1,0 +1,235 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "host/csg/active_tree.h"
+#include "host/csg/box_index.h"
+#include "host/csg/disjoint.h"
+#include "host/csg/separation.h"
+#include "host/csg/tree_paths.h"
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "host/view/projection.h"
+#include "tests/oracle/random_model.h"
+
+using namespace csgsim;
+using csg::Known;
+
+namespace {
+
+csg::BoxIndex::Box random_box() {
+  csg::BoxIndex::Box box;
+  for (std::size_t i = 0; i < box.low.size(); ++i) {
+    const auto low = *rc::gen::inRange(0, 20);
+    box.low[i] = static_cast<float>(low);
+    box.high[i] = static_cast<float>(low + *rc::gen::inRange(0, 12));
+  }
+  return box;
+}
+
+template <class Test>
+bool in_every_dimension(const csg::BoxIndex::Box& a, const csg::BoxIndex::Box& b, const Test& test) {
+  for (std::size_t i = 0; i < a.low.size(); ++i)
+    if (!test(a.low[i], a.high[i], b.low[i], b.high[i])) return false;
+  return true;
+}
+
+bool meet(const csg::BoxIndex::Box& a, const csg::BoxIndex::Box& b) {
+  return in_every_dimension(a, b, [](float a0, float a1, float b0, float b1) { return a0 <= b1 && b0 <= a1; });
+}
+
+bool covers(const csg::BoxIndex::Box& a, const csg::BoxIndex::Box& b) {
+  return in_every_dimension(a, b, [](float a0, float a1, float b0, float b1) { return a0 <= b0 && b1 <= a1; });
+}
+
+view::Sampling small_picture() {
+  view::Sampling sampling;
+  sampling.width = 64;
+  sampling.height = 64;
+  return sampling;
+}
+
+/// A model as a camera sees it, and the I-trees of it pruned by a walk through all of each.
+class Pruned {
+ public:
+  Pruned(const std::string& text, const csg::Pruning& pruning)
+      : tree(read::read_csg_text(text, "test")),
+        scene(facet::make_scene(tree)),
+        view(view::make_view(scene, tree, {{30, -40, 20}, {0, 0, 0}, view::Projection::orthographic}, small_picture())),
+        positive(csg::make_positive(tree)),
+        pruning_(pruning) {}
+
+  struct Part {
+    Known known = Known::depends;
+    std::vector<std::uint32_t> leaves{};  ///< those that it depends on
+  };
+
+  /// The intersection of all operands that stand beside the way from the primitive to the root.
+  [[nodiscard]] Part i_tree(std::uint32_t primitive, const csg::Block& block) const {
+    Part all{Known::in};
+    std::uint32_t below = positive.leaf_of[primitive];
+    for (std::uint32_t at = positive.nodes[below].parent; at != model::no_index;
+         below = std::exchange(at, positive.nodes[at].parent)) {
+      if (positive.nodes[at].op != csg::PositiveOperator::intersect) continue;
+      for (const std::uint32_t child : positive.nodes[at].children)
+        if (child != below) add(all, part(child, primitive, block), Known::out);
+    }
+    return all;
+  }
+
+  [[nodiscard]] bool is_disjoint(std::uint32_t other, std::uint32_t primitive, const csg::Block& block) const {
+    const view::Extent& extent = view.extents[other];
+    const bool in_picture =
+        common(extent.pixels, block.pixels).empty() || extent.z_low > block.z_high || extent.z_high < block.z_low;
+    return (pruning_.picture && in_picture) ||
+           (pruning_.space && csg::disjoint(extent.box, view.extents[primitive].box));
+  }
+
+  model::Tree tree;
+  facet::Scene scene;
+  view::View view;
+  csg::PositiveTree positive;
+
+ private:
+  /// An operand more of an operator that `dominant` decides.
+  static void add(Part& whole, Part&& operand, Known dominant) {
+    if (whole.known == dominant) return;
+    if (operand.known == dominant) {
+      whole = {dominant};
+    } else if (operand.known == Known::depends) {
+      whole.known = Known::depends;
+      whole.leaves.insert(whole.leaves.end(), operand.leaves.begin(), operand.leaves.end());
+    }
+  }
+
+  [[nodiscard]] Part part(std::uint32_t index, std::uint32_t primitive, const csg::Block& block) const {
+    const csg::PositiveNode& node = positive.nodes[index];
+    if (node.is_leaf) return leaf(node, primitive, block);
+    const bool intersects = node.op == csg::PositiveOperator::intersect;
+    Part whole{intersects ? Known::in : Known::out};
+    for (const std::uint32_t child : node.children)
+      add(whole, part(child, primitive, block), intersects ? Known::out : Known::in);
+    return whole;
+  }
+
+  [[nodiscard]] Part leaf(const csg::PositiveNode& node, std::uint32_t primitive, const csg::Block& block) const {
+    Known known = Known::depends;
+    const bool apart =
+        pruning_.separation && csg::separated(view.extents[node.primitive].corners, view.extents[primitive].corners);
+    if (is_disjoint(node.primitive, primitive, block) || apart) {
+      known = Known::out;
+    } else if (pruning_.halfspaces) {
+      known = csg::locate(view, scene, node.primitive, block);
+    }
+    if (known == Known::depends) return {known, {node.primitive}};
+    return {(known == Known::in) != node.complemented ? Known::in : Known::out};
+  }
+
+  csg::Pruning pruning_;
+};
+
+std::vector<std::uint32_t> leaves_of(const csg::ActiveTree& active) {
+  std::vector<std::uint32_t> leaves;
+  std::vector<std::uint32_t> open = active.operands;
+  while (!open.empty()) {
+    const csg::ActiveNode& node = active.nodes[open.back()];
+    open.pop_back();
+    open.insert(open.end(), node.children.begin(), node.children.end());
+    if (!node.is_leaf) continue;
+    leaves.push_back(node.primitive);
+    leaves.insert(leaves.end(), node.others.begin(), node.others.end());
+  }
+  std::sort(leaves.begin(), leaves.end());
+  return leaves;
+}
+
+csg::Pruning random_pruning() {
+  csg::Pruning pruning;
+  pruning.picture = *rc::gen::inRange(0, 4) > 0;
+  pruning.space = *rc::gen::arbitrary<bool>();
+  pruning.separation = *rc::gen::arbitrary<bool>();
+  pruning.halfspaces = *rc::gen::arbitrary<bool>();
+  return pruning;
+}
+
+}  // namespace
+
+TEST_CASE("an index of boxes finds those that meet a box, and tells whether any covers it, as a look at each does") {
+  CHECK(rc::check([] {
+    std::vector<csg::BoxIndex::Entry> entries(static_cast<std::size_t>(*rc::gen::inRange(0, 120)));
+    for (std::uint32_t i = 0; i < entries.size(); ++i) entries[i] = {random_box(), i};
+    const csg::BoxIndex index(entries);
+    const csg::BoxIndex::Box box = random_box();
+    std::vector<std::uint32_t> found;
+    index.meeting(box, found);
+    std::sort(found.begin(), found.end());
+    std::vector<std::uint32_t> expected;
+    bool any = false;
+    const auto is_wanted = [](std::uint32_t number) { return number % 3 != 0; };
+    for (const csg::BoxIndex::Entry& entry : entries) {
+      if (meet(entry.box, box)) expected.push_back(entry.number);
+      any = any || (is_wanted(entry.number) && covers(entry.box, box));
+    }
+    RC_ASSERT(found == expected);
+    RC_ASSERT(index.any_covering(box, is_wanted) == any);
+  }));
+}
+
+TEST_CASE("the paths of a tree lead to the same nodes as steps from parent to parent") {
+  CHECK(rc::check([] {
+    const std::string text = testing::random_model(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(2U, 60U));
+    const csg::PositiveTree tree = csg::make_positive(read::read_csg_text(text, "test"));
+    const csg::TreePaths paths(tree);
+    const auto up = [&](std::uint32_t node) {
+      std::vector<std::uint32_t> nodes{node};
+      while (tree.nodes[nodes.back()].parent != model::no_index) nodes.push_back(tree.nodes[nodes.back()].parent);
+      return nodes;
+    };
+    const auto primitive = [&] {
+      return *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(tree.leaf_of.size()));
+    };
+    const std::uint32_t a = primitive();
+    const std::uint32_t b = primitive();
+    const std::vector<std::uint32_t> of_a = up(tree.leaf_of[a]);
+    const std::vector<std::uint32_t> of_b = up(tree.leaf_of[b]);
+    const auto both = std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+    const std::uint32_t above = paths.above(tree.leaf_of[a], tree.leaf_of[b]);
+    RC_ASSERT(above == *both);
+    RC_ASSERT(paths.first(above) <= std::min(a, b));
+    RC_ASSERT(paths.last(above) >= std::max(a, b));
+    if (a != b) RC_ASSERT(paths.child_towards(above, a) == *(both - 1));
+  }));
+}
+
+TEST_CASE(
+    "primitives that meet a block are found as by a look at each, and leave the I-tree that a walk through it does") {
+  CHECK(rc::check([] {
+    const csg::Pruning pruning = random_pruning();
+    const Pruned plain(testing::random_model(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(2U, 120U)),
+                       pruning);
+    const csg::Pruner pruner(plain.scene, plain.view, plain.positive, pruning);
+    const auto x = *rc::gen::inRange(0, 64);
+    const auto y = *rc::gen::inRange(0, 64);
+    const view::PixelRect region{x, y, *rc::gen::inRange(x, 64), *rc::gen::inRange(y, 64)};
+    for (std::uint32_t primitive = 0; primitive < plain.scene.solids.size(); ++primitive) {
+      const csg::ConvexSet set{primitive};
+      const csg::Block block = pruner.block_of(set, region);
+      if (block.pixels.empty()) continue;
+      const std::vector<std::uint32_t> meeting = pruner.meeting(set, block);
+      RC_ASSERT(std::is_sorted(meeting.begin(), meeting.end()));
+      const Pruned::Part expected = plain.i_tree(primitive, block);
+      const csg::ActiveTree active = pruner.active_tree(set, block);
+      RC_ASSERT(active.nothing == (expected.known == Known::out));
+      RC_ASSERT(active.operands.empty() == (expected.known != Known::depends));
+      std::vector<std::uint32_t> leaves = expected.leaves;
+      std::sort(leaves.begin(), leaves.end());
+      RC_ASSERT(leaves_of(active) == leaves);
+      for (const std::uint32_t leaf : leaves) RC_ASSERT(std::binary_search(meeting.begin(), meeting.end(), leaf));
+      for (const std::uint32_t one : meeting) RC_ASSERT(!plain.is_disjoint(one, primitive, block));
+    }
+  }));
+}

@@ -1,0 +1,98 @@
+#include "host/flat/dxf.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "tests/unit/flat/support.h"
+
+using namespace csgsim;
+using flat::check_as_openscad;
+
+namespace {
+
+using Strings = std::vector<std::string>;
+
+flat::Imported drawing(const std::string& name, const flat::DxfOptions& options = {}) {
+  return flat::read_dxf(flat::drawing(name + ".dxf"), options);
+}
+
+std::string entities(const std::string& groups) { return "0\nSECTION\n2\nENTITIES\n" + groups + "0\nENDSEC\n0\nEOF\n"; }
+
+std::string message(const std::string& text, const flat::DxfOptions& options = {}) {
+  try {
+    flat::read_dxf(text, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("DXF's lines, polylines, circles, arcs and ellipses are OpenSCAD's") {
+  check_as_openscad(drawing("entities").area, "dxf_entities");
+  check_as_openscad(drawing("entities", {.facets = {.fn = 24}}).area, "dxf_fine");
+  check_as_openscad(drawing("exported").area, "dxf_exported");
+}
+
+TEST_CASE("DXF's blocks are inserted as OpenSCAD does it") {
+  check_as_openscad(drawing("blocks").area, "dxf_blocks");
+  check_as_openscad(drawing("blocks", {.layer = "b", .scale = 0.5}).area, "dxf_layer_b");
+}
+
+TEST_CASE("DXF's drawings are moved and scaled as OpenSCAD does it") {
+  check_as_openscad(drawing("blocks", {.origin = {5, -3}, .scale = 2.5}).area, "dxf_moved");
+  check_as_openscad(drawing("entities", {.origin = {3, 4}, .scale = 1.5, .facets = {.fn = 30}}).area,
+                    "dxf_scaled_ellipses");
+}
+
+TEST_CASE("a layer of DXF is drawn alone, and what is left out of it is told") {
+  const flat::Imported all = drawing("layers");
+  check_as_openscad(all.area, "dxf_layers");
+  CHECK(all.left_out == Strings{"INSERT of nowhere, a block of no lines", "POLYLINE", "TEXT", "bulges of LWPOLYLINE"});
+  const flat::Imported plate = drawing("layers", {.layer = "plate"});
+  check_as_openscad(plate.area, "dxf_plate");
+  CHECK(plate.left_out == Strings{"POLYLINE"});
+  check_as_openscad(drawing("layers", {.layer = "holes"}).area, "dxf_holes");
+  CHECK(drawing("layers", {.layer = "none"}).area.empty());
+  CHECK(drawing("layers", {.layer = "none"}).left_out.empty());
+}
+
+TEST_CASE("DXF that cannot be read is an error, with its line") {
+  CHECK(message("") == "line 1: this is not DXF: it has no section");
+  CHECK(message("AutoCAD Binary DXF\r\n\x1a") ==
+        "line 1: \"AutoCAD Binary DXF\" is no group code of ASCII DXF, which stand on every other line");
+  CHECK(message("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n") ==
+        "the DXF file is cut short: its last group is not 0, EOF");
+  CHECK(message(entities("0\nLINE\n10\nx\n")) == "line 8: \"x\" is no number, but group 10 is one");
+  CHECK(message(entities("0\nARC\n40\nnan\n")) == "line 8: \"nan\" is no number, but group 40 is one");
+  CHECK(message(entities("0\nLWPOLYLINE\n70\n1.5\n")) == "line 8: \"1.5\" is no whole number, but group 70 is one");
+  CHECK(message(entities("0\nLINE\n10\n0\n20\n0\n")) == "line 6: a LINE lacks a point: groups 10, 20 or 11, 21");
+  CHECK(message(entities("0\nCIRCLE\n40\n1\n")) == "line 6: a CIRCLE lacks a point: groups 10, 20 or 11, 21");
+  CHECK(message(entities("0\nLINE\n10\n1e13\n20\n0\n11\n1\n21\n1\n")) ==
+        "line 6: a coordinate of the drawing is beyond 1e12; scale the drawing down");
+  CHECK(message(entities("0\nARC\n10\n0\n20\n0\n40\n1\n50\n0\n51\n1e9\n")) ==
+        "line 6: an arc goes around more than twice, or begins at more than a million degrees");
+  CHECK_THROWS_AS(flat::read_dxf(entities(""), {.scale = 0}), InputError);
+}
+
+TEST_CASE("angles far apart take no more time than others") {
+  const std::string arc = "0\nARC\n10\n0\n20\n0\n40\n1\n51\n90\n50\n";
+  CHECK(flat::area_of(flat::read_dxf(entities(arc + "360000\n"), {}).area) ==
+        doctest::Approx(flat::area_of(flat::read_dxf(entities(arc + "0\n"), {}).area)));
+  CHECK(message(entities(arc + "1e300\n")) ==
+        "line 6: an arc goes around more than twice, or begins at more than a million degrees");
+}
+
+TEST_CASE("blocks of blocks are no way to fill the memory") {
+  std::string blocks = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n1\n";
+  for (int i = 0; i < 30; ++i) blocks += "0\nINSERT\n2\nb\n10\n0\n20\n0\n";
+  CHECK(message(blocks + "0\nENDBLK\n0\nENDSEC\n0\nEOF\n").ends_with("the blocks have more than 1000000 segments"));
+}
+
+TEST_CASE("mutated DXF files are read or refused") {
+  flat::check_mutations(".dxf", [](const std::string& bytes) { flat::read_dxf(bytes, {}); });
+}

@@ -1,0 +1,1 @@
+import("../drawings/blocks.dxf", layer = "b", scale = 0.5);

@@ -1,0 +1,1 @@
+import("../drawings/blocks.dxf", origin = [5, -3], scale = 2.5);

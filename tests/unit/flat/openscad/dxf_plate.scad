@@ -1,0 +1,1 @@
+import("../drawings/layers.dxf", layer = "plate");

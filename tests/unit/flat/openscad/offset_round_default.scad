@@ -1,0 +1,1 @@
+offset(r = 7.5) square([20, 10]);

@@ -1,0 +1,1 @@
+offset(delta = -2) square([10, 4.5]);

@@ -1,0 +1,1 @@
+resize([12, 5]) circle(r = 3, $fn = 16);

@@ -1,0 +1,1 @@
+square([3, 2.5], center = true);

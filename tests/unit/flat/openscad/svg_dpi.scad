@@ -1,0 +1,1 @@
+import("../drawings/met.svg", dpi = 96);

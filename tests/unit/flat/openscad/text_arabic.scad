@@ -1,0 +1,1 @@
+text("مرحبا", font = "DejaVu Sans", size = 12, halign = "center", $fn = 32);

@@ -1,0 +1,1 @@
+text("مرحبا", font = "DejaVu Sans", direction = "ltr");

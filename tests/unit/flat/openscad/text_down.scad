@@ -1,0 +1,1 @@
+text("Down", direction = "ttb", halign = "center", valign = "top");

@@ -1,0 +1,1 @@
+text("שלום עולם", font = "DejaVu Sans");

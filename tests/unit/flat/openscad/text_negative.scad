@@ -1,0 +1,1 @@
+text("minus", size = -5);

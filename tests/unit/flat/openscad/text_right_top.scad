@@ -1,0 +1,1 @@
+text("AVATar office", font = "DejaVu Sans", halign = "right", valign = "top", spacing = 1.3);

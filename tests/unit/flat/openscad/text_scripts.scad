@@ -1,0 +1,1 @@
+text("Ωmega Жук é", font = "Liberation Mono", language = "el", script = "Grek");

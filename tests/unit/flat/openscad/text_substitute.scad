@@ -1,0 +1,1 @@
+text("Arial?", font = "Arial:style=Bold Italic");

@@ -1,0 +1,1 @@
+text("Upwards", direction = "btt", halign = "right", valign = "center", spacing = 1.2);

@@ -1,0 +1,104 @@
+#include "host/flat/svg.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "tests/unit/flat/support.h"
+
+using namespace csgsim;
+using flat::check_as_openscad;
+
+namespace {
+
+flat::Imported drawing(const std::string& name, const flat::SvgOptions& options = {}) {
+  return flat::read_svg(flat::drawing(name + ".svg"), options);
+}
+
+flat::Area path(const std::string& data) { return flat::read_svg("<svg><path d=\"" + data + "\"/></svg>", {}).area; }
+
+std::string message(const std::string& text) {
+  try {
+    flat::read_svg(text, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("SVG's shapes, paths, strokes and transforms are OpenSCAD's") {
+  for (const char* name : {"shapes", "paths", "transforms"}) {
+    check_as_openscad(drawing(name).area, std::string("svg_") + name);
+  }
+  flat::check_area_as_openscad(drawing("strokes").area, "svg_strokes");
+}
+
+TEST_CASE("SVG's page, units and alignment are OpenSCAD's") {
+  for (const char* name : {"pixels", "stretched", "sliced", "met", "unsized", "percent"}) {
+    check_as_openscad(drawing(name).area, std::string("svg_") + name);
+  }
+  check_as_openscad(drawing("stretched", {.center = true}).area, "svg_centred");
+  check_as_openscad(drawing("met", {.dpi = 96}).area, "svg_dpi");
+}
+
+TEST_CASE("what OpenSCAD leaves out of an SVG file is left out and told") {
+  const flat::Imported others = drawing("others");
+  check_as_openscad(others.area, "svg_others");
+  CHECK(others.left_out == std::vector<std::string>{"image", "text", "use"});
+  CHECK(drawing("shapes").left_out == std::vector<std::string>{"width=\"5px\" of a rect, which counts as 0"});
+  CHECK(drawing("paths").left_out.empty());
+}
+
+TEST_CASE("numbers of paths need no space where SVG needs none") {
+  const flat::Area apart = path("M 10 10 L 20.5 0.5 L 30 -5 z");
+  CHECK(flat::area_of(apart) > 0);
+  CHECK(path("M10,10L20.5.5 30-5z").outlines == apart.outlines);
+  CHECK(path("m10 10l10.5-9.5,9.5-5.5z").outlines == apart.outlines);
+  CHECK(path("M1e1+10L2.05E+1 .5L30-500e-2z").outlines == apart.outlines);
+  CHECK(path("M0 0a5 5 0 01.5 5z").outlines == path("M0 0 a5,5 0 0,1 0.5,5 z").outlines);
+}
+
+TEST_CASE("an arc without a radius is a line, and one to its own start is nothing") {
+  CHECK(path("M0 0A0 5 0 0 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
+  CHECK(path("M0 0L10 0A5 5 0 1 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
+}
+
+TEST_CASE("SVG that cannot be read is an error, with its line") {
+  CHECK(message("") == "line 1: this is not XML: No document element found");
+  CHECK(message("<html/>") == "line 1: this is not SVG: its outermost element is no svg");
+  CHECK(message("<svg>\n<g>\n</svg>") == "line 3: this is not XML: Start-end tags mismatch");
+  CHECK(message("<svg>\n<path d='M0 0 L1,x'/></svg>") == "line 2: path data goes wrong at \"x\"");
+  CHECK(message("<svg><path d='0 0'/></svg>") == "line 1: path data goes wrong at \"0 0\"");
+  CHECK(message("<svg><path d='M0 0a1 1 0 2 0 1 1'/></svg>") == "line 1: path data goes wrong at \"2 0 1 1\"");
+  CHECK(message("<svg><g><path transform='turn(3)'/></g></svg>") ==
+        "line 1: transform=\"turn(3)\" is no list of matrix(), translate(), scale(), rotate(), skewX(), skewY()");
+  CHECK(message("<svg viewBox='0 0 0 1'/>") == "line 1: the viewBox of the svg has no size");
+  CHECK(message("<svg><polygon points='1 2 x'/></svg>") ==
+        "line 1: points of a polygon are no list of pairs of numbers");
+  CHECK(message("<svg><rect width='1e300' height='1e300'/></svg>") ==
+        "a coordinate of a 2-D shape is not a number or beyond 1e12; scale the shape down");
+  CHECK(message("<svg><line x2='1' stroke-width='1e14' stroke-linecap='round'/></svg>") ==
+        "line 1: a stroke of the drawing is too wide");
+  CHECK(message("<svg><line x2='1' stroke-width='1e10' stroke-linecap='round'/></svg>") ==
+        "line 1: a line of the drawing has too many corners or too wide a stroke");
+  CHECK_THROWS_AS(flat::read_svg("<svg/>", {.dpi = 0}), InputError);
+}
+
+TEST_CASE("nesting without end and entities that grow are no way to fill the memory") {
+  std::string deep = "<svg>";
+  for (int i = 0; i < 100'000; ++i) deep += "<g>";
+  CHECK(message(deep).starts_with("line 1: this is not XML"));
+  for (int i = 0; i < 100'000; ++i) deep += "</g>";
+  CHECK(message(deep + "</svg>") == "line 1: elements are nested more than 1000 deep");
+  const std::string bomb = "<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;&a;&a;'>]><svg><path d='&b;'/></svg>";
+  CHECK(message(bomb) == "line 1: path data goes wrong at \"&b;\"");
+}
+
+TEST_CASE("mutated SVG files are read or refused") {
+  flat::check_mutations(".svg", [](const std::string& bytes) { flat::read_svg(bytes, {}); });
+}

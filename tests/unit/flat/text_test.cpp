@@ -1,0 +1,81 @@
+#include "host/flat/text.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "hw/base/error.h"
+#include "tests/unit/flat/support.h"
+
+using namespace csgsim;
+using flat::check_as_openscad;
+using flat::Text;
+
+TEST_CASE("text is set as OpenSCAD sets it") {
+  check_as_openscad(flat::text({.text = "Hello, World! 0123"}), "text");
+  check_as_openscad(
+      flat::text({.text = "%&@8$", .size = 20, .font = "Liberation Sans:style=Bold", .facets = {.fn = 100}}),
+      "text_fine");
+  check_as_openscad(flat::text({.text = "minus", .size = -5}), "text_negative");
+}
+
+TEST_CASE("text is aligned and spaced as OpenSCAD does it") {
+  check_as_openscad(flat::text({.text = "Quickly",
+                                .size = 7,
+                                .font = "Liberation Serif:style=Italic",
+                                .halign = "center",
+                                .valign = "center",
+                                .facets = {.fn = 16}}),
+                    "text_centred");
+  check_as_openscad(
+      flat::text({.text = "AVATar office", .font = "DejaVu Sans", .halign = "right", .valign = "top", .spacing = 1.3}),
+      "text_right_top");
+  check_as_openscad(
+      flat::text(
+          {.text = "gjpqy_", .size = 4, .font = " DejaVu Sans Mono:style=Bold ", .valign = "bottom", .spacing = 0.7}),
+      "text_bottom");
+}
+
+TEST_CASE("text runs as its script or its direction says") {
+  check_as_openscad(flat::text({.text = "שלום עולם", .font = "DejaVu Sans"}), "text_hebrew");
+  check_as_openscad(
+      flat::text({.text = "مرحبا", .size = 12, .font = "DejaVu Sans", .halign = "center", .facets = {.fn = 32}}),
+      "text_arabic");
+  check_as_openscad(flat::text({.text = "مرحبا", .font = "DejaVu Sans", .direction = "ltr"}), "text_arabic_ltr");
+  check_as_openscad(flat::text({.text = "Down", .halign = "center", .valign = "top", .direction = "ttb"}), "text_down");
+  check_as_openscad(
+      flat::text({.text = "Upwards", .halign = "right", .valign = "center", .spacing = 1.2, .direction = "btt"}),
+      "text_up");
+  check_as_openscad(flat::text({.text = "Ωmega Жук é", .font = "Liberation Mono", .language = "el", .script = "Grek"}),
+                    "text_scripts");
+  check_as_openscad(flat::text({.text = "aбγ — “x”"}), "text_mixed");
+}
+
+TEST_CASE("a font that is not there is replaced as fontconfig says") {
+  check_as_openscad(flat::text({.text = "Arial?", .font = "Arial:style=Bold Italic"}), "text_substitute");
+}
+
+TEST_CASE("letters smaller than OpenSCAD's units lose what they lose there") {
+  check_as_openscad(flat::text({.text = "tiny", .size = 0.01, .facets = {.fn = 0, .fa = 1, .fs = 0.001}}), "text_tiny");
+}
+
+TEST_CASE("text without ink is empty") {
+  CHECK(flat::text({.text = ""}).empty());
+  CHECK(flat::text({.text = "  "}).empty());
+  CHECK(flat::text({.text = "x", .size = 0}).empty());
+}
+
+TEST_CASE("bytes that are not UTF-8 are shown as such") {
+  CHECK(flat::area_of(flat::text({.text = "a\xff\xc3z"})) > flat::area_of(flat::text({.text = "az"})));
+}
+
+TEST_CASE("text that cannot be set is an error") {
+  CHECK_THROWS_WITH_AS(flat::text({.text = "x", .halign = "middle"}),
+                       "halign of text() is \"middle\"; use \"left\", \"center\" or \"right\"", InputError);
+  CHECK_THROWS_WITH_AS(flat::text({.text = "x", .valign = "\n"}),
+                       "valign of text() is \"\\n\"; use \"top\", \"center\", \"baseline\" or \"bottom\"", InputError);
+  CHECK_THROWS_AS(flat::text({.text = "x", .size = INFINITY}), InputError);
+  CHECK_THROWS_AS(flat::text({.text = "xx", .size = 1e12, .spacing = 1e300}), InputError);
+  CHECK_THROWS_AS(flat::text({.text = std::string(10'001, 'x')}), InputError);
+  CHECK_THROWS_AS(flat::text({.text = std::string(500, '&'), .facets = {.fn = 90'000}}), InputError);
+}

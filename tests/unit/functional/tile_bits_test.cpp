@@ -1,0 +1,119 @@
+#include "sim/functional/tile_bits.h"
+
+#include <doctest/doctest.h>
+
+#include "sim/functional/lane_kernels.h"
+#include "tests/unit/functional/pixels.h"
+
+using namespace csgsim;
+using namespace csgsim::testing;
+using sim::TileBits;
+using sim::TileShape;
+
+namespace {
+
+std::uint32_t ones(const Bits& bits) {
+  std::uint32_t ones = 0;
+  bits.each([&](std::uint32_t x, std::uint32_t y) { ones += bits.at(x, y) != 0 ? 1U : 0U; });
+  return ones;
+}
+
+/// Does one of the things that bits can do, to them and to their pixels.
+void do_any(TileBits& bits, Bits& pixels, const TileShape& shape) {
+  const std::uint64_t blocks = any_word() & shape.blocks();
+  const auto set_blocks = [&](char bit) {
+    pixels.set_each([&](std::uint32_t x, std::uint32_t y) {
+      return (blocks >> sim::block_of(x, y) & 1U) != 0 ? bit : pixels.at(x, y);
+    });
+  };
+  switch (between(0, 7)) {
+    case 0: pixels = set_any(bits, shape); break;
+    case 1:
+      bits.clear();
+      pixels = Bits(shape);
+      break;
+    case 2:
+      bits.fill(shape);
+      pixels.set_each([](std::uint32_t, std::uint32_t) { return char{1}; });
+      break;
+    case 3:
+      bits.clear_blocks(blocks);
+      set_blocks(0);
+      break;
+    case 4:
+      bits.fill_blocks(blocks);
+      set_blocks(1);
+      break;
+    case 5: {
+      TileBits other;
+      pixels = set_any(other, shape);
+      bits.assign(other);
+      break;
+    }
+    default: {
+      TileBits where;
+      TileBits value;
+      const Bits mask = set_any(where, shape);
+      const Bits values = set_any(value, shape);
+      sim::write_where(where, bits, shape, [&](unsigned block) { return value.word(block, shape); });
+      pixels.set_each(
+          [&](std::uint32_t x, std::uint32_t y) { return mask.at(x, y) != 0 ? values.at(x, y) : pixels.at(x, y); });
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a tile has the pixels of its sides, each in one block") {
+  CHECK(rc::check([] {
+    const TileShape shape = any_shape();
+    std::uint32_t area = 0;
+    for (unsigned block = 0; block < sim::blocks_a_tile; ++block) {
+      const auto count = static_cast<std::uint32_t>(std::popcount(shape.pixels(block)));
+      RC_ASSERT((shape.blocks() >> block & 1U) == (count > 0 ? 1U : 0U));
+      RC_ASSERT((shape.whole() >> block & 1U) == (count == sim::block_pixels ? 1U : 0U));
+      area += count;
+    }
+    RC_ASSERT(area == shape.width() * shape.height());
+    RC_ASSERT(area == shape.area());
+    for (std::uint32_t y = 0; y < shape.height(); ++y)
+      for (std::uint32_t x = 0; x < shape.width(); ++x)
+        RC_ASSERT((shape.pixels(sim::block_of(x, y)) >> sim::bit_of(x, y) & 1U) == 1U);
+  }));
+}
+
+TEST_CASE("bits of a tile are those of its pixels, whatever was done to them") {
+  CHECK(rc::check([] {
+    const TileShape shape = any_shape();
+    TileBits bits;
+    Bits pixels(shape);
+    const int steps = between(1, 12);
+    for (int i = 0; i < steps; ++i) {
+      do_any(bits, pixels, shape);
+      RC_ASSERT(bits_of(bits, shape) == pixels);
+      RC_ASSERT(sim::count_ones(bits, shape) == ones(pixels));
+    }
+  }));
+}
+
+TEST_CASE("bits become rows of words, and rows bits again") {
+  CHECK(rc::check([] {
+    const TileShape shape = any_shape();
+    const auto stride = between<std::size_t>(1, 4);
+    TileBits bits;
+    const Bits pixels = set_any(bits, shape);
+    std::vector<std::uint64_t> rows(shape.height() * stride, 0x5555U);
+    sim::write_rows(bits, shape, rows.data(), stride);
+    pixels.each([&](std::uint32_t x, std::uint32_t y) {
+      RC_ASSERT((rows[y * stride] >> x & 1U) == (pixels.at(x, y) != 0 ? 1U : 0U));
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i % stride != 0) RC_ASSERT(rows[i] == 0x5555U);
+      if (i % stride == 0 && shape.width() < 64) RC_ASSERT(rows[i] >> shape.width() == 0U);
+    }
+    TileBits again;
+    set_any(again, shape);
+    sim::read_rows(rows.data(), stride, shape, again);
+    RC_ASSERT(bits_of(again, shape) == pixels);
+  }));
+}

@@ -1,0 +1,128 @@
+#include "sim/lockstep/comparison.h"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+
+#include "hw/isa/opcodes.h"
+#include "hw/pixel_planes/kind.h"
+#include "tests/support/random_program.h"
+
+using namespace csgsim;
+using isa::Field;
+using isa::Instruction;
+using isa::Opcode;
+
+namespace {
+
+constexpr Field z2{0, 8};
+constexpr Field colour{8, 6};
+
+machines::Machine planes(isa::ArrayShape shape) {
+  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machine.array = shape;
+  machine.picture = {shape.width, shape.height};
+  machine.clock_hz = 10'000'000;
+  return machine;
+}
+
+Instruction constant(Field target, std::uint64_t value) {
+  return {.opcode = Opcode::set_constant, .fields = {target}, .constant = value};
+}
+
+/// Pixels from column 3 on get a colour.
+isa::Program two_columns() {
+  isa::Program program;
+  program.shape = {5, 2, 20};
+  program.facts.fields = {{"Z2", z2, isa::FieldRole::depth}, {"colour", colour, isa::FieldRole::colour}};
+  program.segments.push_back(
+      {.region = {0, 0, 5, 2},
+       .instructions = {{.opcode = Opcode::enable_all},
+                        constant(z2, 17),
+                        {.opcode = Opcode::edge_not_negative, .linear = {.a = 1, .c = -3, .width = 8}},
+                        constant(colour, 40),
+                        constant({16, 2}, 1)}});
+  return program;
+}
+
+sim::Comparison compare(const isa::Program& a, const isa::Program& b) {
+  const machines::Machine a_machine = planes(a.shape);
+  const machines::Machine b_machine = planes(b.shape);
+  const auto functional = sim::make_functional_engine(a_machine);
+  const auto reference = sim::make_reference_engine(b_machine);
+  return sim::compare({a, a_machine, *functional}, {b, b_machine, *reference});
+}
+
+}  // namespace
+
+TEST_CASE("two levels are equal at every instruction boundary of random Programs") {
+  const isa::ArrayShape shape{9, 5, 40};
+  CHECK(rc::check([&] {
+    const isa::Program program = *test::arbitrary_program(shape, 40);
+    const sim::Comparison found = compare(program, program);
+    RC_ASSERT_FALSE(found.other_instruction.has_value());
+    RC_ASSERT_FALSE(found.divergence.has_value());
+    RC_ASSERT_FALSE(found.picture.has_value());
+    RC_ASSERT(found.compared + found.a.result.skipped == sim::Numbers(program).count());
+  }));
+}
+
+TEST_CASE("the first instruction that differs, the first pixel after it, and what differs there are found") {
+  const isa::Program a = two_columns();
+  isa::Program b = a;
+  b.segments[0].instructions[2].linear.c = -2;  // column 2 too
+  const sim::Comparison found = compare(a, b);
+  CHECK(found.other_instruction == 2);
+  REQUIRE(found.divergence.has_value());
+  CHECK(found.divergence->place == sim::Place{0, 2});
+  CHECK(found.divergence->pixel == sim::PixelDifference{2, 0, {{"E", 0, 1}}, 2});
+  CHECK(found.compared == 2);
+  REQUIRE(found.picture.has_value());
+  CHECK(found.picture->x == 2);
+  CHECK(found.picture->y == 0);
+  CHECK(found.picture->pixels == 2);
+}
+
+TEST_CASE("a field is told by its name, its place where it has none, with both values") {
+  const isa::Program a = two_columns();
+  isa::Program b = a;
+  b.segments[0].instructions[3].constant = 41;
+  CHECK(compare(a, b).divergence->pixel == sim::PixelDifference{3, 0, {{"colour", 40, 41}}, 4});
+  b = a;
+  b.segments[0].instructions[4].constant = 2;
+  const sim::Comparison found = compare(a, b);
+  CHECK(found.divergence->pixel == sim::PixelDifference{3, 0, {{"[14+:6]", 4, 8}}, 4});
+  CHECK_FALSE(found.picture.has_value());
+}
+
+TEST_CASE("Programs of different length are compared up to their first different instruction, and by their pictures") {
+  const isa::Program a = two_columns();
+  isa::Program b = a;
+  b.segments[0].instructions.insert(b.segments[0].instructions.begin() + 3, {.opcode = Opcode::enable_all});
+  const sim::Comparison found = compare(a, b);
+  CHECK(found.other_instruction == 3);
+  CHECK_FALSE(found.divergence.has_value());
+  CHECK(found.compared == 3);
+  REQUIRE(found.picture.has_value());
+  CHECK(found.picture->x == 0);
+  CHECK(found.picture->pixels == 6);
+  b = a;
+  b.segments[0].instructions.pop_back();
+  CHECK(compare(a, b).other_instruction == 4);
+  CHECK_FALSE(compare(a, b).picture.has_value());
+}
+
+TEST_CASE("where an instruction takes other clocks on a machine that is told to be the same, it is found") {
+  isa::Program program = two_columns();
+  const machines::Machine machine = planes(program.shape);
+  machines::Machine wide = machine;
+  wide.alu_bits = 4;
+  const auto functional = sim::make_functional_engine(machine);
+  const auto run = sim::make_functional_engine(wide)->begin(program);
+  sim::Lockstep lockstep(program, program, *run, {});
+  sim::Observer* const observers[] = {&lockstep};
+  functional->run(program, observers);
+  REQUIRE(lockstep.divergence().has_value());
+  CHECK(lockstep.divergence()->place == sim::Place{0, 1});
+  CHECK(lockstep.divergence()->otherwise == sim::TwoValues{"clocks", 8, 2});
+}

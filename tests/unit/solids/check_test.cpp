@@ -1,0 +1,187 @@
+#include "host/solids/check.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "host/solids/limits.h"
+#include "tests/unit/solids/support.h"
+
+using namespace csgsim;
+using solids::check;
+using solids::Mesh;
+using testing::box;
+
+namespace {
+
+constexpr double tolerance = solids::printed_tolerance;
+
+std::string defect_of(const Mesh& mesh) {
+  const auto checked = check(mesh, tolerance);
+  return checked.defect ? checked.defect->what : "";
+}
+
+double volume_of(const Mesh& mesh) { return testing::volume_of(mesh.points, mesh.faces); }
+
+}  // namespace
+
+TEST_CASE("meshes that OpenSCAD wrote have no defect and stay as they are") {
+  for (const char* name : {"gear", "letters", "cup", "bite", "twisted", "hollow"}) {
+    CAPTURE(name);
+    const Mesh mesh = testing::load_off(name);
+    const auto checked = check(mesh, tolerance);
+    CHECK(!checked.defect);
+    CHECK(checked.mesh.faces.size() == mesh.faces.size());
+    CHECK(volume_of(checked.mesh) == doctest::Approx(volume_of(mesh)).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("equal points are one, unused ones go, and so do faces that collapse by that") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  Mesh apart;
+  for (const auto& face : mesh.faces) {
+    apart.points.emplace_back(7, 7, 7);
+    auto& made = apart.faces.emplace_back();
+    for (const std::uint32_t corner : face) {
+      made.push_back(static_cast<std::uint32_t>(apart.points.size()));
+      apart.points.push_back(mesh.points[corner]);
+    }
+  }
+  apart.faces.push_back({1, 1, 2});
+  const auto joined = solids::join_points(apart);
+  CHECK(joined.mesh.points.size() == 8);
+  CHECK(joined.mesh.faces.size() == 6);
+  CHECK(joined.face_numbers == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
+  for (std::size_t i = 0; i < 8; ++i) CHECK(joined.mesh.points[i] == apart.points[joined.point_numbers[i]]);
+  CHECK(defect_of(apart).empty());
+}
+
+TEST_CASE("an open mesh is refused, one triangle like two") {
+  const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const Mesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
+  CHECK(defect_of(one) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+  CHECK(defect_of(two) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+}
+
+TEST_CASE("a missing face and a turned face are told apart") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  Mesh open = mesh;
+  open.faces.pop_back();
+  CHECK(defect_of(open).starts_with("the mesh is open: no face joins faces["));
+  std::ranges::reverse(mesh.faces[3]);
+  const auto checked = check(mesh, tolerance);
+  REQUIRE(checked.defect);
+  CHECK(checked.defect->face == 3);
+  CHECK(checked.defect->what.starts_with("faces[0] and faces[3] both run from points["));
+}
+
+TEST_CASE("shells are turned so that every other one faces inwards") {
+  Mesh mesh;
+  testing::append(mesh, box(glm::dvec3(0), glm::dvec3(9)));
+  testing::append(mesh, box(glm::dvec3(1), glm::dvec3(8)));
+  testing::append(mesh, box(glm::dvec3(2), glm::dvec3(7)));
+  testing::append(mesh, box(glm::dvec3(20), glm::dvec3(21)));
+  for (const bool reversed : {false, true}) {
+    if (reversed) testing::reverse(mesh);
+    const auto checked = check(mesh, tolerance);
+    CHECK(!checked.defect);
+    CHECK(volume_of(checked.mesh) == doctest::Approx(729 - 343 + 125 + 1).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("solids that overlap cross, and solids that touch do not") {
+  Mesh touching = box(glm::dvec3(0), glm::dvec3(2));
+  testing::append(touching, box(glm::dvec3(2, 0.5, 0.5), glm::dvec3(3)));
+  CHECK(defect_of(touching) == "");
+  Mesh crossing = box(glm::dvec3(0), glm::dvec3(2));
+  testing::append(crossing, box(glm::dvec3(1.5, 0.5, 0.5), glm::dvec3(3)));
+  CHECK(defect_of(crossing).ends_with(" cross; unite the solids that overlap there"));
+  Mesh barely = box(glm::dvec3(0), glm::dvec3(2));
+  testing::append(barely, box(glm::dvec3(2 - 1e-5, 0.5, 0.5), glm::dvec3(3)));
+  CHECK(defect_of(barely) == "");
+  CHECK(check(barely, 1e-7).defect);
+}
+
+TEST_CASE("a face that is folded through a corner that it shares crosses the others there") {
+  // A pyramid whose tip is pulled down through its base.
+  const auto pyramid = [](double tip) {
+    return Mesh{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {3, 3, tip}, {1, 1, 1}},
+                {{3, 2, 1, 0}, {0, 1, 5}, {2, 3, 5}, {3, 0, 5}, {1, 4, 5}, {4, 2, 5}, {1, 2, 4}}};
+  };
+  CHECK(defect_of(pyramid(0.5)).empty());
+  CHECK(defect_of(pyramid(-5)).ends_with(" cross; unite the solids that overlap there"));
+}
+
+TEST_CASE("corners of others on an edge that nothing joins are given to its face") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  // The top in two halves, which the sides know nothing of.
+  const auto top = std::ranges::find_if(mesh.faces, [&](const auto& face) {
+    return std::ranges::all_of(face, [&](std::uint32_t corner) { return mesh.points[corner].z == 1; });
+  });
+  const auto corners = *top;
+  mesh.faces.erase(top);
+  const auto base = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.push_back((mesh.points[corners[0]] + mesh.points[corners[1]]) / 2.0);
+  mesh.points.push_back((mesh.points[corners[2]] + mesh.points[corners[3]]) / 2.0);
+  mesh.faces.push_back({corners[0], base, base + 1, corners[3]});
+  mesh.faces.push_back({base, corners[1], corners[2], base + 1});
+  CHECK(solids::find_open_edge(solids::join_points(mesh)));
+  const auto checked = check(mesh, tolerance);
+  CHECK(!checked.defect);
+  CHECK(volume_of(checked.mesh) == doctest::Approx(1).epsilon(1e-14));
+  // A corner that is off the edge leaves a gap.
+  mesh.points[base].z = 0.9;
+  CHECK(defect_of(mesh).starts_with("the mesh is open"));
+}
+
+TEST_CASE("an edge that four faces share is no defect") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  testing::append(mesh, box(glm::dvec3(1, 1, 0), glm::dvec3(2, 2, 1)));
+  CHECK(defect_of(mesh).empty());
+}
+
+TEST_CASE("points that rounding has moved apart are joined where the mesh is open but for them, and nowhere else") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  // A corner of its own for one face, and a triangle without area that hangs from it.
+  const std::uint32_t corner = mesh.faces[0][0];
+  const auto moved = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.push_back(mesh.points[corner] + glm::dvec3(1e-5, 0, -1e-5));
+  mesh.faces.push_back({corner, moved, mesh.faces[0][1]});
+  mesh.faces[0][0] = moved;
+  const auto checked = check(mesh, tolerance);
+  CHECK(!checked.defect);
+  CHECK(checked.mesh.faces.size() == 6);
+  CHECK(volume_of(checked.mesh) == doctest::Approx(1).epsilon(1e-4));
+  CHECK(check(mesh, 1e-7).mesh.faces.size() == 7);
+  mesh.faces.pop_back();
+  CHECK(!check(mesh, tolerance).defect);
+  CHECK(check(mesh, 1e-7).defect);
+  // What is closed stays, however near its points are.
+  const Mesh thin = box(glm::dvec3(0), glm::dvec3(1, 1, 1e-5));
+  CHECK(check(thin, tolerance).mesh.points.size() == 8);
+}
+
+TEST_CASE("a corner far away joins no points of a small solid") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  mesh.faces.pop_back();
+  testing::append(mesh, box(glm::dvec3(3), glm::dvec3(4)));
+  mesh.points.back() = glm::dvec3(4e9, 4, 4);
+  CHECK(defect_of(mesh).find("the mesh is open") != std::string::npos);
+}
+
+TEST_CASE("coordinates of which the squares are beyond doubles are refused") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1e12));
+  CHECK(defect_of(mesh).empty());
+  mesh.points[6].z = -1e300;
+  CHECK(defect_of(mesh) == "points[6] has a coordinate beyond 1e+12; scale the solid down");
+}
+
+TEST_CASE("solids that share a wall are one") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  testing::append(mesh, box(glm::dvec3(1, 0, 0), glm::dvec3(2, 1, 1)));
+  const auto checked = check(mesh, tolerance);
+  CHECK(!checked.defect);
+  CHECK(checked.mesh.faces.size() == 10);
+  CHECK(volume_of(checked.mesh) == doctest::Approx(2).epsilon(1e-14));
+}

@@ -1,0 +1,81 @@
+#include "host/solids/hull.h"
+
+#include <doctest/doctest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <vector>
+
+#include "tests/unit/solids/support.h"
+
+using namespace csgsim;
+using solids::hull;
+using solids::hull_piece;
+
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+/// Which side of a triangle's plane a point is on, exactly: positive outside.
+int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& point) {
+  Rational rows[3][3];
+  const glm::dvec3* corners[] = {&b, &c, &point};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) rows[i][k] = Rational((*corners[i])[k]) - Rational(a[k]);
+  }
+  const Rational value = rows[0][0] * (rows[1][1] * rows[2][2] - rows[1][2] * rows[2][1]) -
+                         rows[0][1] * (rows[1][0] * rows[2][2] - rows[1][2] * rows[2][0]) +
+                         rows[0][2] * (rows[1][0] * rows[2][1] - rows[1][1] * rows[2][0]);
+  return value.sign();
+}
+
+}  // namespace
+
+TEST_CASE("a hull holds its points exactly, and has no others") {
+  std::mt19937_64 random(1);
+  std::uniform_int_distribution<int> place(-3, 3);
+  for (int round = 0; round < 20; ++round) {
+    const glm::dmat3 turn = testing::random_rotation(random);
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 60; ++i) points.push_back(turn * glm::dvec3(place(random), place(random), place(random)));
+    const solids::Mesh mesh = hull(points);
+    REQUIRE(mesh.faces.size() == 2 * mesh.points.size() - 4);
+    for (const glm::dvec3& corner : mesh.points) REQUIRE(std::count(points.begin(), points.end(), corner) > 0);
+    for (const auto& face : mesh.faces) {
+      REQUIRE(face.size() == 3);
+      for (const glm::dvec3& point : points) {
+        REQUIRE(side_of(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]], point) <= 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("triangles of a hull that rounding apart are in one plane are one face") {
+  std::mt19937_64 random(2);
+  for (int round = 0; round < 20; ++round) {
+    const glm::dmat3 turn = testing::random_rotation(random);
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 27; ++i) points.push_back(turn * glm::dvec3(i % 3, i / 3 % 3, i / 9));
+    const auto piece = hull_piece(points);
+    REQUIRE(piece);
+    CHECK(piece->faces.size() == 6);
+    CHECK(piece->points.size() == 8);
+    CHECK(testing::volume_of(piece->points, piece->faces) == doctest::Approx(8).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("points in one plane, on a line, at one place and none have an empty hull") {
+  const std::vector<glm::dvec3> flat{{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}, {3, 2, 5}};
+  const std::vector<glm::dvec3> line{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
+  const std::vector<glm::dvec3> same{{1, 2, 3}, {1, 2, 3}};
+  for (const auto& points : {flat, line, same, std::vector<glm::dvec3>{}}) {
+    CHECK(hull(points).faces.empty());
+    CHECK(!hull_piece(points));
+  }
+}
+
+TEST_CASE("a hull that is thinner than rounding is empty as a piece") {
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 8; ++i) points.emplace_back(i % 2, i / 2 % 2, i / 4 * 1e-14);
+  CHECK(hull(points).faces.size() == 12);
+  CHECK(!hull_piece(points));
+}

@@ -1,0 +1,174 @@
+#include "host/solids/read_mesh.h"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <limits>
+#include <string>
+
+#include "host/solids/check.h"
+#include "host/solids/limits.h"
+#include "hw/base/input_file.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/solids/support.h"
+
+using namespace csgsim;
+using solids::Mesh;
+using testing::error_of;
+
+namespace {
+
+std::filesystem::path model_file(const std::string& name) {
+  return std::string(CSGSIM_SOURCE_DIR) + "/tests/models/solids/" + name;
+}
+
+std::string bytes_of(const std::string& name) { return read_file(model_file(name), {"a file", 1U << 20U, ""}); }
+
+void append_word(std::string& bytes, std::uint32_t word) {
+  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(word >> (8 * i) & 0xffU));
+}
+
+/// A mesh of triangles as a binary STL file.
+std::string binary_stl(const Mesh& mesh) {
+  std::string bytes(80, ' ');
+  append_word(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
+  for (const auto& face : mesh.faces) {
+    bytes.append(12, '\0');
+    for (const std::uint32_t corner : face) {
+      for (int axis = 0; axis < 3; ++axis) {
+        append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(mesh.points[corner][axis])));
+      }
+    }
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+double volume_of(const Mesh& mesh) { return testing::volume_of(mesh.points, mesh.faces); }
+
+std::string off_error(const std::string& text) {
+  return error_of([&] { solids::parse_off(text, "m.off"); });
+}
+
+std::string stl_error(const std::string& text) {
+  return error_of([&] { solids::parse_stl(text, "m.stl"); });
+}
+
+}  // namespace
+
+TEST_CASE("a solid is the same from every format that OpenSCAD writes") {
+  // A block of 4 by 3 by 2 without a corner of 2.5 by 1.75.
+  constexpr double volume = 2 * (4 * 3 - 2.5 * 1.75);
+  for (const char* name : {"corner.off", "corner.stl", "corner.amf", "corner_zipped.amf", "corner.3mf"}) {
+    CAPTURE(name);
+    const auto meshes = solids::read_meshes(model_file(name));
+    REQUIRE(meshes.size() == 1);
+    const auto checked = solids::check(meshes[0], solids::printed_tolerance);
+    CHECK(!checked.defect);
+    CHECK(checked.mesh.points.size() == 12);
+    CHECK(volume_of(checked.mesh) == doctest::Approx(volume).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a binary STL file, even one that begins with 'solid', has its triangles in single precision") {
+  const Mesh mesh = solids::read_meshes(model_file("bite.off"))[0];
+  std::string bytes = binary_stl(mesh);
+  bytes.replace(0, 5, "solid");
+  const Mesh read = solids::parse_stl(bytes, "m.stl");
+  REQUIRE(read.faces.size() == mesh.faces.size());
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3& got = read.points[read.faces[i][k]];
+      const glm::dvec3& want = mesh.points[mesh.faces[i][k]];
+      for (int axis = 0; axis < 3; ++axis) REQUIRE(got[axis] == static_cast<double>(static_cast<float>(want[axis])));
+    }
+  }
+}
+
+TEST_CASE("what is wrong with a binary STL file is said") {
+  const Mesh mesh = solids::read_meshes(model_file("corner.off"))[0];
+  std::string bytes = binary_stl(mesh);
+  CHECK(stl_error(bytes + "x") ==
+        "m.stl: a binary STL file of 20 triangles has 1084 bytes, and this one has 1085; export it again");
+  CHECK(stl_error(bytes.substr(0, 83)) == "m.stl: this is no STL file; export it again");
+  for (std::size_t i = 0; i < 4; ++i) {
+    bytes[84 + 50 * 3 + 12 + i] =
+        static_cast<char>(std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity()) >> (8 * i) & 0xffU);
+  }
+  CHECK(stl_error(bytes) == "m.stl: triangle 4 of 20 has a coordinate that is not finite; correct it");
+}
+
+TEST_CASE("texts of STL are read word by word, in any case, and all of their solids") {
+  const std::string facet =
+      " FACET normal 0 nan 1\n outer loop vertex 0 0 0 vertex +1e0 0 0\r\n vertex 0 1 0 endloop endfacet\n";
+  CHECK(solids::parse_stl("solid a b\n" + facet + "endsolid a b\n\nsolid\n" + facet + facet + "endsolid", "m.stl")
+            .faces.size() == 3);
+  CHECK(stl_error("solid\n" + facet) == "m.stl:5:1: expected 'facet' or 'endsolid'; export it as STL again");
+  CHECK(stl_error("solid\nfacet normal 0 0 1 outer loop\n vertex 0 zero 0") ==
+        "m.stl:3:11: a coordinate has to be a finite number, and is 'zero'; correct it");
+  CHECK(stl_error("solid\nfacet normal 0 0 1 outer loop\n vertex 0 inf 0") ==
+        "m.stl:3:11: a coordinate has to be a finite number, and is 'inf'; correct it");
+  CHECK(stl_error("solid\nfacet normal 0 0 1 loop") == "m.stl:2:20: expected 'outer'; export it as STL again");
+  CHECK(stl_error("solid\nendsolid\nfacet") ==
+        "m.stl:3:1: expected 'solid' or the end of the file; export it as STL again");
+}
+
+TEST_CASE("an OFF file may have comments, colours and its counts in the first line") {
+  const Mesh mesh = solids::parse_off(
+      "COFF 4 4 # a tetrahedron\n0 0 0 255 0 0\n1 0 0 1 1 1\n# here\n0 1 0 0 0 0\n\n0 0 1\n"
+      "3 2 1 0 0.5 0.5 0.5\n3 0 1 3\n3 1 2 3\n3 2 0 3",
+      "m.off");
+  CHECK(mesh.points.size() == 4);
+  CHECK(mesh.points[3] == glm::dvec3(0, 0, 1));
+  CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+}
+
+TEST_CASE("what is wrong with an OFF file is said, with its place") {
+  CHECK(off_error("") == "m.off:1:1: an OFF file begins with OFF; export it as OFF again");
+  CHECK(off_error("OFF\n-1 0 0") ==
+        "m.off:2:1: the number of points has to be a whole number from 0 to 1, and is '-1'; correct it");
+  // The counts are held against the length of the file before room is made for them.
+  CHECK(off_error("OFF\n3 4000000000 0\n").find("the number of faces has to be a whole number from 0 to ") !=
+        std::string::npos);
+  CHECK(off_error("OFF\n1 1 0\n0 0 0\n2 0 0\n") ==
+        "m.off:4:1: a face needs at least 3 corners; take it out or complete it");
+  CHECK(off_error("OFF\n1 1 0\n0 0 0\n3 0 0 1\n") ==
+        "m.off:4:7: the number of a point has to be a whole number from 0 to 0, and is '1'; correct it");
+  CHECK(off_error("OFF\n0 1 0\n3 0 0 1\n") == "m.off:3:1: a face has corners, but there are no points; add them");
+  CHECK(off_error("OFF\n1 1 0\n0 0 ") ==
+        "m.off:3:5: a coordinate has to be a finite number, and is the end of the file; correct it");
+}
+
+TEST_CASE("what is wrong with an AMF file is said, with its place") {
+  const auto error = [](const std::string& text) { return error_of([&] { solids::parse_amf(text, "m.amf"); }); };
+  CHECK(error("<stl/>") == "m.amf:1:1: there is no <amf>; correct it");
+  CHECK(error("<amf>\n<object>").starts_with("m.amf:2:"));
+  CHECK(error("<amf><object><mesh><vertices>\n <vertex><coordinates><x>1</x><y>q</y><z>0</z></coordinates></vertex>"
+              "</vertices></mesh></object></amf>") ==
+        "m.amf:2:3: a coordinate has to be a finite number, and is 'q'; correct it");
+  CHECK(error("<amf><object><mesh><volume>\n  <triangle><v1>0</v1></triangle></volume></mesh></object></amf>") ==
+        "m.amf:2:4: a corner has to be one of 0 points, and is '0'; correct it");
+}
+
+TEST_CASE("damaged packages are refused") {
+  const auto error = [](const std::string& text) { return error_of([&] { solids::parse_3mf(text, "m.3mf"); }); };
+  CHECK(error("<model/>") == "m.3mf: this is no 3MF package; export it again");
+  CHECK(error("PK\x03\x04 and no more") == "m.3mf: it is a damaged zip archive; export it again");
+  CHECK(error(bytes_of("corner_zipped.amf")) == "m.3mf: there is no _rels/.rels in it; export it again");
+  std::string bytes = bytes_of("corner.3mf");
+  CHECK(error(bytes).empty());
+  // Any byte may be wrong: what is read is read whole, or refused.
+  int refused = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ 0x55);
+    refused += error(changed).empty() ? 0 : 1;
+  }
+  CHECK(refused > 100);
+}
+
+TEST_CASE("other kinds of files, and none, are refused") {
+  CHECK(error_of([] { solids::read_meshes("m.obj"); }) ==
+        "m.obj: meshes are read from .stl, .off, .amf and .3mf files; convert it");
+  CHECK(error_of([] { solids::read_meshes("there/is/none.stl"); }).starts_with("there/is/none.stl: cannot be read"));
+}

@@ -1,0 +1,156 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "host/read/read.h"
+#include "hw/base/error.h"
+#include "hw/kinds/load.h"
+#include "sim/judges/explain.h"
+#include "sim/story/story.h"
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/oracle/random_model.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+struct Row {
+  std::string machine;
+  emit::Strategy strategy = emit::Strategy::stack;
+  emit::Colouring colouring = emit::Colouring::rebroadcast;
+  unsigned stack_bits = emit::fewest_stack_bits;
+};
+
+constexpr std::uint32_t width = 26;
+constexpr std::uint32_t height = 20;
+constexpr unsigned models = 9;   // a row
+constexpr unsigned pixels = 36;  // a model
+
+/// Every strategy on every machine whose host divides, and the strategy of the dividers on those that have one.
+std::vector<Row> rows() {
+  using emit::Colouring;
+  using emit::Strategy;
+  std::vector<Row> all;
+  for (const std::string machine :
+       {"pixel-planes-4+array.memory_bits=160", "pixel-planes-4+array.memory_bits=160+global_or.present=0",
+        "scan-line+cells.words=6", "pixel-square+array.memory_bits=160+divider.kind=host",
+        "pixel-planes-5+array.memory_bits=208+divider.kind=host"}) {
+    for (const Strategy strategy : {Strategy::stack, Strategy::list, Strategy::products, Strategy::parallel})
+      all.push_back({machine, strategy, Colouring::rebroadcast});
+    all.push_back({machine, Strategy::stack, Colouring::field});
+    all.push_back({machine, Strategy::bits, Colouring::field, 3});
+    all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 5});
+  }
+  for (const std::string machine :
+       {"pixel-square+array.memory_bits=160", "pixel-planes-5", "multi-processor+pixel.memory_bits=160"}) {
+    all.push_back({machine, Strategy::stack, Colouring::rebroadcast});
+    all.push_back({machine, Strategy::stack, Colouring::field});
+  }
+  return all;
+}
+
+struct Drawn {
+  testing::Compiled compiled;
+  view::Camera camera;
+  machines::Machine machine;
+};
+
+Drawn draw(const Row& row, std::uint64_t seed) {
+  machines::Machine machine = kinds::load(row.machine);
+  machines::set_picture_size(machine, {width, height});
+  model::Tree tree = read::read_csg_text(testing::random_model(seed, 2 + static_cast<unsigned>(seed % 9)), "random");
+  facet::Scene scene = facet::make_scene(tree);
+  view::Sampling sampling;
+  sampling.width = width;
+  sampling.height = height;
+  const view::Camera camera{
+      {9, -13.5, 10.5}, {0, 0, 0}, seed % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective};
+  view::View view = view::make_view(scene, tree, camera, sampling);
+  emit::Options options;
+  options.strategy = row.strategy;
+  options.colouring = row.colouring;
+  options.stack_bits = row.stack_bits;
+  isa::Program program = emit::compile(tree, scene, view, machine, options);
+  return {{std::move(tree), std::move(scene), std::move(view), std::move(program)}, camera, std::move(machine)};
+}
+
+/// The instruction of that number, by counting.
+const isa::Instruction& instruction(const isa::Program& program, std::uint64_t number) {
+  std::size_t segment = 0;
+  while (number >= program.segments[segment].instructions.size())
+    number -= program.segments[segment++].instructions.size();
+  return program.segments[segment].instructions[number];
+}
+
+/// The depth at which the instruction that is said to have put the owner's surface there puts it.
+std::int64_t depth_by(const isa::Program& program, const story::Story& story, std::uint64_t number) {
+  const isa::Instruction& put = instruction(program, number);
+  if (put.linear.width == 0) return static_cast<std::int64_t>(put.constant);
+  const isa::Region& region = program.segments[story.segments.at(0).segment].region;
+  const std::int64_t x = story.x - region.x;
+  const std::int64_t y = story.y - region.y;
+  return (put.linear.a * x + put.linear.b * y + put.linear.c) >> put.linear.shift;
+}
+
+void check_cause(const isa::Program& program, const story::Story& story) {
+  for (const story::Event& event : story.events) CHECK_FALSE((event.cut && event.enabled_after));
+  const auto seen = std::find_if(story.attempts.rbegin(), story.attempts.rend(),
+                                 [](const story::Attempt& one) { return one.fate == story::Fate::seen; });
+  if (story.owner == sim::no_owner) {
+    CHECK(seen == story.attempts.rend());
+    return;
+  }
+  REQUIRE(seen != story.attempts.rend());
+  const story::Event& surface = story.events[seen->first_event];
+  REQUIRE(surface.decision.has_value());
+  CHECK(depth_by(program, story, surface.decision->number) == story.depth);
+  CHECK(std::count_if(story.attempts.begin(), story.attempts.end(),
+                      [](const story::Attempt& one) { return one.fate == story::Fate::seen; }) == 1);
+}
+
+}  // namespace
+
+TEST_CASE("owner and depth are the judges' at 10,000 random pixels of random models, every strategy, every machine") {
+  std::minstd_rand random(7);
+  unsigned judged = 0;
+  unsigned covered = 0;
+  std::uint64_t seed = 100;
+  for (const Row& row : rows()) {
+    CAPTURE(row.machine);
+    CAPTURE(emit::name_of(row.strategy));
+    CAPTURE(emit::name_of(row.colouring));
+    CAPTURE(row.stack_bits);
+    for (unsigned model = 0; model < models; ++model) {
+      CAPTURE(++seed);
+      const Drawn drawn = draw(row, seed);
+      const isa::Program& program = drawn.compiled.program;
+      const std::vector<testing::Seen> rules =
+          testing::draw_by_rules(drawn.compiled.tree, drawn.compiled.scene, drawn.compiled.view);
+      const judges::Explainer exact(drawn.compiled.tree, drawn.compiled.scene, drawn.camera, program);
+      const story::Teller teller(program, drawn.machine);
+      for (unsigned pixel = 0; pixel < pixels; ++pixel) {
+        const std::uint32_t x = static_cast<std::uint32_t>(random()) % width;
+        const std::uint32_t y = static_cast<std::uint32_t>(random()) % height;
+        CAPTURE(x);
+        CAPTURE(y);
+        const story::Story story = teller.story_of(x, y);
+        const testing::Seen& seen = rules[std::size_t{y} * width + x];
+        CHECK(story.owner == seen.owner);
+        CHECK(story.depth == seen.depth);
+        CHECK(exact.may_show(x, y, story.owner, story.depth));
+        check_cause(program, story);
+        ++judged;
+        covered += seen.owner != sim::no_owner ? 1U : 0U;
+      }
+    }
+  }
+  CHECK(judged >= 10'000);
+  CHECK(covered >= 2'000);
+}

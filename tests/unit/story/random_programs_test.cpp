@@ -1,0 +1,93 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "sim/engine/engine.h"
+#include "sim/story/pixel_run.h"
+#include "sim/story/story.h"
+#include "sim/story/story_json.h"
+#include "sim/story/story_text.h"
+#include "tests/support/drawing.h"
+#include "tests/support/random_program.h"
+
+using namespace csgsim;
+
+namespace {
+
+constexpr isa::ArrayShape shape{9, 5, 40};
+
+/// What an instruction of a run of the whole array leaves at one pixel.
+struct Left {
+  std::uint32_t segment = 0;
+  std::uint32_t index = 0;
+  bool enabled = false;
+  std::uint32_t target = 0;
+};
+
+class PixelObserver final : public sim::Observer {
+ public:
+  PixelObserver(const isa::Program& program, std::uint32_t x, std::uint32_t y) : program_(program), x_(x), y_(y) {}
+
+  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+    const isa::Region region = state.region();
+    if (x_ < region.x || y_ < region.y || x_ - region.x >= region.width || y_ - region.y >= region.height) return;
+    const std::size_t words = (region.width + 63U) / 64U;
+    std::vector<std::uint64_t> enable(words * region.height);
+    state.read_enable(enable);
+    const std::uint32_t x = x_ - region.x;
+    const std::uint32_t y = y_ - region.y;
+    Left one{step.segment, step.index, (enable[y * words + x / 64U] >> x % 64U & 1U) != 0, 0};
+    if (isa::operands_of(step.instruction.opcode)[0] == isa::OperandKind::target) {
+      std::vector<std::uint32_t> values(std::size_t{region.width} * region.height);
+      state.read_field(story::named_around(program_, step.instruction.fields[0]), values);
+      one.target = values[std::size_t{y} * region.width + x];
+    }
+    left.push_back(one);
+  }
+
+  std::vector<Left> left;
+
+ private:
+  const isa::Program& program_;
+  std::uint32_t x_;
+  std::uint32_t y_;
+};
+
+}  // namespace
+
+TEST_CASE("a pixel by itself is at every instruction of random Programs what it is in the whole array") {
+  CHECK(rc::check([] {
+    const isa::Program program = *test::arbitrary_program(shape, 40);
+    const auto x = static_cast<std::uint32_t>(*rc::gen::inRange(0, 9));
+    const auto y = static_cast<std::uint32_t>(*rc::gen::inRange(0, 5));
+    const machines::Machine machine = testing::machine_of(program.shape);
+    PixelObserver observer(program, x, y);
+    const std::array<sim::Observer*, 1> observers{&observer};
+    sim::make_reference_engine(machine)->run(program, observers);
+    const story::PixelRun run = story::run_pixel(program, story::skips_of(program, machine), x, y);
+    RC_ASSERT(run.steps.size() == observer.left.size());
+    for (std::size_t i = 0; i < run.steps.size(); ++i) {
+      RC_ASSERT(run.steps[i].segment == observer.left[i].segment);
+      RC_ASSERT(run.steps[i].index == observer.left[i].index);
+      RC_ASSERT(run.steps[i].enabled_after == observer.left[i].enabled);
+      RC_ASSERT(run.steps[i].after == observer.left[i].target);
+    }
+  }));
+}
+
+TEST_CASE("of any Program a story can be told, as text and as JSON") {
+  CHECK(rc::check([] {
+    const isa::Program program = *test::arbitrary_program(shape, 40);
+    const story::Subject subject{program, nullptr};
+    const story::Story story = story::Teller(program, testing::machine_of(program.shape)).story_of(4, 2);
+    RC_ASSERT(!text_of(subject, story).empty());
+    RC_ASSERT(story::to_json(subject, story).dump().size() > 2U);
+    for (std::uint32_t p = 0; p < program.facts.primitives.size(); ++p)
+      RC_ASSERT(!text_of(subject, story, story::why_not(subject, story, p)).empty());
+  }));
+}

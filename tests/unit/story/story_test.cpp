@@ -1,0 +1,319 @@
+#include "sim/story/story.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/scene/scene.h"
+#include "hw/isa/text.h"
+#include "hw/machines/timeline.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/story/pixel_run.h"
+#include "sim/story/story_json.h"
+#include "sim/story/story_text.h"
+#include "sim/story/why_not.h"
+#include "tests/support/drawing.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/effects/effect_picture.h"
+
+using namespace csgsim;
+using story::Fate;
+using story::What;
+using testing::box_text;
+
+namespace {
+
+/// Seen along +y, 8 columns and 6 rows: pixel (x, y) looks through the model's (x + 0.5, any, -y - 0.5). All models
+/// here reach from y = 0 to y = 5, so that a point at y has depth 1 + (2^20 - 4) y / 5, rounded down.
+constexpr std::uint32_t at_1 = 209715;
+constexpr std::uint32_t at_2 = 419429;
+constexpr std::uint32_t at_3 = 629144;
+
+/// Far left, for the range of depths.
+const std::string first = box_text({0, 0, -6}, {0.75, 5, -5.25});
+
+const std::string big = box_text({1, 2, -5}, {5, 4.5, -1});
+const std::string near_box = box_text({3, 1, -4}, {7, 1.5, -2});
+const std::string blind_hole = "difference(){" + big + box_text({2, 0.5, -4}, {4, 3, -2}) + "}";
+const std::string through_hole = "difference(){" + big + box_text({2, 0.5, -4}, {4, 4.75, -2}) + "}";
+
+struct Told {
+  testing::Compiled compiled;
+  machines::Machine machine;
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+
+  [[nodiscard]] story::Story story() const { return story::Teller(compiled.program, machine).story_of(x, y); }
+};
+
+Told tell(const std::string& csg, std::uint32_t x, std::uint32_t y, emit::Strategy strategy = emit::Strategy::stack) {
+  testing::Setup setup = testing::front_view(8, 6, {});
+  setup.options.strategy = strategy;
+  testing::Compiled compiled = testing::compile_text("union(){" + first + csg + "}", setup);
+  machines::Machine machine = testing::machine_of(compiled.program.shape);
+  return {std::move(compiled), std::move(machine), x, y};
+}
+
+/// The attempt to draw that primitive.
+const story::Attempt& attempt_of(const story::Story& story, std::uint32_t primitive) {
+  const auto found = std::find_if(story.attempts.begin(), story.attempts.end(),
+                                  [&](const story::Attempt& one) { return one.primitive == primitive; });
+  REQUIRE(found != story.attempts.end());
+  return *found;
+}
+
+/// The first event of the attempt that does that.
+const story::Event& event_of(const story::Story& story, const story::Attempt& attempt, What what) {
+  for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i)
+    if (story.events[i].what == what) return story.events[i];
+  FAIL("no such event");
+  return story.events.front();
+}
+
+/// Two pixels, on which a surface is drawn, and what else there is to do.
+story::Story by_hand(const std::string& more, std::uint32_t x) {
+  const isa::Program program = isa::parse(
+      ".array width=2 height=1 memory_bits=64\n"
+      ".field Z2 [0+:8] depth\n.field Z1 [8+:8] candidate_depth\n.field colour [16+:6] colour\n"
+      ".primitive \"a\"\n.segment width=2 height=1\n"
+      "enable_all; setup\nset_constant Z2, 255; setup\n"
+      "enable_all; render p0\nload_linear Z1, 5 (w10); render p0\nkeep_max Z1, x + 5 (w10); render p0\n"
+      "field_lt Z1, Z2; merge p0\ncopy Z2, Z1; merge p0\n" +
+          more,
+      "by hand");
+  return story::Teller(program, testing::machine_of(program.shape)).story_of(x, 0);
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("of two boxes the nearer one that comes later is merged over the other") {
+  const Told told = tell(big + near_box, 4, 2);
+  const story::Story story = told.story();
+  CHECK(story.owner == 2);
+  CHECK(story.depth == at_1);
+  const story::Attempt& far = attempt_of(story, 1);
+  CHECK(far.fate == Fate::covered);
+  CHECK(story.events[far.deciding_event].origin.primitive == 2);
+  const story::Event& surface = event_of(story, far, What::surface);
+  REQUIRE(surface.decision.has_value());
+  CHECK(surface.decision->value == at_2);
+  const story::Attempt& near = attempt_of(story, 2);
+  CHECK(near.fate == Fate::seen);
+  const story::Event& merge = event_of(story, near, What::merge);
+  CHECK(merge.owner_before == 1);
+  CHECK(merge.owner_after == 2);
+  const story::Change* const z2 = merge.change_of(told.compiled.program, isa::FieldRole::depth);
+  REQUIRE(z2 != nullptr);
+  CHECK(z2->before == at_2);
+  CHECK(z2->after == at_1);
+}
+
+TEST_CASE("of two boxes the farther one that comes later loses the depth test, both depths told") {
+  const Told told = tell(near_box + big, 4, 2);
+  const story::Story story = told.story();
+  CHECK(story.owner == 1);
+  const story::Attempt& far = attempt_of(story, 2);
+  REQUIRE(far.fate == Fate::behind);
+  const story::Event& test = story.events[far.deciding_event];
+  REQUIRE(test.decision.has_value());
+  CHECK(test.decision->met == at_2);
+  CHECK(test.decision->met_too == at_1);
+  CHECK(test.owner_before == 1);
+}
+
+TEST_CASE(
+    "through a hole nothing is seen: the front is in what is taken away, whose back is outside what it is taken from") {
+  for (const emit::Strategy strategy :
+       {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::products, emit::Strategy::parallel}) {
+    CAPTURE(emit::name_of(strategy));
+    const story::Story story = tell(through_hole, 3, 2, strategy).story();
+    CHECK(story.owner == sim::no_owner);
+    CHECK(story.depth == (1U << 20U) - 1);
+    const story::Attempt& front = attempt_of(story, 1);
+    REQUIRE(front.fate == Fate::classified);
+    REQUIRE(front.deciding_comparison.has_value());
+    const story::Event& comparison = story.events[*front.deciding_comparison];
+    CHECK(comparison.origin.node == 2);
+    CHECK_FALSE(comparison.cut.has_value());
+    const story::Attempt& back = attempt_of(story, 2);
+    REQUIRE(back.fate == Fate::classified);
+    REQUIRE(back.deciding_comparison.has_value());
+    CHECK(story.events[*back.deciding_comparison].origin.node == 1);
+    CHECK(story.events[*back.deciding_comparison].cut.has_value());
+  }
+}
+
+TEST_CASE("in a blind hole the back of what is taken away is seen, inside what it is taken from") {
+  const Told told = tell(blind_hole, 3, 2);
+  const story::Story story = told.story();
+  CHECK(story.owner == 2);
+  CHECK(story.depth == at_3);
+  CHECK(attempt_of(story, 1).fate == Fate::classified);
+  const story::Attempt& wall = attempt_of(story, 2);
+  CHECK(wall.fate == Fate::seen);
+  const story::Event& surface = event_of(story, wall, What::surface);
+  REQUIRE(surface.decision.has_value());
+  const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
+  const auto found = finder.find(surface.decision->instruction, told.compiled.program.segments[0].region);
+  REQUIRE(found.has_value());
+  CHECK(found->primitive == 2);
+  CHECK(found->count == 6);
+  CHECK(found->normal == glm::dvec3(0, 1, 0));
+  CHECK(found->distance == doctest::Approx(3));
+}
+
+TEST_CASE("a pixel beside a box is cut out by the side that it is beyond, before it has a depth") {
+  const Told told = tell(big, 6, 2);
+  const story::Story story = told.story();
+  CHECK(story.owner == sim::no_owner);
+  const story::Attempt& beside = attempt_of(story, 1);
+  CHECK(beside.fate == Fate::outside);
+  const story::Event& surface = story.events[beside.first_event];
+  REQUIRE(surface.cut.has_value());
+  // Columns 1 to 4: 4 - x is not negative there, and is -2 here.
+  CHECK(surface.cut->instruction.linear.a == -1);
+  CHECK(surface.cut->value == -2);
+}
+
+TEST_CASE("why not: merged and covered, behind, taken away, beside, seen, and no instruction at all") {
+  const auto answer = [](const Told& told, std::uint32_t primitive) {
+    const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
+    const story::Subject subject{told.compiled.program, &finder};
+    const story::Story story = told.story();
+    return text_of(subject, story, story::why_not(subject, story, primitive));
+  };
+  CHECK(contains(answer(tell(big + near_box, 4, 2), 1), "p2 cube@3:56 was merged over it"));
+  CHECK(contains(answer(tell(near_box + big, 4, 2), 2), "behind p1 cube"));
+  CHECK(contains(answer(tell(through_hole, 3, 2), 1), "classified out: it is in p2 cube"));
+  CHECK(contains(answer(tell(through_hole, 3, 2), 2), "classified out: it is out of p1 cube"));
+  CHECK(contains(answer(tell(through_hole, 3, 2), 2), "normal (0, 1, 0), distance 4.5"));
+  CHECK(contains(answer(tell(big, 6, 2), 1), "outside it by i"));
+  CHECK(contains(answer(tell(big, 2, 2), 1), "is what the pixel shows"));
+  const std::string beyond = box_text({20, 1, -4}, {21, 2, -3});
+  CHECK(contains(answer(tell(big + beyond, 2, 2), 2), "nowhere in the picture"));
+}
+
+TEST_CASE("a primitive that pruning leaves out is told to be without instructions") {
+  // The wide box fills its rectangle and hides one that is smaller and behind it.
+  const Told told = tell(box_text({1, 1, -5.5}, {7.5, 1.5, -0.5}) + box_text({4.25, 2, -3.25}, {5.75, 3, -2.75}), 5, 2);
+  const story::Subject subject{told.compiled.program, nullptr};
+  const story::Story story = told.story();
+  const story::WhyNot answer = story::why_not(subject, story, 2);
+  CHECK_FALSE(answer.is_broadcast);
+  CHECK(contains(text_of(subject, story, answer), "no instruction of segment 0 draws p2"));
+}
+
+TEST_CASE("boxes that an intersection joins are one solid, and the facet's box owns the pixel") {
+  const Told told = tell("intersection(){" + big + box_text({2, 1.5, -4}, {4, 3.5, -2}) + "}", 3, 2);
+  const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
+  const story::Subject subject{told.compiled.program, &finder};
+  const story::Story story = told.story();
+  CHECK(story.owner == 1);
+  CHECK(story.depth == at_2);
+  const story::WhyNot answer = story::why_not(subject, story, 2);
+  CHECK(answer.drawn_as == 1);
+  CHECK(contains(text_of(subject, story, answer), "drawn with p1 cube"));
+  CHECK(contains(text_of(subject, story, answer), "the facet seen here is of p1"));
+}
+
+TEST_CASE("clocks are those in which the pixel carries the instructions out, one event after another") {
+  const Told told = tell(blind_hole + near_box, 3, 2);
+  const story::Story story = told.story();
+  const isa::Program& program = told.compiled.program;
+  const auto skips = story::skips_of(program, told.machine);
+  const machines::Timeline timeline = machines::timeline(program, told.machine, skips);
+  const auto clocks = machines::at_pixel(timeline, program, told.machine, 0, 3, 2);
+  std::uint64_t last = 0;
+  for (const story::Event& event : story.events) {
+    if (event.what == What::skip) continue;
+    CHECK(event.clocks.begin == clocks[event.first].begin);
+    CHECK(event.clocks.end == clocks[event.last].end);
+    CHECK(event.clocks.begin >= last);
+    last = event.clocks.end;
+  }
+  CHECK(last > 0);
+}
+
+TEST_CASE("one pixel by itself has the memory, enable and picture that the whole array gives it, effects included") {
+  const std::string models = "union(){" + first + blind_hole + near_box + "color([0.2,0.5,0.9,0.4]){" +
+                             box_text({0.5, 0.25, -3}, {6, 0.75, -1.5}) + "}}";
+  testing::Setup setup = testing::front_view(
+      8, 6,
+      testing::scene_of("[effects.shadows]\n[effects.smooth]\n[effects.edges]\n[effects.antialias]\nsamples = 2\n"));
+  setup.memory_bits = 512;
+  const testing::Compiled compiled = testing::compile_text(models, setup);
+  const isa::Program& program = compiled.program;
+  const machines::Machine machine = testing::machine_of(program.shape);
+  const sim::Frame frame = testing::draw(program);
+  const auto skips = story::skips_of(program, machine);
+  for (std::uint32_t y = 0; y < 6; ++y) {
+    for (std::uint32_t x = 0; x < 8; ++x) {
+      const story::PixelRun run = story::run_pixel(program, skips, x, y);
+      const std::size_t at = std::size_t{y} * 8 + x;
+      CHECK(run.colour == frame.colour[at]);
+      CHECK(run.depth == frame.depth[at]);
+      CHECK(run.owner == frame.owner[at]);
+    }
+  }
+}
+
+TEST_CASE("the text begins with the owner, its line and its plane, and JSON says the same") {
+  const Told told = tell(big + near_box, 4, 2);
+  const story::HalfspaceFinder finder(told.compiled.tree, told.compiled.scene, told.compiled.view);
+  const story::Subject subject{told.compiled.program, &finder};
+  const story::Story story = told.story();
+  const std::string text = text_of(subject, story);
+  CHECK(text.starts_with("pixel 4,2 shows p2 cube@3:56, line 3 of test\n  depth     209715 steps, "));
+  CHECK(contains(text, "normal (0, -1, 0), distance -1\n"));
+  CHECK(contains(text, "over p1 cube@2:56"));
+  const nlohmann::ordered_json json = story::to_json(subject, story);
+  CHECK(json["owner"]["index"] == 2);
+  CHECK(json["owner"]["name"] == "cube@3:56");
+  CHECK(json["depth"]["steps"] == at_1);
+  CHECK(json["events"].size() == story.events.size());
+  CHECK(json["surfaces"].back()["fate"] == "seen");
+}
+
+TEST_CASE("of planes at one depth the first decides, since the others change nothing") {
+  const story::Story left = by_hand("", 0);
+  const story::Story right = by_hand("", 1);
+  // i4 is 5 at x = 0, as i3 is, and 6 at x = 1.
+  CHECK(left.attempts.front().fate == Fate::seen);
+  CHECK(left.events[left.attempts.front().first_event].decision->number == 3);
+  CHECK(left.depth == 5);
+  CHECK(right.events[right.attempts.front().first_event].decision->number == 4);
+  CHECK(right.depth == 6);
+}
+
+TEST_CASE("what a question skips is left out at a pixel too, if no other pixel is enabled") {
+  const std::string nowhere = "edge_negative 0 (w1); classify p0\n";
+  const std::string right_alone = "edge_negative -x (w3); classify p0\n";
+  const std::string question =
+      "skip_if_none 2; classify p0\nenable_all; classify p0\nset_constant Z2, 7; classify p0\n";
+  const story::Story skipped = by_hand(nowhere + question, 0);
+  CHECK(skipped.depth == 5);
+  const auto skip = std::find_if(skipped.events.begin(), skipped.events.end(),
+                                 [](const story::Event& event) { return event.what == What::skip; });
+  REQUIRE(skip != skipped.events.end());
+  CHECK(skip->first == 9);
+  CHECK(skip->last == 10);
+  CHECK(skip->decision->number == 8);
+  const story::Story carried_out = by_hand(right_alone + question, 0);
+  CHECK(carried_out.depth == 7);
+  CHECK(std::none_of(carried_out.events.begin(), carried_out.events.end(),
+                     [](const story::Event& event) { return event.what == What::skip; }));
+}
+
+TEST_CASE("a pixel that the picture does not have is refused") {
+  const Told told = tell(big, 8, 2);
+  CHECK(contains(testing::error_of([&] { static_cast<void>(told.story()); }),
+                 "there is no pixel 8,2 in a picture of 8 x 6"));
+}

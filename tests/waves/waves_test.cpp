@@ -1,0 +1,206 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program_file.h"
+#include "hw/kinds/load.h"
+#include "tests/cli/cli.h"
+#include "tests/waves/engine_state.h"
+#include "tests/waves/vcd.h"
+
+namespace {
+
+using namespace csgsim;
+using namespace csgsim::testing::cli;
+using csgsim::test::EngineState;
+using csgsim::test::Vcd;
+
+struct Place {
+  std::uint32_t x;
+  std::uint32_t y;
+};
+
+/// A model drawn small, and a wave of it.
+struct Case {
+  std::string machine;
+  std::string options;  ///< of compile
+  std::vector<Place> pixels;
+  std::string window;
+};
+
+isa::Program compiled(const Case& one, const std::string& file) {
+  const Outcome outcome = run("compile " + model("basics_csg") + " --view-all --machine " + one.machine + " " +
+                              one.options + " -o " + file);
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+  return isa::load_program(file);
+}
+
+Vcd recorded(const Case& one, const std::string& program, const std::string& file, const std::string& more = "") {
+  std::string words =
+      "wave " + program + " --machine " + one.machine + " --window " + one.window + " -o " + file + more;
+  for (const Place& pixel : one.pixels) words += fmt::format(" --pixel {},{}", pixel.x, pixel.y);
+  const Outcome outcome = run(words);
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+  return Vcd(content(file));
+}
+
+/// Holds a wave of the case against the reference at every clock of the window; tells how often something was held.
+std::size_t hold_against_engine(const Case& one, const std::string& top) {
+  const Folder folder;
+  const isa::Program program = compiled(one, folder / "p.csgt");
+  const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd");
+  machines::Machine machine = kinds::load(one.machine);
+  machines::adopt(machine, program);
+  const std::uint64_t period = 1'000'000'000'000 / machine.clock_hz;
+  std::size_t held = 0;
+  for (const Place& pixel : one.pixels) {
+    const EngineState state(program, machine, pixel.x, pixel.y);
+    const std::string part = fmt::format("{}.pixel_{}_{}.", top, pixel.x, pixel.y);
+    const std::uint64_t first = vcd.first_time() / period - 1;
+    const std::uint64_t last = vcd.last_time() / period - 2;
+    CHECK(first < last);
+    for (std::uint64_t clock = first; clock <= last; ++clock) {
+      const std::uint64_t middle = (clock + 1) * period + period / 2;
+      CAPTURE(clock);
+      CAPTURE(part);
+      for (const isa::NamedField& named : program.facts.fields) {
+        const auto expected = state.field_at(named.field, clock);
+        if (!expected) continue;
+        CAPTURE(named.name);
+        REQUIRE(vcd.number_at(part + named.name, middle) == expected);
+        ++held;
+      }
+      if (const auto enable = state.enable_at(clock)) {
+        REQUIRE(vcd.number_at(part + "enable", middle) == static_cast<std::uint64_t>(*enable));
+        ++held;
+      }
+    }
+  }
+  return held;
+}
+
+const std::vector<Case> frame_buffers{
+    {"pixel-planes-4", "--size 24x16", {{12, 8}, {3, 2}}, "200:2400"},
+    {"pixel-planes-4+memory.reads=2+alu.bits=4", "--size 20x20", {{10, 11}}, "0:1500"},
+};
+
+TEST_CASE("a wave of a frame buffer shows what the reference has, at every clock") {
+  for (const Case& one : frame_buffers) {
+    CAPTURE(one.machine);
+    CHECK(hold_against_engine(one, "frame_buffer") > 4000);
+  }
+}
+
+TEST_CASE("the instruction at the pixels is the one whose clocks they are, with its words") {
+  const Case& one = frame_buffers.front();
+  const Folder folder;
+  const isa::Program program = compiled(one, folder / "p.csgt");
+  const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd");
+  machines::Machine machine = kinds::load(one.machine);
+  machines::adopt(machine, program);
+  const EngineState state(program, machine, 12, 8);
+  std::size_t instructions = 0;
+  for (std::uint64_t clock = 200; clock < 2400; ++clock) {
+    const std::uint64_t middle = (clock + 1) * 100'000 + 50'000;
+    const auto number = state.instruction_at(clock);
+    CAPTURE(clock);
+    REQUIRE(vcd.number_at("frame_buffer.pixels.instruction", middle) == number);
+    const std::string text = vcd.at("frame_buffer.pixels.text", middle);
+    if (!number) {
+      CHECK(text == "-");
+      continue;
+    }
+    ++instructions;
+    const isa::Instruction& instruction = program.segments.front().instructions[*number];
+    CHECK(text.rfind(std::string(isa::name_of(instruction.opcode)), 0) == 0);
+    CHECK(vcd.at("frame_buffer.pixels.purpose", middle) == isa::info(instruction.origin.purpose).name);
+    const std::string primitive = vcd.at("frame_buffer.pixels.primitive", middle);
+    if (instruction.origin.primitive == isa::no_primitive) {
+      CHECK(primitive == "-");
+    } else {
+      CHECK(primitive.find(program.facts.primitives[instruction.origin.primitive]) != std::string::npos);
+    }
+  }
+  CHECK(instructions > 1500);
+}
+
+TEST_CASE("what the probed pixels do alone is what they do in the whole machine") {
+  const Case one{"pixel-planes-4", "--size 70x40", {{35, 20}, {64, 3}}, ""};
+  const Folder folder;
+  compiled(one, folder / "p.csgt");
+  const std::string tree = " --probe tree.x:3 --probe tree.x:7 --probe tree.y:0 --probe tree.y:6";
+  for (const std::string window :
+       {"--window 0:90", "--window primitive:2", "--window purpose:merge", "--at owner", "--window 6000:12000"}) {
+    CAPTURE(window);
+    const std::string words = "wave " + (folder / "p.csgt") + " --pixel 35,20 --pixel 64,3 " + window + tree + " -o ";
+    REQUIRE(run(words + (folder / "probed.vcd")).code == 0);
+    REQUIRE(run(words + (folder / "whole.vcd") + " --whole").code == 0);
+    CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
+    CHECK(content(folder / "probed.vcd").size() > 3000);
+  }
+}
+
+/// 2^bits - 1.
+std::int64_t mask(unsigned bits) { return (std::int64_t{1} << bits) - 1; }
+
+TEST_CASE("level by level the trees form A x + C and then A x + B y + C") {
+  const Folder folder;
+  const Case one{"pixel-planes-4", "--size 16x8", {{11, 5}}, "0:4000"};
+  const isa::Program program = compiled(one, folder / "p.csgt");
+  const std::string tree = " --probe tree.x:0 --probe tree.x:2 --probe tree.x:4 --probe tree.y:3";
+  const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd", tree);
+  // On the way to x = 11, binary 1011, level 2 has seen its bits of worth 8 and 4: C + 8 A.
+  struct Level {
+    std::string name;
+    std::int64_t a;
+    std::int64_t b;
+    std::uint64_t delay;  ///< clocks from the root
+  };
+  std::size_t streams = 0;
+  machines::Machine machine = kinds::load("pixel-planes-4");
+  machines::adopt(machine, program);
+  const EngineState state(program, machine, 11, 5);
+  for (const Level& level : {Level{"tree_x_0", 0, 0, 0}, Level{"tree_x_2", 8, 0, 2}, Level{"tree_x_4", 11, 0, 4},
+                             Level{"tree_y_3", 11, 5, 7}}) {
+    const std::string name = "frame_buffer.pixel_11_5." + level.name;
+    CAPTURE(name);
+    std::int64_t gathered = 0;
+    for (std::uint64_t clock = 0; clock < 3900; ++clock) {
+      const std::uint64_t middle = (clock + 1) * 100'000 + 50'000;
+      const auto bit = vcd.number_at(name + "_bit", middle);
+      if (!bit) continue;
+      if (*bit == 0) gathered = 0;
+      gathered |= static_cast<std::int64_t>(*vcd.number_at(name, middle)) << *bit;
+      const auto number = state.instruction_at(clock + 7 - level.delay);  // when that bit is at the pixels
+      if (!number) continue;
+      const isa::Linear& linear = program.segments.front().instructions[*number].linear;
+      if (*bit + 1 != linear.width) continue;
+      const std::int64_t sum = linear.a * level.a + linear.b * level.b + linear.c;
+      REQUIRE(gathered == (sum & mask(linear.width)));
+      ++streams;
+    }
+  }
+  CHECK(streams > 100);
+}
+
+TEST_CASE("a file is as long as its window") {
+  const Folder folder;
+  const Case one{"pixel-planes-4", "--size 32x32", {{16, 16}}, ""};
+  compiled(one, folder / "p.csgt");
+  const auto size_of = [&](const std::string& window) {
+    REQUIRE(
+        run("wave " + (folder / "p.csgt") + " --pixel 16,16 --window " + window + " -o " + (folder / "w.vcd")).code ==
+        0);
+    return content(folder / "w.vcd").size();
+  };
+  const auto header = content(folder / "p.csgt").empty() ? 0 : size_of("500:501");
+  const auto one_part = size_of("500:1000") - header;
+  const auto four_parts = size_of("500:2500") - header;
+  CHECK(four_parts > 3 * one_part);
+  CHECK(four_parts < 5 * one_part);
+}
+
+}  // namespace
