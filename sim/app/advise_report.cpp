@@ -83,6 +83,21 @@ void print_row(const AdviceRow& row, bool has_alu, bool meets) {
              meets ? "  *" : "");
 }
 
+/// The first, with those of the others that are the same choice.
+void print_recommendation(std::span<const study::Recommendation> all, const std::string& command,
+                          const Wishes& wishes) {
+  const study::Recommendation& first = all.front();
+  std::string names;
+  for (const study::Recommendation& one : all) {
+    if (one.row == first.row) names += (names.empty() ? "" : ", ") + study::recommendation_name(one.wish);
+  }
+  fmt::print("\n{}: {}\n", names, figures_text(first.row));
+  if (first.miss > 0)
+    fmt::print("  in the way is the wish for {}: with the others met, {} is the best, {}\n",
+               wish_text(first.wish, wishes), value_text(first.wish, first.row), miss_text(first.wish, first.miss));
+  fmt::print("  {}\n", command);
+}
+
 }  // namespace
 
 std::string misses_text(const AdviceRow& row, const Wishes& wishes) {
@@ -125,24 +140,17 @@ void print_front(std::span<const AdviceRow> rows, const Wishes& wishes) {
     fmt::print("No other choice beats these{}.\n", colours_text(wishes));
 }
 
-void print_recommendations(std::span<const study::Recommendation> recommendations,
-                           std::span<const std::string> commands, const Wishes& wishes) {
-  for (std::size_t i = 0; i < recommendations.size(); ++i) {
-    const study::Recommendation& one = recommendations[i];
-    const auto is_same = [&](const study::Recommendation& other) {
-      return other.row == one.row && other.miss == 0 && one.miss == 0;
-    };
-    if (std::any_of(recommendations.begin(), recommendations.begin() + static_cast<std::ptrdiff_t>(i), is_same))
+void print_advice(const study::Advice& advice, const Wishes& wishes) {
+  const std::span<const study::Recommendation> all = advice.recommendations;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                    [&](const study::Recommendation& other) { return other.row == all[i].row; }))
       continue;
-    std::string names = study::recommendation_name(one.wish);
-    for (const study::Recommendation& other : recommendations.subspan(i + 1))
-      if (is_same(other)) names += ", " + study::recommendation_name(other.wish);
-    fmt::print("\n{}: {}\n", names, figures_text(one.row));
-    if (one.miss > 0)
-      fmt::print("  in the way is the wish for {}: with the others met, {} is the best, {}\n",
-                 wish_text(one.wish, wishes), value_text(one.wish, one.row), miss_text(one.wish, one.miss));
-    fmt::print("  {}\n", commands[i]);
+    print_recommendation(all.subspan(i), advice.commands[i], wishes);
   }
+  if (!advice.nearest) return;
+  fmt::print("\nnearest: {}\n  {}\n  {}\n", figures_text(*advice.nearest), misses_text(*advice.nearest, wishes),
+             advice.nearest_command);
 }
 
 }  // namespace csgsim::app

@@ -14,10 +14,9 @@ void print_question(const std::string& subject, std::span<const study::AdviceRow
 /// wishes.
 void print_front(std::span<const study::AdviceRow> rows, const study::Wishes& wishes);
 
-/// What is recommended, with the commands that draw it; or, where nothing meets all wishes, what is in the way and how
+/// What is recommended, with the commands that draw it; and, where nothing meets all wishes, what is in the way and how
 /// far the nearest choice is.
-void print_recommendations(std::span<const study::Recommendation> recommendations,
-                           std::span<const std::string> commands, const study::Wishes& wishes);
+void print_advice(const study::Advice& advice, const study::Wishes& wishes);
 
 /// `6 bits too many, 2.3 frames a second too few`: all wishes that the choice misses.
 std::string misses_text(const study::AdviceRow& row, const study::Wishes& wishes);

@@ -31,7 +31,6 @@ namespace {
 using study::AdvicePoint;
 using study::AdviceRow;
 using Rows = std::vector<AdviceRow>;
-using Recommendations = std::vector<study::Recommendation>;
 using Table = study::Table<AdviceRow>;
 
 /// What was measured serves other wishes and other ranges too.
@@ -112,38 +111,39 @@ Rows complete(const AdviseOptions& options, const AdviceQuestion& question, Tabl
 }
 
 /// What is recommended is drawn again, each with its own strategy, colouring and ALU.
-void check_by_drawing(const study::AdviceJob& job, const Recommendations& recommendations) {
-  for (const study::Recommendation& one : recommendations) {
-    if (study::draw_advice(job, one.row.point) != one.row)
-      throw std::logic_error("a choice that is recommended draws another picture than was judged");
-  }
+void check_by_drawing(const study::AdviceJob& job, const AdviceRow& row) {
+  if (study::draw_advice(job, row.point) != row)
+    throw std::logic_error("a choice that is recommended draws another picture than was judged");
 }
 
-std::string picture_name(const AdviseOptions& options, study::Wish wish) {
-  std::string name = study::plot_stem(options.model.model) + "-" + study::recommendation_name(wish) + ".png";
+std::string picture_name(const AdviseOptions& options, const std::string& what) {
+  std::string name = study::plot_stem(options.model.model) + "-" + what + ".png";
   for (char& c : name) c = c == ' ' ? '-' : c;
   return name;
 }
 
-std::vector<std::string> commands_of(const AdviseOptions& options, const Command& command,
-                                     const Recommendations& recommendations) {
-  std::vector<std::string> commands;
-  for (const study::Recommendation& one : recommendations)
-    commands.push_back(render_command(options, command, one.row, picture_name(options, one.wish)));
-  return commands;
+study::Advice advice_of(const AdviseOptions& options, const Command& command, const AdviceQuestion& question,
+                        const Rows& rows) {
+  study::Advice advice{study::recommend(rows, question.wishes), {}};
+  for (const study::Recommendation& one : advice.recommendations) {
+    check_by_drawing(question.job, one.row);
+    advice.commands.push_back(
+        render_command(options, command, one.row, picture_name(options, study::recommendation_name(one.wish))));
+  }
+  const AdviceRow nearest = study::nearest_choices(rows, question.wishes, 1).front();
+  if (study::meets_all(nearest, question.wishes)) return advice;
+  check_by_drawing(question.job, nearest);
+  advice.nearest = nearest;
+  advice.nearest_command = render_command(options, command, nearest, picture_name(options, "nearest"));
+  return advice;
 }
 
-void refuse_failures(const Rows& rows, const study::Wishes& wishes) {
-  for (const AdviceRow& row : rows) {
-    if (row.unexplained > 0)
-      throw InputError(
-          "a picture is wrong beyond the bounds of docs/numbers.md; this is a fault of csgsim, please report it");
-  }
-  const bool met = std::any_of(rows.begin(), rows.end(),
-                               [&](const AdviceRow& row) { return row.compiled() && study::meets_all(row, wishes); });
-  if (met) return;
-  throw InputError("no choice meets all wishes; the nearest has " +
-                   misses_text(study::nearest_choices(rows, wishes, 1).front(), wishes));
+void refuse_failures(const Rows& rows, const study::Advice& advice, const study::Wishes& wishes) {
+  if (std::any_of(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.unexplained > 0; }))
+    throw InputError(
+        "a picture is wrong beyond the bounds of docs/numbers.md; this is a fault of csgsim, please report it");
+  if (advice.nearest)
+    throw InputError("no choice meets all wishes; the nearest has " + misses_text(*advice.nearest, wishes));
 }
 
 void run(const AdviseOptions& options, const Command& command) {
@@ -161,25 +161,22 @@ void run(const AdviseOptions& options, const Command& command) {
   const Rows rows = complete(options, question, table ? &*table : nullptr);
   if (std::none_of(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); }))
     throw InputError(rows.front().reason);
-  const Recommendations recommendations = study::recommend(rows, question.wishes);
-  check_by_drawing(question.job, recommendations);
-  const std::vector<std::string> commands = commands_of(options, command, recommendations);
+  const study::Advice advice = advice_of(options, command, question, rows);
   const view::Sampling& sampling = question.job.sampling;
   print_question(fmt::format("{}, {} x {} pixels, on {}", options.model.model, sampling.width, sampling.height,
                              options.model.machine),
                  rows, question.wishes);
   print_front(rows, question.wishes);
-  print_recommendations(recommendations, commands, question.wishes);
+  print_advice(advice, question.wishes);
   if (folder) {
-    write_file(folder->path() / "advise.json",
-               study::advice_json(title, question.wishes, rows, recommendations, commands));
+    write_file(folder->path() / "advise.json", study::advice_json(title, question.wishes, rows, advice));
     if (!options.no_plots)
-      study::draw_advice_plot(rows, question.wishes, recommendations, study::plot_stem(options.model.model),
+      study::draw_advice_plot(rows, question.wishes, advice.recommendations, study::plot_stem(options.model.model),
                               folder->path());
     fmt::print("\n{}: advise.csv, advise.json{}\n", printable(options.folder),
                options.no_plots ? "" : ", and a plot (.png, .svg) of what memory buys");
   }
-  refuse_failures(rows, question.wishes);
+  refuse_failures(rows, advice, question.wishes);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -142,8 +143,16 @@ std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Wis
 /// these those whose misses are the least parts of what is wished.
 std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Wishes& wishes, std::size_t most);
 
-/// A file of advice: wishes, all points, the front and what is recommended. `commands` draw the recommendations.
+/// What a search comes to.
+struct Advice {
+  std::vector<Recommendation> recommendations;
+  std::vector<std::string> commands;   ///< that draw them
+  std::optional<AdviceRow> nearest{};  ///< to the wishes, where no choice meets all
+  std::string nearest_command{};
+};
+
+/// A file of advice: wishes, what is recommended, the front and all points.
 std::string advice_json(const std::string& title, const Wishes& wishes, std::span<const AdviceRow> rows,
-                        std::span<const Recommendation> recommendations, std::span<const std::string> commands);
+                        const Advice& advice);
 
 }  // namespace csgsim::study

@@ -36,25 +36,27 @@ Json rows_json(std::span<const AdviceRow> rows) {
 }  // namespace
 
 std::string advice_json(const std::string& title, const Wishes& wishes, std::span<const AdviceRow> rows,
-                        std::span<const Recommendation> recommendations, std::span<const std::string> commands) {
+                        const Advice& advice) {
   Json recommended = Json::array();
-  for (std::size_t i = 0; i < recommendations.size(); ++i) {
-    const Recommendation& one = recommendations[i];
+  for (std::size_t i = 0; i < advice.recommendations.size(); ++i) {
+    const Recommendation& one = advice.recommendations[i];
     recommended.push_back({{"what", recommendation_name(one.wish)},
                            {"missed_by", one.miss},
                            {"meets_all", one.miss == 0},
-                           {"command", commands[i]},
+                           {"command", advice.commands[i]},
                            {"point", to_json(one.row)}});
   }
-  const Json json{{"study", title},
-                  {"wishes",
-                   {{"max_bits", wishes.max_bits},
-                    {"max_wrong_pixels", wishes.max_wrong_pixels},
-                    {"min_fps", wishes.min_fps},
-                    {"min_colour_bits", wishes.min_colour_bits}}},
-                  {"recommendations", recommended},
-                  {"front", rows_json(advice_front(rows))},
-                  {"points", rows_json(rows)}};
+  Json json{{"study", title},
+            {"wishes",
+             {{"max_bits", wishes.max_bits},
+              {"max_wrong_pixels", wishes.max_wrong_pixels},
+              {"min_fps", wishes.min_fps},
+              {"min_colour_bits", wishes.min_colour_bits}}},
+            {"meets_all", !advice.nearest},
+            {"recommendations", recommended}};
+  if (advice.nearest) json["nearest"] = {{"command", advice.nearest_command}, {"point", to_json(*advice.nearest)}};
+  json["front"] = rows_json(advice_front(rows));
+  json["points"] = rows_json(rows);
   return json.dump(2) + "\n";
 }
 
