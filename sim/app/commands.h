@@ -15,6 +15,7 @@ namespace csgsim::app {
   COMMAND(explain)               \
   COMMAND(wave)                  \
   COMMAND(accuracy)              \
+  COMMAND(advise)                \
   COMMAND(sweep)                 \
   COMMAND(compare)               \
   COMMAND(subdivide)             \

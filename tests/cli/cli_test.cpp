@@ -208,8 +208,8 @@ TEST_CASE("a tolerance in pixels becomes one in model units, finer for a finer p
 }
 
 TEST_CASE("every command has help with an example") {
-  for (const std::string command : {"render", "compile", "run", "disasm", "debug", "diff", "wave", "accuracy", "sweep",
-                                    "levels", "machines", "isa"}) {
+  for (const std::string command : {"render", "compile", "run", "disasm", "debug", "diff", "wave", "accuracy", "advise",
+                                    "sweep", "levels", "machines", "isa"}) {
     const Outcome outcome = run(command + " --help");
     CAPTURE(command);
     CHECK(outcome.code == 0);
