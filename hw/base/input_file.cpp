@@ -43,7 +43,9 @@ std::string read_file(const std::filesystem::path& path, const InputKind& kind) 
   std::string bytes;
   try {
     bytes.reserve(expected);
-    if (const std::error_code error = read_to_end(file, bytes, kind.most_bytes + 1)) fail(path, error.message());
+    // One more tells that it is longer, where there can be more.
+    const std::size_t most = std::max(kind.most_bytes, kind.most_bytes + 1);
+    if (const std::error_code error = read_to_end(file, bytes, most)) fail(path, error.message());
   } catch (const std::bad_alloc&) {
     const std::size_t read = std::max(expected, bytes.size());
     throw InputError(fmt::format("{}: there is not enough memory to read its {} bytes", path.native(), read));

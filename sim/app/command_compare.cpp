@@ -16,6 +16,7 @@
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/read_by.h"
+#include "sim/app/sets.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/version.h"
@@ -55,7 +56,8 @@ std::vector<unsigned> sides_of(const std::string& text) {
 /// The machine, with the picture that --size asks for.
 machines::Machine machine_named(const Options& options, const std::string& name) {
   ModelOptions one = options.model;
-  one.machine = name;
+  one.machine = name;  // with its figures as set
+  one.sets = sorted(one.sets).scene;
   return machine_of(one);
 }
 
@@ -92,7 +94,7 @@ Study study_of(const Options& options) {
   ModelFile file = read_model_file(options.model);
   Study study{std::move(file.tree), {}, {}};
   const facet::Scene scene = facet::make_scene(study.tree);
-  for (const std::string& name : study::parse_words(options.machines)) {
+  for (const std::string& name : with_figures(study::parse_words(options.machines), options.model.sets)) {
     const machines::Machine machine = machine_named(options, name);
     const machines::Size base = machine.picture;
     const study::Inputs inputs{file.hash, study::hash_of(machine), version_and_build()};

@@ -101,7 +101,7 @@ void add_debug(CommandLine& line) {
   command.option("--threads", options->threads, "Threads that it works on; the states are the same")
       .between(1U, most_threads);
   command.runs([options, command] {
-    if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "commands", "threads"});
+    if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "set", "commands", "threads"});
     machines::Machine machine = machine_of(options->model);
     const isa::Program program = program_of(options->model, machine);
     with_memory_for_run({&program, 1}, program.shape, [&] { look_into(*options, program, machine); });

@@ -19,6 +19,7 @@
 #include "sim/app/paths.h"
 #include "sim/app/program_of.h"
 #include "sim/app/run_options.h"
+#include "sim/app/sets.h"
 #include "sim/app/usage.h"
 #include "sim/lockstep/comparison.h"
 #include "sim/story/phrases.h"
@@ -77,15 +78,16 @@ void refuse_misuse(const Options& options, const Command& command) {
   const bool is_model_b = is_model(options.b.subject);
   for (const auto& [side, is_one, letter] : {std::tuple(&options.a, is_model_a, "a"), {&options.b, is_model_b, "b"}}) {
     if (is_one) continue;
-    for (const auto& [name, is_given] : {std::pair("strategy", !side->strategy.empty()),
-                                         {"without", !side->without.empty()},
-                                         {"set", !side->sets.empty()}}) {
+    for (const auto& [name, is_given] :
+         {std::pair("strategy", !side->strategy.empty()), {"without", !side->without.empty()}}) {
       if (is_given)
         throw UsageError(fmt::format("--{}-{}", name, letter), "is for models; a Program has been compiled already");
     }
+    refuse_scene_sets(side->sets, fmt::format("--set-{}", letter));
   }
   if (!is_model_a && !is_model_b)
-    refuse_model_options(command, {"machine", "machine-a", "machine-b", "level-a", "level-b", "no-stories"});
+    refuse_model_options(
+        command, {"machine", "machine-a", "machine-b", "level-a", "level-b", "no-stories", "set", "set-a", "set-b"});
   if (options.a.level == "cycle" && options.b.level == "cycle") {
     throw UsageError("--level-b",
                      "SystemC clocks one machine a process; hold each side against the functional level, whose bits "
@@ -217,7 +219,8 @@ void add_side(Command& command, SideOptions& side, const std::string& letter) {
   command.option("--without-" + letter, side.without, "Prunings left out for " + name)
       .comma_list()
       .one_of(pruning_names());
-  command.option("--set-" + letter, side.sets, "A key of the scene for " + name + "; once for each");
+  command.option("--set-" + letter, side.sets,
+                 "A figure of the machine of " + name + ", or a key of its scene; once for each");
 }
 
 }  // namespace

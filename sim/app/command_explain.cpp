@@ -103,7 +103,7 @@ void refuse_misuse(const Options& options, const Command& command) {
   if (is_model(options.model.model)) return;
   if (!options.point.empty())
     throw UsageError("--point", "is for models; a Program does not tell its camera: take --pixel");
-  refuse_model_options(command, {"machine", "pixel", "why-not", "json"});
+  refuse_model_options(command, {"machine", "set", "pixel", "why-not", "json"});
 }
 
 /// Everything that is told, as text or as JSON.

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "hw/base/error.h"
+#include "sim/app/settings_app.h"
 #include "sim/app/usage.h"
 
 namespace csgsim::app {
@@ -105,6 +107,7 @@ std::vector<GivenOption> Command::given() const {
   std::vector<GivenOption> given;
   for (const CLI::Option* option : std::as_const(*command_).get_options()) {
     if (option->get_positional() || option->get_lnames().empty() || option->count() == 0) continue;
+    if (settable(*option).name.empty()) continue;  // what a settings file says has been given
     const std::string value = fmt::format("{}", fmt::join(option->results(), ","));
     given.push_back({option->get_lnames().front(), value, value == option->get_default_str()});
   }
@@ -127,7 +130,7 @@ std::vector<KnownCommand> known_commands(const CLI::App& app) {
 }  // namespace
 
 CommandLine::CommandLine(const std::string& description, const std::string& program, const std::string& version)
-    : app_(std::make_unique<CLI::App>(description, program)) {
+    : app_(make_settings_app(description, program)) {
   app_->require_subcommand(1);
   app_->set_version_flag("--version", version);
 }
@@ -142,11 +145,14 @@ Command CommandLine::add(const std::string& name, const std::string& description
 
 void CommandLine::run(std::span<char* const> arguments) {
   try {
+    load_settings(*app_, arguments);
     app_->parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw UsageError(explain(known_commands(*app_), error.what(), arguments));
     app_->exit(error);
   } catch (const UsageError& error) {
+    const std::string place = place_of(*app_, error.what());
+    if (!place.empty()) throw InputError(place + ": " + error.what());
     throw UsageError(explain(known_commands(*app_), error.what(), arguments));
   }
 }

@@ -4,12 +4,16 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-// The library that reads the command line takes seconds to compile; only command_line.cpp includes it.
+#include "sim/app/settings_file.h"
+
+// The library that reads the command line takes seconds to compile; only command_line.cpp and settings_app.cpp include
+// it.
 namespace CLI {
 class App;
 class Option;
@@ -58,6 +62,20 @@ struct GivenOption {
   bool is_default = false;
 };
 
+/// An option or operand with the value that it has, given or by default.
+struct OptionValue {
+  std::string name;  ///< as settings have it
+  Takes takes = Takes::text;
+  bool is_operand = false;
+  std::vector<std::string> values;  ///< none where nothing is said
+};
+
+/// What a command that runs commands wants to see of them.
+struct RunWatch {
+  std::function<void(const nlohmann::ordered_json& configuration)> before;  ///< of a run; it may throw
+  std::function<void(const nlohmann::ordered_json& stats)> after;           ///< when all is written
+};
+
 /// A command that is being described. Values are written when the command line is read, and have to live until then;
 /// what they hold before is the default, which help shows. A name without a dash is of an operand: `MODEL`.
 class Command {
@@ -87,6 +105,14 @@ class Command {
 
   /// Options, without operands, in the order of help.
   [[nodiscard]] std::vector<GivenOption> given() const;
+
+  /// Every option and operand but --help and --config, in the order of help.
+  [[nodiscard]] std::vector<OptionValue> values() const;
+
+  /// The command line, whose first word is the program.
+  [[nodiscard]] const std::vector<std::string>& arguments() const;
+
+  [[nodiscard]] RunWatch& watch() const;
 
  private:
   CLI::App* command_;

@@ -6,6 +6,7 @@
 
 #include "hw/base/error.h"
 #include "sim/app/commands.h"
+#include "sim/app/configuration.h"
 #include "sim/app/frames.h"
 #include "sim/app/model_options.h"
 #include "sim/app/near_faces_warning.h"
@@ -76,7 +77,7 @@ void run_frames(const Options& options) {
   draw_frames(options.model, options.run, options.turntable, machine_of(options.model));
 }
 
-void run(Options& options) {
+void run(Options& options, const Command& command) {
   if (options.turntable.frames > 1) return run_frames(options);
   RunOutputs outputs(options.run, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
@@ -90,7 +91,12 @@ void run(Options& options) {
       return verdict(compiled, frame, json);
     };
   }
-  run_program(compiled.program, machine, options.run, outputs, judge);
+  std::vector<std::filesystem::path> inputs = options.model.inputs();
+  inputs.insert(inputs.end(), compiled.tree.imports.begin(), compiled.tree.imports.end());
+  run_program(
+      command,
+      {machine, compiled.program, std::move(inputs), compiled.hash, &compiled.camera, &options.model.scene_values()},
+      options.run, outputs, judge);
 }
 
 }  // namespace
@@ -115,7 +121,7 @@ void add_render(CommandLine& line) {
       .between(1U, most_frames);
   command.option("--turn", options->turntable.degrees,
                  "Degrees that the camera turns about the vertical axis through its centre from one frame to the next");
-  command.runs([options] { run(*options); });
+  command.runs([options, command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -145,7 +145,7 @@ void record(const Options& options, const Command& command) {
   if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst"))
     throw UsageError("--output", "the waveform's name has to end in .vcd or .fst");
   if (!is_model(options.model.model))
-    refuse_model_options(command, {"machine", "pixel", "probe", "window", "at", "whole", "timing", "output"});
+    refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "at", "whole", "timing", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   const auto asked = options.at.empty() ? std::optional(window_request(options.window)) : std::nullopt;

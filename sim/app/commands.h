@@ -9,6 +9,7 @@ namespace csgsim::app {
   COMMAND(render)                \
   COMMAND(compile)               \
   COMMAND(run)                   \
+  COMMAND(rerun)                 \
   COMMAND(disasm)                \
   COMMAND(debug)                 \
   COMMAND(diff)                  \

@@ -21,11 +21,11 @@
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
-#include "hw/kinds/load.h"
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
 #include "sim/app/scad.h"
+#include "sim/app/sets.h"
 #include "sim/app/usage.h"
 #include "sim/functional/clocks.h"
 #include "sim/study/hash.h"
@@ -101,9 +101,10 @@ void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
 
 const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
   if (scene_ != nullptr) return *scene_;
-  LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}};
+  LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}, {}};
   try {
-    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sets, effects::sections());
+    const std::vector<scene::Section> sections = effects::sections();
+    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sorted(sets).scene, sections, &loaded.values);
   } catch (const scene::SetError& error) {
     throw UsageError(error.what());
   }
@@ -161,7 +162,10 @@ void ModelOptions::add_view_to(Command& command) {
   command.option("--projection", projection, "ortho or perspective; ortho if the scene says nothing either")
       .one_of(projections);
   command.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
-  command.option("--set", sets, "A key of the scene, as in lights.0.direction=0,0,-1; once for each");
+  command.option(
+      "--set", sets,
+      "A figure of the machine, as in alu.bits=4, or a key of the scene, as in lights.0.direction=0,0,-1; once for "
+      "each");
   command.option("--imports-from", imports_from,
                  "Folder in which, or below which, the files are that the model imports; the model's own if not given");
   command.flag("--snap", snap,
@@ -181,7 +185,7 @@ void ModelOptions::add_view_to(Command& command) {
 }
 
 machines::Machine machine_of(const ModelOptions& options) {
-  machines::Machine machine = kinds::load(options.machine);
+  machines::Machine machine = load_machine(options.machine, options.sets);
   if (!options.size.empty()) {
     const auto size = numbers<std::uint32_t>(options.size, 'x', 2, "--size", "WxH");
     machines::set_picture_size(machine, {size[0], size[1]});
@@ -283,10 +287,11 @@ model::Tree read_model(const ModelOptions& options) { return read_model_file(opt
 
 namespace {
 
-CompiledModel compile(model::Tree tree, const ModelOptions& options, const machines::Machine& machine) {
+CompiledModel compile(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
+  model::Tree& tree = file.tree;
   facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
   const view::Camera camera = camera_of(options, machine, tree, scene);
-  CompiledModel model{std::move(tree), std::move(scene), camera, {}};
+  CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
   model.program = compile_seen_by(model.camera, model, options, machine);
   return model;
 }
@@ -307,9 +312,9 @@ isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& mo
 }
 
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
-  model::Tree tree = read_model(options);
+  ModelFile file = read_model_file(options);
   return with_memory_for("the half-spaces of " + options.model,
-                         [&] { return compile(std::move(tree), options, machine); });
+                         [&] { return compile(std::move(file), options, machine); });
 }
 
 }  // namespace csgsim::app

@@ -8,6 +8,7 @@
 
 #include "host/emit/options.h"
 #include "host/facet/scene.h"
+#include "host/scene/read.h"
 #include "host/scene/scene.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
@@ -39,7 +40,7 @@ struct ModelOptions {
   bool view_all = false;
   std::optional<double> near;
   std::string scene_file;
-  std::vector<std::string> sets;  ///< KEY=VALUE of the scene
+  std::vector<std::string> sets;  ///< KEY=VALUE of the scene, or of a figure of the machine
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
   double edge_on = 1.0 / 256;
@@ -54,6 +55,7 @@ struct ModelOptions {
 
   /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
+  [[nodiscard]] const std::vector<scene::SectionValues>& scene_values() const { return loaded_scene().values; }
   [[nodiscard]] const std::string& scene_text() const { return loaded_scene().text; }
 
   /// The same with those effects switched off, whatever the scene or the model calls for.
@@ -69,6 +71,7 @@ struct ModelOptions {
   struct LoadedScene {
     std::string text;
     scene::Scene scene;
+    std::vector<scene::SectionValues> values;  ///< of its keys
   };
 
   [[nodiscard]] const LoadedScene& loaded_scene() const;
@@ -110,6 +113,7 @@ model::Tree read_model(const ModelOptions& options);
 
 /// A model read, faceted, seen and compiled.
 struct CompiledModel {
+  std::string hash;  ///< of what was read
   model::Tree tree;
   facet::Scene scene;
   view::Camera camera;

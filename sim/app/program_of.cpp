@@ -2,6 +2,7 @@
 
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
+#include "sim/app/sets.h"
 #include "sim/app/usage.h"
 
 namespace csgsim::app {
@@ -15,6 +16,7 @@ void refuse_model_options(const Command& command, const std::set<std::string>& o
 
 isa::Program program_of(const ModelOptions& options, machines::Machine& machine) {
   if (is_model(options.model)) return compile_model(options, machine).program;
+  refuse_scene_sets(options.sets);
   isa::Program program = read_program(options.model);
   machines::adopt(machine, program);
   return program;

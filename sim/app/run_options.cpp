@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "sim/app/configuration.h"
 #include "sim/app/memory.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
@@ -83,8 +84,20 @@ void refuse_overflow(const sim::RunResult& result) {
 
 namespace {
 
-void simulate(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-              RunOutputs& outputs, const Judge& judge, const CheckpointOptions& checkpoints) {
+/// Worked out where somebody wants to see it: files are read once more for it.
+nlohmann::ordered_json wanted_configuration(const Command& command, const RunSubject& subject,
+                                            const RunOptions& options) {
+  if (options.stats.empty() && !command.watch().before) return nullptr;
+  nlohmann::ordered_json configuration = configuration_of(command, subject);
+  if (command.watch().before) command.watch().before(configuration);
+  return configuration;
+}
+
+void simulate(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
+              const Judge& judge, const CheckpointOptions& checkpoints) {
+  const isa::Program& program = subject.program;
+  const machines::Machine& machine = subject.machine;
+  nlohmann::ordered_json configuration = wanted_configuration(command, subject, options);
   RunObservers observers{sim::FrameObserver(program), sim::StatsObserver(program), {}};
   if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) observers.progress.emplace(program, machine);
   const std::unique_ptr<sim::Engine> engine = make_engine(machine, options.level, options.threads);
@@ -97,21 +110,23 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
   if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
   const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count()};
   nlohmann::ordered_json stats_file = sim::to_json(report);
+  if (!configuration.is_null()) put_configuration(stats_file, std::move(configuration), picture);
   const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
   outputs.write_pictures(picture, program);
   outputs.write_stats(stats_file.dump(2) + "\n");
   outputs.commit();
   print_summary(report);
   fmt::print("{}", verdict);
+  if (command.watch().after) command.watch().after(stats_file);
 }
 
 }  // namespace
 
-void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-                 RunOutputs& outputs, const Judge& judge, const CheckpointOptions& checkpoints) {
-  announce_memory(machine, program.shape, options.level);
-  with_memory_for_run({&program, 1}, machine.array,
-                      [&] { simulate(program, machine, options, outputs, judge, checkpoints); });
+void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
+                 const Judge& judge, const CheckpointOptions& checkpoints) {
+  announce_memory(subject.machine, subject.program.shape, options.level);
+  with_memory_for_run({&subject.program, 1}, subject.machine.array,
+                      [&] { simulate(command, subject, options, outputs, judge, checkpoints); });
 }
 
 }  // namespace csgsim::app

@@ -44,9 +44,11 @@ class RunOutputs;
 /// Throws InputError if a linear expression did not fit its width somewhere.
 void refuse_overflow(const sim::RunResult& result);
 
+struct RunSubject;
+
 /// Runs the Program at the level asked for, writes what was asked for and prints the summary. Where there is a judge,
-/// its verdict goes into the stats under `accuracy`.
-void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-                 RunOutputs& outputs, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
+/// its verdict goes into the stats under `accuracy`; all that the run follows from is under `configuration`.
+void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
+                 const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
 
 }  // namespace csgsim::app

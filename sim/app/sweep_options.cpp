@@ -17,6 +17,7 @@
 #include "sim/app/options.h"
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
+#include "sim/app/sets.h"
 #include "sim/app/version.h"
 #include "sim/study/ranges.h"
 
@@ -71,7 +72,7 @@ study::SweepRanges ranges_of(const SweepOptions& options) {
     if (std::find(ranges.models.begin(), ranges.models.end(), model) == ranges.models.end())
       ranges.models.push_back(model);
   }
-  ranges.machines = study::parse_words(options.machines);
+  ranges.machines = with_figures(study::parse_words(options.machines), options.view.sets);
   for (const std::string& machine : ranges.machines) {
     ranges.memory_bits[machine] = options.memory_bits.empty() ? std::vector{kinds::load(machine).array.memory_bits}
                                                               : memory_bits_of(options.memory_bits);
@@ -88,7 +89,8 @@ study::SweepRanges ranges_of(const SweepOptions& options) {
 ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& point) {
   ModelOptions one = options.view;
   one.model = point.model;
-  one.machine = point.machine;
+  one.machine = point.machine;  // with its figures as set
+  one.sets = sorted(options.view.sets).scene;
   one.memory_bits = point.memory_bits;
   one.z_bits = point.z_bits;
   one.without = without(point.pruning);
