@@ -1,5 +1,7 @@
 """What the manifest's expressions and tables may ask for: the commands of csgsim on the models of the pages."""
 
+from runs import ROOT
+
 MODELS = {
     "carburettor": "tests/models/carburettor.csg --camera 220,-255,135,2,0,5",
     "vehicle": "tests/models/terrain_vehicle.csg --camera 560,-590,420,-5,0,68",
@@ -46,9 +48,16 @@ class Figures:
     def effects(self, model, options=""):
         return self.runs.run(f"csgsim effects {self.model(model)} {options} -o $OUT/effects").json("effects/effects.json")
 
+    def shown(self, page, start):
+        """The commands that a page shows, indented, from the line on that begins so."""
+        lines = (ROOT / page).read_text(encoding="utf-8").splitlines()
+        first = next(n for n, line in enumerate(lines) if line.startswith("    " + start))
+        last = next(n for n in range(first, len(lines)) if not lines[n].startswith("    "))
+        return "\n".join(line[4:] for line in lines[first:last])
+
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects")
+        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 **{name: getattr(self, name) for name in own}}
 
