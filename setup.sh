@@ -19,6 +19,9 @@ Usage: ./setup.sh COMMAND
   bench  build and run the benchmarks of kernels
   performance
          measure the figures of docs/performance.md here, and write its tables and plots
+  docs [OPTIONS...]
+         make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
+         what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
   lint [BASE]
@@ -168,8 +171,24 @@ performance() {
   mv "$out/performance.md" docs/performance.md
 }
 
+# Makes what docs/manifest lists; what is measured or drawn by other programs needs these too.
+docs() {
+  # shellcheck disable=SC2086
+  need $build_packages $test_packages libbenchmark-dev python3 git openscad povray gtkwave xvfb xauth imagemagick \
+    qflow-tech-osu050
+  cmake --preset release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
+  cmake --build --preset release --target csgsim csgsim_pictures_module csgsim_text_module bench_division
+  python3 tests/docs/make.py build/release "$@" || failed=$?
+  git --no-pager diff --stat -- README.md docs hw/machines/area_table.h
+  return "${failed:-0}"
+}
+
 case "${1:-}" in
   demo) demo ;;
+  docs)
+    shift
+    docs "$@"
+    ;;
   performance) performance ;;
   build)
     # shellcheck disable=SC2086

@@ -55,11 +55,16 @@ class Figures:
         last = next(n for n in range(first, len(lines)) if not lines[n].startswith("    "))
         return "\n".join(line[4:] for line in lines[first:last])
 
+    def division_reports(self):
+        from tables import division  # pylint: disable=import-outside-toplevel
+
+        return division.reports(self)
+
     def names(self):
         """The names of expressions."""
         own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
-                **{name: getattr(self, name) for name in own}}
+                "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 
 
 def per_cent(part, whole):

@@ -5,7 +5,7 @@
     tests/docs/make.py BUILD --check    makes what is exact and not long, and fails where a page differs; writes nothing
     tests/docs/make.py BUILD --twice    makes what is exact twice, and fails where the bytes differ; writes nothing
 
-BUILD is a folder with csgsim in it. --page and --kind choose entries; --exact leaves out what is measured, --short what is long."""
+BUILD is a folder with csgsim in it. --page, --kind and --entry choose entries; --exact leaves out what is measured, --short what is long."""
 
 import argparse
 import difflib
@@ -23,7 +23,7 @@ class Names(dict):
     """Names of expressions; what a page lets stand for an expression is worked out when it is asked for."""
 
     def __init__(self, known, let):
-        super().__init__(known)
+        super().__init__({name: value for name, value in known.items() if name not in let})
         self.let = let
 
     def __missing__(self, name):
@@ -53,15 +53,14 @@ class Maker:
         except (Failed, pages.Missing, ValueError, KeyError, AttributeError, SyntaxError, NameError, TypeError, OSError) as error:
             self.wrong.append(f"{entry}: {type(error).__name__}: {error}")
 
+    def table(self, entry):
+        name, *arguments = entry.keys["table"].split()
+        module, function = name.split(".")
+        return getattr(importlib.import_module(f"tables.{module}"), function)(self.figures, *arguments)
+
     def block(self, entry, _):
-        keys = entry.keys
-        if "table" in keys:
-            name, *arguments = keys["table"].split()
-            module, function = name.split(".")
-            body = getattr(importlib.import_module(f"tables.{module}"), function)(self.figures, *arguments)
-        else:
-            body = self.figures.runs.run(keys["command"]).printed
-        text = pages.with_block(self.file(entry.page).decode(), keys["name"], body)
+        body = self.table(entry) if "table" in entry.keys else self.figures.runs.run(entry.keys["command"]).printed
+        text = pages.with_block(self.file(entry.page).decode(), entry.keys["name"], body)
         self.made[entry.page] = text.encode()
 
     def sentence(self, entry, names):
@@ -74,7 +73,7 @@ class Maker:
                 self.wrong.append(f"{entry.page}: this holds no longer: {claim}")
 
     def picture(self, entry, _):
-        folder = self.figures.runs.run(entry.keys["command"]).folder
+        folder = self.table(entry) if "table" in entry.keys else self.figures.runs.run(entry.keys["command"]).folder
         for path in entry.keys["files"]:
             self.made[path] = (folder / pathlib.Path(path).name).read_bytes()
 
@@ -119,6 +118,8 @@ def choose(options):
         for entry in page.entries:
             if options.page and options.page not in entry.page:
                 continue
+            if options.entry and options.entry not in str(entry):
+                continue
             if options.kind and entry.kind not in options.kind.split(","):
                 continue
             if (options.check or options.twice or options.exact) and not entry.is_exact:
@@ -143,6 +144,7 @@ def main():
         parser.add_argument(flag, action="store_true")
     parser.add_argument("--page")
     parser.add_argument("--kind")
+    parser.add_argument("--entry")
     options = parser.parse_args()
     chosen = list(choose(options))
     if not chosen:

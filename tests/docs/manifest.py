@@ -10,8 +10,8 @@ FOLDER = ROOT / "docs" / "manifest"
 KEYS = {
     "block": {"name", "table", "command", "long", "measured"},
     "sentence": {"words", "holds", "long", "measured"},
-    "picture": {"files", "command", "long", "measured"},
-    "script": {"command", "begin", "end", "long", "measured"},
+    "picture": {"files", "table", "command", "long", "measured"},
+    "script": {"command", "begin", "end", "files", "long", "measured"},
     "allowed": {"near", "section", "reason"},
 }
 REASONS = ("published", "definition", "tested", "history", "not covered")
@@ -38,7 +38,7 @@ class Entry:
         return not self.keys.get("measured", False)
 
     def __str__(self):
-        what = self.keys.get("name") or self.keys.get("command") or (self.keys.get("words") or self.keys["holds"])[0]
+        what = self.keys.get("name") or [*self.keys.get("files", []), *self.keys.get("words", []), *self.keys.get("holds", [])][0]
         return f"{self.page}: {self.kind} '{what.strip()[:100]}'"
 
 
@@ -58,8 +58,8 @@ def check_keys(file, kind, keys):
             raise Wrong(f"{file}: [[{kind}]] has no key '{key}'; it has {', '.join(sorted(KEYS[kind]))}")
     if kind == "allowed" and (keys.get("reason", "").split(":")[0] not in REASONS or ("near" in keys) == ("section" in keys)):
         raise Wrong(f"{file}: [[allowed]] has 'near' or 'section', and a 'reason' that begins with one of {', '.join(REASONS)}")
-    if kind == "block" and ("table" in keys) == ("command" in keys):
-        raise Wrong(f"{file}: block '{keys.get('name')}' has a 'table' or a 'command'")
+    if kind in ("block", "picture") and ("table" in keys) == ("command" in keys):
+        raise Wrong(f"{file}: [[{kind}]] {keys.get('name', '')} has a 'table' or a 'command'")
 
 
 def read_page(path):
