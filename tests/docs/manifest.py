@@ -38,7 +38,7 @@ class Entry:
         return not self.keys.get("measured", False)
 
     def __str__(self):
-        what = self.keys.get("name") or [*self.keys.get("files", []), *self.keys.get("words", []), *self.keys.get("holds", [])][0]
+        what = self.keys.get("name") or [*self.keys.get("files", []), *self.keys.get("words", []), *self.keys.get("holds", []), self.keys.get("command")][0]
         return f"{self.page}: {self.kind} '{what.strip()[:100]}'"
 
 
