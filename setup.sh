@@ -35,7 +35,8 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
   libcgal-dev libpolyclipping-dev libpugixml-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
-test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind"
+test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
+  python3"
 clang_packages="clang libclang-rt-14-dev"
 
 as_root() {

@@ -1,7 +1,7 @@
 """What the checks read in Markdown: prose, links, headings, tables."""
 
+import os
 import re
-import subprocess
 
 from runs import ROOT
 
@@ -10,11 +10,13 @@ FENCE = re.compile(r"^\s*```")
 INDENTED = re.compile(r"^ {4,}(?![-*|\d])\S")
 
 
-def files(folder="."):
-    """The pages that the repository holds."""
-    listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", folder], cwd=ROOT, check=True,
-                            capture_output=True, text=True)
-    return sorted(path for path in listed.stdout.splitlines() if path.endswith(".md") and (ROOT / path).exists())
+def files():
+    """The pages of the repository: all Markdown outside of folders that are built or hidden."""
+    found = []
+    for folder, folders, names in os.walk(ROOT):
+        folders[:] = [name for name in folders if not name.startswith((".", "build"))]
+        found += [os.path.relpath(os.path.join(folder, name), ROOT) for name in names if name.endswith(".md")]
+    return sorted(found)
 
 
 def pages():
