@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hw/base/error.h"
+#include "sim/app/advice.h"
 #include "sim/app/commands.h"
 #include "sim/app/frames.h"
 #include "sim/app/model_options.h"
@@ -72,8 +73,17 @@ void choose_settings(Options& options, const machines::Machine& machine) {
 
 void run_frames(const Options& options) {
   if (options.check) throw UsageError("--check", "is for one frame; leave out --frames");
+  if (options.run.advice) throw UsageError("--advice", "is for one frame; leave out --frames");
   if (options.max_wrong_pixels) throw UsageError("--max-wrong-pixels", "is for one frame; leave out --frames");
   draw_frames(options.model, options.run, options.turntable, machine_of(options.model));
+}
+
+Advice advice_of(const Options& options, const CompiledModel& compiled, const machines::Machine& machine) {
+  return {options.model.machine,
+          options.run.advice,
+          "csgsim render with --advice tries the machine's figures and the settings, and tells what each is worth",
+          [&](const sim::RunResult& result) { return setting_knobs(compiled, options.model, machine, result); },
+          {"csgsim accuracy tells what bits and facets cost in wrong pixels, csgsim sweep what memory buys"}};
 }
 
 void run(Options& options) {
@@ -90,7 +100,7 @@ void run(Options& options) {
       return verdict(compiled, frame, json);
     };
   }
-  run_program(compiled.program, machine, options.run, outputs, judge);
+  run_program(compiled.program, machine, options.run, outputs, advice_of(options, compiled, machine), judge);
 }
 
 }  // namespace

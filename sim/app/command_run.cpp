@@ -5,6 +5,7 @@
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/kinds/load.h"
+#include "sim/app/advice.h"
 #include "sim/app/commands.h"
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
@@ -54,7 +55,9 @@ void add_run(CommandLine& line) {
     const isa::Program program = read_program(options->program);
     machines::Machine machine = kinds::load(options->machine);
     machines::adopt(machine, program);
-    run_program(program, machine, options->run, outputs, {}, options->checkpoints);
+    const Advice advice{options->machine, options->run.advice,
+                        "csgsim run --advice tries the machine's figures, csgsim render --advice settings too"};
+    run_program(program, machine, options->run, outputs, advice, {}, options->checkpoints);
   });
 }
 

@@ -16,6 +16,7 @@ namespace csgsim::app {
   COMMAND(wave)                  \
   COMMAND(accuracy)              \
   COMMAND(sweep)                 \
+  COMMAND(corpus)                \
   COMMAND(compare)               \
   COMMAND(subdivide)             \
   COMMAND(effects)               \

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "sim/app/advice.h"
 #include "sim/app/memory.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
@@ -72,6 +73,9 @@ void RunOptions::add_to(Command& command) {
       .one_of(levels);
   command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
       .between(1U, most_threads);
+  command.flag("--advice", advice,
+               "Try what could be turned, each of the machine's figures and each setting by one step, and tell what "
+               "it is worth");
   add_progress(command, progress);
 }
 
@@ -84,7 +88,7 @@ void refuse_overflow(const sim::RunResult& result) {
 namespace {
 
 void simulate(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-              RunOutputs& outputs, const Judge& judge, const CheckpointOptions& checkpoints) {
+              RunOutputs& outputs, const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
   RunObservers observers{sim::FrameObserver(program), sim::StatsObserver(program), {}};
   if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) observers.progress.emplace(program, machine);
   const std::unique_ptr<sim::Engine> engine = make_engine(machine, options.level, options.threads);
@@ -95,7 +99,8 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
   refuse_overflow(result);
   sim::Frame picture = std::move(observers.frame).frame();
   if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
-  const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count()};
+  const std::vector<sim::Knob> knobs = knobs_of(advice, program, machine, result);
+  const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count(), knobs};
   nlohmann::ordered_json stats_file = sim::to_json(report);
   const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
   outputs.write_pictures(picture, program);
@@ -103,15 +108,16 @@ void simulate(const isa::Program& program, const machines::Machine& machine, con
   outputs.commit();
   print_summary(report);
   fmt::print("{}", verdict);
+  print_words(report, picture, advice);
 }
 
 }  // namespace
 
 void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-                 RunOutputs& outputs, const Judge& judge, const CheckpointOptions& checkpoints) {
+                 RunOutputs& outputs, const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
   announce_memory(machine, program.shape, options.level);
   with_memory_for_run({&program, 1}, machine.array,
-                      [&] { simulate(program, machine, options, outputs, judge, checkpoints); });
+                      [&] { simulate(program, machine, options, outputs, advice, judge, checkpoints); });
 }
 
 }  // namespace csgsim::app
