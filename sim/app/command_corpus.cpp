@@ -76,7 +76,7 @@ bool is_drawn(const CorpusRow& row) { return row.drawn(); }
 void print_model(std::span<const CorpusRow> rows) {
   const auto drawn = std::ranges::find_if(rows, is_drawn);
   if (drawn == rows.end()) {
-    fmt::print("{}: {}\n", rows.front().point.model, rows.front().reason);
+    fmt::print("{}\n", told_of(rows.front().point.model, rows.front().reason));
     return;
   }
   fmt::print("{}: {}, {}, {}\n", drawn->point.model, counted(drawn->primitives, "primitive"),

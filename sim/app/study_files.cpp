@@ -63,6 +63,10 @@ std::string study_title(const Command& command, const std::set<std::string>& but
   return title;
 }
 
+std::string told_of(const std::string& model, const std::string& reason) {
+  return reason.starts_with(model) ? reason : model + ": " + reason;
+}
+
 std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table) {
   constexpr std::size_t most_named = 5;
   const std::span<const std::string> named = failed.first(std::min(failed.size(), most_named));

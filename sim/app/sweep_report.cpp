@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/app/numbers.h"
+#include "sim/app/study_files.h"
 
 namespace csgsim::app {
 
@@ -142,7 +143,7 @@ void print_sweep(std::span<const SweepRow> rows) {
   // A row without a Program knows nothing of its model.
   const auto compiled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
   if (compiled == rows.end() && is_one_reason(rows)) {
-    fmt::print("\n{}: {}\n", rows.front().point.model, rows.front().reason);
+    fmt::print("\n{}\n", told_of(rows.front().point.model, rows.front().reason));
     return;
   }
   const SweepRow& facts = compiled == rows.end() ? rows.front() : *compiled;
