@@ -1,9 +1,9 @@
 #include "sim/observe/dearest.h"
 
 #include <algorithm>
-#include <compare>
 #include <cstdlib>
 #include <numeric>
+#include <tuple>
 
 #include "hw/base/text.h"
 #include "hw/isa/pieces.h"
@@ -12,16 +12,9 @@ namespace csgsim::sim {
 
 namespace {
 
-/// A half-space as it stands in the picture, wherever a segment's corner is.
-struct PictureLinear {
-  std::uint32_t place = 0;  ///< of its primitive among the dearest
-  std::int64_t a = 0;
-  std::int64_t b = 0;
-  std::int64_t c = 0;
-  std::uint16_t shift = 0;
-
-  auto operator<=>(const PictureLinear&) const = default;
-};
+/// A half-space as it stands in the picture, wherever a segment's corner is: the place of its primitive among the
+/// dearest, A, B, C and shift.
+using PictureLinear = std::tuple<std::uint32_t, std::int64_t, std::int64_t, std::int64_t, std::uint16_t>;
 
 /// C may wrap: it does so alike in every segment.
 PictureLinear in_picture(std::uint32_t place, const isa::Linear& linear, const isa::Region& region) {
@@ -65,7 +58,7 @@ void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& d
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const PictureLinear& one : found) ++dearest[one.place].half_spaces;
+  for (const PictureLinear& one : found) ++dearest[std::get<0>(one)].half_spaces;
 }
 
 std::vector<std::uint32_t> by_clocks(const std::vector<Cost>& costs) {
