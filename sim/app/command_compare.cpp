@@ -10,6 +10,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/compare_words.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
@@ -212,6 +213,7 @@ void run(const Options& options, const Command& command) {
   const Rows rows = complete(options, study, table);
   write_file(folder.path() / "compare.json", study::points_json(title, rows));
   options.ideal ? print_ideal_rows(rows) : print_rows(rows);
+  print_compare_words(rows);
   const bool plots = !options.no_plots && !options.ideal;
   if (plots) study::draw_comparison(rows, study.base, stem, folder.path());
   refuse_differences(rows);

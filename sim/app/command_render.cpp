@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hw/base/error.h"
+#include "sim/app/advice.h"
 #include "sim/app/commands.h"
 #include "sim/app/configuration.h"
 #include "sim/app/frames.h"
@@ -73,8 +74,17 @@ void choose_settings(Options& options, const machines::Machine& machine) {
 
 void run_frames(const Options& options) {
   if (options.check) throw UsageError("--check", "is for one frame; leave out --frames");
+  if (options.run.advice) throw UsageError("--advice", "is for one frame; leave out --frames");
   if (options.max_wrong_pixels) throw UsageError("--max-wrong-pixels", "is for one frame; leave out --frames");
   draw_frames(options.model, options.run, options.turntable, machine_of(options.model));
+}
+
+Advice advice_of(const Options& options, const CompiledModel& compiled, const machines::Machine& machine) {
+  return {options.model.machine,
+          options.run.advice,
+          "csgsim render with --advice tries the machine's figures and the settings, and tells what each is worth",
+          [&](const sim::RunResult& result) { return setting_knobs(compiled, options.model, machine, result); },
+          {"csgsim accuracy tells what bits and facets cost in wrong pixels, csgsim sweep what memory buys"}};
 }
 
 void run(Options& options, const Command& command) {
@@ -96,7 +106,7 @@ void run(Options& options, const Command& command) {
   run_program(
       command,
       {machine, compiled.program, std::move(inputs), compiled.hash, &compiled.camera, &options.model.scene_values()},
-      options.run, outputs, judge);
+      options.run, outputs, advice_of(options, compiled, machine), judge);
 }
 
 }  // namespace

@@ -84,13 +84,25 @@ std::vector<std::pair<std::string, Rows>> by_model(const Rows& rows) {
   return models;
 }
 
+bool is_compiled(const SweepRow& row) { return row.compiled(); }
+
+/// A model of which there is no Program at all.
+void refuse_models(const Rows& rows) {
+  std::vector<std::string> failed;
+  const std::vector<std::pair<std::string, Rows>> models = by_model(rows);
+  for (const auto& [name, of_model] : models) {
+    if (std::ranges::none_of(of_model, is_compiled)) failed.push_back(of_model.front().point.model);
+  }
+  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "sweep.csv"));
+}
+
 void refuse_failures(const SweepOptions& options, const Rows& rows) {
-  const bool none = std::none_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
-  if (none) throw InputError(rows.front().reason);
+  if (std::ranges::none_of(rows, is_compiled) && by_model(rows).size() == 1) throw InputError(rows.front().reason);
   const std::vector<study::WrongPicture> wrong = study::wrong_pictures(rows);
   if (wrong.empty()) {
-    if (!options.no_draw)
+    if (!options.no_draw && std::ranges::any_of(rows, is_compiled))
       fmt::print("\nAll pictures of a model with the same size and z bits are the same, byte for byte.\n");
+    refuse_models(rows);
     return;
   }
   const study::PointNames names(rows);
@@ -123,7 +135,8 @@ void run(const SweepOptions& options, const Command& command) {
   write_file(folder.path() / "sweep.json", study::points_json(title, rows));
   for (const auto& [name, of_model] : by_model(rows)) {
     print_sweep(of_model);
-    if (!options.no_plots) study::draw_sweep(of_model, name, folder.path());
+    if (!options.no_plots && std::ranges::any_of(of_model, is_compiled))
+      study::draw_sweep(of_model, name, folder.path());
   }
   fmt::print("\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks and memory");

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "sim/app/advice.h"
 #include "sim/app/configuration.h"
 #include "sim/app/memory.h"
 #include "sim/app/options.h"
@@ -73,6 +74,9 @@ void RunOptions::add_to(Command& command) {
       .one_of(levels);
   command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
       .between(1U, most_threads);
+  command.flag("--advice", advice,
+               "Try what could be turned, each of the machine's figures and each setting by one step, and tell what "
+               "it is worth");
   add_progress(command, progress);
 }
 
@@ -94,7 +98,7 @@ nlohmann::ordered_json wanted_configuration(const Command& command, const RunSub
 }
 
 void simulate(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
-              const Judge& judge, const CheckpointOptions& checkpoints) {
+              const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
   const isa::Program& program = subject.program;
   const machines::Machine& machine = subject.machine;
   nlohmann::ordered_json configuration = wanted_configuration(command, subject, options);
@@ -108,7 +112,8 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
   refuse_overflow(result);
   sim::Frame picture = std::move(observers.frame).frame();
   if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
-  const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count()};
+  const std::vector<sim::Knob> knobs = knobs_of(advice, program, machine, result);
+  const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count(), knobs};
   nlohmann::ordered_json stats_file = sim::to_json(report);
   if (!configuration.is_null()) put_configuration(stats_file, std::move(configuration), picture);
   const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
@@ -117,16 +122,17 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
   outputs.commit();
   print_summary(report);
   fmt::print("{}", verdict);
+  print_words(report, picture, advice);
   if (command.watch().after) command.watch().after(stats_file);
 }
 
 }  // namespace
 
 void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
-                 const Judge& judge, const CheckpointOptions& checkpoints) {
+                 const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
   announce_memory(subject.machine, subject.program.shape, options.level);
   with_memory_for_run({&subject.program, 1}, subject.machine.array,
-                      [&] { simulate(command, subject, options, outputs, judge, checkpoints); });
+                      [&] { simulate(command, subject, options, outputs, advice, judge, checkpoints); });
 }
 
 }  // namespace csgsim::app

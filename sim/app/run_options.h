@@ -26,6 +26,7 @@ struct RunOptions {
   std::string level = "functional";
   std::string progress = "auto";
   unsigned threads = 1;
+  bool advice = false;  ///< try all that could be turned, to see what it is worth
 
   void add_to(Command& command);
 };
@@ -40,6 +41,7 @@ std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const
 using Judge = std::function<std::string(const sim::Frame&, nlohmann::ordered_json&)>;
 
 class RunOutputs;
+struct Advice;
 
 /// Throws InputError if a linear expression did not fit its width somewhere.
 void refuse_overflow(const sim::RunResult& result);
@@ -47,8 +49,9 @@ void refuse_overflow(const sim::RunResult& result);
 struct RunSubject;
 
 /// Runs the Program at the level asked for, writes what was asked for and prints the summary. Where there is a judge,
-/// its verdict goes into the stats under `accuracy`; all that the run follows from is under `configuration`.
+/// its verdict goes into the stats under `accuracy`; all that the run follows from is under `configuration`. `advice`
+/// says what may be tried to better it.
 void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
-                 const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
+                 const Advice& advice, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
 
 }  // namespace csgsim::app

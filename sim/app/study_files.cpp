@@ -63,6 +63,17 @@ std::string study_title(const Command& command, const std::set<std::string>& but
   return title;
 }
 
+std::string told_of(const std::string& model, const std::string& reason) {
+  return reason.starts_with(model) ? reason : model + ": " + reason;
+}
+
+std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table) {
+  constexpr std::size_t most_named = 5;
+  const std::span<const std::string> named = failed.first(std::min(failed.size(), most_named));
+  return fmt::format("{} of {} models could not be drawn: {}{}; {} says why", failed.size(), models,
+                     fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
+}
+
 void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
   if (changed.empty()) return;
   tell_line(fmt::format("{}: {} {} changed since some of it was measured; these points are measured anew",

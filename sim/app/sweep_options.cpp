@@ -18,6 +18,7 @@
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
 #include "sim/app/sets.h"
+#include "sim/app/subjects.h"
 #include "sim/app/version.h"
 #include "sim/study/ranges.h"
 
@@ -104,28 +105,25 @@ ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& po
 
 std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
   // Facets may depend on what a pixel covers.
-  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, std::shared_ptr<const study::Subject>> subjects;
+  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, ReadSubject> subjects;
   std::vector<study::SweepJob> jobs;
   for (study::SweepPoint& point : study::points_of(ranges_of(options))) {
     const ModelOptions one = options_of(options, point);
     const machines::Machine machine = machine_of(one);
     const machines::Size picture = machine.picture;
-    std::shared_ptr<const study::Subject>& subject = subjects[{point.model, picture.width, picture.height}];
-    if (!subject) {
-      ModelFile file = read_model_file(one);
-      facet::Scene scene = facet::make_scene(file.tree, faceting_of(one, machine, file.tree));
-      subject = std::make_shared<study::Subject>(
-          study::Subject{std::move(file.tree), std::move(scene), std::move(file.hash)});
-    }
+    const auto [place, is_new] = subjects.try_emplace({point.model, picture.width, picture.height});
+    ReadSubject& read = place->second;
+    if (is_new) read = read_subject(one, machine);
     point.model = escaped(point.model);
     point.machine = escaped(point.machine);
     jobs.push_back({std::move(point),
-                    subject,
-                    camera_of(one, machine, subject->tree, subject->scene),
+                    read.subject,
+                    read.subject ? camera_of(one, machine, read.subject->tree, read.subject->scene) : view::Camera{},
                     sampling_of(one, machine),
                     machine,
                     emit_options_of(one),
-                    {subject->hash, study::hash_of(machine), version_and_build()}});
+                    {read.hash, study::hash_of(machine), version_and_build()},
+                    read.reason});
   }
   return jobs;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/study/comparison.h"
+#include "sim/study/corpus.h"
 #include "sim/study/csv.h"
 #include "sim/study/measure.h"
 #include "sim/study/memory_map.h"
@@ -100,6 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   look_at_row<study::Measurement>(line);
   look_at_row<study::ComparisonRow>(line);
   look_at_row<study::SweepRow>(line);
+  look_at_row<study::CorpusRow>(line);
   look_at_memory_map(line);
   look_at_lists(line);
   return 0;
