@@ -186,7 +186,8 @@ void add_advise(CommandLine& line) {
       "Example:\n  csgsim advise carburettor.csg --camera 220,-255,135,2,0,5 --max-bits 64 --max-wrong-pixels 10 "
       "--min-fps 20\n"
       "  csgsim advise carburettor.csg --alu-bits 1,2,4,8 --min-colour-bits 12 -o carburettor-advice\n"
-      "Lists are with commas, ranges of numbers as 3..8; every combination is measured. What has been measured is in\n"
+      "Lists are with commas, ranges of numbers as 3..8; every combination is measured. What has been measured is kept "
+      "in\n"
       "advise.csv at once; the same command goes on after an interruption, and with other wishes measures nothing "
       "anew.");
   options->add_to(command);
