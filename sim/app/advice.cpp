@@ -22,7 +22,7 @@ constexpr unsigned fewer_bits = 4;
 constexpr unsigned few_colour_bits = 12;
 
 /// An option that is turned by one step.
-struct Setting {
+struct TriedSetting {
   /// What it becomes, as on the command line; nothing where it stands at its end.
   std::optional<std::string> (*turn)(ModelOptions& options);
   const char* but;  ///< what else changes
@@ -31,7 +31,7 @@ struct Setting {
 constexpr const char* same_picture = "the same picture";
 constexpr const char* other_picture = "another picture: csgsim accuracy tells how many pixels become wrong";
 
-constexpr auto settings = std::to_array<Setting>({
+constexpr auto settings = std::to_array<TriedSetting>({
     {[](ModelOptions& options) -> std::optional<std::string> {
        if (options.strategy == "auto") return std::nullopt;
        options.strategy = "auto";
@@ -95,7 +95,7 @@ std::optional<std::uint64_t> interval_with(const ModelOptions& options, const Co
 std::vector<sim::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
                                      const machines::Machine& machine, const sim::RunResult& result) {
   std::vector<sim::Knob> knobs;
-  for (const Setting& setting : settings) {
+  for (const TriedSetting& setting : settings) {
     ModelOptions turned = options;
     const std::optional<std::string> option = setting.turn(turned);
     if (!option) continue;
