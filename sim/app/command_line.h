@@ -88,6 +88,12 @@ class Command {
   /// Options, without operands, in the order of help.
   [[nodiscard]] std::vector<GivenOption> given() const;
 
+  /// The same with those that were not given but have a value by default.
+  [[nodiscard]] std::vector<GivenOption> settings() const;
+
+  /// The command with all that was given, operands first and long names, for a POSIX shell.
+  [[nodiscard]] std::string typed() const;
+
  private:
   CLI::App* command_;
 };
