@@ -50,7 +50,7 @@ Section configuration_section(const Json& data, const Context& context) {
     section.parts.emplace_back(leaves(data, "/configuration", "The effective configuration"));
     return section;
   }
-  Table options{"Options, as they were given or are by default", {"option", "value"}, {}, true};
+  Table options{"Options, given or by default", {"option", "value"}, {}, true};
   for (const auto& [name, value] : context.options) options.rows.push_back({{name}, {value}});
   section.parts.emplace_back(std::move(options));
   if (data.contains("machine") && data["machine"].is_object())

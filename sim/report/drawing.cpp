@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -23,18 +24,22 @@ namespace {
 
 using States = std::vector<std::uint32_t>;
 
-/// What has been carried out so far.
+/// What has been carried out so far. Regions that come to their end are looked at, since several may between two steps.
 class Progress : public sim::Observer {
  public:
+  explicit Progress(std::function<void(std::uint32_t, const sim::PixelState&)> look) : look_(std::move(look)) {}
+
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
     clocks_ += step.clocks;
     last_ = step.instruction;
   }
+  void after_segment(std::uint32_t segment, const sim::PixelState& state) override { look_(segment, state); }
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
   [[nodiscard]] const std::optional<isa::Instruction>& last() const { return last_; }
 
  private:
+  std::function<void(std::uint32_t, const sim::PixelState&)> look_;
   std::uint64_t clocks_ = 0;
   std::optional<isa::Instruction> last_;
 };
@@ -83,7 +88,8 @@ class Recorder {
       : program_(program),
         run_(sim::make_functional_engine(machine)->begin(program)),
         numbers_(program),
-        colour_(isa::field_of(program, isa::FieldRole::colour)) {
+        colour_(isa::field_of(program, isa::FieldRole::colour)),
+        progress_([this](std::uint32_t segment, const sim::PixelState& state) { look(segment, state); }) {
     drawing_.every =
         std::max(1U, (std::max(program.shape.width, program.shape.height) + limits.side - 1) / limits.side);
     drawing_.width = (program.shape.width + drawing_.every - 1) / drawing_.every;
@@ -100,7 +106,7 @@ class Recorder {
     if (numbers_.of(run_->place()) >= boundary) return;
     sim::Observer* const observers[] = {&progress_};
     run_->advance(boundary, observers);
-    DrawingStep step{numbers_.of(run_->place()), "", "", progress_.clocks(), look(), ""};
+    DrawingStep step{numbers_.of(run_->place()), "", "", progress_.clocks(), look(run_->place().segment, *run_), ""};
     if (progress_.last()) {
       step.text = isa::text_of(*progress_.last(), program_.facts.fields);
       step.serves = served_by(*progress_.last(), program_.facts);
@@ -156,15 +162,16 @@ class Recorder {
   }
 
   /// Brings the states up to date, and returns how many pixels are enabled.
-  std::uint64_t look() {
-    const isa::Region region = run_->region();
+  std::uint64_t look(std::uint32_t segment, const sim::PixelState& pixels) {
+    if (program_.segments[segment].instructions.empty()) return 0;  // it shows the background
+    const isa::Region region = pixels.region();
     if (region != region_) visit_shown(region_, [](std::uint32_t& state, auto, auto) { state &= ~1U; });
     region_ = region;
     const std::size_t words = (region.width + 63U) / 64U;
     enable_.assign(words * region.height, 0);
-    run_->read_enable(enable_);
+    pixels.read_enable(enable_);
     colours_.assign(std::size_t{region.width} * region.height, 0);
-    if (colour_.width > 0) run_->read_field(colour_, colours_);
+    if (colour_.width > 0) pixels.read_field(colour_, colours_);
     visit_shown(region, [&](std::uint32_t& pixel, std::uint32_t x, std::uint32_t y) {
       const bool enabled = (enable_[y * words + x / 64U] >> (x % 64U) & 1U) != 0;
       pixel = state(colours_[std::size_t{y} * region.width + x], enabled);

@@ -10,7 +10,8 @@ namespace csgsim::report {
 
 std::string drawing_html(const Drawing& drawing) {
   return fmt::format(
-      "<p>{}</p>\n<div id=drawing-box class=drawing><noscript><p class=note>Scripts are off: the drawing's {} steps cannot "
+      "<p>{}</p>\n<div id=drawing-box class=drawing><noscript><p class=note>Scripts are off: the drawing's {} steps "
+      "cannot "
       "be shown.</p></noscript></div>\n",
       html_text(drawing.told), drawing.steps.size());
 }

@@ -50,14 +50,21 @@
       return text;
     });
     let now = -1;
+    // Points that lie on each other are told together.
+    const near = (point, box) => {
+      const other = point.getBoundingClientRect();
+      return Math.abs(other.left + other.width / 2 - box.left - box.width / 2) < 2 &&
+        Math.abs(other.top + other.height / 2 - box.top - box.height / 2) < 2;
+    };
     const choose = (index, spoken) => {
       if (now >= 0) points[now].classList.remove('at');
       now = index;
       if (now < 0) return hideTip();
       points[now].classList.add('at');
       const box = points[now].getBoundingClientRect();
-      showTip(texts[now], box.left + box.width / 2, box.top + box.height / 2);
-      if (spoken) tell(texts[now]);
+      const text = texts.filter((_, index) => near(points[index], box)).join('\n');
+      showTip(text, box.left + box.width / 2, box.top + box.height / 2);
+      if (spoken) tell(text);
     };
     svg.setAttribute('tabindex', '0');
     svg.setAttribute('role', 'application');

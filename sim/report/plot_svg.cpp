@@ -28,7 +28,7 @@ struct Layout {
   unsigned x_ticks;
 };
 
-constexpr Layout layouts[] = {{"wide", 760, 380, 9}, {"narrow", 350, 300, 6}};
+constexpr Layout layouts[] = {{"wide", 620, 340, 8}, {"narrow", 350, 300, 6}};
 constexpr unsigned y_ticks = 6;
 constexpr double character = 7.4;  ///< pixels, of text of 13 pixels
 constexpr double line = 18;        ///< pixels
@@ -73,12 +73,27 @@ std::string value_text(const Axis& axis, double value) {
 }
 
 std::string tip_of(const Plot& plot, const Series& series, const Point& point) {
-  const std::string label = point.label.empty() ? "" : ", " + point.label;
+  const std::string label = point.label.empty() || point.label == series.name ? "" : ", " + point.label;
   return fmt::format("{}{}: {} {}, {} {}", series.name, label, plot.x.title, value_text(plot.x, point.x), plot.y.title,
                      value_text(plot.y, point.y));
 }
 
 std::string style_of(std::size_t index) { return fmt::format("s{} d{}", index % colours, index % dashes); }
+
+/// The title below an axis, in two lines where one is too long.
+std::string title_svg(const std::string& title, const Frame& frame) {
+  std::size_t cut = title.size();
+  if (width_of(title) > frame.right) {
+    cut = title.rfind(' ', title.size() / 2);
+    if (cut == std::string::npos) cut = title.size();
+  }
+  const double middle = std::max((frame.left + frame.right) / 2, width_of(title.substr(0, cut)) / 2);
+  const auto text = [&](const std::string& words, double y) {
+    return fmt::format("<text class=of x={:.1f} y={:.1f} text-anchor=middle>{}</text>", middle, y, html_text(words));
+  };
+  const double y = frame.bottom + 2.2 * line;
+  return cut == title.size() ? text(title, y) : text(title.substr(0, cut), y) + text(title.substr(cut + 1), y + line);
+}
 
 std::string grid_svg(const Plot& plot, const Scale& x, const Scale& y, const Frame& frame) {
   std::string svg;
@@ -97,8 +112,7 @@ std::string grid_svg(const Plot& plot, const Scale& x, const Scale& y, const Fra
   svg += fmt::format("<path class=axis d=\"M{:.1f} {:.1f}V{:.1f}H{:.1f}\"/>", frame.left, frame.top, frame.bottom,
                      frame.right);
   svg += fmt::format("<text class=of x=2 y={:.1f}>{}</text>", frame.top - 12, html_text(plot.y.title));
-  return svg + fmt::format("<text class=of x={:.1f} y={:.1f} text-anchor=middle>{}</text>",
-                           (frame.left + frame.right) / 2, frame.bottom + 2.2 * line, html_text(plot.x.title));
+  return svg + title_svg(plot.x.title, frame);
 }
 
 std::string series_svg(const Plot& plot, std::size_t index, const Scale& x, const Scale& y, const Frame& frame) {
@@ -121,7 +135,7 @@ std::string svg_of(const Plot& plot, const Layout& layout) {
   const std::vector<double> xs = values_of(plot.series, &Point::x);
   const std::vector<double> ys = values_of(plot.series, &Point::y);
   const Scale y(plot.y, ys, y_ticks);
-  Frame frame{widest(y.ticks()) + 14, 2 * line, layout.width - 16, layout.height - 2.6 * line};
+  Frame frame{widest(y.ticks()) + 14, 2 * line, layout.width - 16, layout.height - 3.6 * line};
   const Scale x = x_scale(plot.x, xs, layout.x_ticks, frame.right - frame.left);
   if (!x.ticks().empty()) frame.right = std::min(frame.right, layout.width - 6 - width_of(x.ticks().back().text) / 2);
   std::string svg = fmt::format(

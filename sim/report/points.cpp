@@ -28,7 +28,10 @@ Table points_table(const Json& data, const std::string& at, const std::string& c
   Table table{caption, {}, {}};
   std::vector<PointColumn> shown;
   for (const PointColumn& column : columns) {
-    if (!any([&](const Json& point) { return point.contains(column.key) && !point[column.key].is_null(); })) continue;
+    if (!any([&](const Json& point) {
+          return point.contains(column.key) && !point[column.key].is_null() && point[column.key] != "";
+        }))
+      continue;
     shown.push_back(column);
     table.columns.emplace_back(column.title);
   }

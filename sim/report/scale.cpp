@@ -24,7 +24,10 @@ double nice_step(double least) {
 std::string tick_text(double value, double step) {
   const double clean = std::fabs(value) < step * 1e-6 ? 0.0 : value;
   if (step >= 1.0) return number_text(std::round(clean));
-  if (step < 1e-4) return fmt::format("{:.3g}", clean);
+  if (step < 1e-4) {
+    const double steps = std::max(1.0, std::fabs(clean) / step);
+    return fmt::format("{:.{}g}", clean, static_cast<int>(std::ceil(std::log10(steps) + 1e-9)) + 1);
+  }
   return fmt::format("{:.{}f}", clean, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
 }
 
@@ -47,7 +50,7 @@ Scale::Scale(const Axis& axis, std::span<const double> values, unsigned most_tic
     high_ = *most;
   }
   const bool has_positive = std::any_of(values.begin(), values.end(), [](double value) { return value > 0; });
-  axis.logarithmic&& low_ >= 0 && has_positive ? be_logarithmic(values, most_ticks) : be_linear(most_ticks);
+  axis.logarithmic&& low_ >= 0 && has_positive ? be_logarithmic(values, most_ticks) : be_linear(values, most_ticks);
 }
 
 double Scale::at(double value) const {
@@ -63,13 +66,15 @@ void Scale::be_of_words(const std::vector<std::string>& names, unsigned most_tic
   for (std::size_t i = 0; i < names.size(); i += every) ticks_.push_back({at(static_cast<double>(i)), names[i]});
 }
 
-void Scale::be_linear(unsigned most_ticks) {
-  if (low_ > 0 && low_ < 0.6 * high_) low_ = 0;
+void Scale::be_linear(std::span<const double> values, unsigned most_ticks) {
+  if (low_ > 0 && low_ < 0.3 * high_) low_ = 0;
   if (low_ == high_) {
     low_ = std::min(0.0, low_);
     high_ = std::max(high_, low_ + 1.0);
   }
-  const double step = nice_step((high_ - low_) / most_ticks);
+  const bool is_whole =
+      std::all_of(values.begin(), values.end(), [](double value) { return value == std::floor(value); });
+  const double step = std::max(nice_step((high_ - low_) / most_ticks), is_whole ? 1.0 : 0.0);
   low_ = std::floor(low_ / step + 1e-9) * step;
   high_ = std::ceil(high_ / step - 1e-9) * step;
   for (int i = 0; low_ + i * step <= high_ + step / 2; ++i) {

@@ -25,7 +25,7 @@ class Scale {
 
  private:
   void be_of_words(const std::vector<std::string>& names, unsigned most_ticks);
-  void be_linear(unsigned most_ticks);
+  void be_linear(std::span<const double> values, unsigned most_ticks);
   void be_logarithmic(std::span<const double> values, unsigned most_ticks);
 
   double low_ = 0;   ///< of the axis, or its logarithm

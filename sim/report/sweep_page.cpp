@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <filesystem>
 #include <utility>
 
 #include "sim/report/points.h"
@@ -98,7 +99,7 @@ Page sweep_page(const Json& file, const StudyContext& study) {
     std::vector<Json> points;
     for (const Json& point : all)
       if (word_of(point["model"]) == model) points.push_back(point);
-    add_plots(model, points, plots.parts);
+    add_plots(std::filesystem::path(model).filename().native(), points, plots.parts);
   }
   page.sections.push_back(std::move(plots));
   page.sections.push_back({"Points", {points_table(page.data, "/points", "All that was measured", columns)}});

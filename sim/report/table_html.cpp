@@ -35,6 +35,8 @@ std::string share_html(double share) {
 std::string cell_html(const Cell& cell, bool is_header) {
   std::string attributes = is_header ? " scope=row" : "";
   if (is_number(cell.value)) attributes += " class=n";
+  constexpr std::size_t long_text = 32;  // bytes; it is broken into lines
+  if (cell.value.is_string() && cell.value.get_ref<const std::string&>().size() > long_text) attributes += " class=w";
   if (!cell.at.empty()) attributes += " data-at=\"" + html_text(cell.at) + "\"";
   const std::string text = cell.show == Show::share && is_number(cell.value) ? "" : text_of(cell.value);
   if (cell.value.is_number_float() && text != cell.value.dump())
