@@ -21,6 +21,8 @@ Usage: ./setup.sh COMMAND
          measure the figures of docs/performance.md here, and write its tables and plots
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
+  report-test
+         install a Chromium (300 MB) and open pages of --report in it
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
          changed since
@@ -214,6 +216,12 @@ case "${1:-}" in
     need $build_packages gtkwave xvfb imagemagick
     build release
     PATH=$PWD/build/release:$PATH tests/waves/screenshots.sh
+    ;;
+  report-test)
+    # shellcheck disable=SC2086
+    need $build_packages python3 chromium
+    build release
+    python3 tests/report/pages_test.py build/release/csgsim .
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;

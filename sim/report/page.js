@@ -136,7 +136,8 @@
       const colour = (r, g, b, a) => opaque ? (a << 24 | b << 16 | g << 8 | r) >>> 0 : (r << 24 | g << 16 | b << 8 | a) >>> 0;
       const dim = colour(0, 0, 0, 150);
       const edge = colour(255, 200, 0, 255);
-      for (let y = 0, at = 0; primitive >= 0 && y < height; ++y) {
+      const isSeen = primitive >= 0 && owner.includes(primitive);
+      for (let y = 0, at = 0; isSeen && y < height; ++y) {
         for (let x = 0; x < width; ++x, ++at) {
           if (owner[at] !== primitive) {
             pixels[at] = dim;
