@@ -24,6 +24,8 @@ Usage: ./setup.sh COMMAND
          what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
+  report-test
+         install a Chromium (300 MB) and open pages of --report in it
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
          changed since
@@ -234,6 +236,12 @@ case "${1:-}" in
     need $build_packages gtkwave xvfb imagemagick
     build release
     PATH=$PWD/build/release:$PATH tests/waves/screenshots.sh
+    ;;
+  report-test)
+    # shellcheck disable=SC2086
+    need $build_packages python3 chromium
+    build release
+    python3 tests/report/pages_test.py build/release/csgsim .
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/options.h"
+#include "sim/app/report_option.h"
 #include "sim/app/study_files.h"
 #include "sim/app/version.h"
 #include "sim/study/gnuplot.h"
@@ -34,6 +36,7 @@ struct Options {
   std::string folder;
   unsigned views = 4;
   bool no_plots = false;
+  ReportOption report;
   std::string progress = "auto";
 };
 
@@ -53,12 +56,17 @@ void print_table(const std::vector<study::Measurement>& rows) {
   for (const study::Measurement& row : rows) print_row(row);
 }
 
-void print_front(const std::vector<study::Measurement>& rows) {
+/// Those at which z bits and fraction bits are turned together.
+std::vector<study::Measurement> of_both(const std::vector<study::Measurement>& rows) {
   std::vector<study::Measurement> together;
   for (const study::Measurement& row : rows) {
     if (row.knob == "together") together.push_back(row);
   }
-  const std::vector<study::Measurement> front = study::pareto_front(together);
+  return together;
+}
+
+void print_front(const std::vector<study::Measurement>& rows) {
+  const std::vector<study::Measurement> front = study::pareto_front(of_both(rows));
   fmt::print("\nPareto front of z bits / fraction bits:\n");
   for (const study::Measurement& row : front)
     fmt::print("  {:>6}{:>12} clocks{:>10} wrong pixels\n", row.value, row.clocks, row.wrong);
@@ -114,9 +122,17 @@ void complete(const Options& options, const Study& study, Table& table) {
   if (show) tell("\r\x1b[K");
 }
 
+report::Page page_of(const Options& options, const std::string& points, const std::vector<study::Measurement>& rows) {
+  std::vector<std::string> front;
+  for (const study::Measurement& row : study::pareto_front(of_both(rows))) front.push_back(row.value);
+  return report::accuracy_page(report::Json::parse(points), front,
+                               study_context(options.report, options.model, machine_of(options.model)));
+}
+
 void run(const Options& options, const Command& command) {
   const Study study = study_of(options);
   const StudyFolder folder(options.folder, "accuracy", options.model.inputs());
+  ReportFile report(options.report, options.model.inputs());
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "accuracy.csv";
   Table table(table_path, title);
@@ -124,8 +140,10 @@ void run(const Options& options, const Command& command) {
   complete(options, study, table);
   print_table(table.rows());
   print_front(table.rows());
-  write_file(folder.path() / "accuracy.json", study::points_json(title, table.rows()));
+  const std::string points = study::points_json(title, table.rows());
+  write_file(folder.path() / "accuracy.json", points);
   if (!options.no_plots) study::draw_plots(table.rows(), study::plot_stem(options.model.model), folder.path());
+  if (report.asked()) report.write(page_of(options, points, table.rows()));
   fmt::print("\n{}: accuracy.csv, accuracy.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) a knob and of the front");
 }
@@ -146,6 +164,7 @@ void add_accuracy(CommandLine& line) {
   command.option("--views", options->views, "Views that a point is measured in: the camera turned about the vertical")
       .between(1, 64);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  options->report.add_to(command);
   add_progress(command, options->progress);
   command.runs([options, command] { run(*options, command); });
 }

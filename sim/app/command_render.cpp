@@ -120,6 +120,7 @@ void add_render(CommandLine& line) {
                "  csgsim render carburettor.csg -o carburettor.png --view-all --projection perspective --level cycle");
   options->model.add_to(command);
   options->run.add_to(command);
+  options->run.report.add_to(command);
   command.flag("--check", options->check, "Hold the picture against the exact one, and add what differs to the stats");
   command
       .option("--max-wrong-pixels", options->max_wrong_pixels,

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
@@ -12,7 +13,9 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/numbers.h"
 #include "sim/app/paths.h"
+#include "sim/app/report_option.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
@@ -124,20 +127,33 @@ std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std
   return all;
 }
 
+/// With a picture of the first model on the first machine.
+report::Page page_of(const SweepOptions& options, const std::string& points) {
+  ModelOptions model = options.view;
+  model.model = options.models.front();
+  model.machine = study::parse_words(options.machines).front();
+  report::StudyContext context = study_context(options.report, model, machine_of(model));
+  if (options.models.size() > 1) context.model = counted(options.models.size(), "model");
+  return report::sweep_page(report::Json::parse(points), context);
+}
+
 void run(const SweepOptions& options, const Command& command) {
   const std::vector<study::SweepJob> jobs = jobs_of(options);
   const StudyFolder folder(options.folder, "sweep", input_files(options.models, study::parse_words(options.machines)));
+  ReportFile report(options.report, input_files(options.models, study::parse_words(options.machines)));
   const std::string title = title_of(command);
   const std::filesystem::path table_path = folder.path() / "sweep.csv";
   Table table(table_path, title);
   tell_stale(table_path, table.drop_stale(std::span<const study::WantedPoint>(wanted_of(options, jobs))));
   const Rows rows = complete(options, jobs, table);
-  write_file(folder.path() / "sweep.json", study::points_json(title, rows));
+  const std::string points = study::points_json(title, rows);
+  write_file(folder.path() / "sweep.json", points);
   for (const auto& [name, of_model] : by_model(rows)) {
     print_sweep(of_model);
     if (!options.no_plots && std::ranges::any_of(of_model, is_compiled))
       study::draw_sweep(of_model, name, folder.path());
   }
+  if (report.asked()) report.write(page_of(options, points));
   fmt::print("\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks and memory");
   refuse_failures(options, rows);

@@ -27,8 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 
 void refuse_other_outputs(const RunOptions& run) {
-  for (const auto& [option, name] :
-       {std::pair("--depth", &run.depth), {"--owner", &run.owner}, {"--stats", &run.stats}}) {
+  for (const auto& [option, name] : {std::pair("--depth", &run.depth),
+                                     {"--owner", &run.owner},
+                                     {"--stats", &run.stats},
+                                     {"--report", &run.report.file}}) {
     if (!name->empty()) throw UsageError(option, "is for one frame; leave out --frames");
   }
 }

@@ -22,6 +22,7 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
 #include "sim/observe/stats_json.h"
+#include "sim/report/run_page.h"
 
 namespace csgsim::app {
 
@@ -119,6 +120,8 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
   const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
   outputs.write_pictures(picture, program);
   outputs.write_stats(stats_file.dump(2) + "\n");
+  if (options.report.asked())
+    outputs.write_report(report::run_page(stats_file, picture, program, machine, options.report.context()));
   outputs.commit();
   print_summary(report);
   fmt::print("{}", verdict);

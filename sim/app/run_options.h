@@ -10,6 +10,7 @@
 #include "hw/machines/machine.h"
 #include "sim/app/checkpoint_options.h"
 #include "sim/app/command_line.h"
+#include "sim/app/report_option.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 
@@ -23,6 +24,7 @@ struct RunOptions {
   std::string depth;
   std::string owner;
   std::string stats;
+  ReportOption report;  ///< only commands that have a model add it
   std::string level = "functional";
   std::string progress = "auto";
   unsigned threads = 1;

@@ -43,7 +43,8 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
   return files;
 }
 
-constexpr auto without_effect = std::to_array<std::string_view>({"output", "threads", "progress", "no-plots"});
+constexpr auto without_effect =
+    std::to_array<std::string_view>({"output", "threads", "progress", "no-plots", "report"});
 
 }  // namespace
 

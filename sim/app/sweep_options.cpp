@@ -147,6 +147,7 @@ void SweepOptions::add_to(Command& command) {
   command.option("--threads", threads, "Points that are measured at the same time").between(1U, most_threads);
   command.flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
   command.flag("--no-plots", no_plots, "Do without plots (gnuplot)");
+  report.add_to(command);
   add_progress(command, progress);
 }
 

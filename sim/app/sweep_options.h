@@ -7,6 +7,7 @@
 
 #include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
+#include "sim/app/report_option.h"
 #include "sim/study/sweep_run.h"
 
 namespace csgsim::app {
@@ -26,6 +27,7 @@ struct SweepOptions {
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool no_draw = false;
   bool no_plots = false;
+  ReportOption report;
   std::string progress = "auto";
 
   void add_to(Command& command);

@@ -41,6 +41,12 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"render", "render" + small_model + pictures, picture_files, "", 0, 8},
       {"render to standard output", "render" + small_model + " --stats /dev/stdout", {}, "", 0, 8},
+      {"render with a page",
+       "render" + small_model + " --report OUT/p.html --stats OUT/s.json",
+       {"p.html", "s.json"},
+       "",
+       0,
+       4},
       {"compile", "compile" + small_model + " -o OUT/p.csgt", {"p.csgt"}, "", 0, 8},
       {"run", "run" + trace + pictures, picture_files, "", 0, 2},
       {"run with checkpoints", "run" + trace + " --checkpoint OUT/c.csgs -o OUT/p.png", {"c.csgs", "p.png"}, "", 0, 2},
