@@ -92,7 +92,7 @@ namespace {
 /// Worked out where somebody wants to see it: files are read once more for it.
 nlohmann::ordered_json wanted_configuration(const Command& command, const RunSubject& subject,
                                             const RunOptions& options) {
-  if (options.stats.empty() && !command.watch().before) return nullptr;
+  if (options.stats.empty() && !options.report.asked() && !command.watch().before) return nullptr;
   nlohmann::ordered_json configuration = configuration_of(command, subject);
   if (command.watch().before) command.watch().before(configuration);
   return configuration;
