@@ -54,8 +54,7 @@ machines::Machine load(const std::string& machine) {
   const auto found =
       std::find_if(built_in().begin(), built_in().end(), [&name](const BuiltIn& one) { return one.name == name; });
   if (found == built_in().end())
-    throw InputError(fmt::format("unknown machine '{}'; the nearest known is '{}', and a file's name ends in .toml",
-                                 name, nearest(name, built_in_names())));
+    throw InputError(no_such("machine", name, built_in_names()) + ", or a file, whose name ends in .toml");
   return machines::read_description(found->text, fmt::format("{}.toml", found->name), all(), changes);
 }
 

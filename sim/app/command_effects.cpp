@@ -18,6 +18,7 @@
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
+#include "sim/app/paths.h"
 #include "sim/app/run_options.h"
 #include "sim/app/study_files.h"
 #include "sim/engine/engine.h"
@@ -201,7 +202,7 @@ void run(const Options& options) {
   if (!options.folder.empty()) folder.emplace(options.folder, "effects", options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
   const Bill bill = make_bill(options.model, machine);
-  fmt::print("{} on {}: what its effects cost\n", printable(options.model.model), machine.name);
+  fmt::print("{} on {}: what its effects cost\n", printable(shown_name(options.model.model)), machine.name);
   print_bill(bill);
   if (!folder) return;
   write_all(bill, *folder);
@@ -218,6 +219,7 @@ void add_effects(CommandLine& line) {
                "The effects that there are, and their settings: docs/effects.md.");
   options->model.add_to(command);
   command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").check(not_empty);
+  command.prints_summary();
   command.runs([options] { run(*options); });
 }
 

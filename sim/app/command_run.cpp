@@ -44,6 +44,7 @@ void add_run(CommandLine& line) {
                  "A machine's name or its .toml file; it gets the array the Program is for");
   options->run.add_to(command);
   options->checkpoints.add_to(command);
+  command.prints_summary();
   command.runs([options] {
     if (is_model(options->program))
       throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));

@@ -12,6 +12,7 @@
 #include "sim/app/command_line.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
+#include "sim/observe/long_work.h"
 
 namespace csgsim::app {
 
@@ -32,6 +33,9 @@ struct RunOptions {
 
 /// The names of the levels of fidelity.
 std::vector<std::string> level_names();
+
+/// Of a run that may take long: what to say of it.
+sim::LongWork long_run(const std::string& level);
 
 /// An engine of the level of that name.
 std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads);
