@@ -134,7 +134,7 @@ Rows complete(const Options& options, const Study& study, Table& table) {
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) != nullptr) ++known;
   }
-  SweepProgress progress(study.jobs.size(), known, options.progress == "auto");
+  SweepProgress progress(study.jobs.size(), known, shows_progress(options.progress));
   Rows rows;
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) == nullptr) {
@@ -265,6 +265,7 @@ void add_compare(CommandLine& line) {
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   options->report.add_to(command);
   add_progress(command, options->progress);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

@@ -31,7 +31,15 @@ class Option {
 
   Option& required();
   Option& check(const Check& check);
-  Option& one_of(const std::vector<std::string>& names);
+
+  /// One of these words, each of which is called a `kind`: the option's name if it is not given.
+  Option& one_of(const std::vector<std::string>& names, const std::string& kind = {});
+
+  /// A list of them with commas, as one text.
+  Option& list_of(const std::vector<std::string>& names, const std::string& kind);
+
+  /// A text that is made of these words, as the check says.
+  Option& words(const std::vector<std::string>& words, const Check& check);
 
   template <class Value>
   Option& one_of(const std::map<std::string, Value>& named) {
@@ -51,7 +59,13 @@ class Option {
   /// One may not be given with the other.
   Option& excludes(const std::string& other);
 
+  /// It works, but help does not show it.
+  Option& hidden();
+
  private:
+  template <class Range, class Number>
+  Option& within(Range&& range, Number low, Number high);
+
   CLI::Option* option_;
 };
 
@@ -94,6 +108,9 @@ class Command {
   Option read_option(const std::string& names, const std::function<void(const std::string&)>& take,
                      const std::string& help);
   void flag(const std::string& names, bool& is_given, const std::string& help);
+
+  /// Adds --quiet: nothing is printed, whatever the command prints.
+  void prints_summary();
 
   /// Takes back an option of a group that makes no sense for this command.
   void remove(const std::string& option);

@@ -132,6 +132,7 @@ void add_render(CommandLine& line) {
       .between(1U, most_frames);
   command.option("--turn", options->turntable.degrees,
                  "Degrees that the camera turns about the vertical axis through its centre from one frame to the next");
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

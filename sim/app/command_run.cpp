@@ -48,6 +48,7 @@ void add_run(CommandLine& line) {
   add_figure_sets(command, options->sets, "the machine");
   options->run.add_to(command);
   options->checkpoints.add_to(command);
+  command.prints_summary();
   command.runs([options, command] {
     if (is_model(options->program))
       throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));

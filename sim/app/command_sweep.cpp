@@ -14,6 +14,7 @@
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/numbers.h"
+#include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/report_option.h"
 #include "sim/app/study_files.h"
@@ -50,7 +51,7 @@ Rows complete(const SweepOptions& options, const std::vector<study::SweepJob>& j
   for (const study::SweepJob& job : jobs) {
     if (table.find(wanted(options, job)) == nullptr) missing.push_back(job);
   }
-  SweepProgress progress(jobs.size(), jobs.size() - missing.size(), options.progress == "auto");
+  SweepProgress progress(jobs.size(), jobs.size() - missing.size(), shows_progress(options.progress), options.threads);
   try {
     study::measure_all(missing, !options.no_draw, options.threads, [&](SweepRow row) {
       table.add(std::move(row));
@@ -172,6 +173,7 @@ void add_sweep(CommandLine& line) {
       "Lists are with commas, ranges of numbers as 3..8; every combination is a point. What has been measured is in\n"
       "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is new.");
   options->add_to(command);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

@@ -1,7 +1,6 @@
 #include "sim/app/run_options.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <map>
@@ -35,12 +34,14 @@ const std::map<std::string, Level> levels{
 
 /// What is wrong with the name of a picture that has to be an EXR file, or nothing.
 std::string exr_name(const std::string& name) {
-  return ends_in(name, ".exr") ? "" : "'" + name + "' has to end in .exr";
+  return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' has to end in .exr";
 }
 
 /// The same of an owner picture.
 std::string owner_name(const std::string& name) {
-  return ends_in(name, ".exr") || ends_in(name, ".png") ? "" : "'" + name + "' has to end in .png or .exr";
+  return ends_in(name, ".exr") || ends_in(name, ".png") || is_unnamed_stream(name)
+             ? ""
+             : "'" + name + "' has to end in .png or .exr";
 }
 
 }  // namespace
@@ -50,6 +51,12 @@ std::vector<std::string> level_names() {
   names.reserve(levels.size());
   for (const auto& [name, level] : levels) names.push_back(name);
   return names;
+}
+
+sim::LongWork long_run(const std::string& level) {
+  return {"the run at the " + level + " level",
+          level == "functional" ? "more --threads and a smaller --size take less"
+                                : "--level functional draws the same picture and tells the same counts in far less"};
 }
 
 std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads) {
@@ -62,7 +69,8 @@ std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const
 }
 
 void RunOptions::add_to(Command& command) {
-  command.option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...)")
+  command
+      .option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...), PNG for -")
       .check(not_empty);
   command.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
       .check(exr_name);
@@ -71,7 +79,9 @@ void RunOptions::add_to(Command& command) {
               "Which primitive is seen: .png, a colour each and a legend, .json beside it; or .exr, its index")
       .check(owner_name);
   command.option("--stats", stats, "All counts, .json").check(not_empty);
-  command.option("--level", level, "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow)")
+  command
+      .option("--level", level,
+              "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same")
       .one_of(levels);
   command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
       .between(1U, most_threads);
@@ -104,7 +114,9 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
   const machines::Machine& machine = subject.machine;
   nlohmann::ordered_json configuration = wanted_configuration(command, subject, options);
   RunObservers observers{sim::FrameObserver(program), sim::StatsObserver(program), {}};
-  if (options.progress == "auto" && ::isatty(STDERR_FILENO) != 0) observers.progress.emplace(program, machine);
+  const bool shows = shows_progress(options.progress);
+  sim::LongWork work = long_run(options.level);
+  if (shows || options.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
   const std::unique_ptr<sim::Engine> engine = make_engine(machine, options.level, options.threads);
   const auto begin = std::chrono::steady_clock::now();
   const sim::RunResult result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);

@@ -13,6 +13,7 @@
 #include "sim/app/report_option.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
+#include "sim/observe/long_work.h"
 
 namespace csgsim::app {
 
@@ -35,6 +36,9 @@ struct RunOptions {
 
 /// The names of the levels of fidelity.
 std::vector<std::string> level_names();
+
+/// Of a run that may take long: what to say of it.
+sim::LongWork long_run(const std::string& level);
 
 /// An engine of the level of that name.
 std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads);

@@ -1,12 +1,10 @@
 #include "sim/app/sweep_options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <functional>
 #include <map>
 #include <memory>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +13,7 @@
 #include "hw/isa/instruction.h"
 #include "hw/kinds/load.h"
 #include "sim/app/options.h"
+#include "sim/app/prunings.h"
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
 #include "sim/app/sets.h"
@@ -34,22 +33,6 @@ std::vector<std::string> names_of(const Choices& choices) {
   return names;
 }
 
-constexpr const char* all_but = "no-";
-
-/// all, none, and no-X for each pruning X.
-std::vector<std::string> pruning_choices() {
-  std::vector<std::string> choices{"all", "none"};
-  for (const std::string& name : pruning_names()) {
-    if (name != "all") choices.push_back(all_but + name);
-  }
-  return choices;
-}
-
-std::vector<std::string> without(const std::string& choice) {
-  if (choice == "all") return {};
-  return {choice == "none" ? "all" : choice.substr(std::string_view(all_but).size())};
-}
-
 std::vector<unsigned> memory_bits_of(const std::string& text) {
   return study::parse_numbers(text, 1, isa::max_memory_bits);
 }
@@ -60,12 +43,11 @@ std::vector<unsigned> stack_bits_of(const std::string& text) {
   return study::parse_numbers(text, emit::fewest_stack_bits, most_stack_bits);
 }
 std::vector<std::string> strategies_of(const std::string& text) {
-  return study::parse_names(text, names_of(emit::strategies));
+  return study::parse_names(text, "strategy", names_of(emit::strategies));
 }
 std::vector<std::string> colourings_of(const std::string& text) {
-  return study::parse_names(text, names_of(emit::colourings));
+  return study::parse_names(text, "colouring", names_of(emit::colourings));
 }
-std::vector<std::string> prunings_of(const std::string& text) { return study::parse_names(text, pruning_choices()); }
 
 study::SweepRanges ranges_of(const SweepOptions& options) {
   study::SweepRanges ranges;
@@ -94,7 +76,7 @@ ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& po
   one.sets = sorted(options.view.sets).scene;
   one.memory_bits = point.memory_bits;
   one.z_bits = point.z_bits;
-  one.without = without(point.pruning);
+  one.pruning = point.pruning;
   one.colouring = point.colouring;
   one.strategy = point.strategy;
   if (point.stack_bits > 0) one.stack_bits = point.stack_bits;
@@ -134,12 +116,17 @@ void SweepOptions::add_to(Command& command) {
   const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
     command.option(name, value, help).check(is_read_by(parse));
   };
-  add_list("--strategy", strategies, strategies_of, "List of stack, list, bits, products, parallel, auto");
+  command.option("--strategy", strategies, "List of the ways in which classifications are worked out")
+      .list_of(names_of(emit::strategies), "strategy");
   add_list("--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
   add_list("--z-bits", z_bits, z_bits_of, "Numbers: bits of depth");
-  add_list("--colouring", colourings, colourings_of, "List of rebroadcast, field, auto");
-  add_list("--pruning", prunings, prunings_of,
-           fmt::format("List of {}: the prunings that are done", fmt::join(pruning_choices(), ", ")));
+  command.option("--colouring", colourings, "List of the ways in which colours get to the pixels")
+      .list_of(names_of(emit::colourings), "colouring");
+  command
+      .option("--pruning", prunings,
+              "List of which prunings are done: all, none, those named (space+hidden) or all but those "
+              "(no-space+no-hidden)")
+      .words(pruning_words(), is_read_by(prunings_of));
   add_list("--machine", machines, study::parse_words, "List of machines, by name or .toml file");
   add_list("--memory-bits", memory_bits, memory_bits_of,
            "Numbers: memory bits a pixel; the machine's own if not given");

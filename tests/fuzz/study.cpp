@@ -83,7 +83,7 @@ void look_at_lists(const std::string& text) {
          fuzz::require(!has_doubles(values), "no number comes twice");
        });
   const std::vector<std::string> known{"stack", "list", "bits"};
-  look([&] { return study::parse_names(text, known); },
+  look([&] { return study::parse_names(text, "strategy", known); },
        [&](const std::vector<std::string>& names) {
          const auto is_known = [&](const std::string& name) { return std::ranges::count(known, name) == 1; };
          fuzz::require(!names.empty() && std::ranges::all_of(names, is_known), "names are known ones");
