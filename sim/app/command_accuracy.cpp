@@ -17,9 +17,9 @@
 #include "sim/app/options.h"
 #include "sim/app/study_files.h"
 #include "sim/app/version.h"
-#include "sim/study/gnuplot.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/plots.h"
 #include "sim/study/table.h"
 

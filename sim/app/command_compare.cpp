@@ -20,8 +20,8 @@
 #include "sim/app/sweep_progress.h"
 #include "sim/app/version.h"
 #include "sim/study/comparison.h"
-#include "sim/study/gnuplot.h"
 #include "sim/study/ideal.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/ranges.h"
 #include "sim/study/table.h"
 

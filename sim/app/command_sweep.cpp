@@ -17,7 +17,7 @@
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/sweep_report.h"
-#include "sim/study/gnuplot.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/ranges.h"
 #include "sim/study/sweep_plots.h"
 #include "sim/study/table.h"
