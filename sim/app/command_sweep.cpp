@@ -126,7 +126,7 @@ void run(const SweepOptions& options, const Command& command) {
     if (!options.no_plots) study::draw_sweep(of_model, name, folder.path());
   }
   fmt::print("\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
-             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks and memory");
+             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory");
   refuse_failures(options, rows);
 }
 

@@ -79,8 +79,9 @@ double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, cons
     bottom = std::max(bottom, box_of(text).bottom);
     drawing.texts.push_back(std::move(text));
   }
-  drawing.texts.push_back({shortened(axis.title, drawing.width - 2 * side_margin),
-                           {drawing.width / 2, bottom + 6 + line_height / 2},
+  const double middle = (area.left + area.right) / 2;
+  drawing.texts.push_back({shortened(axis.title, 2 * (drawing.width - side_margin - middle)),
+                           {middle, bottom + 6 + line_height / 2},
                            Anchor::centre});
   return bottom + line_height + 14;
 }

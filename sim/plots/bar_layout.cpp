@@ -22,16 +22,9 @@ std::string_view fill_of(const std::vector<std::string>& names, const std::strin
   return number < palette::fills.size() ? palette::fills[number] : palette::background.colour;
 }
 
-/// Those of the plot that some bar has, then what bars have besides.
-std::vector<std::string> names_in_use(const Bars& plot) {
-  const auto is_used = [&](const std::string& name) {
-    return std::ranges::any_of(
-        plot.bars, [&](const Bar& bar) { return std::ranges::find(bar.parts, name, &Part::name) != bar.parts.end(); });
-  };
-  std::vector<std::string> names;
-  for (const std::string& name : plot.names) {
-    if (is_used(name)) names.push_back(name);
-  }
+/// Those of the plot, then what bars have besides.
+std::vector<std::string> names_of(const Bars& plot) {
+  std::vector<std::string> names = plot.names;
   for (const Bar& bar : plot.bars) {
     for (const Part& part : bar.parts) {
       if (std::ranges::find(names, part.name) == names.end()) names.push_back(part.name);
@@ -40,15 +33,24 @@ std::vector<std::string> names_in_use(const Bars& plot) {
   return names;
 }
 
+bool is_used(const std::string& name, const Bars& plot) {
+  return std::ranges::any_of(
+      plot.bars, [&](const Bar& bar) { return std::ranges::find(bar.parts, name, &Part::name) != bar.parts.end(); });
+}
+
 std::vector<KeyEntry> key_of(const std::vector<std::string>& names, const Bars& plot) {
   std::vector<KeyEntry> key;
-  for (const std::string& name : names) {
-    if (key.size() < palette::fills.size()) key.push_back({name, Sample::fill, {fill_of(names, name), "", {}}});
+  std::size_t more = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!is_used(names[i], plot)) continue;
+    if (i < palette::fills.size()) {
+      key.push_back({names[i], Sample::fill, {palette::fills[i], "", {}}});
+    } else {
+      ++more;
+    }
   }
-  if (names.size() > key.size()) {
-    key.push_back({fmt::format("{} more: {}", names.size() - key.size(), plot.table),
-                   Sample::fill,
-                   {palette::background.colour, "", {}}});
+  if (more > 0) {
+    key.push_back({fmt::format("{} more: {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
   }
   key.push_back({"free", Sample::fill, {free_room, "", {}}});
   if (plot.bars.size() > most_bars)
@@ -92,7 +94,7 @@ Drawing laid_out(const Bars& plot) {
   const Box area{widest + 20, title_height, plot_width - right_margin,
                  title_height + row_height * static_cast<double>(std::max<std::size_t>(count, 1))};
   const Extent extent{0, std::max(most, 1.0)};
-  const std::vector<std::string> names = names_in_use(plot);
+  const std::vector<std::string> names = names_of(plot);
   add_title(drawing, plot.title);
   for (std::size_t i = 0; i < count; ++i) {
     const double middle = area.top + row_height * (static_cast<double>(i) + 0.5);

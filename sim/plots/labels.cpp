@@ -12,8 +12,9 @@ namespace csgsim::plots {
 
 namespace {
 
-constexpr double gap = 2;          ///< pixels from what is drawn to a label beside it
-constexpr double first_ring = 12;  ///< pixels from what is drawn to a label at a leader
+constexpr double gap = 2;               ///< pixels from what is drawn to a label beside it
+constexpr double away_from_others = 6;  ///< pixels, where there is room
+constexpr double first_ring = 12;       ///< pixels from what is drawn to a label at a leader
 constexpr double ring_step = 8;
 constexpr unsigned rings = 12;
 constexpr unsigned directions = 16;
@@ -39,8 +40,11 @@ class Placer {
   /// Whether a text of that width has found a place.
   bool place(std::size_t wish, const LabelWish& what, double width, std::optional<unsigned> number) {
     const Pixel& at = what.at;
-    for (const Pixel& direction : beside) {
-      if (take(wish, box_towards(at, direction, what.clearance + gap, width), std::nullopt, number)) return true;
+    for (const double distance : {away_from_others, 0.0}) {
+      for (const Pixel& direction : beside) {
+        const Box box = box_towards(at, direction, what.clearance + gap, width);
+        if (!is_near_another(box, at, distance) && take(wish, box, std::nullopt, number)) return true;
+      }
     }
     for (unsigned ring = 0; ring < rings; ++ring) {
       for (unsigned i = 0; i < directions; ++i) {
@@ -60,6 +64,13 @@ class Placer {
     if (!is_clear(box) || (leader && !is_clear(*leader))) return false;
     placed_.push_back({wish, box, leader, number});
     return true;
+  }
+
+  /// Whether something that is not drawn at the place is so near to the box that the text might be its.
+  [[nodiscard]] bool is_near_another(const Box& box, const Pixel& at, double distance) const {
+    const Box wide{box.left - distance, box.top - distance, box.right + distance, box.bottom + distance};
+    return std::ranges::any_of(
+        around_.boxes, [&](const Box& one) { return overlap(one, wide) && !overlap(one, plots::around(at, 1)); });
   }
 
   [[nodiscard]] bool is_clear(const Box& box) const {

@@ -90,6 +90,9 @@ std::string stack_bits_label(std::span<const SweepRow* const> rows) {
                           : fmt::format("m = {}..{}", first, rows.back()->point.stack_bits);
 }
 
+/// Labels of more lines with stack bits could not be told apart.
+constexpr std::ptrdiff_t most_labelled = 3;
+
 /// Strategies, each under the same conditions, as clocks against the bits that they use.
 plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& model) {
   plots::Chart chart{model + ": what memory buys",
@@ -106,6 +109,8 @@ plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& mo
     if (lines[name].empty()) order.push_back(name);
     lines[name].push_back(&row);
   }
+  const auto lines_with_stack_bits =
+      std::ranges::count_if(lines, [](const auto& line) { return line.second.front()->point.stack_bits > 0; });
   for (const std::string& name : order) {
     const std::vector<const SweepRow*>& line = lines[name];
     plots::Series series{name, 0, plots::Trace::line, {}, false};
@@ -114,8 +119,9 @@ plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& mo
       while (end < line.size() && line[end]->clocks == line[i]->clocks &&
              line[end]->classification_bits == line[i]->classification_bits)
         ++end;
-      series.points.push_back({static_cast<double>(line[i]->classification_bits), static_cast<double>(line[i]->clocks),
-                               stack_bits_label(std::span(line).subspan(i, end - i))});
+      series.points.push_back(
+          {static_cast<double>(line[i]->classification_bits), static_cast<double>(line[i]->clocks),
+           lines_with_stack_bits <= most_labelled ? stack_bits_label(std::span(line).subspan(i, end - i)) : ""});
       i = end;
     }
     if (line.size() == 1) series.trace = plots::Trace::marks;
