@@ -214,7 +214,7 @@ void run(const Options& options, const Command& command) {
   if (plots) study::draw_comparison(rows, study.base, stem, folder.path());
   refuse_differences(rows);
   fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
-             !plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
+             !plots ? "" : ", and plots (.png, .svg) of the machines and of the time against half-spaces and pixels");
 }
 
 }  // namespace

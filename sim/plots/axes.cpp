@@ -25,6 +25,7 @@ struct XTick {
 /// The texts of the ticks, side by side or upright.
 std::vector<Text> tick_texts(const std::vector<XTick>& ticks, bool is_upright) {
   std::vector<std::string> words;
+  words.reserve(ticks.size());
   for (const XTick& tick : ticks) words.push_back(tick.text);
   words = shortened(words, is_upright ? longest_upright : longest_level);
   std::vector<Text> texts;

@@ -159,6 +159,7 @@ class PanelContent {
 double mark_growth(const SeriesLooks& looks, std::size_t series) {
   constexpr double step = 2;
   constexpr std::size_t steps = 3;
+  if (looks.looks[series].colour == palette::background.colour) return 0;
   const auto later = static_cast<std::size_t>(std::count_if(
       looks.looks.begin() + static_cast<std::ptrdiff_t>(series), looks.looks.end(), [&](const palette::Look& look) {
         return look.colour != looks.looks[series].colour && look.colour != palette::background.colour;

@@ -41,6 +41,7 @@ std::vector<const Series*> chosen(std::vector<Name> names) {
     });
   }
   std::vector<const Series*> series;
+  series.reserve(names.size());
   for (const Name& name : names) series.push_back(name.first);
   return series;
 }

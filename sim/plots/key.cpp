@@ -29,6 +29,7 @@ void add_sample(Drawing& drawing, const KeyEntry& entry, double left, double mid
 double add_key(Drawing& drawing, std::span<const KeyEntry> entries, double left, double right, double top) {
   if (entries.empty()) return top;
   std::vector<std::string> texts;
+  texts.reserve(entries.size());
   for (const KeyEntry& entry : entries) texts.push_back(entry.text);
   texts = shortened(texts, right - left - sample_width - space);
   double widest = 0;
@@ -39,11 +40,13 @@ double add_key(Drawing& drawing, std::span<const KeyEntry> entries, double left,
   const double from = (left + right - static_cast<double>(in_row) * (widest + columns) + columns) / 2;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const double x = from + static_cast<double>(i % in_row) * (widest + columns);
-    const double y = top + (static_cast<double>(i / in_row) + 0.5) * (line_height + 2);
+    const std::size_t row = i / in_row;
+    const double y = top + (static_cast<double>(row) + 0.5) * (line_height + 2);
     add_sample(drawing, entries[i], x, y);
     drawing.texts.push_back({texts[i], {x + room_before_text(entries[i]), y}});
   }
-  return top + static_cast<double>((entries.size() + in_row - 1) / in_row) * (line_height + 2);
+  const std::size_t rows = (entries.size() + in_row - 1) / in_row;
+  return top + static_cast<double>(rows) * (line_height + 2);
 }
 
 }  // namespace csgsim::plots

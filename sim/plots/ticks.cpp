@@ -63,9 +63,12 @@ std::vector<Tick> linear_ticks(double low, double high, unsigned most, bool is_w
   Step step = step_of(low, high, most);
   if (is_whole && step.exponent < 0) step = {1, 0};
   std::vector<double> values;
-  const double last = std::floor(high / step.size());
-  for (double k = std::ceil(low / step.size()); k <= last; ++k)
-    values.push_back(step.exponent < 0 ? k * step.factor / std::pow(10, -step.exponent) : k * step.size());
+  const double first = std::ceil(low / step.size());
+  const auto count = static_cast<int>(std::max(0.0, std::floor(high / step.size()) - first + 1));
+  for (int i = 0; i < count; ++i) {
+    const double times = first + i;
+    values.push_back(step.exponent < 0 ? times * step.factor / std::pow(10, -step.exponent) : times * step.size());
+  }
   return with_texts(values, number_texts(values, step.exponent));
 }
 
