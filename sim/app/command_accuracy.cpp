@@ -19,9 +19,9 @@
 #include "sim/app/study_files.h"
 #include "sim/app/version.h"
 #include "sim/observe/long_work.h"
-#include "sim/study/gnuplot.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/plots.h"
 #include "sim/study/table.h"
 

@@ -24,8 +24,8 @@
 #include "sim/app/sweep_progress.h"
 #include "sim/app/version.h"
 #include "sim/study/comparison.h"
-#include "sim/study/gnuplot.h"
 #include "sim/study/ideal.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/ranges.h"
 #include "sim/study/table.h"
 
@@ -230,7 +230,7 @@ void run(const Options& options, const Command& command) {
   if (report.asked()) report.write(page_of(options, points));
   refuse_differences(rows);
   fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
-             !plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
+             !plots ? "" : ", and plots (.png, .svg) of the machines and of the time against half-spaces and pixels");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/sweep_report.h"
-#include "sim/study/gnuplot.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/ranges.h"
 #include "sim/study/sweep_plots.h"
 #include "sim/study/table.h"
@@ -156,7 +156,7 @@ void run(const SweepOptions& options, const Command& command) {
   }
   if (report.asked()) report.write(page_of(options, points));
   fmt::print("\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
-             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks and memory");
+             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory");
   refuse_failures(options, rows);
 }
 

@@ -14,6 +14,7 @@
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
+#include "sim/plots/plot.h"
 #include "sim/study/dear_cell.h"
 #include "sim/study/inputs.h"
 
@@ -130,8 +131,12 @@ struct ComparisonJob {
 /// Compiles the point and draws it at the functional level.
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
 
-/// Time of a frame against half-spaces and against pixels, a line a machine; returns the files. The rows are of one
-/// model, `base` is the picture size at which half-spaces vary.
+/// Time and memory of a frame on each machine; its time against half-spaces and against pixels, a line a machine: what
+/// varies among the rows, which are of one model. `base` is the picture size at which half-spaces vary.
+std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
+                                             const std::string& model);
+
+/// Draws them as PNG and SVG into a folder, by gnuplot. Returns the files. Throws InputError if gnuplot cannot be run.
 std::vector<std::filesystem::path> draw_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
                                                    const std::string& model, const std::filesystem::path& folder);
 

@@ -62,11 +62,13 @@ const std::vector<Command>& commands() {
       {"sweep", sweep + " --no-plots", {"sweep.json"}, "sweep.csv", 0, 4},
       {"sweep going on", sweep + " --no-plots", {"sweep.json"}, "sweep.csv", 3, 8},
       {"sweep with plots", sweep,
-       with_plots("sweep.json", {"old_example011_scan_conversions", "old_example011_clocks", "old_example011_memory"}),
+       with_plots("sweep.json", {"old_example011_scan_conversions", "old_example011_clocks", "old_example011_bits",
+                                 "old_example011_memory"}),
        "sweep.csv", 4, 0},
       {"compare", compare + " --no-plots", {"compare.json"}, "compare.csv", 0, 3},
       {"compare going on", compare + " --no-plots", {"compare.json"}, "compare.csv", 6, 8},
-      {"compare with plots", compare, with_plots("compare.json", {"compare_pixels"}), "compare.csv", 7, 3},
+      {"compare with plots", compare, with_plots("compare.json", {"compare_machines", "compare_pixels"}), "compare.csv",
+       7, 3},
   };
   return all;
 }
