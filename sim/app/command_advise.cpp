@@ -21,7 +21,7 @@
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/study/advice_plot.h"
-#include "sim/study/gnuplot.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/table.h"
 
 namespace csgsim::app {

@@ -83,7 +83,8 @@ class PanelContent {
     const double size = series.is_background || series.points.size() > many_points ? small_mark_size : mark_size + more;
     const std::vector<Pixel> pixels = pixels_of(series, size);
     if (pixels.empty()) return;
-    if (series.trace != Trace::marks) add_line(drawing, pixels, look);
+    if (series.trace == Trace::steps) add_line(drawing, steps_of(pixels), look);
+    if (series.trace == Trace::line || series.trace == Trace::level) add_line(drawing, pixels, look);
     if (series.trace == Trace::level) return;
     for (const Pixel& at : pixels) {
       drawing.marks.push_back({at, look.mark, look.colour, size});
@@ -129,6 +130,19 @@ class PanelContent {
       if (!point.label.empty()) add_label(at, shortened(point.label, longest_label), mark);
     }
     return pixels;
+  }
+
+  /// Corners of the stairs; one point alone goes to the right.
+  [[nodiscard]] std::vector<Pixel> steps_of(const std::vector<Pixel>& pixels) const {
+    std::vector<Pixel> corners;
+    corners.reserve(2 * pixels.size());
+    for (const Pixel& at : pixels) {
+      if (!corners.empty()) corners.push_back({at.x, corners.back().y});
+      corners.push_back(at);
+    }
+    const bool goes_left = pixels.back().x < pixels.front().x;
+    corners.push_back({goes_left ? panel_.area.left : panel_.area.right, pixels.back().y});
+    return corners;
   }
 
   /// Labels of one place are one text.

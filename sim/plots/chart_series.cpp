@@ -48,7 +48,8 @@ std::vector<const Series*> chosen(std::vector<Name> names) {
 
 Sample sample_of(Trace trace) {
   switch (trace) {
-    case Trace::line: return Sample::line;
+    case Trace::line:
+    case Trace::steps: return Sample::line;
     case Trace::marks: return Sample::mark;
     case Trace::level: return Sample::level;
   }

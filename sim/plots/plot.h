@@ -41,6 +41,7 @@ struct Point {
 
 enum class Trace : std::uint8_t {
   line,   ///< the points joined
+  steps,  ///< each point's height holds until the next point, that of the last to the panel's edge
   marks,  ///< the points alone
   level,  ///< a height for all of the x axis: that of the first point
 };

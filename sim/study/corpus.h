@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/plots/plot.h"
 #include "sim/study/distribution.h"
 #include "sim/study/inputs.h"
 #include "sim/study/sweep_run.h"
@@ -140,8 +141,11 @@ Distribution distribution_of(std::span<const CorpusRow> rows, const std::string&
 /// only why.
 std::string corpus_json(const std::string& title, std::span<const CorpusRow> rows);
 
-/// Clocks against half-spaces, a mark a model, and how many of the models are drawn at so many frames a second;
-/// returns the files: none where nothing was drawn.
+/// Clocks against half-spaces, a mark a model, and how many of the models are drawn at so many frames a second; none
+/// where nothing was drawn.
+std::vector<plots::Plot> plots_of_corpus(std::span<const CorpusRow> rows);
+
+/// Draws them into the folder; returns the files.
 std::vector<std::filesystem::path> draw_corpus(std::span<const CorpusRow> rows, const std::filesystem::path& folder);
 
 }  // namespace csgsim::study

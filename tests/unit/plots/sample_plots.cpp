@@ -55,11 +55,13 @@ Chart many_labels(std::size_t count) {
   return {"many labels", {"x"}, {{"y"}}, {{"marks", 0, Trace::marks, points}}, "table.csv"};
 }
 
+constexpr Trace traces[] = {Trace::line, Trace::steps, Trace::marks, Trace::line, Trace::level};
+
 Chart many_series(std::size_t count, const std::string& name) {
   Chart chart{"many series of " + name, {name}, {{name}, {"other"}}, {}, "table.csv"};
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t panel = 0; panel < 2; ++panel) {
-      plots::Series series{name + std::to_string(i), panel, i % 5 == 4 ? Trace::level : Trace::line, {}};
+      plots::Series series{name + std::to_string(i), panel, traces[i % std::size(traces)], {}};
       for (std::size_t x = 0; x < 8; ++x)
         series.points.push_back({static_cast<double>(x), static_cast<double>((i + 1) * (x + 2))});
       chart.series.push_back(std::move(series));
