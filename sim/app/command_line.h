@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // The library that reads the command line takes seconds to compile; only command_line.cpp includes it.
@@ -87,6 +88,10 @@ class Command {
 
   /// Options, without operands, in the order of help.
   [[nodiscard]] std::vector<GivenOption> given() const;
+
+  /// The command line as it was read: the command's name, its operands, and each option, but for those named, by its
+  /// long name. Read again, it says the same.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but) const;
 
  private:
   CLI::App* command_;

@@ -17,6 +17,7 @@ namespace csgsim::app {
   COMMAND(accuracy)              \
   COMMAND(sweep)                 \
   COMMAND(compare)               \
+  COMMAND(gather)                \
   COMMAND(subdivide)             \
   COMMAND(effects)               \
   COMMAND(levels)                \

@@ -43,7 +43,7 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
   return files;
 }
 
-constexpr auto without_effect = std::to_array<std::string_view>({"output", "threads", "progress", "no-plots"});
+constexpr auto without_effect = std::to_array<std::string_view>({"output", "threads", "progress", "no-plots", "shard"});
 
 }  // namespace
 
@@ -62,6 +62,8 @@ std::string study_title(const Command& command, const std::set<std::string>& but
   }
   return title;
 }
+
+std::vector<std::string> study_words(const Command& command) { return command.words(without_effect); }
 
 void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
   if (changed.empty()) return;
