@@ -62,6 +62,7 @@ void report(const study::Gathered& gathered, const std::string& output, bool no_
   std::vector<std::string> words = with_words(gathered.words, more);
   words.insert(words.begin(), "csgsim");
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words) arguments.push_back(word.data());
   line.run(arguments);
 }

@@ -126,6 +126,7 @@ void run_shard(const SweepOptions& options, const Command& command) {
   measure_shard<SweepRow>(command, options.folder, *options.shard, wanted_of(options, jobs), options.progress,
                           [&](const std::vector<std::size_t>& points, const auto& finished) {
                             std::vector<study::SweepJob> missing;
+                            missing.reserve(points.size());
                             for (const std::size_t i : points) missing.push_back(jobs[i]);
                             measure_jobs(options, missing, finished);
                           });

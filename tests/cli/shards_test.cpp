@@ -177,7 +177,7 @@ TEST_CASE("shards that are missing are named with the commands that make them") 
   for (const unsigned number : {2U, 5U}) REQUIRE(run_words(sweep + shard(number, 6), folder.path()).code == 0);
   refuses_to_gather(
       {"out"}, folder.path(),
-      {"out: ", "shards 1,3-4,6 of 6 are not done", "csgsim sweep --shard 1/6 -o out a.csg b.csg --size"});
+      {"out: ", "shards 1,3-4,6 of 6 are not done", "csgsim sweep --shard 1/6 -o out a.csg b.csg --z-bits"});
   const Outcome missing = run_words({"gather", "out", "--missing"}, folder.path());
   CHECK(missing.code == 0);
   std::istringstream commands(missing.out);
