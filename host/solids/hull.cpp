@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/solids/exact_sign.h"
+#include "host/solids/hull_faces.h"
 #include "host/solids/pieces.h"
 
 namespace csgsim::solids {
@@ -72,7 +73,8 @@ bool have_volume(const std::vector<Point>& points) {
 Mesh hull(std::span<const glm::dvec3> points) {
   std::vector<Point> given;
   given.reserve(points.size());
-  for (const glm::dvec3& point : points) given.emplace_back(point.x, point.y, point.z);
+  // -0 is 0 then, so that equal points are alike.
+  for (const glm::dvec3& point : points) given.emplace_back(point.x + 0.0, point.y + 0.0, point.z + 0.0);
   if (!have_volume(given)) return {};
   Surface surface;
   CGAL::convex_hull_3(given.begin(), given.end(), surface, Traits());
@@ -87,7 +89,8 @@ Mesh hull(std::span<const glm::dvec3> points) {
       corners.push_back(static_cast<std::uint32_t>(vertex.idx()));
     }
   }
-  return made;
+  // CGAL keeps edges in the order of their addresses: which triangles it makes of a face depends on those.
+  return with_sorted_faces(made);
 }
 
 std::optional<model::Polyhedron> hull_piece(std::span<const glm::dvec3> points) {

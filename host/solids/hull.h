@@ -9,7 +9,8 @@
 
 namespace csgsim::solids {
 
-/// The convex hull, of triangles, with exact signs: it holds every point. Empty if all points are in one plane.
+/// The convex hull, of triangles, with exact signs: it holds every point. It is the same for the same points in any
+/// order. Empty if all points are in one plane.
 Mesh hull(std::span<const glm::dvec3> points);
 
 /// The same with triangles in one plane, but for the rounding of doubles, as one face. Nothing if the hull is empty or

@@ -76,7 +76,7 @@ def early_out(figures):
     for model, options in varied:
         cells = []
         for projection in (PERSPECTIVE, " --projection ortho"):
-            without = figures.clocks(model, f"{projection}{options} --without early-out")
+            without = figures.clocks(model, f"{projection}{options} --pruning no-early-out")
             with_it = figures.clocks(model, f"{projection}{options}")
             cells += [f"{without:,}", f"{with_it:,}", f"{100 * (with_it / without - 1):+.1f} %".replace("-", "−")]
         name = {"": "", " --strategy bits --stack-bits 3": ", `bits` 3"}.get(options, ", `--colouring field`")

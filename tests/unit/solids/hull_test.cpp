@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <random>
+#include <tuple>
 #include <vector>
 
 #include "tests/unit/solids/support.h"
@@ -45,6 +48,31 @@ TEST_CASE("a hull holds its points exactly, and has no others") {
       for (const glm::dvec3& point : points) {
         REQUIRE(side_of(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]], point) <= 0);
       }
+    }
+  }
+}
+
+TEST_CASE("a hull is the same whatever the order of its points and wherever they are in memory") {
+  std::mt19937_64 random(3);
+  std::uniform_int_distribution<int> place(-3, 3);
+  std::vector<std::vector<char>> held;
+  for (int round = 0; round < 20; ++round) {
+    const glm::dmat3 turn = round % 2 == 0 ? glm::dmat3(1) : testing::random_rotation(random);
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 200; ++i) points.push_back(turn * glm::dvec3(place(random), place(random), place(random)));
+    const solids::Mesh first = hull(points);
+    CHECK(std::is_sorted(first.points.begin(), first.points.end(), [](const glm::dvec3& a, const glm::dvec3& b) {
+      return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z);
+    }));
+    for (int again = 0; again < 5; ++again) {
+      std::ranges::shuffle(points, random);
+      // Free places of many sizes, in no order.
+      for (int i = 0; i < 100; ++i) held.emplace_back(random() % 5000 + 1);
+      std::ranges::shuffle(held, random);
+      held.resize(held.size() / 2);
+      const solids::Mesh other = hull(points);
+      REQUIRE(other.points == first.points);
+      REQUIRE(other.faces == first.faces);
     }
   }
 }

@@ -1,0 +1,145 @@
+#include "host/solids/hull_faces.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "host/solids/exact_sign.h"
+#include "host/solids/neighbours.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+using Loop = std::vector<std::uint32_t>;
+
+bool are_in_one_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  const auto found = sign_of_determinant({{{b, a}, {c, a}, {d, a}}});
+  if (found) return *found == 0;
+  return CGAL::coplanar(Point(a.x, a.y, a.z), Point(b.x, b.y, b.z), Point(c.x, c.y, c.z), Point(d.x, d.y, d.z));
+}
+
+/// Of each triangle the first one of its face, which is all that is in its plane.
+class Grouping {
+ public:
+  explicit Grouping(const Mesh& hull) : hull_(hull), neighbours_(find_neighbours(hull)), parent_(hull.faces.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    for (std::uint32_t face = 0; face < parent_.size(); ++face) {
+      for (std::uint32_t side = 0; side < 3; ++side) join(face, beyond(face, side));
+    }
+  }
+
+  [[nodiscard]] std::uint32_t beyond(std::uint32_t face, std::uint32_t side) const {
+    return neighbours_.face[neighbours_.first_side[face] + side];
+  }
+
+  std::uint32_t of(std::uint32_t face) {
+    while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
+    return face;
+  }
+
+ private:
+  void join(std::uint32_t one, std::uint32_t other) {
+    if (other < one) return;
+    const auto at = [this](std::uint32_t point) { return hull_.points[point]; };
+    const Loop& face = hull_.faces[one];
+    for (const std::uint32_t corner : hull_.faces[other]) {
+      if (!are_in_one_plane(at(face[0]), at(face[1]), at(face[2]), at(corner))) return;
+    }
+    const auto [low, high] = std::minmax({of(one), of(other)});
+    parent_[high] = low;
+  }
+
+  const Mesh& hull_;
+  Neighbours neighbours_;
+  std::vector<std::uint32_t> parent_;
+};
+
+/// An edge where two faces meet, as the one whose number it has runs along it.
+struct Rim {
+  std::uint32_t face = 0;
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+
+  friend auto operator<=>(const Rim&, const Rim&) = default;
+};
+
+std::vector<Rim> rims_of(const Mesh& hull) {
+  Grouping grouping(hull);
+  std::vector<Rim> rims;
+  for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const std::uint32_t own = grouping.of(face);
+      if (grouping.of(grouping.beyond(face, side)) == own) continue;
+      rims.push_back({own, hull.faces[face][side], hull.faces[face][(side + 1) % 3]});
+    }
+  }
+  std::ranges::sort(rims);
+  return rims;
+}
+
+/// The corners of each face in turn.
+std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
+  std::vector<Loop> loops;
+  for (auto begin = rims.begin(); begin != rims.end();) {
+    const auto end = std::find_if(begin, rims.end(), [&](const Rim& rim) { return rim.face != begin->face; });
+    Loop& loop = loops.emplace_back();
+    std::uint32_t corner = begin->from;
+    do {
+      loop.push_back(corner);
+      corner = std::lower_bound(begin, end, Rim{begin->face, corner, 0})->to;
+    } while (corner != begin->from);
+    begin = end;
+  }
+  return loops;
+}
+
+/// Of each point its number by coordinates among those where three faces or more meet; `none` for the others, which are
+/// within a face or an edge.
+std::vector<std::uint32_t> numbers_of_corners(const Mesh& hull, const std::vector<Loop>& loops, Mesh& made) {
+  std::vector<std::uint32_t> uses(hull.points.size());
+  for (const Loop& loop : loops) {
+    for (const std::uint32_t corner : loop) ++uses[corner];
+  }
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t i = 0; i < uses.size(); ++i) {
+    if (uses[i] > 2) corners.push_back(i);
+  }
+  const auto place = [&](std::uint32_t corner) {
+    const glm::dvec3& point = hull.points[corner];
+    return std::tuple(point.x, point.y, point.z);
+  };
+  std::ranges::sort(corners, {}, place);
+  std::vector<std::uint32_t> numbers(hull.points.size(), none);
+  for (const std::uint32_t corner : corners) {
+    numbers[corner] = static_cast<std::uint32_t>(made.points.size());
+    made.points.push_back(hull.points[corner]);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Mesh with_sorted_faces(const Mesh& hull) {
+  std::vector<Loop> loops = loops_of(rims_of(hull));
+  Mesh made;
+  const std::vector<std::uint32_t> numbers = numbers_of_corners(hull, loops, made);
+  for (Loop& loop : loops) {
+    for (std::uint32_t& corner : loop) corner = numbers[corner];
+    std::erase(loop, none);
+    std::ranges::rotate(loop, std::ranges::min_element(loop));
+  }
+  std::ranges::sort(loops);
+  for (const Loop& loop : loops) {
+    for (std::size_t i = 2; i < loop.size(); ++i) made.faces.push_back({loop[0], loop[i - 1], loop[i]});
+  }
+  return made;
+}
+
+}  // namespace csgsim::solids
