@@ -60,9 +60,21 @@ class Figures:
 
         return division.reports(self)
 
+    def advise(self, model):
+        """What csgsim advise answers to the wishes that its page shows."""
+        from tables import advise  # pylint: disable=import-outside-toplevel
+
+        return advise.answer(self, model)
+
+    def examples(self):
+        """What csgsim corpus counts in OpenSCAD's own examples."""
+        from tables import corpus  # pylint: disable=import-outside-toplevel
+
+        return corpus.of_examples(self)
+
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown")
+        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown", "advise", "examples")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

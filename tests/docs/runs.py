@@ -46,6 +46,7 @@ class Runs:
         self.build = pathlib.Path(build).resolve()
         self._scratch = tempfile.TemporaryDirectory(prefix="csgsim-docs-")
         self._done = {}
+        self._folders = 0
 
     def run(self, command):
         if command not in self._done:
@@ -56,7 +57,8 @@ class Runs:
         return len(self._done)
 
     def _run(self, command):
-        folder = pathlib.Path(self._scratch.name) / str(len(self._done))
+        folder = pathlib.Path(self._scratch.name) / str(self._folders)
+        self._folders += 1
         folder.mkdir()
         environment = dict(os.environ, OUT=str(folder), LC_ALL="C.UTF-8", PATH=f"{self.build}:{os.environ['PATH']}")
         done = subprocess.run(["bash", "-e", "-o", "pipefail", "-c", command], cwd=ROOT, env=environment, text=True,

@@ -105,6 +105,18 @@ class Manifests(unittest.TestCase):
         self.assertIn("'reason' that begins", self.wrong('page = "README.md"\n[[allowed]]\nnear = "a"\nreason = "so"\n'))
 
 
+class Commands(unittest.TestCase):
+    def test_one_that_fails_does_not_spoil_the_next(self):
+        made = Runs(".")
+        with self.assertRaises(Failed):
+            made.run("echo lost > $OUT/a; false")
+        self.assertEqual(made.run("ls $OUT; echo b").printed, "b\n")
+
+    def test_one_is_run_once(self):
+        made = Runs(".")
+        self.assertIs(made.run("date +%N"), made.run("date +%N"))
+
+
 class Coverage(unittest.TestCase):
     def found(self, text, page=None):
         return [(each.text, each.reason) for each in coverage.numbers("P.md", page, text)]
