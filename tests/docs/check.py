@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary"""
+"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary|lists"""
 
 import collections
 import pathlib
@@ -90,7 +90,20 @@ def glossary():
             yield f"docs/glossary.md: {line[:40]}... links to no page"
 
 
-CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary)}
+def lists():
+    """README's table of pages has each page of docs once, and that of commands each command of csgsim once."""
+    rows = [row for _, row in markdown.rows(markdown.read("README.md"))]
+    linked = collections.Counter(to for row in rows for to in re.findall(r"\]\((docs/[^)#]*)\)", " ".join(row)))
+    for path in sorted(str(page.relative_to(ROOT)) for page in (ROOT / "docs").glob("*.md")):
+        if linked[path] != 1:
+            yield f"README.md: its tables have {path} {linked[path]} times"
+    named = collections.Counter(name for row in rows for name in re.findall(r"`([a-z]+)`", row[0]))
+    for name in re.findall(r"COMMAND\((\w+)\)", (ROOT / "sim/app/commands.h").read_text(encoding="utf-8")):
+        if named[name] != 1:
+            yield f"README.md: its table of commands has {name} {named[name]} times"
+
+
+CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary, lists)}
 
 
 def main():
