@@ -89,23 +89,14 @@ class Kept {
   Rows pending_;
 };
 
-/// How many points, at most, share the picture that is judged.
-std::size_t points_of_a_picture(const std::vector<AdvicePoint>& points) {
-  std::map<std::pair<unsigned, unsigned>, std::size_t> counts;
-  std::size_t most = 1;
-  for (const AdvicePoint& point : points) most = std::max(most, ++counts[{point.z_bits, point.fraction_bits}]);
-  return most;
-}
-
 Rows complete(const AdviseOptions& options, const AdviceQuestion& question, Table* table) {
   Kept kept(table);
   std::vector<AdvicePoint> missing;
   for (const AdvicePoint& point : question.points) {
     if (!kept.has(point)) missing.push_back(point);
   }
-  const std::size_t family = options.threads * points_of_a_picture(missing);
   SweepProgress progress(question.points.size(), question.points.size() - missing.size(),
-                         shows_progress(options.progress), options.threads, family);
+                         shows_progress(options.progress), options.threads);
   try {
     study::measure_advice(question.job, missing, options.threads, [&](AdviceRow row) {
       kept.add(std::move(row));

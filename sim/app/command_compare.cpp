@@ -152,9 +152,17 @@ Rows complete(const Options& options, const Study& study, Table& table) {
   return rows;
 }
 
-void print_row(const study::ComparisonRow& row) {
+/// Columns of the machines' names, with a blank behind the longest.
+std::size_t name_width(const Rows& rows) {
+  std::size_t width = 16;
+  for (const study::ComparisonRow& row : rows) width = std::max(width, row.point.machine.size() + 1);
+  return width;
+}
+
+void print_row(const study::ComparisonRow& row, std::size_t width) {
   const std::string facets = row.point.fragments == 0 ? "own" : fmt::format("{}", row.point.fragments);
-  fmt::print("{:<16}{:>11}{:>7}", row.point.machine, fmt::format("{}x{}", row.point.width, row.point.height), facets);
+  fmt::print("{:<{}}{:>11}{:>7}", row.point.machine, width, fmt::format("{}x{}", row.point.width, row.point.height),
+             facets);
   if (!row.drawn()) {
     fmt::print("  {}\n", row.reason);
     return;
@@ -167,11 +175,12 @@ void print_row(const study::ComparisonRow& row) {
 
 /// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
 void print_ideal_rows(const Rows& rows) {
-  fmt::print("{:<16}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", "ideal", "clocks", "ms", "frames/s", "worth %");
+  const std::size_t width = name_width(rows);
+  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "frames/s", "worth %");
   const study::ComparisonRow* as_it_is = nullptr;
   for (const study::ComparisonRow& row : rows) {
     if (row.point.ideal.empty()) as_it_is = &row;
-    fmt::print("{:<16}{:<28}", row.point.machine, row.point.ideal.empty() ? "as it is" : row.point.ideal);
+    fmt::print("{:<{}}{:<28}", row.point.machine, width, row.point.ideal.empty() ? "as it is" : row.point.ideal);
     if (!row.drawn()) {
       fmt::print("  {}\n", row.reason);
       continue;
@@ -183,10 +192,11 @@ void print_ideal_rows(const Rows& rows) {
 }
 
 void print_rows(const Rows& rows) {
-  fmt::print("{:<16}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", "picture",
-             "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.", "processor clocks",
-             "memory bits", "transistors", "used %");
-  for (const study::ComparisonRow& row : rows) print_row(row);
+  const std::size_t width = name_width(rows);
+  fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", width,
+             "picture", "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.",
+             "processor clocks", "memory bits", "transistors", "used %");
+  for (const study::ComparisonRow& row : rows) print_row(row, width);
   fmt::print("Transistors are a model (docs/area.md), of the processors with their memory; -: not synthesised.\n");
 }
 

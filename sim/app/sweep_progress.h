@@ -12,13 +12,12 @@
 namespace csgsim::app {
 
 /// Tells on standard error, where that is a terminal, how many points of a sweep are done, the rate and the time left;
-/// and warns, after the first points, of a sweep that will take minutes.
+/// and warns, after some seconds, of a sweep that will take minutes.
 class SweepProgress {
  public:
-  /// `known` of the points were measured before; so many are measured at the same time. Of points that come in families
-  /// with work in common, the first of which takes most, a family is looked at before anything is foretold.
-  SweepProgress(std::size_t points, std::size_t known, bool wanted, unsigned threads = 1, std::size_t family = 1)
-      : points_(points), known_(known), threads_(threads), family_(family), show_(wanted) {
+  /// `known` of the points were measured before; so many are measured at the same time.
+  SweepProgress(std::size_t points, std::size_t known, bool wanted, unsigned threads = 1)
+      : points_(points), known_(known), threads_(threads), show_(wanted) {
     show();
   }
   ~SweepProgress() {
@@ -31,12 +30,17 @@ class SweepProgress {
     ++measured_;
     // Those that are measured at the same time are nearly done too.
     const std::size_t missing = points_ - known_;
-    const std::size_t done = std::min(family_ > 1 ? measured_ : measured_ + threads_ - 1, missing);
-    if (measured_ >= family_) work_.at(static_cast<double>(done) / static_cast<double>(missing));
+    const std::size_t done = std::min(measured_ + threads_ - 1, missing);
+    const double part = static_cast<double>(done) / static_cast<double>(missing);
+    if (work_.elapsed() >= few_seconds || part >= small_part) work_.at(part);
     show();
   }
 
  private:
+  // The first points of a study read, compile and judge what the others share.
+  static constexpr double few_seconds = 5;
+  static constexpr double small_part = 0.05;
+
   void show() const {
     if (!show_) return;
     tell(fmt::format("\r\x1b[K{} of {} points", known_ + measured_, points_));
@@ -51,7 +55,6 @@ class SweepProgress {
   std::size_t points_;
   std::size_t known_;
   std::size_t threads_;
-  std::size_t family_;
   std::size_t measured_ = 0;
   bool show_;
   sim::LongWork work_{"this study", "fewer points and a smaller --size take less; what is measured is kept"};
