@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "sim/app/describe_app.h"
 #include "sim/app/settings_app.h"
 #include "sim/app/usage.h"
+#include "sim/app/version.h"
 
 namespace csgsim::app {
 
@@ -22,17 +24,17 @@ Option& Option::check(const Check& check) {
 }
 
 Option& Option::one_of(const std::vector<std::string>& names) {
-  option_->check(CLI::IsMember(names));
+  option_->check(CLI::IsMember(names).name(words_check));
   return *this;
 }
 
 Option& Option::between(int low, int high) {
-  option_->check(CLI::Range(low, high));
+  option_->check(CLI::Range(low, high).name(range_check).description(fmt::format("{} to {}", low, high)));
   return *this;
 }
 
 Option& Option::between(unsigned low, unsigned high) {
-  option_->check(CLI::Range(low, high));
+  option_->check(CLI::Range(low, high).name(range_check).description(fmt::format("{} to {}", low, high)));
   return *this;
 }
 
@@ -129,10 +131,15 @@ std::vector<KnownCommand> known_commands(const CLI::App& app) {
 
 }  // namespace
 
-CommandLine::CommandLine(const std::string& description, const std::string& program, const std::string& version)
+CommandLine::CommandLine(const std::string& description, const std::string& program)
     : app_(make_settings_app(description, program)) {
   app_->require_subcommand(1);
-  app_->set_version_flag("--version", version);
+  app_->set_version_flag("--version", version_page);
+  const auto write_pages = [app = app_.get()](const std::string& folder) {
+    write_description(describe(*app), folder);
+    throw CLI::Success();
+  };
+  app_->add_option_function<std::string>("--describe", write_pages)->group(hidden_group);
 }
 
 CommandLine::~CommandLine() = default;

@@ -21,6 +21,13 @@ class Option;
 
 namespace csgsim::app {
 
+// Names of the checks that tell which words, and which numbers, an option takes.
+inline constexpr const char* words_check = "words";
+inline constexpr const char* range_check = "range";
+
+/// Of options that help does not show.
+inline constexpr const char* hidden_group = "";
+
 /// What is wrong with an option's text, or nothing.
 using Check = std::function<std::string(const std::string&)>;
 
@@ -121,7 +128,8 @@ class Command {
 /// A command line that asks for one of several commands.
 class CommandLine {
  public:
-  CommandLine(const std::string& description, const std::string& program, const std::string& version);
+  /// Has --version, and --describe FOLDER, which writes manual pages and shells' completion there.
+  CommandLine(const std::string& description, const std::string& program);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
