@@ -9,6 +9,11 @@ Usage: ./setup.sh COMMAND
   demo   draw a model at both fidelity levels; pictures and counts in build/demo/
   test   build everything and run the whole test suite
   build  build build/release/csgsim
+  package
+         make the Debian packages csgsim and libcsgsim-dev in build/, for apt install ./build/csgsim*.deb
+  install-test
+         install that package in a bare Debian 12, which is downloaded into a chroot, and draw there; the log is
+         build/install-test.log
   asan   build everything with clang, warnings as errors, with address and undefined-behaviour sanitizers, and run the
          suite
   fuzz MINUTES [RUNS]
@@ -24,6 +29,8 @@ Usage: ./setup.sh COMMAND
          what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
+  report-test
+         install a Chromium (300 MB) and open pages of --report in it
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
          changed since
@@ -36,7 +43,7 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcgal-dev libpolyclipping-dev libpugixml-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
 test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
-  python3"
+  python3 man-db mandoc zsh fish"
 clang_packages="clang libclang-rt-14-dev"
 
 as_root() {
@@ -184,8 +191,29 @@ docs() {
   return "${failed:-0}"
 }
 
+package() {
+  # shellcheck disable=SC2086
+  need $build_packages dpkg-dev file
+  build package
+  rm -rf build/package/packages
+  cpack --config build/package/CPackConfig.cmake -B build/package/packages
+  rm -f build/csgsim_*.deb build/libcsgsim-dev_*.deb
+  mv build/package/packages/*.deb build/
+  ls -l build/*.deb
+}
+
+install_test() {
+  package
+  need debootstrap
+  as_root tests/install/bare_debian.sh build/csgsim_*.deb >build/install-test.log 2>&1 || failed=$?
+  cat build/install-test.log
+  return "${failed:-0}"
+}
+
 case "${1:-}" in
   demo) demo ;;
+  package) package ;;
+  install-test) install_test ;;
   docs)
     shift
     docs "$@"
@@ -234,6 +262,12 @@ case "${1:-}" in
     need $build_packages gtkwave xvfb imagemagick
     build release
     PATH=$PWD/build/release:$PATH tests/waves/screenshots.sh
+    ;;
+  report-test)
+    # shellcheck disable=SC2086
+    need $build_packages python3 chromium
+    build release
+    python3 tests/report/pages_test.py build/release/csgsim .
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;

@@ -67,8 +67,10 @@ class Reader {
   void check_keys(const toml::table& table, std::span<const std::string_view> known, std::string_view prefix) const {
     for (const auto& [key, node] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string message = fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix,
-                                              printable(key.str()), nearest(key.str(), known));
+      const std::string message = prefix == effects_prefix
+                                      ? no_such("effect", printable(key.str()), known)
+                                      : fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix,
+                                                    printable(key.str()), nearest(key.str(), known));
       if (const toml::node* const value = set_value(node)) fail(*value, message);
       throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));
     }
@@ -216,7 +218,9 @@ class Reader {
     const auto found = text == nullptr ? key.names.end()
                                        : std::find(key.names.begin(), key.names.end(), std::string_view(text->get()));
     if (found == key.names.end()) {
-      fail(node, fmt::format("{} is {}; it takes {}", name, said, fmt::join(key.names, ", ")));
+      const std::string_view near = text == nullptr ? std::string_view() : nearest_alike(text->get(), key.names);
+      fail(node, fmt::format("{} is {};{} it takes {}", name, said,
+                             near.empty() ? "" : fmt::format(" did you mean {}?", near), fmt::join(key.names, ", ")));
     }
     return found - key.names.begin();
   }

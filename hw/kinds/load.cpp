@@ -96,8 +96,7 @@ machines::Machine load(const std::string& machine, const std::vector<std::string
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
   if (!file.empty()) return read_file_of(file, all_changes);
   if (const BuiltIn* const found = built_in_named(name)) return read(*found, all_changes);
-  throw InputError(fmt::format("unknown machine '{}'; the nearest known is '{}', and a file's name ends in .toml", name,
-                               nearest(name, built_in_names())));
+  throw InputError(no_such("machine", name, built_in_names()) + ", or a file, whose name ends in .toml");
 }
 
 }  // namespace csgsim::kinds

@@ -53,10 +53,10 @@ std::vector<unsigned> alu_bits_of(const std::string& text) {
   return text.empty() ? std::vector<unsigned>{} : study::parse_numbers(text, 1, isa::max_field_width);
 }
 std::vector<std::string> strategies_of(const std::string& text) {
-  return text.empty() ? std::vector<std::string>{} : study::parse_names(text, names_of(emit::strategies));
+  return text.empty() ? std::vector<std::string>{} : study::parse_names(text, "strategy", names_of(emit::strategies));
 }
 std::vector<std::string> colourings_of(const std::string& text) {
-  return study::parse_names(text, names_of(emit::colourings));
+  return study::parse_names(text, "colouring", names_of(emit::colourings));
 }
 
 std::string not_negative(const std::string& text) {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
@@ -15,11 +15,13 @@
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/options.h"
+#include "sim/app/report_option.h"
 #include "sim/app/study_files.h"
 #include "sim/app/version.h"
-#include "sim/study/gnuplot.h"
+#include "sim/observe/long_work.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/plots.h"
 #include "sim/study/table.h"
 
@@ -34,6 +36,7 @@ struct Options {
   std::string folder;
   unsigned views = 4;
   bool no_plots = false;
+  ReportOption report;
   std::string progress = "auto";
 };
 
@@ -53,12 +56,17 @@ void print_table(const std::vector<study::Measurement>& rows) {
   for (const study::Measurement& row : rows) print_row(row);
 }
 
-void print_front(const std::vector<study::Measurement>& rows) {
+/// Those at which z bits and fraction bits are turned together.
+std::vector<study::Measurement> of_both(const std::vector<study::Measurement>& rows) {
   std::vector<study::Measurement> together;
   for (const study::Measurement& row : rows) {
     if (row.knob == "together") together.push_back(row);
   }
-  const std::vector<study::Measurement> front = study::pareto_front(together);
+  return together;
+}
+
+void print_front(const std::vector<study::Measurement>& rows) {
+  const std::vector<study::Measurement> front = study::pareto_front(of_both(rows));
   fmt::print("\nPareto front of z bits / fraction bits:\n");
   for (const study::Measurement& row : front)
     fmt::print("  {:>6}{:>12} clocks{:>10} wrong pixels\n", row.value, row.clocks, row.wrong);
@@ -97,11 +105,16 @@ Study study_of(const Options& options) {
 void complete(const Options& options, const Study& study, Table& table) {
   study::Meter meter(study.tree, study::turned_views(study.camera, options.views), study.machine,
                      emit_options_of(options.model));
-  const bool show = options.progress == "auto" && ::isatty(STDERR_FILENO) != 0;
+  const bool show = shows_progress(options.progress);
+  sim::LongWork work("this study", "fewer --views and a smaller --size take less; what is measured is kept");
   std::size_t number = 0;
+  std::size_t known = 0;
   for (const study::WantedSettings& wanted : study.wanted) {
     ++number;
-    if (table.find(wanted) != nullptr) continue;
+    if (table.find(wanted) != nullptr) {
+      ++known;
+      continue;
+    }
     if (show)
       tell(fmt::format("\r\x1b[K{} of {} points: {} {}", number, study.wanted.size(), wanted.point.knob,
                        wanted.point.value));
@@ -110,13 +123,22 @@ void complete(const Options& options, const Study& study, Table& table) {
                                                      [&] { return meter.measure(wanted.point); });
     row.inputs = wanted.inputs;
     table.add(std::move(row));
+    work.at(static_cast<double>(number - known) / static_cast<double>(study.wanted.size() - known));
   }
   if (show) tell("\r\x1b[K");
+}
+
+report::Page page_of(const Options& options, const std::string& points, const std::vector<study::Measurement>& rows) {
+  std::vector<std::string> front;
+  for (const study::Measurement& row : study::pareto_front(of_both(rows))) front.push_back(row.value);
+  return report::accuracy_page(report::Json::parse(points), front,
+                               study_context(options.report, options.model, machine_of(options.model)));
 }
 
 void run(const Options& options, const Command& command) {
   const Study study = study_of(options);
   const StudyFolder folder(options.folder, "accuracy", options.model.inputs());
+  ReportFile report(options.report, options.model.inputs());
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "accuracy.csv";
   Table table(table_path, title);
@@ -124,8 +146,10 @@ void run(const Options& options, const Command& command) {
   complete(options, study, table);
   print_table(table.rows());
   print_front(table.rows());
-  write_file(folder.path() / "accuracy.json", study::points_json(title, table.rows()));
+  const std::string points = study::points_json(title, table.rows());
+  write_file(folder.path() / "accuracy.json", points);
   if (!options.no_plots) study::draw_plots(table.rows(), study::plot_stem(options.model.model), folder.path());
+  if (report.asked()) report.write(page_of(options, points, table.rows()));
   fmt::print("\n{}: accuracy.csv, accuracy.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) a knob and of the front");
 }
@@ -146,7 +170,9 @@ void add_accuracy(CommandLine& line) {
   command.option("--views", options->views, "Views that a point is measured in: the camera turned about the vertical")
       .between(1, 64);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  options->report.add_to(command);
   add_progress(command, options->progress);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -21,7 +21,7 @@
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/study/advice_plot.h"
-#include "sim/study/gnuplot.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/table.h"
 
 namespace csgsim::app {
@@ -57,13 +57,12 @@ class Kept {
   void add(AdviceRow row) {
     if (table_ != nullptr) pending_.push_back(row);
     rows_.insert_or_assign(row.point, std::move(row));
-    if (std::chrono::steady_clock::now() - written_ > longest_pending) write();
+    if (pending_.size() == most_pending) write();
   }
 
   /// To the disk.
   void write() {
     if (table_ != nullptr) table_->add(std::exchange(pending_, {}));
-    written_ = std::chrono::steady_clock::now();
   }
 
   /// The rows of these points in their order; the file has them so too, before what it has of other points.
@@ -82,12 +81,11 @@ class Kept {
 
  private:
   /// A line at a time would wait for the disk most of the time.
-  static constexpr std::chrono::milliseconds longest_pending{250};
+  static constexpr std::size_t most_pending = 8;
 
   Table* table_;
   std::map<AdvicePoint, AdviceRow> rows_;
   Rows pending_;
-  std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
 };
 
 Rows complete(const AdviseOptions& options, const AdviceQuestion& question, Table* table) {
@@ -188,7 +186,8 @@ void add_advise(CommandLine& line) {
       "Example:\n  csgsim advise carburettor.csg --camera 220,-255,135,2,0,5 --max-bits 64 --max-wrong-pixels 10 "
       "--min-fps 20\n"
       "  csgsim advise carburettor.csg --alu-bits 1,2,4,8 --min-colour-bits 12 -o carburettor-advice\n"
-      "Lists are with commas, ranges of numbers as 3..8; every combination is measured. What has been measured is in\n"
+      "Lists are with commas, ranges of numbers as 3..8; every combination is measured. What has been measured is kept "
+      "in\n"
       "advise.csv at once; the same command goes on after an interruption, and with other wishes measures nothing "
       "anew.");
   options->add_to(command);

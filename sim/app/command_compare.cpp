@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 
@@ -10,19 +11,21 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/compare_words.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/read_by.h"
+#include "sim/app/report_option.h"
 #include "sim/app/sets.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/version.h"
 #include "sim/study/comparison.h"
-#include "sim/study/gnuplot.h"
 #include "sim/study/ideal.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/ranges.h"
 #include "sim/study/table.h"
 
@@ -43,6 +46,7 @@ struct Options {
   std::string folder;
   bool ideal = false;
   bool no_plots = false;
+  ReportOption report;
   std::string progress = "auto";
 };
 
@@ -130,7 +134,7 @@ Rows complete(const Options& options, const Study& study, Table& table) {
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) != nullptr) ++known;
   }
-  SweepProgress progress(study.jobs.size(), known, options.progress == "auto");
+  SweepProgress progress(study.jobs.size(), known, shows_progress(options.progress));
   Rows rows;
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) == nullptr) {
@@ -200,23 +204,33 @@ void refuse_differences(const Rows& rows) {
   fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
 }
 
+/// With a picture of the model on the first machine.
+report::Page page_of(const Options& options, const std::string& points) {
+  const machines::Machine first = machine_named(options, study::parse_words(options.machines).front());
+  return report::compare_page(report::Json::parse(points), study_context(options.report, options.model, first));
+}
+
 void run(const Options& options, const Command& command) {
   const std::string stem = study::plot_stem(options.model.model);
   const Study study = study_of(options);
   const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare",
                            input_files({options.model.model}, study::parse_words(options.machines)));
+  ReportFile report(options.report, input_files({options.model.model}, study::parse_words(options.machines)));
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "compare.csv";
   Table table(table_path, title);
   tell_stale(table_path, table.drop_stale(std::span<const study::WantedComparison>(wanted_of(study))));
   const Rows rows = complete(options, study, table);
-  write_file(folder.path() / "compare.json", study::points_json(title, rows));
+  const std::string points = study::points_json(title, rows);
+  write_file(folder.path() / "compare.json", points);
   options.ideal ? print_ideal_rows(rows) : print_rows(rows);
+  print_compare_words(rows);
   const bool plots = !options.no_plots && !options.ideal;
   if (plots) study::draw_comparison(rows, study.base, stem, folder.path());
+  if (report.asked()) report.write(page_of(options, points));
   refuse_differences(rows);
   fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
-             !plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
+             !plots ? "" : ", and plots (.png, .svg) of the machines and of the time against half-spaces and pixels");
 }
 
 }  // namespace
@@ -249,7 +263,9 @@ void add_compare(CommandLine& line) {
       "What each idealisation is worth: every figure of a machine that may be ideal is, one after the other and "
       "all at once; no other sizes or fragments, and no plots");
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  options->report.add_to(command);
   add_progress(command, options->progress);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

@@ -18,6 +18,8 @@
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
+#include "sim/app/paths.h"
+#include "sim/app/report_option.h"
 #include "sim/app/run_options.h"
 #include "sim/app/study_files.h"
 #include "sim/engine/engine.h"
@@ -25,6 +27,7 @@
 #include "sim/observe/pictures.h"
 #include "sim/observe/stats.h"
 #include "sim/observe/stats_json.h"
+#include "sim/report/pictures.h"
 
 namespace csgsim::app {
 
@@ -35,6 +38,7 @@ namespace fs = std::filesystem;
 struct Options {
   ModelOptions model;
   std::string folder;
+  ReportOption report;
 };
 
 /// The picture with some of the effects.
@@ -196,13 +200,26 @@ void write_all(const Bill& bill, const StudyFolder& folder) {
   write_file(folder.path() / "effects.json", to_json(bill).dump(2) + "\n");
 }
 
+report::Page page_of(const Options& options, const Bill& bill) {
+  const auto picture = [](const Variant& variant, const std::string& what) {
+    return report::picture_of(variant.frame, variant.program, what, "The model " + what);
+  };
+  std::vector<report::Picture> pictures{picture(bill.all, "with all effects"),
+                                        picture(bill.none, "without any effect")};
+  for (std::size_t i = 0; i < bill.without.size(); ++i)
+    pictures.push_back(picture(bill.without[i], "without " + bill.rows[i + 1].name));
+  return report::effects_page(to_json(bill), std::move(pictures), study_context(options.report, options.model.model));
+}
+
 void run(const Options& options) {
   std::optional<StudyFolder> folder;
   if (!options.folder.empty()) folder.emplace(options.folder, "effects", options.model.inputs());
+  ReportFile report(options.report, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
   const Bill bill = make_bill(options.model, machine);
-  fmt::print("{} on {}: what its effects cost\n", printable(options.model.model), machine.name);
+  fmt::print("{} on {}: what its effects cost\n", printable(shown_name(options.model.model)), machine.name);
   print_bill(bill);
+  if (report.asked()) report.write(page_of(options, bill));
   if (!folder) return;
   write_all(bill, *folder);
   fmt::print("{}: all.png, none.png, a picture without each effect, effects.json\n", printable(options.folder));
@@ -218,6 +235,8 @@ void add_effects(CommandLine& line) {
                "The effects that there are, and their settings: docs/effects.md.");
   options->model.add_to(command);
   command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").check(not_empty);
+  options->report.add_to(command);
+  command.prints_summary();
   command.runs([options] { run(*options); });
 }
 

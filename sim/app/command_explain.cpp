@@ -167,8 +167,7 @@ void add_explain(CommandLine& line) {
       .option("--why-not", options->why_not,
               "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
       .check(not_empty);
-  command.option("--json", options->json, "The whole story, .json, in place of the text; /dev/stdout prints it")
-      .check(not_empty);
+  command.option("--json", options->json, "The whole story, .json, in place of the text; - prints it").check(not_empty);
   command.runs([options, command] { run(*options, command); });
 }
 

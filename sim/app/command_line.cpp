@@ -3,15 +3,33 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/nearest.h"
+#include "hw/base/standard_streams.h"
+#include "hw/base/text.h"
 #include "sim/app/describe_app.h"
+#include "sim/app/help.h"
+#include "sim/app/read_by.h"
 #include "sim/app/settings_app.h"
 #include "sim/app/usage.h"
 #include "sim/app/version.h"
+#include "sim/study/ranges.h"
 
 namespace csgsim::app {
+
+namespace {
+
+/// What a word of the option is called.
+std::string kind_of(const CLI::Option& option) {
+  std::string name = option.get_lnames().empty() ? option.get_name() : option.get_lnames().front();
+  std::ranges::replace(name, '-', ' ');
+  return name;
+}
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -23,18 +41,30 @@ Option& Option::check(const Check& check) {
   return *this;
 }
 
-Option& Option::one_of(const std::vector<std::string>& names) {
-  option_->check(CLI::IsMember(names).name(words_check));
+Option& Option::one_of(const std::vector<std::string>& names, const std::string& kind) {
+  const std::string called = kind.empty() ? kind_of(*option_) : kind;
+  return words(names, [names, called](const std::string& word) {
+    return std::ranges::find(names, word) != names.end() ? std::string() : no_such(called, word, names);
+  });
+}
+
+Option& Option::list_of(const std::vector<std::string>& names, const std::string& kind) {
+  return words(names, is_read_by([names, kind](const std::string& text) { study::parse_names(text, kind, names); }));
+}
+
+Option& Option::words(const std::vector<std::string>& words, const Check& check) {
+  option_->check(CLI::Validator([check](std::string& text) { return check(text); },
+                                fmt::format("{}", fmt::join(words, ", ")), words_check));
   return *this;
 }
 
-Option& Option::between(int low, int high) {
-  option_->check(CLI::Range(low, high).name(range_check).description(fmt::format("{} to {}", low, high)));
-  return *this;
-}
+Option& Option::between(int low, int high) { return within(CLI::Range(low, high), low, high); }
 
-Option& Option::between(unsigned low, unsigned high) {
-  option_->check(CLI::Range(low, high).name(range_check).description(fmt::format("{} to {}", low, high)));
+Option& Option::between(unsigned low, unsigned high) { return within(CLI::Range(low, high), low, high); }
+
+template <class Range, class Number>
+Option& Option::within(Range&& range, Number low, Number high) {
+  option_->check(range.name(range_check).description(fmt::format("{} to {}", low, high)));
   return *this;
 }
 
@@ -45,6 +75,11 @@ Option& Option::comma_list() {
 
 Option& Option::excludes(const std::string& other) {
   option_->excludes(other);
+  return *this;
+}
+
+Option& Option::hidden() {
+  option_->group(hidden_group);
   return *this;
 }
 
@@ -99,9 +134,20 @@ void Command::flag(const std::string& names, bool& is_given, const std::string& 
   command_->add_flag(names, is_given, help);
 }
 
+void Command::prints_summary() {
+  const std::string meaning = "Print nothing; errors and warnings are still told";
+  command_->add_flag("-q,--quiet", meaning);
+}
+
 void Command::remove(const std::string& option) { command_->remove_option(command_->get_option(option)); }
 
-void Command::runs(const std::function<void()>& action) { command_->callback(action); }
+void Command::runs(const std::function<void()>& action) {
+  command_->callback([command = command_, action] {
+    const CLI::Option* const quiet = command->get_option_no_throw("--quiet");
+    if (quiet != nullptr && quiet->count() > 0) silence_prints();
+    action();
+  });
+}
 
 const std::string& Command::name() const { return command_->get_name(); }
 
@@ -114,6 +160,35 @@ std::vector<GivenOption> Command::given() const {
     given.push_back({option->get_lnames().front(), value, value == option->get_default_str()});
   }
   return given;
+}
+
+std::vector<GivenOption> Command::settings() const {
+  std::vector<GivenOption> settings;
+  for (const CLI::Option* option : std::as_const(*command_).get_options()) {
+    if (option->get_positional() || option->get_lnames().empty() || option == command_->get_help_ptr()) continue;
+    const std::string given = fmt::format("{}", fmt::join(option->results(), ","));
+    const std::string value = option->count() > 0 ? given : option->get_default_str();
+    if (!value.empty()) settings.push_back({option->get_lnames().front(), value, option->count() == 0});
+  }
+  return settings;
+}
+
+std::string Command::typed() const {
+  std::string operands;
+  std::string options;
+  for (const CLI::Option* option : std::as_const(*command_).get_options()) {
+    const bool is_flag = option->get_items_expected_max() == 0;
+    if (option->count() > 0 && is_flag) options += " --" + option->get_lnames().front();
+    if (is_flag) continue;
+    for (const std::string& value : option->results()) {
+      if (option->get_positional()) {
+        operands += " " + shell_word(value.size() > 1 && value.front() == '-' ? "./" + value : value);
+      } else {
+        options += fmt::format(" --{} {}", option->get_lnames().front(), shell_word(value));
+      }
+    }
+  }
+  return "csgsim " + name() + operands + options;
 }
 
 namespace {
@@ -129,12 +204,21 @@ std::vector<KnownCommand> known_commands(const CLI::App& app) {
   return known;
 }
 
+/// For the command that was asked about, or for all.
+std::string help_of_app(CLI::App& app) {
+  const std::vector<CLI::App*> asked = app.get_subcommands();
+  if (!asked.empty()) return help_of(help_of_command(*asked.front()));
+  std::vector<CommandHelp> commands;
+  for (CLI::App* const command : app.get_subcommands({})) commands.push_back(help_of_command(*command));
+  return help_of_all(app.get_description(), commands);
+}
+
 }  // namespace
 
 CommandLine::CommandLine(const std::string& description, const std::string& program)
     : app_(make_settings_app(description, program)) {
   app_->require_subcommand(1);
-  app_->set_version_flag("--version", version_page);
+  app_->set_version_flag("--version", version_page, "Print version, commit, build and libraries");
   const auto write_pages = [app = app_.get()](const std::string& folder) {
     write_description(describe(*app), folder);
     throw CLI::Success();
@@ -154,6 +238,8 @@ void CommandLine::run(std::span<char* const> arguments) {
   try {
     load_settings(*app_, arguments);
     app_->parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", help_of_app(*app_));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw UsageError(explain(known_commands(*app_), error.what(), arguments));
     app_->exit(error);

@@ -21,13 +21,6 @@ class Option;
 
 namespace csgsim::app {
 
-// Names of the checks that tell which words, and which numbers, an option takes.
-inline constexpr const char* words_check = "words";
-inline constexpr const char* range_check = "range";
-
-/// Of options that help does not show.
-inline constexpr const char* hidden_group = "";
-
 /// What is wrong with an option's text, or nothing.
 using Check = std::function<std::string(const std::string&)>;
 
@@ -38,7 +31,15 @@ class Option {
 
   Option& required();
   Option& check(const Check& check);
-  Option& one_of(const std::vector<std::string>& names);
+
+  /// One of these words, each of which is called a `kind`: the option's name if it is not given.
+  Option& one_of(const std::vector<std::string>& names, const std::string& kind = {});
+
+  /// A list of them with commas, as one text.
+  Option& list_of(const std::vector<std::string>& names, const std::string& kind);
+
+  /// A text that is made of these words, as the check says.
+  Option& words(const std::vector<std::string>& words, const Check& check);
 
   template <class Value>
   Option& one_of(const std::map<std::string, Value>& named) {
@@ -58,7 +59,13 @@ class Option {
   /// One may not be given with the other.
   Option& excludes(const std::string& other);
 
+  /// It works, but help does not show it.
+  Option& hidden();
+
  private:
+  template <class Range, class Number>
+  Option& within(Range&& range, Number low, Number high);
+
   CLI::Option* option_;
 };
 
@@ -102,6 +109,9 @@ class Command {
                      const std::string& help);
   void flag(const std::string& names, bool& is_given, const std::string& help);
 
+  /// Adds --quiet: nothing is printed, whatever the command prints.
+  void prints_summary();
+
   /// Takes back an option of a group that makes no sense for this command.
   void remove(const std::string& option);
 
@@ -120,6 +130,11 @@ class Command {
   [[nodiscard]] const std::vector<std::string>& arguments() const;
 
   [[nodiscard]] RunWatch& watch() const;
+  /// The same with those that were not given but have a value by default.
+  [[nodiscard]] std::vector<GivenOption> settings() const;
+
+  /// The command with all that was given, operands first and long names, for a POSIX shell.
+  [[nodiscard]] std::string typed() const;
 
  private:
   CLI::App* command_;

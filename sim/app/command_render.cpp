@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hw/base/error.h"
+#include "sim/app/advice.h"
 #include "sim/app/commands.h"
 #include "sim/app/configuration.h"
 #include "sim/app/frames.h"
@@ -73,8 +74,17 @@ void choose_settings(Options& options, const machines::Machine& machine) {
 
 void run_frames(const Options& options) {
   if (options.check) throw UsageError("--check", "is for one frame; leave out --frames");
+  if (options.run.advice) throw UsageError("--advice", "is for one frame; leave out --frames");
   if (options.max_wrong_pixels) throw UsageError("--max-wrong-pixels", "is for one frame; leave out --frames");
   draw_frames(options.model, options.run, options.turntable, machine_of(options.model));
+}
+
+Advice advice_of(const Options& options, const CompiledModel& compiled, const machines::Machine& machine) {
+  return {options.model.machine,
+          options.run.advice,
+          "csgsim render with --advice tries the machine's figures and the settings, and tells what each is worth",
+          [&](const sim::RunResult& result) { return setting_knobs(compiled, options.model, machine, result); },
+          {"csgsim accuracy tells what bits and facets cost in wrong pixels, csgsim sweep what memory buys"}};
 }
 
 void run(Options& options, const Command& command) {
@@ -96,7 +106,7 @@ void run(Options& options, const Command& command) {
   run_program(
       command,
       {machine, compiled.program, std::move(inputs), compiled.hash, &compiled.camera, &options.model.scene_values()},
-      options.run, outputs, judge);
+      options.run, outputs, advice_of(options, compiled, machine), judge);
 }
 
 }  // namespace
@@ -110,6 +120,7 @@ void add_render(CommandLine& line) {
                "  csgsim render carburettor.csg -o carburettor.png --view-all --projection perspective --level cycle");
   options->model.add_to(command);
   options->run.add_to(command);
+  options->run.report.add_to(command);
   command.flag("--check", options->check, "Hold the picture against the exact one, and add what differs to the stats");
   command
       .option("--max-wrong-pixels", options->max_wrong_pixels,
@@ -121,6 +132,7 @@ void add_render(CommandLine& line) {
       .between(1U, most_frames);
   command.option("--turn", options->turntable.degrees,
                  "Degrees that the camera turns about the vertical axis through its centre from one frame to the next");
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

@@ -4,6 +4,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "sim/app/advice.h"
 #include "sim/app/commands.h"
 #include "sim/app/configuration.h"
 #include "sim/app/paths.h"
@@ -47,6 +48,7 @@ void add_run(CommandLine& line) {
   add_figure_sets(command, options->sets, "the machine");
   options->run.add_to(command);
   options->checkpoints.add_to(command);
+  command.prints_summary();
   command.runs([options, command] {
     if (is_model(options->program))
       throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));
@@ -58,8 +60,10 @@ void add_run(CommandLine& line) {
     const isa::Program program = read_program(options->program);
     machines::Machine machine = load_machine(options->machine, options->sets);
     machines::adopt(machine, program);
+    const Advice advice{options->machine, options->run.advice,
+                        "csgsim run --advice tries the machine's figures, csgsim render --advice settings too"};
     run_program(command, {machine, program, input_files({options->program}, {options->machine}), {}}, options->run,
-                outputs, {}, options->checkpoints);
+                outputs, advice, {}, options->checkpoints);
   });
 }
 

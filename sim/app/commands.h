@@ -18,6 +18,7 @@ namespace csgsim::app {
   COMMAND(accuracy)              \
   COMMAND(advise)                \
   COMMAND(sweep)                 \
+  COMMAND(corpus)                \
   COMMAND(compare)               \
   COMMAND(subdivide)             \
   COMMAND(effects)               \

@@ -47,29 +47,41 @@ _{0}() {{
 complete -F _{0} {0}
 )bash";
 
-std::vector<std::string> names_of(const std::vector<DescribedOption>& options) {
+std::vector<std::string> names_of(const std::vector<OptionHelp>& options) {
   std::vector<std::string> names;
-  for (const DescribedOption& option : options) names.insert(names.end(), option.names.begin(), option.names.end());
+  for (const OptionHelp& option : options) names.insert(names.end(), option.names.begin(), option.names.end());
   return names;
 }
 
 /// What may stand in the value's place.
-std::string value_of(const DescribedOption& option) {
+std::string value_of(const std::vector<std::string>& words, bool files) {
   std::string text;
-  if (!option.words.empty()) text += fmt::format(" words=\"{}\"", fmt::join(option.words, " "));
-  if (option.kind == ValueKind::file || option.kind == ValueKind::machines) text += " files=yes";
+  if (!words.empty()) text += fmt::format(" words=\"{}\"", fmt::join(words, " "));
+  if (files) text += " files=yes";
   return text;
 }
 
-std::string case_of(const DescribedCommand& command) {
+/// What may stand in the places of the operands.
+std::string operands_of(const CommandHelp& command) {
+  std::vector<std::string> words;
+  bool files = false;
+  for (const OptionHelp& operand : command.operands) {
+    const std::vector<std::string> some = offered_words(operand);
+    words.insert(words.end(), some.begin(), some.end());
+    files = files || offers_files(operand);
+  }
+  return value_of(words, files);
+}
+
+std::string case_of(const CommandHelp& command) {
   std::string values;
-  for (const DescribedOption& option : command.options) {
-    if (option.kind == ValueKind::none) continue;
-    const std::string value = value_of(option);
+  for (const OptionHelp& option : command.options) {
+    if (kind_of(option) == ValueKind::none) continue;
+    const std::string value = value_of(offered_words(option), offers_files(option));
     values += fmt::format("        {}){} ;;\n", fmt::join(option.names, " | "), value.empty() ? " return" : value);
   }
-  std::string otherwise = fmt::format(" options=\"{}\"", fmt::join(names_of(command.options), " "));
-  if (!command.operands.empty()) otherwise += value_of(command.operands.back());
+  const std::string otherwise =
+      fmt::format(" options=\"{}\"", fmt::join(names_of(command.options), " ")) + operands_of(command);
   return fmt::format("    {})\n      case $previous in\n{}        *){} ;;\n      esac\n      ;;\n", command.name,
                      values, otherwise);
 }
@@ -79,7 +91,7 @@ std::string case_of(const DescribedCommand& command) {
 std::string bash_completion(const Description& description) {
   std::vector<std::string> first = names_of(description.options);
   std::string cases;
-  for (const DescribedCommand& command : description.commands) {
+  for (const CommandHelp& command : description.commands) {
     first.push_back(command.name);
     cases += case_of(command);
   }

@@ -26,31 +26,26 @@ std::string word(std::string_view text) {
   return quoted(doubled, "\\'");
 }
 
-/// `-r`: a value has to follow; `-x`: and it is no file; `-F`: it is one.
-std::string value_of(const DescribedOption& option) {
-  const std::string words = option.words.empty() ? "" : " -a " + word(fmt::format("{}", fmt::join(option.words, " ")));
-  switch (option.kind) {
-    case ValueKind::none: return "";
-    case ValueKind::file:
-    case ValueKind::machines: return " -r -F" + words;
-    case ValueKind::words:
-    case ValueKind::text: break;
-  }
-  return " -x" + words;
+std::string words_of(const OptionHelp& option) {
+  const std::vector<std::string> words = offered_words(option);
+  return words.empty() ? "" : " -a " + word(fmt::format("{}", fmt::join(words, " ")));
 }
 
-std::string option_line(const DescribedOption& option, const std::string& when) {
+/// `-r`: a value has to follow; `-x`: and it is no file; `-F`: it is one.
+std::string value_of(const OptionHelp& option) {
+  if (kind_of(option) == ValueKind::none) return "";
+  return (offers_files(option) ? " -r -F" : " -x") + words_of(option);
+}
+
+std::string option_line(const OptionHelp& option, const std::string& when) {
   std::string line = when;
   for (const std::string& name : option.names)
     line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   return line + value_of(option) + " -d " + word(option.meaning) + "\n";
 }
 
-std::string operand_line(const DescribedOption& operand, const std::string& when) {
-  const bool is_file = operand.kind == ValueKind::file || operand.kind == ValueKind::machines;
-  std::string line = when + (is_file ? " -F" : "");
-  if (!operand.words.empty()) line += " -a " + word(fmt::format("{}", fmt::join(operand.words, " ")));
-  return line + "\n";
+std::string operand_line(const OptionHelp& operand, const std::string& when) {
+  return when + (offers_files(operand) ? " -F" : "") + words_of(operand) + "\n";
 }
 
 }  // namespace
@@ -58,12 +53,12 @@ std::string operand_line(const DescribedOption& operand, const std::string& when
 std::string fish_completion(const Description& description) {
   std::string script = fmt::format(fmt::runtime(beginning), description.program);
   const std::string begins = fmt::format("complete -c {0} -n __{0}_begins", description.program);
-  for (const DescribedOption& option : description.options) script += option_line(option, begins);
-  for (const DescribedCommand& command : description.commands) {
+  for (const OptionHelp& option : description.options) script += option_line(option, begins);
+  for (const CommandHelp& command : description.commands) {
     script += begins + " -a " + command.name + " -d " + word(command.meaning) + "\n";
     const std::string when = fmt::format("complete -c {0} -n '__{0}_does {1}'", description.program, command.name);
-    for (const DescribedOption& option : command.options) script += option_line(option, when);
-    for (const DescribedOption& operand : command.operands) script += operand_line(operand, when);
+    for (const OptionHelp& option : command.options) script += option_line(option, when);
+    for (const OptionHelp& operand : command.operands) script += operand_line(operand, when);
   }
   return script;
 }

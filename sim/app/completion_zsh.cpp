@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "hw/kinds/load.h"
 #include "sim/app/completion_text.h"
 #include "sim/app/description.h"
 
@@ -46,10 +47,11 @@ std::string literal(std::string_view text) {
 std::string word(std::string_view text) { return quoted(text, "'\\''"); }
 
 /// What completes the value.
-std::string action_of(const DescribedOption& option, const std::string& program) {
-  switch (option.kind) {
+std::string action_of(const OptionHelp& option, const std::string& program) {
+  switch (kind_of(option)) {
     case ValueKind::words:
-      return fmt::format(option.takes_several ? "_sequence compadd - {}" : "({})", fmt::join(option.words, " "));
+      return fmt::format(fmt::runtime(option.takes_several ? "_sequence compadd - {}" : "({})"),
+                         fmt::join(option.words, " "));
     case ValueKind::file: return "_files";
     case ValueKind::machines: return "_" + program + "_machines";
     case ValueKind::none:
@@ -58,37 +60,27 @@ std::string action_of(const DescribedOption& option, const std::string& program)
   return " ";
 }
 
-std::string option_lines(const DescribedOption& option, const std::string& program) {
+std::string option_lines(const OptionHelp& option, const std::string& program) {
   const std::string others = option.takes_several ? "*" : fmt::format("({})", fmt::join(option.names, " "));
   std::string lines;
   for (const std::string& name : option.names) {
     std::string spec = others + name;
-    if (option.kind != ValueKind::none) spec += name.starts_with("--") ? "=" : "+";
+    if (kind_of(option) != ValueKind::none) spec += name.starts_with("--") ? "=" : "+";
     spec += "[" + literal(option.meaning) + "]";
-    if (option.kind != ValueKind::none) spec += ":" + option.type + ":" + action_of(option, program);
+    if (kind_of(option) != ValueKind::none) spec += ":" + literal(value_name(option)) + ":" + action_of(option, program);
     lines += " \\\n        " + word(spec);
   }
   return lines;
 }
 
-std::string case_of(const DescribedCommand& command, const std::string& program) {
+std::string case_of(const CommandHelp& command, const std::string& program) {
   std::string text = fmt::format("    {})\n      _arguments", command.name);
-  for (const DescribedOption& option : command.options) text += option_lines(option, program);
-  for (const DescribedOption& operand : command.operands) {
+  for (const OptionHelp& option : command.options) text += option_lines(option, program);
+  for (const OptionHelp& operand : command.operands) {
     const std::string several = operand.takes_several ? "*" : "";
-    text += " \\\n        " + word(several + ":" + operand.name + ":" + action_of(operand, program));
+    text += " \\\n        " + word(several + ":" + operand.names.front() + ":" + action_of(operand, program));
   }
   return text + "\n      ;;\n";
-}
-
-/// The built-in machines, wherever they may be named.
-std::string machines_of(const Description& description) {
-  for (const DescribedCommand& command : description.commands) {
-    for (const DescribedOption& option : command.options) {
-      if (option.kind == ValueKind::machines) return fmt::format("{}", fmt::join(option.words, " "));
-    }
-  }
-  return {};
 }
 
 }  // namespace
@@ -96,13 +88,13 @@ std::string machines_of(const Description& description) {
 std::string zsh_completion(const Description& description) {
   std::string commands;
   std::string cases;
-  for (const DescribedCommand& command : description.commands) {
+  for (const CommandHelp& command : description.commands) {
     commands += "    " + word(command.name + ":" + literal(command.meaning)) + "\n";
     cases += case_of(command, description.program);
   }
   std::string options;
-  for (const DescribedOption& option : description.options) options += option_lines(option, description.program);
-  return fmt::format(fmt::runtime(script), description.program, machines_of(description), commands, options, cases);
+  for (const OptionHelp& option : description.options) options += option_lines(option, description.program);
+  return fmt::format(fmt::runtime(script), description.program, fmt::join(kinds::built_in_names(), " "), commands, options, cases);
 }
 
 }  // namespace csgsim::app

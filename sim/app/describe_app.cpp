@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "hw/kinds/load.h"
-#include "sim/app/command_line.h"
-#include "sim/app/file_options.h"
 #include "sim/app/version.h"
 
 namespace csgsim::app {
@@ -22,76 +19,52 @@ std::string told_by(CLI::Option& option, const char* check) {
   }
 }
 
-/// Of `{one,two}` or `one, two`.
+/// Of `one, two`.
 std::vector<std::string> words_in(std::string_view text) {
-  constexpr std::string_view separators = "{}, ";
+  constexpr std::string_view separator = ", ";
   std::vector<std::string> words;
-  for (std::size_t begin = text.find_first_not_of(separators); begin != std::string_view::npos;) {
-    const std::size_t end = text.find_first_of(separators, begin);
-    words.emplace_back(text.substr(begin, end - begin));
-    begin = text.find_first_not_of(separators, std::min(end, text.size()));
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    words.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + separator.size(), text.size()));
   }
   return words;
 }
 
-ValueKind kind_of(const DescribedOption& option) {
-  if (option.type.empty()) return ValueKind::none;
-  if (!option.words.empty()) return ValueKind::words;
-  std::string name = option.name;
-  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  switch (role_of(name)) {
-    case FileRole::input:
-    case FileRole::output: return ValueKind::file;
-    case FileRole::machines: return ValueKind::machines;
-    case FileRole::none: break;
-  }
-  return ValueKind::text;
-}
-
-DescribedOption describe_option(CLI::Option& option) {
-  DescribedOption described;
+OptionHelp help_of_option(CLI::Option& option) {
+  OptionHelp help;
   if (option.get_positional()) {
-    described.name = option.get_name();
+    help.names.push_back(option.get_name());
   } else {
-    described.name = option.get_lnames().empty() ? option.get_snames().front() : option.get_lnames().front();
-    for (const std::string& name : option.get_snames()) described.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames()) described.names.push_back("--" + name);
+    for (const std::string& name : option.get_snames()) help.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) help.names.push_back("--" + name);
   }
-  const bool is_flag = option.get_items_expected_max() == 0;
   const std::string type = option.get_type_name();
-  described.type = is_flag ? "" : type.substr(0, type.find(':'));
-  described.meaning = option.get_description();
-  described.usual = is_flag ? "" : option.get_default_str();
-  described.range = told_by(option, range_check);
-  described.words = words_in(told_by(option, words_check));
-  described.kind = kind_of(described);
-  if (described.kind == ValueKind::machines) {
-    for (const std::string_view name : kinds::built_in_names()) described.words.emplace_back(name);
-  }
-  described.is_required = option.get_required();
-  described.takes_several = option.get_items_expected_max() > 1;
-  return described;
-}
-
-bool is_hidden(const std::string& group) { return group.empty() || group == hidden_group; }
-
-DescribedCommand describe_command(CLI::App& command) {
-  DescribedCommand described{command.get_name(), command.get_description(), command.get_footer(), {}, {}};
-  for (CLI::Option* option : command.get_options()) {
-    if (is_hidden(option->get_group())) continue;
-    (option->get_positional() ? described.operands : described.options).push_back(describe_option(*option));
-  }
-  return described;
+  help.type = option.get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
+  help.meaning = option.get_description();
+  help.words = words_in(told_by(option, words_check));
+  help.range = told_by(option, range_check);
+  help.usual = option.get_default_str();
+  help.is_needed = option.get_required();
+  help.takes_several = option.get_items_expected_max() > 1;
+  return help;
 }
 
 }  // namespace
 
-Description describe(CLI::App& app) {
-  DescribedCommand program = describe_command(app);
-  Description description{program.name, program.meaning, version(), date_of_sources(), std::move(program.options), {}};
-  for (CLI::App* command : app.get_subcommands({})) {
-    if (!is_hidden(command->get_group())) description.commands.push_back(describe_command(*command));
+CommandHelp help_of_command(CLI::App& command) {
+  CommandHelp help{command.get_name(), command.get_description(), command.get_footer(), {}, {}};
+  for (CLI::Option* const option : command.get_options()) {
+    if (option->get_group() == hidden_group) continue;
+    (option->get_positional() ? help.operands : help.options).push_back(help_of_option(*option));
   }
+  return help;
+}
+
+Description describe(CLI::App& app) {
+  CommandHelp program = help_of_command(app);
+  Description description{program.name, program.meaning, version(), date_of_sources(), std::move(program.options), {}};
+  for (CLI::App* const command : app.get_subcommands({})) description.commands.push_back(help_of_command(*command));
   return description;
 }
 

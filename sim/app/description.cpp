@@ -1,54 +1,48 @@
 #include "sim/app/description.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "hw/base/output_file.h"
+#include "hw/kinds/load.h"
+#include "sim/app/file_options.h"
 
 namespace csgsim::app {
 
 namespace {
 
-NLOHMANN_JSON_SERIALIZE_ENUM(ValueKind, {{ValueKind::none, nullptr},
-                                         {ValueKind::words, "words"},
-                                         {ValueKind::file, "file"},
-                                         {ValueKind::machines, "machines"},
-                                         {ValueKind::text, "text"}})
-
-nlohmann::ordered_json json_of(const std::vector<DescribedOption>& options) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const DescribedOption& option : options) {
-    nlohmann::ordered_json kind;
-    to_json(kind, option.kind);
-    all.push_back({{"name", option.name},
-                   {"names", option.names},
-                   {"type", option.type},
-                   {"meaning", option.meaning},
-                   {"default", option.usual},
-                   {"range", option.range},
-                   {"takes", kind},
-                   {"words", option.words},
-                   {"required", option.is_required},
-                   {"several", option.takes_several}});
-  }
-  return all;
+/// As file_options.h knows it: an operand's name is in small letters there.
+std::string settings_name(const OptionHelp& option) {
+  std::string name = long_name(option);
+  if (name.empty()) name = option.names.front();
+  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return name;
 }
 
 }  // namespace
 
-std::string description_json(const Description& description) {
-  nlohmann::ordered_json commands = nlohmann::ordered_json::array();
-  for (const DescribedCommand& command : description.commands) {
-    commands.push_back({{"name", command.name},
-                        {"meaning", command.meaning},
-                        {"footer", command.footer},
-                        {"operands", json_of(command.operands)},
-                        {"options", json_of(command.options)}});
+ValueKind kind_of(const OptionHelp& option) {
+  if (option.type.empty()) return ValueKind::none;
+  if (!option.words.empty()) return ValueKind::words;
+  switch (role_of(settings_name(option))) {
+    case FileRole::input:
+    case FileRole::output: return ValueKind::file;
+    case FileRole::machines: return ValueKind::machines;
+    case FileRole::none: break;
   }
-  const nlohmann::ordered_json json{{"program", description.program},          {"meaning", description.meaning},
-                                    {"version", description.version},          {"date", description.date},
-                                    {"options", json_of(description.options)}, {"commands", std::move(commands)}};
-  return json.dump(2) + "\n";
+  return ValueKind::text;
+}
+
+std::vector<std::string> offered_words(const OptionHelp& option) {
+  if (kind_of(option) != ValueKind::machines) return option.words;
+  const std::vector<std::string_view> names = kinds::built_in_names();
+  return {names.begin(), names.end()};
+}
+
+bool offers_files(const OptionHelp& option) {
+  const ValueKind kind = kind_of(option);
+  return kind == ValueKind::file || kind == ValueKind::machines;
 }
 
 void write_description(const Description& description, const std::string& folder) {
@@ -59,7 +53,6 @@ void write_description(const Description& description, const std::string& folder
   files.push_back({description.program + ".bash", bash_completion(description)});
   files.push_back({"_" + description.program, zsh_completion(description)});
   files.push_back({description.program + ".fish", fish_completion(description)});
-  files.push_back({description.program + ".json", description_json(description)});
   for (const DescriptionFile& file : files) write_file(std::filesystem::path(folder) / file.name, file.content);
 }
 

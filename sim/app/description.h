@@ -4,38 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "sim/app/help.h"
+
 namespace csgsim::app {
 
 /// What stands behind an option, or in an operand's place.
 enum class ValueKind : std::uint8_t {
   none,      ///< nothing: a flag
-  words,     ///< one of `words`
+  words,     ///< one of its words, or a text that is made of them
   file,      ///< a file or folder
-  machines,  ///< a machine's name, which `words` has, or its file
+  machines,  ///< a machine's name or its file
   text,      ///< any other text, or a number
 };
 
-/// An option or operand as the command line has it.
-struct DescribedOption {
-  std::string name;                ///< the long one without dashes, or an operand's: `MODEL`
-  std::vector<std::string> names;  ///< with dashes, as they are typed; none of an operand
-  std::string type;                ///< `TEXT`, `UINT`, `FLOAT`; empty of a flag
-  std::string meaning;
-  std::string usual;  ///< the value if nothing is said; may be empty
-  std::string range;  ///< of a number; may be empty
-  ValueKind kind = ValueKind::none;
-  std::vector<std::string> words;
-  bool is_required = false;
-  bool takes_several = false;
-};
+ValueKind kind_of(const OptionHelp& option);
 
-struct DescribedCommand {
-  std::string name;
-  std::string meaning;
-  std::string footer;  ///< its example
-  std::vector<DescribedOption> operands;
-  std::vector<DescribedOption> options;
-};
+/// Words that a shell may offer for the value: those that it takes, or the machines; none if it takes any text.
+std::vector<std::string> offered_words(const OptionHelp& option);
+
+/// Does a shell offer files for the value?
+bool offers_files(const OptionHelp& option);
 
 /// The whole command line, without what help hides.
 struct Description {
@@ -43,8 +31,8 @@ struct Description {
   std::string meaning;
   std::string version;
   std::string date;  ///< of the sources, as in 2001-12-31
-  std::vector<DescribedOption> options;
-  std::vector<DescribedCommand> commands;
+  std::vector<OptionHelp> options;
+  std::vector<CommandHelp> commands;
 };
 
 /// A file that is made from the description.
@@ -56,11 +44,10 @@ struct DescriptionFile {
 /// `NAME.1` and `NAME-COMMAND.1`, pages for man.
 std::vector<DescriptionFile> manual_pages(const Description& description);
 
-/// Completion for the shells, and the description itself.
+// Completion for the shells.
 std::string bash_completion(const Description& description);
 std::string zsh_completion(const Description& description);
 std::string fish_completion(const Description& description);
-std::string description_json(const Description& description);
 
 /// Writes all of them to the folder, which is made if it is not there. Throws InputError.
 void write_description(const Description& description, const std::string& folder);

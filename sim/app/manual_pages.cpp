@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
+#include <span>
 #include <sstream>
+#include <string_view>
 
 #include "sim/app/description.h"
 
@@ -44,52 +47,59 @@ std::string heading(const Description& of, const std::string& name, const std::s
                      roff(name), roff(meaning));
 }
 
-/// What stands for the option's value.
-std::string value_name(const DescribedOption& option) {
-  switch (option.kind) {
-    case ValueKind::none: return "";
-    case ValueKind::words: return "WORD";
-    case ValueKind::file: return "FILE";
-    case ValueKind::machines: return "MACHINE";
-    case ValueKind::text: break;
-  }
-  return option.type == "TEXT" ? "TEXT" : "NUMBER";
-}
+std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fR"; }
+std::string italic(std::string_view text) { return "\\fI" + roff(text) + "\\fR"; }
 
-std::string tag(const DescribedOption& option) {
-  if (option.names.empty()) return fmt::format("\\fI{}\\fR{}", roff(option.name), option.takes_several ? " ..." : "");
+std::string tag(const OptionHelp& option) {
+  const std::string several = option.takes_several ? " ..." : "";
+  if (!option.names.front().starts_with('-')) return italic(option.names.front()) + several;
   std::vector<std::string> names;
   names.reserve(option.names.size());
-  for (const std::string& name : option.names) names.push_back("\\fB" + roff(name) + "\\fR");
-  std::string all = fmt::format("{}", fmt::join(names, ", "));
-  if (option.kind != ValueKind::none) all += " \\fI" + value_name(option) + "\\fR";
-  if (option.takes_several) all += " ...";
-  return all;
+  for (const std::string& name : option.names) names.push_back(bold(name));
+  const std::string value = value_name(option);
+  return fmt::format("{}{}{}", fmt::join(names, ", "), value.empty() ? "" : " " + italic(value), several);
 }
 
-std::string entry(const DescribedOption& option) {
-  std::string text = option.meaning;
-  if (!option.words.empty()) {
-    text += fmt::format("\n{}: {}.", option.kind == ValueKind::machines ? "Built in" : "One of",
-                        fmt::join(option.words, ", "));
-  }
+std::string entry(const OptionHelp& option) {
+  std::string text = option.meaning + ".";
+  const std::vector<std::string> words = offered_words(option);
+  if (!words.empty())
+    text += fmt::format("\n{}: {}.", option.words.empty() ? "Built in" : "Words", fmt::join(words, ", "));
   if (!option.range.empty()) text += "\nRange: " + option.range + ".";
-  if (!option.usual.empty()) text += "\nDefault: " + option.usual + ".";
+  if (!option.usual.empty()) text += "\nIf not given: " + option.usual + ".";
+  if (option.is_needed && option.names.front().starts_with('-')) text += "\nNeeded.";
   return ".TP\n" + tag(option) + "\n" + paragraphs(text);
 }
 
-std::string section(const std::string& name, const std::vector<DescribedOption>& options) {
-  if (options.empty()) return {};
-  std::string text = ".SH " + name + "\n";
-  for (const DescribedOption& option : options) text += entry(option);
+std::string entries(std::span<const OptionHelp> options) {
+  std::string text;
+  for (const OptionHelp& option : options) text += entry(option);
   return text;
 }
 
-/// The footer's first line is the heading: `Example:`.
-std::string examples(const std::string& footer) {
-  const std::size_t end = footer.find('\n');
-  if (end == std::string::npos) return {};
-  return ".SH EXAMPLES\n.nf\n" + roff(footer.substr(end + 1)) + "\n.fi\n";
+std::string operands_of(const CommandHelp& command) {
+  return command.operands.empty() ? "" : ".SH OPERANDS\n" + entries(command.operands);
+}
+
+/// As help has them.
+std::string options_of(const CommandHelp& command) {
+  std::string text = ".SH OPTIONS\n";
+  for (const auto& [subject, options] : by_subject(command.options)) {
+    text += ".SS " + roff(subject) + "\n";
+    for (const OptionHelp* const option : options) text += entry(*option);
+  }
+  return text;
+}
+
+/// What is left of a line of a terminal's 80 columns, which man indents.
+constexpr std::size_t example_columns = 70;
+
+std::string examples(const CommandHelp& command) {
+  if (command.footer.empty()) return {};
+  constexpr std::string_view first_line = "Example:\n";
+  std::string text = footer_lines(command.footer, example_columns);
+  if (text.starts_with(first_line)) text.erase(0, first_line.size());
+  return ".SH EXAMPLES\n.nf\n" + roff(text) + ".fi\n";
 }
 
 std::string ends(const Description& of) {
@@ -98,21 +108,18 @@ std::string ends(const Description& of) {
          of.program + " itself.\n";
 }
 
-std::string synopsis_of(const Description& of, const DescribedCommand& command) {
-  std::string text = fmt::format(".SH SYNOPSIS\n\\fB{} {}\\fR [\\fIOPTIONS\\fR]", roff(of.program), roff(command.name));
-  for (const DescribedOption& operand : command.operands) {
-    const std::string name = fmt::format("\\fI{}\\fR{}", roff(operand.name), operand.takes_several ? " ..." : "");
-    text += operand.is_required ? " " + name : " [" + name + "]";
-  }
+std::string synopsis_of(const Description& of, const CommandHelp& command) {
+  std::string text = fmt::format(".SH SYNOPSIS\n{} [{}]", bold(of.program + " " + command.name), italic("OPTIONS"));
+  for (const OptionHelp& operand : command.operands)
+    text += fmt::format(fmt::runtime(operand.is_needed ? " {}" : " [{}]"), tag(operand));
   return text + "\n";
 }
 
-DescriptionFile page_of(const Description& of, const DescribedCommand& command) {
+DescriptionFile page_of(const Description& of, const CommandHelp& command) {
   const std::string name = of.program + "-" + command.name;
   const std::string text = heading(of, name, command.meaning) + synopsis_of(of, command) + ".SH DESCRIPTION\n" +
-                           paragraphs(command.meaning + ".") + section("OPERANDS", command.operands) +
-                           section("OPTIONS", command.options) + examples(command.footer) + ends(of) +
-                           fmt::format(".SH SEE ALSO\n.BR {} (1)\n", roff(of.program));
+                           paragraphs(command.meaning + ".") + operands_of(command) + options_of(command) +
+                           examples(command) + ends(of) + fmt::format(".SH SEE ALSO\n.BR {} (1)\n", roff(of.program));
   return {name + ".1", text};
 }
 
@@ -124,17 +131,17 @@ std::string meaning_of(const Description& of) {
 
 DescriptionFile page_of_all(const Description& of) {
   std::string text = heading(of, of.program, meaning_of(of)) +
-                     fmt::format(".SH SYNOPSIS\n\\fB{0}\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR] [\\fIOPERANDS\\fR]\n",
-                                 roff(of.program)) +
+                     fmt::format(".SH SYNOPSIS\n{} {} [{}] [{}]\n", bold(of.program), italic("COMMAND"),
+                                 italic("OPTIONS"), italic("OPERANDS")) +
                      ".SH DESCRIPTION\n" + paragraphs(meaning_of(of) + ".") +
                      ".SH COMMANDS\nEach has a page of its own.\n";
   std::string pages;
-  for (const DescribedCommand& command : of.commands) {
+  for (const CommandHelp& command : of.commands) {
     const std::string page = roff(of.program + "-" + command.name);
     text += fmt::format(".TP\n.BR {} (1)\n{}", page, paragraphs(command.meaning + "."));
     pages += fmt::format("{}.BR {} (1)", pages.empty() ? "" : " ,\n", page);
   }
-  text += section("OPTIONS", of.options) + ends(of);
+  text += ".SH OPTIONS\n" + entries(of.options) + ends(of);
   return {of.program + ".1", text + ".SH SEE ALSO\n" + pages + "\n"};
 }
 
@@ -142,7 +149,7 @@ DescriptionFile page_of_all(const Description& of) {
 
 std::vector<DescriptionFile> manual_pages(const Description& description) {
   std::vector<DescriptionFile> pages{page_of_all(description)};
-  for (const DescribedCommand& command : description.commands) pages.push_back(page_of(description, command));
+  for (const CommandHelp& command : description.commands) pages.push_back(page_of(description, command));
   return pages;
 }
 

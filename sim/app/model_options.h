@@ -40,6 +40,7 @@ struct ModelOptions {
   bool view_all = false;
   std::optional<double> near;
   std::string scene_file;
+  std::string colour_scheme;      ///< empty: the scene's colours
   std::vector<std::string> sets;  ///< KEY=VALUE of the scene, or of a figure of the machine
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
@@ -49,9 +50,11 @@ struct ModelOptions {
   unsigned stack_bits = emit::fewest_stack_bits;
   std::string colouring = "rebroadcast";
   unsigned colour_bits = isa::most_colour_bits;
-  std::vector<std::string> without;
+  std::string pruning = "all";       ///< see pruning_of
+  std::vector<std::string> without;  ///< prunings that are left out, in place of `pruning`
 
-  void add_to(Command& command, const std::string& what = "The model, an OpenSCAD .csg file, or its source, .scad");
+  void add_to(Command& command,
+              const std::string& what = "The model, an OpenSCAD .csg file (- is standard input), or its source, .scad");
 
   /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
@@ -80,8 +83,8 @@ struct ModelOptions {
   std::vector<std::string> effects_off_;
 };
 
-/// `all`, and the names of the prunings that can be left out.
-std::vector<std::string> pruning_names();
+/// Those of --strategy.
+std::vector<std::string> strategy_names();
 
 /// The machine with the array that the options ask for.
 machines::Machine machine_of(const ModelOptions& options);

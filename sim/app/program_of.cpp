@@ -9,7 +9,7 @@ namespace csgsim::app {
 
 void refuse_model_options(const Command& command, const std::set<std::string>& own) {
   for (const GivenOption& option : command.given()) {
-    if (!own.contains(option.name))
+    if (option.name != "quiet" && !own.contains(option.name))
       throw UsageError("--" + option.name, "is for models; a Program has been compiled already");
   }
 }

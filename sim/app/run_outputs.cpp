@@ -17,15 +17,20 @@ void open(std::optional<OutputFile>& file, const std::string& name) {
 
 /// The file beside an owner picture that tells its colours; none if it holds indices.
 std::string legend_of(const std::filesystem::path& owner_picture) {
-  return sim::has_legend(owner_picture) ? std::filesystem::path(owner_picture).replace_extension(".json").native() : "";
+  return sim::has_legend(owner_picture) && !is_unnamed_stream(owner_picture)
+             ? std::filesystem::path(owner_picture).replace_extension(".json").native()
+             : "";
 }
 
 }  // namespace
 
 RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs) {
   const std::string legend = legend_of(options.owner);
-  refuse_clashes(inputs, std::to_array<std::filesystem::path>(
-                             {options.picture, options.depth, options.owner, legend, options.stats}));
+  refuse_clashes(inputs, std::to_array<std::filesystem::path>({options.picture, options.depth, options.owner, legend,
+                                                               options.stats, options.report.file}));
+  refuse_terminal("--output", options.picture);
+  refuse_terminal("--depth", options.depth);
+  refuse_terminal("--owner", options.owner);
   if (!options.picture.empty()) sim::check_format(options.picture);
   if (!options.depth.empty()) sim::check_depth_format(options.depth);
   if (!options.owner.empty()) sim::check_format(options.owner);
@@ -34,6 +39,7 @@ RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesyste
   open(owner_, options.owner);
   open(legend_, legend);
   open(stats_, options.stats);
+  open(report_, options.report.file);
 }
 
 void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& program) {
@@ -49,9 +55,13 @@ void RunOutputs::write_stats(std::string_view json) {
   if (stats_) stats_->write(json);
 }
 
+void RunOutputs::write_report(const report::Page& page) {
+  if (report_) report_->write(report::to_html(page));
+}
+
 void RunOutputs::commit() {
   std::vector<OutputFile*> files;
-  for (std::optional<OutputFile>* file : {&picture_, &depth_, &owner_, &legend_, &stats_}) {
+  for (std::optional<OutputFile>* file : {&picture_, &depth_, &owner_, &legend_, &stats_, &report_}) {
     if (*file) files.push_back(&**file);
   }
   commit_all(files);

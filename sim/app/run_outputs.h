@@ -19,6 +19,7 @@ class RunOutputs {
 
   void write_pictures(const sim::Frame& frame, const isa::Program& program);
   void write_stats(std::string_view json);
+  void write_report(const report::Page& page);
   void commit();
 
  private:
@@ -27,6 +28,7 @@ class RunOutputs {
   std::optional<OutputFile> owner_;
   std::optional<OutputFile> legend_;  ///< of the owner picture
   std::optional<OutputFile> stats_;
+  std::optional<OutputFile> report_;
 };
 
 }  // namespace csgsim::app

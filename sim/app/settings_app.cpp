@@ -175,8 +175,10 @@ void add_config_options(CLI::App& app) {
     const bool has_some =
         std::ranges::any_of(options, [](const CLI::Option* option) { return !settable(*option).name.empty(); });
     if (!has_some || command->get_option_no_throw(std::string(config_name)) != nullptr) continue;
-    command->add_option(std::string(config_name),
-                        "A settings file, .toml: options of this command and others; what the command line says wins");
+    command
+        ->add_option(std::string(config_name),
+                     "A settings file, .toml: options of this command and others; what the command line says wins")
+        ->type_name("TEXT");
     command->add_flag(std::string(dump_name), dump_meaning);
   }
 }

@@ -7,6 +7,7 @@
 
 #include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
+#include "sim/app/report_option.h"
 #include "sim/study/sweep_run.h"
 
 namespace csgsim::app {
@@ -26,13 +27,14 @@ struct SweepOptions {
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool no_draw = false;
   bool no_plots = false;
+  ReportOption report;
   std::string progress = "auto";
 
   void add_to(Command& command);
 };
 
-/// The points asked for, with all that they are made from; each model is read once for each picture size. Throws
-/// InputError.
+/// The points asked for, with all that they are made from; each model is read once for each picture size. One that
+/// cannot be read is the reason of all its points. Throws InputError for machines.
 std::vector<study::SweepJob> jobs_of(const SweepOptions& options);
 
 }  // namespace csgsim::app

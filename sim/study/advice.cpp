@@ -169,6 +169,7 @@ std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Wi
   });
   sorted.resize(std::min(most, sorted.size()));
   std::vector<AdviceRow> nearest;
+  nearest.reserve(sorted.size());
   for (const AdviceRow* row : sorted) nearest.push_back(*row);
   return nearest;
 }

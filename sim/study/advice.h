@@ -1,12 +1,12 @@
 #pragma once
 
-#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -24,8 +24,17 @@ struct AdvicePoint {
   unsigned stack_bits = 0;  ///< of strategy bits: m; 0 for the others
   unsigned alu_bits = 0;    ///< of the machine; 0 where its kind has no such figure
 
-  auto operator<=>(const AdvicePoint&) const = default;
+  bool operator==(const AdvicePoint&) const = default;
 };
+
+/// Any order, for what is looked up by points.
+inline bool operator<(const AdvicePoint& a, const AdvicePoint& b) {
+  const auto key = [](const AdvicePoint& one) {
+    return std::tie(one.z_bits, one.fraction_bits, one.colour_bits, one.colouring, one.strategy, one.stack_bits,
+                    one.alu_bits);
+  };
+  return key(a) < key(b);
+}
 
 /// The values of each dimension, in the order in which they are to be reported.
 struct AdviceRanges {

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <sstream>
 #include <string>
 
@@ -54,6 +54,31 @@ TEST_CASE("the commands that advise recommends draw with the bits, clocks and wr
     CHECK(one["meets_all"] == true);
     check_command(one, folder);
   }
+}
+
+TEST_CASE("the commands on advise's page draw what the page says of them") {
+  const Folder folder;
+  std::istringstream page(content(std::string(CSGSIM_SOURCE_DIR) + "/docs/advise.md"));
+  std::string figures;
+  unsigned commands = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (line.find(" clocks, ") != std::string::npos && line.find("bits a pixel, ") != std::string::npos) figures = line;
+    const std::size_t begin = line.find("csgsim render tests/");
+    if (begin == std::string::npos) continue;
+    ++commands;
+    CAPTURE(line);
+    const std::string output = " --output ";
+    std::string words = line.substr(begin, line.find(output) - begin).substr(std::string("csgsim ").size());
+    words.replace(words.find("tests/"), 0, std::string(CSGSIM_SOURCE_DIR) + "/");
+    REQUIRE(run(words + output + (folder / "p.png") + " --stats " + (folder / "p.json")).code == 0);
+    const nlohmann::json stats = json(folder / "p.json");
+    const auto says = [&](const std::string& text) { return figures.find(text) != std::string::npos; };
+    const std::string clocks = std::to_string(stats["clocks"].get<std::uint64_t>());
+    CHECK(says(": " + stats["memory_bits"]["used"].dump() + " bits a pixel, "));
+    CHECK(says(" " + stats["accuracy"]["wrong_pixels"].dump() + " wrong pixel"));
+    CHECK(says(" " + clocks.substr(0, clocks.size() - 3) + "," + clocks.substr(clocks.size() - 3) + " clocks"));
+  }
+  CHECK(commands == 6);
 }
 
 TEST_CASE("advise asks every machine, and its commands draw the same there") {

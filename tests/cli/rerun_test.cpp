@@ -161,6 +161,18 @@ TEST_CASE("a file that has changed since is noticed before anything is run or wr
   CHECK(fs::exists(folder / "b.png"));
 }
 
+TEST_CASE("a change in a file that OpenSCAD's source includes is noticed") {
+  const Folder folder;
+  write(folder / "m.scad", "include <part.scad>\n");
+  write(folder / "part.scad", "cube(9);\n");
+  REQUIRE(run_words({"render", "m.scad", "--size", "16x16", "--stats", "a.json"}, folder.path()).code == 0);
+  CHECK(run_words({"rerun", "a.json"}, folder.path()).code == 0);
+  write(folder / "part.scad", "cube(8);\n");
+  refused(run_words({"rerun", "a.json", "-o", "b.png"}, folder.path()),
+          "a.json: m.scad, or a file that it takes in, has changed; --anyway goes on");
+  CHECK(!fs::exists(folder / "b.png"));
+}
+
 TEST_CASE("stats of another version are told apart, and counts that differ are told with both values") {
   const Folder folder;
   REQUIRE(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")).code == 0);

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "sim/app/commands.h"
+#include "sim/app/file_options.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -27,17 +29,19 @@ struct Key {
   std::string name;
   std::string value;
   bool is_said = false;
+  std::string meaning;  ///< the comment before
 };
 
 std::vector<Key> keys_of(const std::string& settings) {
   std::vector<Key> keys;
   std::istringstream lines(settings);
-  for (std::string line; std::getline(lines, line);) {
+  std::string before;
+  for (std::string line; std::getline(lines, line); before = line) {
     const bool is_said = !line.starts_with("# ");
     const std::string text = is_said ? line : line.substr(2);
     const std::size_t equals = text.find(" = ");
     if (equals == std::string::npos || text.find(' ') != equals) continue;
-    keys.push_back({text.substr(0, equals), text.substr(equals + 3), is_said});
+    keys.push_back({text.substr(0, equals), text.substr(equals + 3), is_said, before});
   }
   return keys;
 }
@@ -169,6 +173,23 @@ TEST_CASE("every long option that help shows is one that a settings file may hav
       CHECK(std::ranges::find(keys, name, &Key::name) != keys.end());
     }
   }
+}
+
+TEST_CASE("every option that names a file is known to, so that its name is one of the settings file's folder") {
+  const std::regex of_file(R"(\.(png|exr|json|csg|csgt|toml|vcd|scad)\b|[Ff]older|[Ff]ile)");
+  std::size_t files = 0;
+  for (const std::string& command : commands()) {
+    if (without_options.contains(command)) continue;
+    for (const Key& key : keys_of_command(command)) {
+      const bool is_text = key.value.starts_with('"') || key.value.starts_with('[');
+      if (!is_text || !std::regex_search(key.meaning, of_file)) continue;
+      CAPTURE(command);
+      CAPTURE(key.name);
+      CHECK(csgsim::app::role_of(key.name) != csgsim::app::FileRole::none);
+      ++files;
+    }
+  }
+  CHECK(files > 50);
 }
 
 TEST_CASE("what --dump-config prints is a settings file that changes nothing") {

@@ -1,0 +1,78 @@
+#include "sim/report/configuration.h"
+
+#include <cstddef>
+
+namespace csgsim::report {
+
+namespace {
+
+constexpr std::size_t most_elements = 16;
+
+std::string pointer_part(std::string key) {
+  for (std::size_t at = 0; (at = key.find_first_of("~/", at)) != std::string::npos; at += 2)
+    key.replace(at, 1, key[at] == '~' ? "~0" : "~1");
+  return key;
+}
+
+bool is_list_of_leaves(const Json& value) {
+  if (!value.is_array() || value.size() > most_elements) return false;
+  for (const Json& one : value)
+    if (one.is_structured()) return false;
+  return true;
+}
+
+void add_leaves(const Json& value, const std::string& at, const std::string& name, Table& table) {
+  if (value.is_object() && !value.empty()) {
+    for (const auto& [key, one] : value.items())
+      add_leaves(one, at + "/" + pointer_part(key), name.empty() ? key : name + "." + key, table);
+  } else if (value.is_array() && value.size() <= most_elements && !is_list_of_leaves(value)) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      add_leaves(value[i], at + "/" + std::to_string(i), name + "[" + std::to_string(i) + "]", table);
+  } else if (value.is_array() && value.size() > most_elements) {
+    table.rows.push_back({{name}, {std::to_string(value.size()) + " values, in the page's data"}});
+  } else {
+    table.rows.push_back({{name}, {value.is_structured() && value.empty() ? Json("none") : value, at}});
+  }
+}
+
+}  // namespace
+
+Table leaves(const Json& data, const std::string& at, const std::string& caption) {
+  Table table{caption, {"key", "value"}, {}, true};
+  const Json::json_pointer pointer(at);
+  if (data.contains(pointer)) add_leaves(data.at(pointer), at, "", table);
+  return table;
+}
+
+Section configuration_section(const Json& data, const Context& context) {
+  Section section{"Configuration", {}};
+  if (data.contains("configuration")) {
+    section.parts.emplace_back(leaves(data, "/configuration", "The effective configuration"));
+    return section;
+  }
+  Table options{"Options, given or by default", {"option", "value"}, {}, true};
+  for (const auto& [name, value] : context.options) options.rows.push_back({{name}, {value}});
+  section.parts.emplace_back(std::move(options));
+  if (data.contains("machine") && data["machine"].is_object())
+    section.parts.emplace_back(leaves(data, "/machine", "The machine, as it was used"));
+  return section;
+}
+
+std::vector<Part> sentences(const Json& data, const std::string& at) {
+  std::vector<Part> parts;
+  const Json::json_pointer pointer(at);
+  if (!data.contains(pointer)) return parts;
+  const auto add = [&](const Json& one) {
+    const Json& sentence = one.is_object() && one.contains("sentence") ? one["sentence"] : one;
+    if (sentence.is_string()) parts.emplace_back(Paragraph{sentence.get<std::string>()});
+  };
+  const Json& value = data.at(pointer);
+  if (!value.is_array()) {
+    add(value);
+  } else {
+    for (const Json& one : value) add(one);
+  }
+  return parts;
+}
+
+}  // namespace csgsim::report

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/report/page.h"
+
+namespace csgsim::report {
+
+/// What a command was told, and where its page goes.
+struct Context {
+  std::string command;                                       ///< with all that it was told, for a POSIX shell
+  std::vector<std::pair<std::string, std::string>> options;  ///< names and values, given or by default
+};
+
+/// The leaves of a part of the data as rows, named by their keys, `array.width`; long lists are told by their length.
+Table leaves(const Json& data, const std::string& at, const std::string& caption);
+
+/// How the data came to be: `configuration` of the data where they hold it, else what the command was told.
+Section configuration_section(const Json& data, const Context& context);
+
+/// What of a list of sentences, each a string or an object with `sentence`, the data hold at that pointer.
+std::vector<Part> sentences(const Json& data, const std::string& at);
+
+}  // namespace csgsim::report

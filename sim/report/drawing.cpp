@@ -1,0 +1,258 @@
+#include "sim/report/drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "hw/isa/colour_format.h"
+#include "hw/isa/pieces.h"
+#include "hw/isa/text.h"
+#include "sim/engine/engine.h"
+#include "sim/engine/numbers.h"
+#include "sim/engine/run.h"
+#include "sim/report/codec.h"
+#include "sim/report/number_text.h"
+
+namespace csgsim::report {
+
+namespace {
+
+using States = std::vector<std::uint32_t>;
+
+/// What has been carried out so far. Regions that come to their end are looked at, since several may between two steps.
+class Progress : public sim::Observer {
+ public:
+  explicit Progress(std::function<void(std::uint32_t, const sim::PixelState&)> look) : look_(std::move(look)) {}
+
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
+  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+    clocks_ += step.clocks;
+    last_ = step.instruction;
+  }
+  void after_segment(std::uint32_t segment, const sim::PixelState& state) override { look_(segment, state); }
+  [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
+  [[nodiscard]] const std::optional<isa::Instruction>& last() const { return last_; }
+
+ private:
+  std::function<void(std::uint32_t, const sim::PixelState&)> look_;
+  std::uint64_t clocks_ = 0;
+  std::optional<isa::Instruction> last_;
+};
+
+std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts) {
+  const isa::Origin& origin = instruction.origin;
+  std::string text(isa::info(origin.purpose).name);
+  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(facts, origin.primitive);
+  if (origin.node != isa::no_node) text += " against " + isa::piece_name(facts, origin.node);
+  return text;
+}
+
+/// Numbers of the boundaries after every instruction.
+std::vector<std::uint64_t> every_boundary(std::uint64_t count) {
+  std::vector<std::uint64_t> boundaries(count);
+  for (std::uint64_t i = 0; i < count; ++i) boundaries[i] = i + 1;
+  return boundaries;
+}
+
+/// Numbers of the boundaries at which what instructions serve changes, and of the ends of regions.
+std::vector<std::uint64_t> boundaries_of_work(const isa::Program& program) {
+  std::vector<std::uint64_t> boundaries;
+  std::uint64_t number = 0;
+  for (const isa::Segment& segment : program.segments) {
+    for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
+      ++number;
+      const bool is_last = i + 1 == segment.instructions.size();
+      if (is_last || segment.instructions[i].origin != segment.instructions[i + 1].origin) boundaries.push_back(number);
+    }
+  }
+  return boundaries;
+}
+
+/// Keeps every second, and the last.
+template <class Item>
+void keep_every_second(std::vector<Item>& items) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (i % 2 == 1 || i + 1 == items.size()) items[kept++] = std::move(items[i]);
+  items.resize(kept);
+}
+
+class Recorder {
+ public:
+  Recorder(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits)
+      : program_(program),
+        run_(sim::make_functional_engine(machine)->begin(program)),
+        numbers_(program),
+        colour_(isa::field_of(program, isa::FieldRole::colour)),
+        progress_([this](std::uint32_t segment, const sim::PixelState& state) { look(segment, state); }) {
+    drawing_.every =
+        std::max(1U, (std::max(program.shape.width, program.shape.height) + limits.side - 1) / limits.side);
+    drawing_.width = (program.shape.width + drawing_.every - 1) / drawing_.every;
+    drawing_.height = (program.shape.height + drawing_.every - 1) / drawing_.every;
+    states_.assign(std::size_t{drawing_.width} * drawing_.height, 0);
+    const States nothing = states_;
+    std::fill(states_.begin(), states_.end(), state(program.background, false));
+    kept_ = states_;
+    add({0, "", "nothing yet: the background", 0, 0, changes(nothing, states_)});
+  }
+
+  /// Goes on to that boundary, or past it where instructions are skipped, and adds a step if it has not been there.
+  void go_to(std::uint64_t boundary) {
+    if (numbers_.of(run_->place()) >= boundary) return;
+    sim::Observer* const observers[] = {&progress_};
+    run_->advance(boundary, observers);
+    DrawingStep step{numbers_.of(run_->place()), "", "", progress_.clocks(), look(run_->place().segment, *run_), ""};
+    if (progress_.last()) {
+      step.text = isa::text_of(*progress_.last(), program_.facts.fields);
+      step.serves = served_by(*progress_.last(), program_.facts);
+    }
+    step.changes = changes(kept_, states_);
+    kept_ = states_;
+    add(std::move(step));
+  }
+
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  [[nodiscard]] std::size_t steps() const { return drawing_.steps.size(); }
+
+  /// Leaves out every second step; the last one stays if it is the run's.
+  void thin(bool at_end) {
+    std::vector<DrawingStep> all = std::exchange(drawing_.steps, {});
+    bytes_ = 0;
+    const States nothing(states_.size(), 0);
+    States difference = nothing;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      change(all[i].changes, difference);
+      if (i % 2 != 0 && !(at_end && i + 1 == all.size())) continue;
+      all[i].changes = changes(nothing, difference);
+      difference = nothing;
+      add(std::move(all[i]));
+    }
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] ^= difference[i];
+  }
+
+  [[nodiscard]] Drawing take() { return std::move(drawing_); }
+
+ private:
+  [[nodiscard]] std::uint32_t state(std::uint32_t packed, bool enabled) const {
+    const auto [red, green, blue] = isa::unpack_colour(packed, colour_.width);
+    return (std::uint32_t{red} << 16U | std::uint32_t{green} << 8U | blue) << 1U | (enabled ? 1U : 0U);
+  }
+
+  void add(DrawingStep step) {
+    constexpr std::size_t punctuation = 40;  // of an array of six in JSON, with its numbers
+    bytes_ += step.text.size() + step.serves.size() + (step.changes.size() + 2) / 3 * 4 + punctuation;
+    drawing_.steps.push_back(std::move(step));
+  }
+
+  /// Calls visit(state of the picture, x, y of the region) for its pixels that are shown.
+  template <class Visit>
+  void visit_shown(const isa::Region& region, Visit visit) {
+    const std::uint32_t every = drawing_.every;
+    const auto first = [&](std::uint32_t from) { return (every - from % every) % every; };
+    for (std::uint32_t y = first(region.y); y < region.height; y += every) {
+      const std::size_t row = std::size_t{(region.y + y) / every} * drawing_.width;
+      for (std::uint32_t x = first(region.x); x < region.width; x += every)
+        visit(states_[row + (region.x + x) / every], x, y);
+    }
+  }
+
+  /// Brings the states up to date, and returns how many pixels are enabled.
+  std::uint64_t look(std::uint32_t segment, const sim::PixelState& pixels) {
+    if (program_.segments[segment].instructions.empty()) return 0;  // it shows the background
+    const isa::Region region = pixels.region();
+    if (region != region_) visit_shown(region_, [](std::uint32_t& state, auto, auto) { state &= ~1U; });
+    region_ = region;
+    const std::size_t words = (region.width + 63U) / 64U;
+    enable_.assign(words * region.height, 0);
+    pixels.read_enable(enable_);
+    colours_.assign(std::size_t{region.width} * region.height, 0);
+    if (colour_.width > 0) pixels.read_field(colour_, colours_);
+    visit_shown(region, [&](std::uint32_t& pixel, std::uint32_t x, std::uint32_t y) {
+      const bool enabled = (enable_[y * words + x / 64U] >> (x % 64U) & 1U) != 0;
+      pixel = state(colours_[std::size_t{y} * region.width + x], enabled);
+    });
+    std::uint64_t enabled = 0;
+    for (const std::uint64_t word : enable_) enabled += static_cast<std::uint64_t>(std::popcount(word));
+    return enabled;
+  }
+
+  const isa::Program& program_;
+  std::unique_ptr<sim::Run> run_;
+  sim::Numbers numbers_;
+  isa::Field colour_;
+  Progress progress_;
+  isa::Region region_{};
+  States states_;
+  States kept_;  ///< at the last step
+  std::vector<std::uint64_t> enable_;
+  std::vector<std::uint32_t> colours_;
+  Drawing drawing_;
+  std::size_t bytes_ = 0;
+};
+
+/// A step after every instruction, or nothing where they fill too much.
+std::optional<Drawing> record_every(const isa::Program& program, const machines::Machine& machine,
+                                    const DrawingLimits& limits, std::uint64_t count) {
+  Recorder recorder(program, machine, limits);
+  for (const std::uint64_t boundary : every_boundary(count)) {
+    recorder.go_to(boundary);
+    if (recorder.bytes() > limits.bytes) return std::nullopt;
+  }
+  Drawing drawing = recorder.take();
+  drawing.told = fmt::format("There is a step after each of the {} instructions.", grouped(count));
+  return drawing;
+}
+
+std::string told_of_work(std::uint64_t count, std::size_t found, std::size_t kept_every, const DrawingLimits& limits) {
+  const std::string why = count > limits.instructions
+                              ? fmt::format("Programs of at most {} instructions have a step after each of them",
+                                            grouped(limits.instructions))
+                              : fmt::format("Where they fill at most {} bytes, there are steps after all instructions",
+                                            grouped(limits.bytes));
+  std::string told =
+      fmt::format("{}. This run has {} instructions: there is a step wherever what they serve changes, {} in all.", why,
+                  grouped(count), grouped(found));
+  if (kept_every > 1)
+    told += fmt::format(" One in {} of these is kept, so that they are at most {} steps and fill at most {} bytes.",
+                        kept_every, grouped(limits.steps), grouped(limits.bytes));
+  return told;
+}
+
+Drawing record_work(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits,
+                    std::uint64_t count) {
+  std::vector<std::uint64_t> boundaries = boundaries_of_work(program);
+  const std::size_t found = boundaries.size();
+  std::size_t kept_every = 1;
+  for (; boundaries.size() > limits.steps; kept_every *= 2) keep_every_second(boundaries);
+  Recorder recorder(program, machine, limits);
+  std::size_t stride = 1;  // of the boundaries
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const bool is_last = i + 1 == boundaries.size();
+    if ((i + 1) % stride == 0 || is_last) recorder.go_to(boundaries[i]);
+    for (; recorder.bytes() > limits.bytes && recorder.steps() > 2; stride *= 2) recorder.thin(is_last);
+  }
+  Drawing drawing = recorder.take();
+  drawing.told = told_of_work(count, found, kept_every * stride, limits);
+  return drawing;
+}
+
+}  // namespace
+
+Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits) {
+  const std::uint64_t count = sim::Numbers(program).count();
+  std::optional<Drawing> drawing;
+  if (count <= std::min<std::uint64_t>(limits.instructions, limits.steps))
+    drawing = record_every(program, machine, limits, count);
+  if (!drawing) drawing = record_work(program, machine, limits, count);
+  if (drawing->every > 1)
+    drawing->told +=
+        fmt::format(" One pixel in {} of a row, and one row in {}, is shown.", drawing->every, drawing->every);
+  return std::move(*drawing);
+}
+
+}  // namespace csgsim::report

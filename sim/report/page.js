@@ -1,0 +1,314 @@
+'use strict';
+(() => {
+  const byId = id => document.getElementById(id);
+  const read = id => byId(id) && JSON.parse(byId(id).textContent);
+  const grouped = number => String(number).replace(/\B(?=(\d{3})+$)/g, ',');
+  const tell = text => { byId('told').textContent = text; };
+
+  const make = (name, attributes = {}, ...children) => {
+    const element = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+    element.append(...children);
+    return element;
+  };
+
+  const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+
+  // Calls visit(...numbers) for each `count` varints.
+  const eachRun = (bytes, count, visit) => {
+    let at = 0;
+    const take = () => {
+      let number = 0;
+      for (let scale = 1; ; scale *= 128) {
+        const byte = bytes[at++];
+        number += (byte & 127) * scale;
+        if (byte < 128) return number;
+      }
+    };
+    while (at < bytes.length) visit(...Array.from({length: count}, take));
+  };
+
+  const tip = make('div', {class: 'tip', hidden: ''});
+  document.body.append(tip);
+  const showTip = (text, x, y) => {
+    tip.textContent = text;
+    tip.hidden = false;
+    const left = Math.min(x + 14, document.documentElement.clientWidth - tip.offsetWidth - 8);
+    const below = y + 16 + tip.offsetHeight < document.documentElement.clientHeight;
+    tip.style.left = Math.max(4, left) + window.scrollX + 'px';
+    tip.style.top = (below ? y + 16 : y - tip.offsetHeight - 12) + window.scrollY + 'px';
+  };
+  const hideTip = () => { tip.hidden = true; };
+
+  const setUpPlot = svg => {
+    const points = [...svg.querySelectorAll('.pt')];
+    if (points.length === 0) return;
+    const texts = points.map(point => {
+      const title = point.querySelector('title');
+      const text = title.textContent;
+      title.remove();
+      return text;
+    });
+    let now = -1;
+    // Points that lie on each other are told together.
+    const near = (point, box) => {
+      const other = point.getBoundingClientRect();
+      return Math.abs(other.left + other.width / 2 - box.left - box.width / 2) < 2 &&
+        Math.abs(other.top + other.height / 2 - box.top - box.height / 2) < 2;
+    };
+    const choose = (index, spoken) => {
+      if (now >= 0) points[now].classList.remove('at');
+      now = index;
+      if (now < 0) return hideTip();
+      points[now].classList.add('at');
+      const box = points[now].getBoundingClientRect();
+      const text = texts.filter((_, index) => near(points[index], box)).join('\n');
+      showTip(text, box.left + box.width / 2, box.top + box.height / 2);
+      if (spoken) tell(text);
+    };
+    svg.setAttribute('tabindex', '0');
+    svg.setAttribute('role', 'application');
+    svg.setAttribute('aria-label', svg.getAttribute('aria-label') + '. Arrow keys go from point to point.');
+    svg.addEventListener('pointermove', event => {
+      let best = -1;
+      let least = 40 * 40;
+      points.forEach((point, index) => {
+        const box = point.getBoundingClientRect();
+        const dx = box.left + box.width / 2 - event.clientX;
+        const dy = box.top + box.height / 2 - event.clientY;
+        if (dx * dx + dy * dy < least) {
+          least = dx * dx + dy * dy;
+          best = index;
+        }
+      });
+      choose(best, false);
+    });
+    svg.addEventListener('pointerleave', () => choose(-1));
+    svg.addEventListener('blur', () => choose(-1));
+    svg.addEventListener('keydown', event => {
+      const last = points.length - 1;
+      const to = {ArrowRight: Math.min(now + 1, last), ArrowLeft: Math.max(now - 1, 0), Home: 0, End: last, Escape: -1}[event.key];
+      if (to === undefined) return;
+      event.preventDefault();
+      choose(to, true);
+    });
+  };
+
+  const setUpOwners = (box, data, stats) => {
+    const {width, height} = data;
+    const owner = new Int32Array(width * height);
+    let filled = 0;
+    eachRun(bytesOf(data.runs), 2, (count, value) => {
+      owner.fill(value - 1, filled, filled + count);
+      filled += count;
+    });
+    const rows = new Map([...box.querySelectorAll('tr[data-p]')].map(row => [Number(row.dataset.p), row]));
+    const titles = [...box.querySelectorAll('thead th')].map(cell => cell.textContent);
+    const nameOf = primitive => rows.has(primitive) ? rows.get(primitive).cells[0].textContent + ' ' + rows.get(primitive).cells[1].textContent
+      : 'p' + primitive + ' ' + stats.by_primitive[primitive].name;
+    const price = make('div', {class: 'price'});
+    const choice = make('div', {class: 'choice', role: 'group', 'aria-label': 'What is shown'});
+    box.querySelector('.stage').prepend(choice);
+    box.querySelector('.prices').prepend(price);
+    box.classList.add('ready');
+
+    const views = [['The picture', false], ['Whose surface', true]].map(([text, byOwner]) => {
+      const button = make('button', {type: 'button', 'aria-pressed': String(!byOwner)}, text);
+      button.addEventListener('click', () => {
+        box.classList.toggle('by-owner', byOwner);
+        views.forEach(one => one.setAttribute('aria-pressed', String(one === button)));
+      });
+      choice.append(button);
+      return button;
+    });
+
+    const canvases = [...box.querySelectorAll('.stage figure')].map(figure => {
+      const canvas = make('canvas', {width, height, 'aria-hidden': 'true'});
+      figure.append(canvas);
+      return canvas;
+    });
+
+    // Dims all but the primitive, and draws its outline.
+    const light = primitive => {
+      const image = new ImageData(width, height);
+      const pixels = new Uint32Array(image.data.buffer);
+      const opaque = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1;
+      const colour = (r, g, b, a) => opaque ? (a << 24 | b << 16 | g << 8 | r) >>> 0 : (r << 24 | g << 16 | b << 8 | a) >>> 0;
+      const dim = colour(0, 0, 0, 150);
+      const edge = colour(255, 200, 0, 255);
+      const isSeen = primitive >= 0 && owner.includes(primitive);
+      for (let y = 0, at = 0; isSeen && y < height; ++y) {
+        for (let x = 0; x < width; ++x, ++at) {
+          if (owner[at] !== primitive) {
+            pixels[at] = dim;
+          } else if (x === 0 || y === 0 || x === width - 1 || y === height - 1 || owner[at - 1] !== primitive ||
+                     owner[at + 1] !== primitive || owner[at - width] !== primitive || owner[at + width] !== primitive) {
+            pixels[at] = edge;
+          }
+        }
+      }
+      canvases.forEach(canvas => canvas.getContext('2d').putImageData(image, 0, 0));
+    };
+
+    const buttons = new Map();
+    let chosen = -1;
+    const choose = (primitive, spoken) => {
+      if (rows.has(chosen)) rows.get(chosen).classList.remove('chosen');
+      chosen = primitive;
+      light(primitive);
+      price.replaceChildren();
+      if (primitive < 0) {
+        price.append(make('p', {class: 'note'}, 'Click on the picture, or choose a primitive in the table: here stands what it costs.'));
+        return;
+      }
+      const row = rows.get(primitive);
+      const facts = row ? [...row.cells].slice(1).map((cell, i) => titles[i + 1] + ' ' + cell.textContent)
+        : ['clocks ' + grouped(stats.by_primitive[primitive].clocks)];
+      const name = row ? row.cells[0].textContent : nameOf(primitive);
+      price.append(make('p', {}, make('strong', {}, name)), make('p', {}, facts.join(', ')));
+      if (row) {
+        row.classList.add('chosen');
+        const frame = row.closest('.scroll');
+        const head = row.closest('table').tHead.offsetHeight;
+        if (row.offsetTop - head < frame.scrollTop || row.offsetTop + row.offsetHeight > frame.scrollTop + frame.clientHeight)
+          frame.scrollTop = row.offsetTop - head - 8;
+        buttons.forEach(button => button.setAttribute('tabindex', '-1'));
+        buttons.get(primitive).setAttribute('tabindex', '0');
+      }
+      if (spoken) tell(name + ': ' + facts.join(', '));
+    };
+
+    // One stop for the tabulator; arrow keys go on from there.
+    const order = [...rows.keys()];
+    order.forEach((primitive, index) => {
+      const cell = rows.get(primitive).cells[0];
+      const button = make('button', {type: 'button', tabindex: index === 0 ? '0' : '-1'}, cell.textContent);
+      cell.replaceChildren(button);
+      buttons.set(primitive, button);
+      button.addEventListener('click', () => choose(primitive, true));
+      button.addEventListener('keydown', event => {
+        const last = order.length - 1;
+        const to = {ArrowDown: Math.min(index + 1, last), ArrowUp: Math.max(index - 1, 0), Home: 0, End: last}[event.key];
+        if (event.key === 'Escape') choose(-1);
+        if (to === undefined) return;
+        event.preventDefault();
+        choose(order[to], true);
+        buttons.get(order[to]).focus({preventScroll: true});
+      });
+      rows.get(primitive).addEventListener('click', () => choose(primitive, false));
+    });
+
+    canvases.forEach(canvas => {
+      const at = event => {
+        const frame = canvas.getBoundingClientRect();
+        const x = Math.floor((event.clientX - frame.left) * width / frame.width);
+        const y = Math.floor((event.clientY - frame.top) * height / frame.height);
+        return x >= 0 && y >= 0 && x < width && y < height ? [x, y, owner[y * width + x]] : null;
+      };
+      canvas.addEventListener('pointermove', event => {
+        const found = at(event);
+        if (!found) return hideTip();
+        const [x, y, primitive] = found;
+        showTip(`${x}, ${y}: ${primitive < 0 ? 'nothing' : nameOf(primitive)}`, event.clientX, event.clientY);
+      });
+      canvas.addEventListener('pointerleave', hideTip);
+      canvas.addEventListener('click', event => {
+        const found = at(event);
+        if (found) choose(found[2], true);
+      });
+    });
+    choose(-1);
+  };
+
+  const setUpDrawing = (box, data) => {
+    const {width, height, steps} = data;
+    const states = new Uint32Array(width * height);
+    const canvas = make('canvas', {width, height, role: 'img', 'aria-label': 'The colours in pixel memory at the chosen step'});
+    const image = new ImageData(width, height);
+    const slider = make('input', {type: 'range', min: 0, max: steps.length - 1, value: 0, 'aria-label': 'Step of the drawing'});
+    const state = make('div', {class: 'state'});
+    const enabled = make('input', {type: 'checkbox', checked: ''});
+    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    const controls = make('div', {class: 'controls'});
+    let now = 0;
+    let timer = 0;
+
+    const apply = index => {
+      let at = 0;
+      eachRun(bytesOf(steps[index][5]), 3, (same, count, difference) => {
+        at += same;
+        for (const end = at + count; at < end; ++at) states[at] ^= difference;
+      });
+    };
+
+    const paint = () => {
+      const shown = image.data;
+      for (let i = 0, at = 0; i < states.length; ++i, at += 4) {
+        const value = states[i];
+        const hatch = enabled.checked && value & 1 ? 0.55 : 0;
+        shown[at] = (value >> 17 & 255) * (1 - hatch) + 255 * hatch;
+        shown[at + 1] = (value >> 9 & 255) * (1 - hatch) + 150 * hatch;
+        shown[at + 2] = (value >> 1 & 255) * (1 - hatch);
+        shown[at + 3] = 255;
+      }
+      canvas.getContext('2d').putImageData(image, 0, 0);
+      const [number, text, serves, clocks, pixels] = steps[now];
+      const line = `Step ${grouped(now)} of ${grouped(steps.length - 1)}: ${grouped(number)} instructions, ${grouped(clocks)} clocks; ${grouped(pixels)} pixels enabled`;
+      state.replaceChildren(make('p', {}, line), make('p', {}, serves));
+      if (text) state.append(make('p', {}, 'last: ', make('code', {}, text)));
+      slider.setAttribute('aria-valuetext', line + ', ' + serves);
+    };
+
+    const goTo = index => {
+      const to = Math.max(0, Math.min(steps.length - 1, index));
+      while (now < to) apply(++now);
+      while (now > to) apply(now--);
+      slider.value = now;
+      paint();
+    };
+
+    const stop = () => {
+      clearInterval(timer);
+      timer = 0;
+      if (play) play.textContent = 'Play';
+    };
+    const button = (text, action) => {
+      const one = make('button', {type: 'button'}, text);
+      one.addEventListener('click', action);
+      controls.append(one);
+      return one;
+    };
+    const part = name => name.split(' against ')[0];
+    const nextPart = by => {
+      let to = now;
+      while (to + by >= 0 && to + by < steps.length && part(steps[to + by][2]) === part(steps[now][2])) to += by;
+      goTo(to + by);
+    };
+
+    controls.append(slider);
+    button('Start', () => { stop(); goTo(0); });
+    button('Part back', () => { stop(); nextPart(-1); });
+    button('Step back', () => { stop(); goTo(now - 1); });
+    const play = still ? null : button('Play', () => {
+      if (timer) return stop();
+      if (now === steps.length - 1) goTo(0);
+      play.textContent = 'Pause';
+      timer = setInterval(() => now < steps.length - 1 ? goTo(now + 1) : stop(), 60);
+    });
+    button('Step', () => { stop(); goTo(now + 1); });
+    button('Next part', () => { stop(); nextPart(1); });
+    button('End', () => { stop(); goTo(steps.length - 1); });
+    controls.append(make('label', {}, enabled, 'tint the enabled pixels'));
+    enabled.addEventListener('change', paint);
+    slider.addEventListener('input', () => { stop(); goTo(Number(slider.value)); });
+    box.replaceChildren(canvas, make('div', {}, controls, state));
+    apply(0);
+    goTo(steps.length - 1);
+  };
+
+  document.querySelectorAll('svg.plot').forEach(setUpPlot);
+  const owners = read('owners-data');
+  if (owners) setUpOwners(byId('owners-box'), owners, read('data'));
+  const drawing = read('drawing-data');
+  if (drawing) setUpDrawing(byId('drawing-box'), drawing);
+})();

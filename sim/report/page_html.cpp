@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+
+#include "sim/report/drawing_html.h"
+#include "sim/report/html.h"
+#include "sim/report/page.h"
+#include "sim/report/picture_html.h"
+#include "sim/report/plot_svg.h"
+#include "sim/report/table_html.h"
+#include "sim/report/text.h"
+
+namespace csgsim::report {
+
+namespace {
+
+/// The marks of plots' points, about 10 pixels wide.
+constexpr const char* marks = R"(<svg width="0" height="0" aria-hidden="true"><defs>
+<circle id="m0" r="4.5"/><rect id="m1" x="-4.5" y="-4.5" width="9" height="9"/><path id="m2" d="M0-6L5.5 4H-5.5Z"/>
+<path id="m3" d="M0-6L6 0 0 6-6 0Z"/><path id="m4" d="M-5-2h3v-3h4v3h3v4h-3v3h-4v-3h-3Z"/><path id="m5" d="M0 6L-5.5-4H5.5Z"/>
+</defs></svg>
+)";
+
+/// The page asks for nothing from elsewhere, whatever the texts in it say.
+constexpr const char* policy =
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; "
+    "form-action 'none'";
+
+std::string json_script(const std::string& id, const Json& json) {
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, json_in_html(json));
+}
+
+/// Writes parts, and takes down what page.js needs of them.
+class Writer {
+ public:
+  std::string operator()(const Paragraph& paragraph) { return "<p>" + html_text(paragraph.text) + "</p>\n"; }
+  std::string operator()(const Table& table) { return table_html(table); }
+  std::string operator()(const Plot& plot) { return plot_html(plot, fmt::format("plot-{}", ++plots_)); }
+  std::string operator()(const Gallery& gallery) { return gallery_html(gallery); }
+  std::string operator()(const OwnerPicture& owners) {
+    scripts_ += json_script("owners-data", owners_json(owners));
+    return owners_html(owners);
+  }
+  std::string operator()(const Drawing& drawing) {
+    scripts_ += json_script("drawing-data", drawing_json(drawing));
+    return drawing_html(drawing);
+  }
+
+  [[nodiscard]] const std::string& scripts() const { return scripts_; }
+
+ private:
+  std::size_t plots_ = 0;
+  std::string scripts_;
+};
+
+std::string contents_html(const Page& page) {
+  std::string html = "<nav aria-label=\"Contents\"><ul>";
+  for (const Section& section : page.sections)
+    html += fmt::format("<li><a href=\"#at-{}\">{}</a></li>", html_id(section.title), html_text(section.title));
+  return html + "</ul></nav>\n";
+}
+
+}  // namespace
+
+std::string to_html(const Page& page) {
+  Writer writer;
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta http-equiv=Content-Security-Policy "
+      "content=\"{}\">\n<meta name=viewport content=\"width=device-width, initial-scale=1\">\n<meta name=color-scheme "
+      "content=\"light dark\">\n<title>{}</title>\n<link rel=icon "
+      "href=\"data:,\">\n<style>\n{}</style>\n</head>\n<body>\n",
+      policy, html_text(page.title), page_style);
+  html += marks;
+  html += fmt::format(
+      "<header><h1>{}</h1>\n<pre class=command id=command tabindex=0 aria-label=\"The "
+      "command\">{}</pre>\n{}</header>\n<main>\n",
+      html_text(page.title), html_text(page.command), contents_html(page));
+  for (const Section& section : page.sections) {
+    html += fmt::format("<section id=at-{0} aria-labelledby=h-{0}><h2 id=h-{0}>{1}</h2>\n", html_id(section.title),
+                        html_text(section.title));
+    for (const Part& part : section.parts) html += std::visit(writer, part);
+    html += "</section>\n";
+  }
+  html += "</main>\n<div id=told class=told role=status aria-live=polite></div>\n";
+  html += json_script("data", page.data) + writer.scripts();
+  return html + fmt::format("<script>\n{}</script>\n</body>\n</html>\n", page_script);
+}
+
+}  // namespace csgsim::report

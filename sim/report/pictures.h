@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "sim/observe/frame.h"
+#include "sim/report/page.h"
+
+namespace csgsim::report {
+
+/// A frame as it is shown.
+Picture picture_of(const sim::Frame& frame, const isa::Program& program, std::string caption, std::string alt);
+
+/// Which primitive is seen, a colour each (sim::owner_colour). Owners are primitives (sim::of_primitives).
+Picture owners_of(const sim::Frame& frame, std::string caption, std::string alt);
+
+}  // namespace csgsim::report

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "sim/observe/frame.h"
+#include "sim/report/configuration.h"
+#include "sim/report/page.h"
+
+namespace csgsim::report {
+
+/// The page of one run: its stats file, its picture, and its drawing, for which it is run once more. The counts are
+/// those of the stats, whatever keys they hold.
+Page run_page(const Json& stats, const sim::Frame& frame, const isa::Program& program, const machines::Machine& machine,
+              const Context& context);
+
+}  // namespace csgsim::report

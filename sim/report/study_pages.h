@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/report/configuration.h"
+#include "sim/report/page.h"
+
+namespace csgsim::report {
+
+/// What is told of every study besides its points.
+struct StudyContext {
+  Context context;
+  std::string model;               ///< the name of its file
+  std::optional<Picture> picture;  ///< of the model
+  std::string no_picture;          ///< why there is none
+};
+
+/// A page that begins with the picture and ends with the configuration; what is between them, others add.
+Page begun_page(const std::string& title, Json data, const StudyContext& study);
+void end_page(Page& page, const StudyContext& study);
+
+/// Pages of the files of points that studies write (accuracy.json, sweep.json, compare.json). `front` names the points
+/// of the Pareto front by their `value`, in order.
+Page accuracy_page(const Json& file, const std::vector<std::string>& front, const StudyContext& study);
+Page sweep_page(const Json& file, const StudyContext& study);
+Page compare_page(const Json& file, const StudyContext& study);
+
+/// The page of effects.json. The pictures are with all effects, with none, and without each.
+Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyContext& study);
+
+}  // namespace csgsim::report

@@ -1,0 +1,162 @@
+#include <doctest/doctest.h>
+
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+using Json = nlohmann::json;
+
+namespace {
+
+/// What stands between two texts, from a place on, which goes on behind it. Empty if there is none.
+std::string between(const std::string& text, const std::string& begin, const std::string& end, std::size_t& at) {
+  const std::size_t from = text.find(begin, at);
+  if (from == std::string::npos) return "";
+  const std::size_t to = text.find(end, from + begin.size());
+  at = to;
+  return text.substr(from + begin.size(), to - from - begin.size());
+}
+
+Json data_of(const std::string& html) {
+  std::size_t at = 0;
+  return Json::parse(between(html, "<script type=\"application/json\" id=\"data\">", "</script>", at));
+}
+
+Json without_wall_times(Json values) {
+  if (values.is_object()) {
+    for (auto one = values.begin(); one != values.end();)
+      one = one.key().starts_with("wall_seconds") ? values.erase(one) : std::next(one);
+  }
+  for (Json& one : values)
+    if (one.is_structured()) one = without_wall_times(one);
+  return values;
+}
+
+std::string digits(const std::string& text) {
+  std::string kept;
+  for (const char c : text)
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-') kept.push_back(c);
+  return kept;
+}
+
+/// Holds each cell of the page's tables that says where its value stands against a file; returns how many whole numbers
+/// there are.
+std::size_t hold_cells(const std::string& html, const Json& file) {
+  std::size_t whole = 0;
+  for (std::size_t at = 0;;) {
+    const std::string pointer = between(html, " data-at=\"", "\"", at);
+    if (pointer.empty()) return whole;
+    const std::string text = between(html, ">", "<", at);
+    CAPTURE(pointer);
+    REQUIRE(file.contains(Json::json_pointer(pointer)));
+    const Json& value = file.at(Json::json_pointer(pointer));
+    if (!value.is_number_integer()) continue;
+    ++whole;
+    CHECK(digits(text) == value.dump());
+  }
+}
+
+/// Nothing that a browser would fetch.
+void asks_for_nothing(const std::string& html) {
+  for (const std::string part : {"http://", "https://", "src=\"/", "src=//", "url(", "@import", "<link rel=stylesheet"})
+    CHECK(html.find(part) == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("the page of a render has the numbers of its stats, and the same run gives the same page") {
+  const Folder folder;
+  const std::string command = "render " + model("old_example011") + " --size 64x48 --view-all --stats " +
+                              (folder / "s.json") + " --report " + (folder / "r.html");
+  REQUIRE(run(command).code == 0);
+  const std::string html = content(folder / "r.html");
+  const Json stats = json(folder / "s.json");
+  CHECK(data_of(html) == without_wall_times(stats));
+  CHECK(hold_cells(html, stats) > 40);
+  asks_for_nothing(html);
+  CHECK(html.find("csgsim render ") != std::string::npos);
+  CHECK(html.find("--size 64x48") != std::string::npos);
+  CHECK(html.find("id=\"drawing-data\"") != std::string::npos);
+  CHECK(html.find("id=\"owners-data\"") != std::string::npos);
+  REQUIRE(run(command).code == 0);
+  CHECK(content(folder / "r.html") == html);
+}
+
+TEST_CASE("the page of an ordinary render is below 2 MB") {
+  const Folder folder;
+  REQUIRE(run("render " + model("terrain_vehicle") +
+              " --camera 560,-590,420,-5,0,68 --projection perspective --report " + (folder / "r.html"))
+              .code == 0);
+  CHECK(fs::file_size(folder / "r.html") < 2'000'000);
+}
+
+TEST_CASE("the page of each study has the numbers of its file") {
+  const Folder folder;
+  const std::string of = " " + model("old_example011") + " --size 32x32 ";
+  const std::vector<std::pair<std::string, std::string>> studies{
+      {"accuracy" + of + "--views 1 --no-plots", "accuracy.json"},
+      {"sweep" + of + "--strategy stack,bits --stack-bits 3,4 --pruning all,none --no-plots", "sweep.json"},
+      {"compare" + of + "--machines pixel-planes-4,scan-line --sides 16 --fragments 3 --no-plots", "compare.json"},
+      {"compare" + of + "--machines pixel-planes-4 --ideal", "compare.json"},
+      {"effects" + of + "--scene " + std::string(CSGSIM_SOURCE_DIR) + "/tests/scenes/depth_cue.toml --memory-bits 128",
+       "effects.json"}};
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    const auto& [command, file] = studies[i];
+    CAPTURE(command);
+    const std::string out = folder / std::to_string(i);
+    const std::string page = out + ".html";
+    const Outcome outcome = run(command + " -o " + out + " --report " + page);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const std::string html = content(page);
+    const auto expected = json(out + "/" + file);
+    CHECK(data_of(html) == without_wall_times(expected));
+    CHECK(hold_cells(html, expected) > 8);
+    CHECK(html.find("src=\"data:image/png;base64,") != std::string::npos);
+    asks_for_nothing(html);
+  }
+}
+
+TEST_CASE("a page changes neither the title of a study's table nor what is measured again") {
+  const Folder folder;
+  const std::string command =
+      "sweep " + model("old_example011") + " --size 16x16 --strategy stack --no-plots -o " + (folder / "s");
+  REQUIRE(run(command).code == 0);
+  const std::string table = content(folder / "s/sweep.csv");
+  REQUIRE(run(command + " --report " + (folder / "r.html")).code == 0);
+  CHECK(content(folder / "s/sweep.csv") == table);
+}
+
+TEST_CASE("a page that is an input, another output, or no .html is refused, and a run that fails leaves none") {
+  const Folder folder;
+  fs::copy_file(model("old_example011"), folder / "m.csg");
+  fs::create_symlink("m.csg", folder / "m.html");
+  const std::string of = (folder / "m.csg") + " --size 16x16 --report ";
+  for (const std::string command : {"render ", "effects "}) CHECK(run(command + of + (folder / "m.html")).code == 2);
+  CHECK(run("render " + of + (folder / "a.html") + " --stats " + (folder / "a.html")).code == 2);
+  misused("render " + of + (folder / "a.txt"), "has to end in .html");
+  misused("render " + of + (folder / "a.html") + " --frames 2", "--report: is for one frame");
+  misused("levels " + of + (folder / "a.html"), "no option --report");
+  misused("render " + (folder / "m.csg") + " --raport a.html", "did you mean --report?");
+  CHECK(run("render " + of + (folder / "a.html") + " --memory-bits 8").code == 1);
+  CHECK_FALSE(fs::exists(folder / "a.html"));
+}
+
+TEST_CASE("the page of a model with a hostile name has no markup of its own") {
+  const Folder folder;
+  const std::string name = "</script><img src=x onerror=alert(1)>'\"&.csg";
+  // A slash ends a folder's name.
+  fs::create_directory(folder / "<");
+  fs::copy_file(model("old_example011"), folder / name);
+  const Outcome outcome = run_words({"render", name, "--size", "16x16", "--report", "r.html"}, folder.path());
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const std::string html = content(folder / "r.html");
+  CHECK(html.find("<img src=x") == std::string::npos);
+  CHECK(html.find("&lt;/script&gt;&lt;img src=x") != std::string::npos);
+  CHECK(data_of(html)["model"]["file"] == name);
+}

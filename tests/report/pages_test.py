@@ -1,0 +1,260 @@
+"""Opens pages of csgsim --report in a headless Chromium, as a reader does: with a pointer, with keys alone, on a wide
+window and on a narrow one, light and dark, and without scripts.
+
+Usage: pages_test.py CSGSIM SOURCE_FOLDER. Exit code 77 where there is no Chromium."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+import browser
+
+WIDE, NARROW = 1280, 390
+
+# Each cell of a table that says where its value stands in the stats, as [pointer, text].
+CELLS = "[...document.querySelectorAll('[data-at]')].map(cell => [cell.dataset.at, cell.textContent, cell.title])"
+
+# What stands out of the window, but for what a box of its own scrolls or hides.
+TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
+  const box = element.getBoundingClientRect();
+  return box.width > 0 && box.right > innerWidth + 1 && !element.closest('.scroll, .told, svg');
+}).map(element => element.outerHTML.slice(0, 120))"""
+
+PALETTE = """['s0', 's1', 's2', 's3', 's4', 'page', 'text', 'faint', 'link'].map(
+  name => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim())"""
+
+
+class Failures:
+    def __init__(self):
+        self.count = 0
+        self.where = ""
+
+    def check(self, holds, what):
+        if not holds:
+            self.count += 1
+            print(f"FAILED, {self.where}: {what}")
+
+
+def value_at(data, pointer):
+    for part in pointer.split("/")[1:]:
+        part = part.replace("~1", "/").replace("~0", "~")
+        data = data[int(part)] if isinstance(data, list) else data[part]
+    return data
+
+
+def number_in(text):
+    return float(re.sub(r"[ ,%]", "", text))
+
+
+def same_number(text, title, value):
+    if isinstance(value, int):
+        return text.replace(",", "") == str(value)
+    if title:
+        return float(title) == value
+    shown = number_in(text)
+    return abs(shown / 100 - value) <= 0.0005 + 1e-9 if "%" in text else shown == value
+
+
+def check_numbers(page, stats, least, failures):
+    cells = page.evaluate(CELLS)
+    numbers = 0
+    for pointer, text, title in cells:
+        value = value_at(stats, pointer)
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            continue
+        numbers += 1
+        failures.check(same_number(text, title, value), f"{pointer} is {value} and is shown as {text!r} ({title!r})")
+    failures.check(numbers >= least, f"only {numbers} numbers of the stats are shown")
+
+
+def check_windows(page, failures):
+    for width in (WIDE, NARROW):
+        for dark in (False, True):
+            page.window(width, 900, dark)
+            failures.check(page.evaluate("document.documentElement.scrollWidth") <= width, f"scrolls sideways at {width}")
+            for element in page.evaluate(TOO_WIDE):
+                failures.check(False, f"wider than {width} pixels: {element}")
+
+
+def luminance(colour):
+    channels = [int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def lightness(colour):
+    y = luminance(colour)
+    return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
+
+
+def contrast(a, b):
+    low, high = sorted((luminance(a), luminance(b)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def check_colours(page, failures):
+    """Contrast as WCAG 2.1 asks for, and series that differ in grey."""
+    for dark in (False, True):
+        page.window(WIDE, 900, dark)
+        *series, ground, text, faint, link = page.evaluate(PALETTE)
+        for colour in (text, faint, link):
+            failures.check(contrast(colour, ground) >= 4.5, f"{colour} on {ground}: contrast below 4.5")
+        for colour in series:
+            failures.check(contrast(colour, ground) >= 3, f"{colour} on {ground}: contrast below 3")
+        greys = sorted(lightness(colour) for colour in series)
+        gap = min(b - a for a, b in zip(greys, greys[1:]))
+        failures.check(gap >= 7, f"two series differ by {gap:.1f} in lightness only, dark: {dark}")
+
+
+def focused(page, what):
+    return page.evaluate(f"document.activeElement.matches({json.dumps(what)})")
+
+
+def tab_to(page, what, failures):
+    """Goes on by the tabulator until something like that has the focus, which shows."""
+    for _ in range(80):
+        page.press("Tab")
+        if focused(page, what):
+            seen = page.evaluate("getComputedStyle(document.activeElement).outlineStyle") != "none"
+            failures.check(seen, f"{what} does not show that it has the focus")
+            return True
+    failures.check(False, f"the tabulator does not come to {what}")
+    return False
+
+
+def check_keys_of_render(page, stats, failures):
+    dearest = sorted(stats["by_primitive"], key=lambda one: -one["clocks"])
+    if tab_to(page, "tr[data-p] button", failures):
+        page.press("Enter")
+        told = page.evaluate("document.querySelector('.price').textContent")
+        failures.check(f"{dearest[0]['clocks']:,}" in told, f"the price of the dearest is not told: {told!r}")
+        page.press("ArrowDown")
+        told = page.evaluate("document.querySelector('#told').textContent")
+        failures.check(f"clocks {dearest[1]['clocks']:,}" in told, f"the next primitive is not told: {told!r}")
+    if tab_to(page, "input[type=range]", failures):
+        page.press("Home")
+        first = page.evaluate("document.querySelector('.state').textContent")
+        failures.check("0 instructions" in first, f"Home does not go to the beginning: {first!r}")
+        page.press("ArrowRight")
+        page.press("ArrowRight")
+        failures.check("Step 2 of" in page.evaluate("document.querySelector('.state').textContent"), "arrow keys do not step")
+        page.press("End")
+        last = page.evaluate("document.querySelector('.state').textContent")
+        every = stats["instructions"]["total"] + stats["instructions"]["skipped"]
+        failures.check(f"{every:,} instructions" in last, f"the last step is not the last: {last!r}")
+
+
+DRAWN_DIFFERENCE = """(async () => {
+  const image = document.querySelector('.shown img');
+  await image.decode();
+  const canvas = document.createElement('canvas');
+  canvas.width = image.naturalWidth;
+  canvas.height = image.naturalHeight;
+  const context = canvas.getContext('2d');
+  context.drawImage(image, 0, 0);
+  document.querySelector('.drawing input[type=checkbox]').click();
+  const drawn = document.querySelector('.drawing canvas').getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  const picture = context.getImageData(0, 0, canvas.width, canvas.height).data;
+  return picture.reduce((sum, value, i) => sum + (value === drawn[i] ? 0 : 1), 0);
+})()"""
+
+
+def check_pointer_of_render(page, stats, failures):
+    failures.check(page.evaluate(DRAWN_DIFFERENCE) == 0, "the drawing's last step is not the picture")
+    x, y = page.evaluate("""(() => {
+      scrollTo(0, 0);
+      const box = document.querySelector('.stage canvas').getBoundingClientRect();
+      return [box.left + box.width / 2, box.top + box.height / 2];
+    })()""")
+    page.point(x, y, click=True)
+    chosen = page.evaluate("Number(document.querySelector('tr.chosen')?.dataset.p ?? -1)")
+    failures.check(chosen >= 0, "a click on the picture chooses no primitive")
+    if chosen >= 0:
+        told = page.evaluate("document.querySelector('.price').textContent")
+        failures.check(f"{stats['by_primitive'][chosen]['clocks']:,}" in told, f"the price is another's: {told!r}")
+    failures.check(page.evaluate("!document.querySelector('.tip').hidden"), "pointing at the picture tells nothing")
+
+
+def check_keys_of_plots(page, failures):
+    if tab_to(page, "svg.plot", failures):
+        titles = page.evaluate("document.activeElement.closest('figure').querySelectorAll('tbody tr').length")
+        failures.check(titles > 0, "a plot has no values beside it")
+        page.press("ArrowRight")
+        told = page.evaluate("document.querySelector('#told').textContent")
+        failures.check(told != "" and told in page.evaluate("document.querySelector('.tip').textContent"), "a point does not tell its values")
+
+
+def check_without_scripts(page, path, least, failures):
+    page.send("Emulation.setScriptExecutionDisabled", value=True)
+    page.send("Page.navigate", url="file://" + os.path.abspath(path))
+    while page.evaluate("document.readyState") != "complete":
+        pass
+    for what in ("img", "table", "h2"):
+        failures.check(page.evaluate(f"document.querySelectorAll('{what}').length") > 0, f"without scripts there is no {what}")
+    failures.check(page.evaluate("document.querySelectorAll('[data-at]').length") >= least, "without scripts there are fewer numbers")
+    page.send("Emulation.setScriptExecutionDisabled", value=False)
+
+
+def check_names(page, failures):
+    """What somebody is told who does not see the page."""
+    failures.check(page.evaluate("[...document.images].every(image => image.alt)"), "a picture without a text")
+    failures.check(page.evaluate("[...document.querySelectorAll('table')].every(table => table.tHead && table.querySelector('th[scope=col]'))"),
+                   "a table without headers")
+    failures.check(page.evaluate("new Set([...document.querySelectorAll('[id]')].map(one => one.id)).size === document.querySelectorAll('[id]').length"),
+                   "two elements with the same id")
+
+
+def main():
+    csgsim, source = (os.path.abspath(argument) for argument in sys.argv[1:3])
+    chromium = browser.find()
+    if chromium is None:
+        print("skipped: there is no Chromium here; ./setup.sh report-test installs it")
+        return 77
+    model = os.path.join(source, "tests/models/carburettor.csg")
+    view = [model, "--camera", "220,-255,135,2,0,5"]
+    small = view + ["--size", "64x64"]
+    pages = [("render", ["render", *view, "--stats", "render.json"], "render.json"),
+             ("render of parts", ["render", *small, "--machine", "pixel-square", "--stats", "parts.json"], "parts.json"),
+             ("sweep", ["sweep", *small, "--stack-bits", "3..5", "--pruning", "all,none", "--no-plots", "-o", "."], "sweep.json"),
+             ("accuracy", ["accuracy", *small, "--views", "1", "--no-plots", "-o", "."], "accuracy.json"),
+             ("compare", ["compare", *small, "--machines", "pixel-planes-4,scan-line", "--sides", "32", "--fragments", "8", "--no-plots", "-o", "."], "compare.json"),
+             ("effects", ["effects", *small, "--scene", os.path.join(source, "tests/scenes/depth_cue.toml"), "--memory-bits", "128", "-o", "."], "effects.json")]
+    failures = Failures()
+    with tempfile.TemporaryDirectory() as folder:
+        page = browser.Browser(chromium)
+        try:
+            for name, words, file in pages:
+                failures.where = name
+                subprocess.run([csgsim, *words, "--report", "page.html"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+                path = os.path.join(folder, "page.html")
+                with open(os.path.join(folder, file), encoding="utf-8") as opened:
+                    stats = json.load(opened)
+                page.window(WIDE, 900)
+                page.open(path)
+                least = 20 if name.startswith("render") else 8
+                check_numbers(page, stats, least, failures)
+                check_names(page, failures)
+                if name.startswith("render"):
+                    check_keys_of_render(page, stats, failures)
+                    check_pointer_of_render(page, stats, failures)
+                else:
+                    check_keys_of_plots(page, failures)
+                check_windows(page, failures)
+                check_colours(page, failures)
+                check_without_scripts(page, path, least, failures)
+                elsewhere = [url for url in page.requests if not url.startswith(("file:", "data:"))]
+                failures.check(not elsewhere, f"the page asks for {elsewhere}")
+                for problem in page.problems:
+                    failures.check(False, problem)
+                page.problems.clear()
+        finally:
+            page.close()
+    print(f"{len(pages)} pages, {failures.count} failures")
+    return 1 if failures.count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

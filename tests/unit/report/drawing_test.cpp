@@ -1,0 +1,137 @@
+#include "sim/report/drawing.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hw/isa/colour_format.h"
+#include "hw/kinds/load.h"
+#include "sim/engine/engine.h"
+#include "sim/engine/run.h"
+#include "sim/report/codec.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+const std::string model =
+    "difference() { cube(size = [8, 8, 8], center = true); multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], "
+    "[0, 0, 0, 1]]) { sphere($fn = 8, $fa = 12, $fs = 2, r = 4); } }";
+
+testing::Compiled compiled(const std::string& machine = {}) {
+  testing::Setup setup;
+  setup.camera.eye = {20, -30, 25};
+  setup.camera.centre = {0, 0, 0};
+  setup.sampling.width = 40;
+  setup.sampling.height = 30;
+  setup.machine = machine;
+  return testing::compile_text(model, setup);
+}
+
+/// The states of pixels at each step.
+std::vector<std::vector<std::uint32_t>> replayed(const report::Drawing& drawing) {
+  std::vector<std::vector<std::uint32_t>> all;
+  std::vector<std::uint32_t> states(std::size_t{drawing.width} * drawing.height, 0);
+  for (const report::DrawingStep& step : drawing.steps) {
+    report::change(step.changes, states);
+    all.push_back(states);
+  }
+  return all;
+}
+
+std::uint32_t shown(std::uint32_t packed, const isa::Program& program) {
+  const auto [red, green, blue] = isa::unpack_colour(packed, isa::field_of(program, isa::FieldRole::colour).width);
+  return std::uint32_t{red} << 16U | std::uint32_t{green} << 8U | blue;
+}
+
+std::vector<std::uint32_t> colours(const std::vector<std::uint32_t>& states) {
+  std::vector<std::uint32_t> all;
+  for (const std::uint32_t state : states) all.push_back(state >> 1U);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("each step is what the reference engine has in memory and enable after so many instructions") {
+  const testing::Compiled model = compiled();
+  const isa::Program& program = model.program;
+  const machines::Machine machine = testing::machine_of(program.shape);
+  const report::Drawing drawing = report::record_drawing(program, machine);
+  const std::size_t count = program.segments.front().instructions.size();
+  REQUIRE(program.segments.size() == 1);
+  REQUIRE(drawing.steps.size() > 20);
+  CHECK(drawing.steps.size() <= count + 1);
+  const std::vector<std::vector<std::uint32_t>> states = replayed(drawing);
+  const auto run = sim::make_reference_engine(machine)->begin(program);
+  const isa::Field colour = isa::field_of(program, isa::FieldRole::colour);
+  for (std::size_t i = 1; i < drawing.steps.size(); ++i) {
+    run->advance(drawing.steps[i].number, {});
+    std::uint64_t enabled = 0;
+    for (std::uint32_t y = 0; y < drawing.height; ++y) {
+      for (std::uint32_t x = 0; x < drawing.width; ++x) {
+        const std::uint32_t expected = shown(run->value(colour, x, y), program) << 1U | (run->enabled(x, y) ? 1U : 0U);
+        enabled += run->enabled(x, y) ? 1U : 0U;
+        REQUIRE(states[i][std::size_t{y} * drawing.width + x] == expected);
+      }
+    }
+    CHECK(drawing.steps[i].enabled == enabled);
+  }
+  CHECK(run->finished());
+  CHECK(drawing.told.find("after each of the") != std::string::npos);
+}
+
+TEST_CASE("the last step is the picture on machines of every kind, however few steps are kept") {
+  for (const std::string name : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5"}) {
+    CAPTURE(name);
+    const testing::Compiled model = compiled(name);
+    const machines::Machine machine = kinds::load(name);
+    const sim::Frame frame = testing::draw_on(machine, model.program);
+    std::vector<std::uint32_t> expected;
+    for (const std::uint32_t packed : frame.colour) expected.push_back(shown(packed, model.program));
+    for (const report::DrawingLimits limits :
+         {report::DrawingLimits{}, {10, 2000, 700'000, 512}, {10, 9, 700'000, 512}, {10, 2000, 3000, 512}}) {
+      const report::Drawing drawing = report::record_drawing(model.program, machine, limits);
+      CHECK(colours(replayed(drawing).back()) == expected);
+      CHECK(drawing.steps.size() >= 2);
+      CHECK(drawing.steps.size() <= limits.steps + 1);
+      CHECK(drawing.steps.front().number == 0);
+    }
+  }
+}
+
+TEST_CASE("a thinned drawing is told to be one, and its steps are some of the full one's") {
+  const testing::Compiled model = compiled();
+  const machines::Machine machine = testing::machine_of(model.program.shape);
+  const report::Drawing full = report::record_drawing(model.program, machine);
+  const std::vector<std::vector<std::uint32_t>> states = replayed(full);
+  const report::Drawing few = report::record_drawing(model.program, machine, {10, 2000, 1500, 512});
+  CHECK(few.told.find("at most 10 instructions") != std::string::npos);
+  CHECK(few.told.find("fill at most 1,500 bytes") != std::string::npos);
+  CHECK(few.steps.size() < full.steps.size());
+  const std::vector<std::vector<std::uint32_t>> kept = replayed(few);
+  for (std::size_t i = 0; i < few.steps.size(); ++i) {
+    std::size_t same = 0;
+    while (full.steps[same].number != few.steps[i].number) REQUIRE(++same < full.steps.size());
+    CHECK(kept[i] == states[same]);
+    CHECK(few.steps[i].clocks == full.steps[same].clocks);
+    CHECK(few.steps[i].text == full.steps[same].text);
+  }
+}
+
+TEST_CASE("of a large picture every second pixel of every second row is shown, and that is told") {
+  const testing::Compiled model = compiled();
+  const machines::Machine machine = testing::machine_of(model.program.shape);
+  const report::Drawing drawing = report::record_drawing(model.program, machine, {2000, 2000, 700'000, 20});
+  CHECK(drawing.width == 20);
+  CHECK(drawing.height == 15);
+  CHECK(drawing.told.find("One pixel in 2") != std::string::npos);
+  const sim::Frame frame = testing::draw(model.program);
+  const std::vector<std::uint32_t> last = replayed(drawing).back();
+  for (std::uint32_t y = 0; y < 15; ++y)
+    for (std::uint32_t x = 0; x < 20; ++x)
+      CHECK((last[y * 20 + x] >> 1U) == shown(frame.colour[std::size_t{y} * 2 * 40 + x * 2], model.program));
+}

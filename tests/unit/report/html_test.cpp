@@ -1,0 +1,32 @@
+#include "sim/report/html.h"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+using namespace csgsim;
+using Json = nlohmann::ordered_json;
+
+TEST_CASE("text in HTML has no markup, and what people must not read is escaped") {
+  CHECK(report::html_text("a<b>&\"'") == "a&lt;b&gt;&amp;&quot;&#39;");
+  CHECK(report::html_text("two\nlines") == "two\\nlines");
+  CHECK(report::html_text("\xff") == "\\xff");
+}
+
+TEST_CASE("JSON in a script element cannot end it or begin a comment, and is the same JSON") {
+  const Json json{{"</script><script>alert(1)</script>", "<!--<script>"}, {"number", 0.1}};
+  const std::string text = report::json_in_html(json);
+  CHECK(text.find('<') == std::string::npos);
+  CHECK(Json::parse(text) == json);
+}
+
+TEST_CASE("JSON of bytes that are no UTF-8 is JSON all the same") {
+  const Json json = Json::parse(report::json_in_html(Json{"\xff\xfe"}));
+  CHECK(json.front() == "\xef\xbf\xbd\xef\xbf\xbd");
+}
+
+TEST_CASE("a title becomes a word for an id") {
+  CHECK(report::html_id("Where the clocks go") == "where-the-clocks-go");
+  CHECK(report::html_id(" <b onclick=x> ") == "b-onclick-x");
+}
