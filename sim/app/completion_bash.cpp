@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/app/completion_text.h"
 #include "sim/app/description.h"
 
 namespace csgsim::app {
@@ -37,6 +38,7 @@ _{0}() {{
     current=${{current##*,}}
   fi
   if [[ -n $words ]]; then mapfile -t COMPREPLY < <(compgen -P "$prefix" -W "$words" -- "$current"); fi
+  if [[ $words == *\\* ]]; then compopt -o filenames 2>/dev/null; fi
   if [[ -n $files ]]; then
     local found
     mapfile -t found < <(compgen -P "$prefix" -f -- "$current")
@@ -56,7 +58,7 @@ std::vector<std::string> names_of(const std::vector<OptionHelp>& options) {
 /// What may stand in the value's place.
 std::string value_of(const std::vector<std::string>& words, bool files) {
   std::string text;
-  if (!words.empty()) text += fmt::format(" words=\"{}\"", fmt::join(words, " "));
+  if (!words.empty()) text += fmt::format(" words=\"{}\"", listed(words));
   if (files) text += " files=yes";
   return text;
 }

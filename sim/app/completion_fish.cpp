@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "sim/app/completion_text.h"
 #include "sim/app/description.h"
@@ -28,7 +27,7 @@ std::string word(std::string_view text) {
 
 std::string words_of(const OptionHelp& option) {
   const std::vector<std::string> words = offered_words(option);
-  return words.empty() ? "" : " -a " + word(fmt::format("{}", fmt::join(words, " ")));
+  return words.empty() ? "" : " -a " + word(listed(words));
 }
 
 /// `-r`: a value has to follow; `-x`: and it is no file; `-F`: it is one.

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace csgsim::app {
 
@@ -16,6 +17,16 @@ inline std::string quoted(std::string_view text, std::string_view inside) {
     }
   }
   return word + "'";
+}
+
+/// Words with blanks between them; those inside a word have a backslash, which all shells understand.
+inline std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) {
+    if (!list.empty()) list += ' ';
+    for (const char letter : word) list += letter == ' ' ? "\\ " : std::string(1, letter);
+  }
+  return list;
 }
 
 }  // namespace csgsim::app

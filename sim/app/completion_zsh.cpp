@@ -50,8 +50,7 @@ std::string word(std::string_view text) { return quoted(text, "'\\''"); }
 std::string action_of(const OptionHelp& option, const std::string& program) {
   switch (kind_of(option)) {
     case ValueKind::words:
-      return fmt::format(fmt::runtime(option.takes_several ? "_sequence compadd - {}" : "({})"),
-                         fmt::join(option.words, " "));
+      return fmt::format(fmt::runtime(option.takes_several ? "_sequence compadd - {}" : "({})"), listed(option.words));
     case ValueKind::file: return "_files";
     case ValueKind::machines: return "_" + program + "_machines";
     case ValueKind::none:
@@ -67,7 +66,8 @@ std::string option_lines(const OptionHelp& option, const std::string& program) {
     std::string spec = others + name;
     if (kind_of(option) != ValueKind::none) spec += name.starts_with("--") ? "=" : "+";
     spec += "[" + literal(option.meaning) + "]";
-    if (kind_of(option) != ValueKind::none) spec += ":" + literal(value_name(option)) + ":" + action_of(option, program);
+    if (kind_of(option) != ValueKind::none)
+      spec += ":" + literal(value_name(option)) + ":" + action_of(option, program);
     lines += " \\\n        " + word(spec);
   }
   return lines;
@@ -94,7 +94,8 @@ std::string zsh_completion(const Description& description) {
   }
   std::string options;
   for (const OptionHelp& option : description.options) options += option_lines(option, description.program);
-  return fmt::format(fmt::runtime(script), description.program, fmt::join(kinds::built_in_names(), " "), commands, options, cases);
+  return fmt::format(fmt::runtime(script), description.program, fmt::join(kinds::built_in_names(), " "), commands,
+                     options, cases);
 }
 
 }  // namespace csgsim::app

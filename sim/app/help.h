@@ -17,9 +17,9 @@ struct OptionHelp {
   std::string type;                ///< what is given: TEXT, UINT, FLOAT; none for a flag
   std::string meaning;
   std::vector<std::string> words;  ///< that it takes; none if it takes any
-  std::string range;       ///< of its numbers
-  std::string usual;       ///< what it is if it is not given
-  bool is_needed = false;  ///< the command does nothing without it
+  std::string range;               ///< of its numbers
+  std::string usual;               ///< what it is if it is not given
+  bool is_needed = false;          ///< the command does nothing without it
   bool takes_several = false;
 };
 

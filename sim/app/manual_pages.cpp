@@ -43,8 +43,9 @@ std::string paragraphs(const std::string& text) {
 std::string heading(const Description& of, const std::string& name, const std::string& meaning) {
   std::string title = name;
   for (char& letter : title) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-  return fmt::format(".TH {} 1 {} \"{} {}\"\n.SH NAME\n{} \\- {}\n", roff(title), of.date, of.program, of.version,
-                     roff(name), roff(meaning));
+  // Neither hyphens nor wide gaps: names of options are long.
+  return fmt::format(".TH {} 1 {} \"{} {}\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n", roff(title), of.date, of.program,
+                     of.version, roff(name), roff(meaning));
 }
 
 std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fR"; }

@@ -48,12 +48,12 @@ class Shells {
       zmodload zsh/zpty
       zpty inner zsh -f -i
       zpty -w inner "unset zle_bracketed_paste; PS1=; fpath=($1 \$fpath); autoload -Uz compinit; compinit -D -u"
-      zpty -w inner 'function csgsim() { print -r -- "got:${*}:got" }; print rea""dy'
+      zpty -w inner 'function csgsim() { print -r -- "<""<$*>"">" }; print rea""dy'
       local text= all=
       while [[ $all != *ready* ]] { zpty -r inner text || break; all+=$text }
       zpty -w -n inner $2$'\t\n'
-      while [[ $all != *:got* ]] { zpty -r inner text || break; all+=$text }
-      print -r -- "${${all##*got:}%%:got*}"
+      while [[ $all != *\<\<*\>\>* ]] { zpty -r inner text || break; all+=$text }
+      print -r -- "${${all##*<<}%%>>*}"
       zpty -d inner
     )zsh";
     const Outcome outcome = run_program(
@@ -91,6 +91,16 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
+/// Options of a command's help, every long name.
+std::vector<std::string> long_names(const std::string& command) {
+  std::vector<std::string> names;
+  for (const std::string& head : option_heads(command)) {
+    for (std::size_t at = head.find("--"); at != std::string::npos; at = head.find("--", at + 2))
+      names.push_back(head.substr(at, head.find_first_of(" ,", at) - at));
+  }
+  return names;
+}
+
 }  // namespace
 
 TEST_CASE("the shells find nothing wrong in the files of their completion") {
@@ -109,6 +119,7 @@ TEST_CASE("bash completes commands, options, words, machines and files") {
   CHECK(shells.bash({"csgsim", "render", "--strategy", "=", "st"}) == Words{"stack"});
   CHECK(shells.bash({"csgsim", "render", "one.csg", "--machine", "pixel-p"}) == machines_that_begin("pixel-p"));
   CHECK(shells.bash({"csgsim", "compare", "--machines", "scan-line,multi"}) == Words{"scan-line,multi-processor"});
+  CHECK(shells.bash({"csgsim", "render", "--colour-scheme", "Tom"}) == Words{"Tomorrow", "Tomorrow Night"});
   CHECK(shells.bash({"csgsim", "render", ""}) == Words{"one.csg", "two.csg"});
   CHECK(shells.bash({"csgsim", "render", "-o", "o"}) == Words{"one.csg"});
   CHECK(shells.bash({"csgsim", "render", "--quiet", "t"}) == Words{"two.csg"});
@@ -122,6 +133,7 @@ TEST_CASE("fish completes commands, options, words, machines and files") {
   CHECK(shells.fish("csgsim ren") == Words{"render"});
   CHECK(shells.fish("csgsim render --strat") == Words{"--strategy"});
   CHECK(shells.fish("csgsim render --strategy st") == Words{"stack"});
+  CHECK(shells.fish("csgsim render --colour-scheme Tom") == Words{"Tomorrow", "Tomorrow Night"});
   CHECK(shells.fish("csgsim render one.csg --machine pixel-p") == machines_that_begin("pixel-p"));
   CHECK(shells.fish("csgsim render o") == Words{"one.csg"});
   CHECK(shells.fish("csgsim render -o tw") == Words{"two.csg"});
@@ -130,9 +142,10 @@ TEST_CASE("fish completes commands, options, words, machines and files") {
 TEST_CASE("zsh completes what is typed before the tabulator: commands, options, words, machines and files") {
   const Shells shells;
   CHECK(shells.zsh("csgsim ren") == "render");
-  CHECK(shells.zsh("csgsim render --strat") == "render --strategy=");
+  CHECK(shells.zsh("csgsim render --strat") == "render --strategy");
   CHECK(shells.zsh("csgsim render --strategy=st") == "render --strategy=stack");
   CHECK(shells.zsh("csgsim render one.csg --machine scan") == "render one.csg --machine scan-line");
+  CHECK(shells.zsh("csgsim render --colour-scheme=Tomorrow\\ ") == "render --colour-scheme=Tomorrow Night");
   CHECK(shells.zsh("csgsim compare --machines multi") == "compare --machines multi-processor");
   CHECK(shells.zsh("csgsim render o") == "render one.csg");
   CHECK(shells.zsh("csgsim render -o tw") == "render -o two.csg");
@@ -147,13 +160,11 @@ TEST_CASE("every command is completed, and of each every option that its help ha
     CHECK(has(first, command));
     CHECK(shells.fish("csgsim " + command) == shells.bash({"csgsim", command}));
     const std::vector<std::string> bash = shells.bash({"csgsim", command, "-"});
-    std::vector<std::string> fish = shells.fish("csgsim " + command + " --");
+    const std::vector<std::string> fish = shells.fish("csgsim " + command + " --");
     const std::size_t begin = zsh.find("    " + command + ")\n");
     REQUIRE(begin != std::string::npos);
     const std::string zsh_case = zsh.substr(begin, zsh.find(";;", begin) - begin);
-    for (const std::string& head : option_heads(command)) {
-      const std::size_t at = head.find("--");
-      const std::string option = head.substr(at, head.find(' ', at) - at);
+    for (const std::string& option : long_names(command)) {
       CAPTURE(option);
       CHECK(has(bash, option));
       CHECK(has(fish, option));
