@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/app/settings_file.h"
@@ -130,11 +131,15 @@ class Command {
   [[nodiscard]] const std::vector<std::string>& arguments() const;
 
   [[nodiscard]] RunWatch& watch() const;
+
   /// The same with those that were not given but have a value by default.
   [[nodiscard]] std::vector<GivenOption> settings() const;
 
   /// The command with all that was given, operands first and long names, for a POSIX shell.
   [[nodiscard]] std::string typed() const;
+  /// The command line as it was read: the command's name, its operands, and each option, but for those named, by its
+  /// long name. Read again, it says the same.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but) const;
 
  private:
   CLI::App* command_;

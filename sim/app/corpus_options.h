@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
 #include "sim/study/corpus.h"
+#include "sim/study/shard.h"
 
 namespace csgsim::app {
 
@@ -19,6 +21,7 @@ struct CorpusOptions {
   std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5,multi-processor";
   std::string folder;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::optional<study::Shard> shard;
   bool no_plots = false;
   std::string progress = "auto";
 
