@@ -32,6 +32,7 @@ debootstrap --variant=minbase bookworm "$root" "$mirror" >"$root.log" 2>&1 || {
   exit 1
 }
 rm -f "$root.log"
+mountpoint -q "$root/proc" || mount -t proc proc "$root/proc" # where programs look up their own folder
 echo "$(inside dpkg-query -W | wc -l) packages, Debian $(cat "$root/etc/debian_version")"
 
 step "apt install ./csgsim*.deb"
