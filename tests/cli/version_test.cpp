@@ -19,9 +19,8 @@ std::string trimmed(const std::string& text) {
 std::string told_of(const Folder& folder, const std::string& source, const std::string& given) {
   const std::string output = folder / "commit.cpp";
   fs::remove(output);
-  const Outcome outcome =
-      run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
-                            std::string(CSGSIM_SOURCE_DIR) + "/cmake/commit.cmake"});
+  const Outcome outcome = run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
+                                                std::string(CSGSIM_SOURCE_DIR) + "/cmake/commit.cmake"});
   REQUIRE(outcome.code == 0);
   std::smatch found;
   const std::string text = content(output);
@@ -49,17 +48,17 @@ TEST_CASE("--version tells the version, the commit and its day, the build and th
 
 TEST_CASE("--version tells the libraries by the numbers that pkg-config has of them") {
   const std::string told = run("--version").out;
-  for (const auto& [name, package] : {std::pair<std::string, std::string>{"libpng", "libpng"},
-                                      {"zlib", "zlib"},
-                                      {"fmt", "fmt"},
-                                      {"pugixml", "pugixml"},
-                                      {"OpenImageIO", "OpenImageIO"},
-                                      {"HarfBuzz", "harfbuzz"},
-                                      {"libedit", "libedit"}}) {
-    CAPTURE(name);
-    const Outcome version = run_program("pkg-config", {"--modversion", package});
+  for (const auto& library : {std::pair<std::string, std::string>{"libpng", "libpng"},
+                              {"zlib", "zlib"},
+                              {"fmt", "fmt"},
+                              {"pugixml", "pugixml"},
+                              {"OpenImageIO", "OpenImageIO"},
+                              {"HarfBuzz", "harfbuzz"},
+                              {"libedit", "libedit"}}) {
+    CAPTURE(library.first);
+    const Outcome version = run_program("pkg-config", {"--modversion", library.second});
     REQUIRE(version.code == 0);
-    CHECK((told + ",").find(" " + name + " " + trimmed(version.out)) != std::string::npos);
+    CHECK((told + ",").find(" " + library.first + " " + trimmed(version.out)) != std::string::npos);
   }
 }
 
