@@ -17,9 +17,10 @@ class Steps:
         self.not_run = NOT_RUN + tuple(not_run)
 
     def texts(self):
-        found, lines = [], []
+        found, lines, is_printed = [], [], False
         for line in (ROOT / self.page).read_text(encoding="utf-8").splitlines() + [""]:
-            if line.startswith("    "):
+            is_printed ^= line.startswith("```")
+            if line.startswith("    ") and not is_printed:
                 lines.append(line[4:])
             elif lines:
                 found.append("\n".join(each for each in lines if not each.startswith(self.not_run)))

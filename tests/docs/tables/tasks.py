@@ -36,14 +36,18 @@ class Wave:
         self.samples.append(held)
 
     def streamed(self, signal, width):
-        """The number of `width` bits that a wire carries, a bit a clock from the lowest on; its index is beside it."""
-        bits = {}
-        for sample in self.samples:
-            index, bit = sample.get(self.names[signal + "_bit"], "x"), sample.get(self.names[signal])
-            if set(index) <= {"0", "1"} and bit in ("0", "1"):
-                bits.setdefault(int(index, 2), int(bit))
-        value = sum(bits[i] << i for i in range(width))
-        return value - (bits[width - 1] << width)
+        """The first number of `width` bits that a wire carries whole, a bit a clock from the lowest on. Their indices
+        are on the wire beside it; those of a number that began before the window have no lowest bit."""
+        bits = []
+        for sample in self.samples[1:]:
+            index, bit = int(sample[self.names[signal + "_bit"]], 2), int(sample[self.names[signal]])
+            if index == 0:
+                bits = [bit]
+            elif bits and index == len(bits):
+                bits.append(bit)
+            if len(bits) == width:
+                return sum(each << i for i, each in enumerate(bits)) - (bits[-1] << width)
+        raise ValueError(f"no number of {width} bits is on {signal}")
 
 
     def instruction(self):
