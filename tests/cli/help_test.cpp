@@ -86,7 +86,8 @@ TEST_CASE("the commands of the examples in help go on behind a backslash, as a s
 TEST_CASE("whatever word an option takes, a wrong one is told with the nearest and all that there are") {
   std::map<std::string, std::string> asked;
   for (const std::string& command : commands()) {
-    for (const auto& [option, told] : options_of(command)) {
+    for (const auto& [name, told] : options_of(command)) {
+      const std::string& option = name;  // clang cannot capture a part of a pair
       const std::string word = longest_word(told);
       if (word.empty()) continue;
       asked[option] = command;
