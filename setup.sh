@@ -9,6 +9,11 @@ Usage: ./setup.sh COMMAND
   demo   draw a model at both fidelity levels; pictures and counts in build/demo/
   test   build everything and run the whole test suite
   build  build build/release/csgsim
+  package
+         make the Debian packages csgsim and libcsgsim-dev in build/, for apt install ./build/csgsim*.deb
+  install-test
+         install that package in a bare Debian 12, which is downloaded into a chroot, and draw there; the log is
+         build/install-test.log
   asan   build everything with clang, warnings as errors, with address and undefined-behaviour sanitizers, and run the
          suite
   fuzz MINUTES [RUNS]
@@ -41,7 +46,7 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcgal-dev libpolyclipping-dev libpugixml-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
 test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
-  python3"
+  python3 man-db mandoc zsh fish"
 clang_packages="clang libclang-rt-14-dev"
 
 as_root() {
@@ -189,8 +194,29 @@ docs() {
   return "${failed:-0}"
 }
 
+package() {
+  # shellcheck disable=SC2086
+  need $build_packages dpkg-dev file
+  build package
+  rm -rf build/package/packages
+  cpack --config build/package/CPackConfig.cmake -B build/package/packages
+  rm -f build/csgsim_*.deb build/libcsgsim-dev_*.deb
+  mv build/package/packages/*.deb build/
+  ls -l build/*.deb
+}
+
+install_test() {
+  package
+  need debootstrap
+  as_root tests/install/bare_debian.sh build/csgsim_*.deb >build/install-test.log 2>&1 || failed=$?
+  cat build/install-test.log
+  return "${failed:-0}"
+}
+
 case "${1:-}" in
   demo) demo ;;
+  package) package ;;
+  install-test) install_test ;;
   docs)
     shift
     docs "$@"

@@ -30,3 +30,14 @@ find_path(SYSTEMC_INCLUDE_DIR systemc REQUIRED)
 # And the command line.
 find_package(CLI11 REQUIRED)
 pkg_check_modules(libedit REQUIRED IMPORTED_TARGET libedit)
+
+# What csgsim --version tells of them. Clipper's and freetype's pkg-config files do not have their numbers.
+file(STRINGS ${SYSTEMC_INCLUDE_DIR}/sysc/kernel/sc_ver.h systemc_numbers REGEX "#define SC_VERSION_(MAJOR|MINOR|PATCH) ")
+string(REGEX REPLACE "[^0-9]*([0-9]+);[^0-9]*([0-9]+);[^0-9]*([0-9]+).*" "\\1.\\2.\\3" SYSTEMC_VERSION "${systemc_numbers}")
+file(STRINGS ${polyclipping_INCLUDEDIR}/clipper.hpp CLIPPER_VERSION REGEX "#define CLIPPER_VERSION ")
+string(REGEX REPLACE ".*\"(.*)\".*" "\\1" CLIPPER_VERSION "${CLIPPER_VERSION}")
+string(JOIN ", " CSGSIM_BUILT_WITH
+  "SystemC ${SYSTEMC_VERSION}" "OpenImageIO ${OpenImageIO_VERSION}" "libpng ${PNG_VERSION_STRING}" "zlib ${ZLIB_VERSION_STRING}"
+  "HarfBuzz ${harfbuzz_VERSION}" "Fontconfig ${fontconfig_VERSION}" "Clipper ${CLIPPER_VERSION}" "pugixml ${pugixml_VERSION}"
+  "GLM ${glm_VERSION}" "Highway ${hwy_VERSION}" "Boost ${Boost_VERSION}" "PEGTL ${pegtl_VERSION}" "toml++ ${tomlplusplus_VERSION}"
+  "nlohmann-json ${nlohmann_json_VERSION}" "fmt ${fmt_VERSION}" "CLI11 ${CLI11_VERSION}" "libedit ${libedit_VERSION}")

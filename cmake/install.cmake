@@ -1,14 +1,36 @@
 include(CMakePackageConfigHelpers)
 
-get_property(rooms GLOBAL PROPERTY CSGSIM_ROOMS)
-install(TARGETS ${rooms} EXPORT csgsimTargets)
-install(TARGETS csgsim)
+# Two components: what one runs, and what one builds upon (cmake/package.cmake makes a package of each).
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME csgsim)
 set(module_dir ${CMAKE_INSTALL_LIBDIR}/csgsim)
+set(data_dir ${CMAKE_INSTALL_DATADIR}/csgsim)
+
+install(TARGETS csgsim)
 install(TARGETS csgsim_pictures_module csgsim_text_module LIBRARY DESTINATION ${module_dir})
 file(RELATIVE_PATH module_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${module_dir})
 # The build's run path is the longer one: it is not filled up with empty folders, which mean the current one.
 set_target_properties(csgsim PROPERTIES INSTALL_RPATH $ORIGIN/${module_from_program}
   BUILD_RPATH "$ORIGIN;$ORIGIN/${module_from_program}")
+
+# What the program tells of itself: ${CSGSIM_DESCRIPTION} (sim/app). Zsh has no folder that all systems read.
+set(CSGSIM_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Where zsh looks for completion")
+install(DIRECTORY ${CSGSIM_DESCRIPTION}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1.gz")
+install(FILES ${CSGSIM_DESCRIPTION}/csgsim.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME csgsim)
+install(FILES ${CSGSIM_DESCRIPTION}/_csgsim DESTINATION ${CSGSIM_ZSH_COMPLETIONS})
+install(FILES ${CSGSIM_DESCRIPTION}/csgsim.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCLUDE)
+# The machines are in the program; these files are to be read, and to begin one's own with.
+install(DIRECTORY hw/machines/ DESTINATION ${data_dir}/machines FILES_MATCHING PATTERN "*.toml")
+install(DIRECTORY tests/models tests/scenes DESTINATION ${data_dir}/examples FILES_MATCHING
+  PATTERN "*.csg" PATTERN "*.scad" PATTERN "*.toml" PATTERN "README.md" PATTERN solids EXCLUDE)
+install(DIRECTORY tests/corpus/parts DESTINATION ${data_dir}/examples)
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+get_property(rooms GLOBAL PROPERTY CSGSIM_ROOMS)
+install(TARGETS ${rooms} EXPORT csgsimTargets)
 foreach(folder hw host sim)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgsim FILES_MATCHING PATTERN "*.h"
     PATTERN "sim/app" EXCLUDE)
@@ -21,4 +43,16 @@ configure_package_config_file(cmake/csgsimConfig.cmake.in ${PROJECT_BINARY_DIR}/
   INSTALL_DESTINATION ${package_dir} PATH_VARS module_dir NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 install(FILES ${PROJECT_BINARY_DIR}/csgsimConfig.cmake ${PROJECT_BINARY_DIR}/csgsimConfigVersion.cmake
   DESTINATION ${package_dir})
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# For builds without CMake. The rooms need one another in all directions: they are searched as a group.
+set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${pkgconfig_dir} /prefix)
+set(room_libraries "")
+foreach(room IN LISTS rooms)
+  get_target_property(type ${room} TYPE)
+  if(type STREQUAL STATIC_LIBRARY)
+    string(APPEND room_libraries "-l${room} ")
+  endif()
+endforeach()
+configure_file(cmake/csgsim.pc.in ${PROJECT_BINARY_DIR}/csgsim.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/csgsim.pc DESTINATION ${pkgconfig_dir})

@@ -54,7 +54,7 @@ void write_results(const study::Gathered& gathered, const std::string& output, c
   if (gathered.inputs.csgsim != version_and_build())
     tell_line(
         fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, version_and_build()));
-  CommandLine line("csgsim: studies that were gathered", "csgsim", "");
+  CommandLine line("csgsim: studies that were gathered", "csgsim");
 #define CSGSIM_ADD_STUDY(name) gather_##name(line, gathered);
   CSGSIM_STUDIES(CSGSIM_ADD_STUDY)
 #undef CSGSIM_ADD_STUDY

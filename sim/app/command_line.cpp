@@ -10,22 +10,17 @@
 #include "hw/base/nearest.h"
 #include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
+#include "sim/app/describe_app.h"
 #include "sim/app/help.h"
 #include "sim/app/read_by.h"
 #include "sim/app/settings_app.h"
 #include "sim/app/usage.h"
+#include "sim/app/version.h"
 #include "sim/study/ranges.h"
 
 namespace csgsim::app {
 
 namespace {
-
-/// Of the checks that help tells of.
-constexpr const char* words_name = "words";
-constexpr const char* range_name = "range";
-
-/// Of options that help does not show.
-constexpr const char* hidden_group = "Hidden";
 
 /// What a word of the option is called.
 std::string kind_of(const CLI::Option& option) {
@@ -59,7 +54,7 @@ Option& Option::list_of(const std::vector<std::string>& names, const std::string
 
 Option& Option::words(const std::vector<std::string>& words, const Check& check) {
   option_->check(CLI::Validator([check](std::string& text) { return check(text); },
-                                fmt::format("{}", fmt::join(words, ", ")), words_name));
+                                fmt::format("{}", fmt::join(words, ", ")), words_check));
   return *this;
 }
 
@@ -69,7 +64,7 @@ Option& Option::between(unsigned low, unsigned high) { return within(CLI::Range(
 
 template <class Range, class Number>
 Option& Option::within(Range&& range, Number low, Number high) {
-  option_->check(range.name(range_name).description(fmt::format("{} to {}", low, high)));
+  option_->check(range.name(range_check).description(fmt::format("{} to {}", low, high)));
   return *this;
 }
 
@@ -251,43 +246,6 @@ std::vector<KnownCommand> known_commands(const CLI::App& app) {
   return known;
 }
 
-/// What a check of that name tells of itself; empty if there is none.
-std::string told_by(CLI::Option& option, const char* check) {
-  try {
-    return option.get_validator(check)->get_description();
-  } catch (const CLI::OptionNotFound&) {
-    return {};
-  }
-}
-
-OptionHelp help_of_option(CLI::Option& option) {
-  OptionHelp help;
-  if (option.get_positional()) {
-    help.names.push_back(option.get_name());
-  } else {
-    for (const std::string& name : option.get_snames()) help.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames()) help.names.push_back("--" + name);
-  }
-  const std::string type = option.get_type_name();
-  help.type = option.get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
-  help.meaning = option.get_description();
-  help.words = told_by(option, words_name);
-  help.range = told_by(option, range_name);
-  help.usual = option.get_default_str();
-  help.is_needed = option.get_required();
-  help.takes_several = option.get_items_expected_max() > 1;
-  return help;
-}
-
-CommandHelp help_of_command(CLI::App& app) {
-  CommandHelp help{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
-  for (CLI::Option* const option : app.get_options()) {
-    if (option->get_group() == hidden_group) continue;
-    (option->get_positional() ? help.operands : help.options).push_back(help_of_option(*option));
-  }
-  return help;
-}
-
 /// For the command that was asked about, or for all.
 std::string help_of_app(CLI::App& app) {
   const std::vector<CLI::App*> asked = app.get_subcommands();
@@ -299,10 +257,15 @@ std::string help_of_app(CLI::App& app) {
 
 }  // namespace
 
-CommandLine::CommandLine(const std::string& description, const std::string& program, const std::string& version)
+CommandLine::CommandLine(const std::string& description, const std::string& program)
     : app_(make_settings_app(description, program)) {
   app_->require_subcommand(1);
-  app_->set_version_flag("--version", version);
+  app_->set_version_flag("--version", version_page, "Print version, commit, build and libraries");
+  const auto write_pages = [app = app_.get()](const std::string& folder) {
+    write_description(describe(*app), folder);
+    throw CLI::Success();
+  };
+  app_->add_option_function<std::string>("--describe", write_pages)->group(hidden_group);
 }
 
 CommandLine::~CommandLine() = default;

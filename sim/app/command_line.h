@@ -148,7 +148,8 @@ class Command {
 /// A command line that asks for one of several commands.
 class CommandLine {
  public:
-  CommandLine(const std::string& description, const std::string& program, const std::string& version);
+  /// Has --version, and --describe FOLDER, which writes manual pages and shells' completion there.
+  CommandLine(const std::string& description, const std::string& program);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;

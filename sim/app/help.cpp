@@ -16,9 +16,10 @@ constexpr std::size_t indent = 2;
 constexpr std::size_t text_column = 26;
 constexpr std::string_view continued = " \\";
 
-/// The words from a column on, broken before help_columns - `kept`; each line but the last ends with `mark`. A word
+/// The words from a column on, none beyond `columns`; each line but the last ends with `mark`. A word
 /// that is longer than a line stays whole.
-std::string wrapped(std::string_view text, std::size_t column, std::size_t next_column, std::string_view mark = {}) {
+std::string wrapped(std::string_view text, std::size_t column, std::size_t next_column, std::string_view mark = {},
+                    std::size_t columns = help_columns) {
   std::string lines;
   std::size_t at = column;
   bool is_first = true;
@@ -27,7 +28,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t next_
     const std::string_view word = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::size_t needed = at + (is_first ? 0 : 1) + word.size() + (text.empty() ? 0 : mark.size());
-    if (!is_first && needed > help_columns) {
+    if (!is_first && needed > columns) {
       lines += fmt::format("{}\n{}{}", mark, std::string(next_column, ' '), word);
       at = next_column + word.size();
     } else {
@@ -37,13 +38,6 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t next_
     is_first = false;
   }
   return lines;
-}
-
-std::string value_name(const OptionHelp& option, std::string_view subject_value) {
-  if (option.type.empty()) return {};
-  if (!subject_value.empty()) return " " + std::string(subject_value);
-  if (!option.words.empty()) return " WORD";
-  return option.type == "UINT" ? " N" : option.type == "FLOAT" ? " X" : " TEXT";
 }
 
 /// A long list has blanks behind its commas, so that it can go on in the next line.
@@ -56,7 +50,7 @@ std::string breakable(std::string list) {
 
 std::string meaning_of(const OptionHelp& option) {
   std::string text = option.meaning;
-  if (!option.words.empty()) text += fmt::format(". Words: {}", option.words);
+  if (!option.words.empty()) text += fmt::format(". Words: {}", fmt::join(option.words, ", "));
   std::string remarks;
   const auto remark = [&](const std::string& one) { remarks += (remarks.empty() ? "" : "; ") + one; };
   if (!option.range.empty()) remark(option.range);
@@ -76,11 +70,6 @@ std::string line_of(const std::string& names, const std::string& meaning) {
   return line + wrapped(meaning, text_column, text_column) + "\n";
 }
 
-std::string long_name(const OptionHelp& option) {
-  const auto found = std::ranges::find_if(option.names, [](const std::string& name) { return name.starts_with("--"); });
-  return found == option.names.end() ? std::string() : found->substr(2);
-}
-
 std::string operand_lines(const CommandHelp& command) {
   std::string text;
   for (const OptionHelp& operand : command.operands)
@@ -89,20 +78,14 @@ std::string operand_lines(const CommandHelp& command) {
 }
 
 std::string option_lines(const CommandHelp& command) {
-  struct Placed {
-    const OptionSubject* subject;
-    const OptionHelp* option;
-  };
-  std::vector<Placed> placed;
-  for (const OptionHelp& option : command.options) placed.push_back({&subject_of_option(long_name(option)), &option});
-  std::ranges::stable_sort(placed, {}, [](const Placed& one) { return place_of_subject(one.subject->subject); });
   std::string text;
-  std::string_view subject;
-  for (const auto& [of, option] : placed) {
-    if (of->subject != subject) text += fmt::format("\n{}:\n", of->subject);
-    subject = of->subject;
-    text += line_of(fmt::format("{}{}", fmt::join(option->names, ", "), value_name(*option, of->value)),
-                    meaning_of(*option));
+  for (const auto& [subject, options] : by_subject(command.options)) {
+    text += fmt::format("\n{}:\n", subject);
+    for (const OptionHelp* const option : options) {
+      const std::string value = value_name(*option);
+      text += line_of(fmt::format("{}{}{}", fmt::join(option->names, ", "), value.empty() ? "" : " ", value),
+                      meaning_of(*option));
+    }
   }
   return text;
 }
@@ -120,22 +103,6 @@ std::string joined(std::string_view line) {
   return text;
 }
 
-/// Commands go on behind a backslash, as a shell takes them.
-std::string footer_lines(std::string_view footer) {
-  std::string text;
-  while (!footer.empty()) {
-    const std::size_t end = std::min(footer.find('\n'), footer.size());
-    const std::string_view line = footer.substr(0, end);
-    footer.remove_prefix(std::min(end + 1, footer.size()));
-    const bool is_command = line.starts_with("  ");
-    text +=
-        is_command ? "  " + wrapped(joined(line.substr(indent)), indent, indent + 4, continued) : wrapped(line, 0, 0);
-    text += '\n';
-  }
-  std::ranges::replace(text, joint, ' ');
-  return text;
-}
-
 std::string usage_line(const CommandHelp& command) {
   std::string line = fmt::format("Usage: csgsim {} [OPTIONS]", command.name);
   for (const OptionHelp& operand : command.operands) {
@@ -147,11 +114,51 @@ std::string usage_line(const CommandHelp& command) {
 
 }  // namespace
 
+std::string long_name(const OptionHelp& option) {
+  const auto found = std::ranges::find_if(option.names, [](const std::string& name) { return name.starts_with("--"); });
+  return found == option.names.end() ? std::string() : found->substr(2);
+}
+
+std::string value_name(const OptionHelp& option) {
+  if (option.type.empty()) return {};
+  const std::string_view value = subject_of_option(long_name(option)).value;
+  if (!value.empty()) return std::string(value);
+  if (!option.words.empty()) return "WORD";
+  return option.type == "UINT" ? "N" : option.type == "FLOAT" ? "X" : "TEXT";
+}
+
+std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
+  std::vector<SubjectHelp> subjects;
+  for (const OptionHelp& option : options) {
+    const std::string_view subject = subject_of_option(long_name(option)).subject;
+    auto found = std::ranges::find(subjects, subject, &SubjectHelp::subject);
+    if (found == subjects.end()) found = subjects.insert(found, SubjectHelp{subject, {}});
+    found->options.push_back(&option);
+  }
+  std::ranges::sort(subjects, {}, [](const SubjectHelp& one) { return place_of_subject(one.subject); });
+  return subjects;
+}
+
+std::string footer_lines(std::string_view footer, std::size_t columns) {
+  std::string text;
+  while (!footer.empty()) {
+    const std::size_t end = std::min(footer.find('\n'), footer.size());
+    const std::string_view line = footer.substr(0, end);
+    footer.remove_prefix(std::min(end + 1, footer.size()));
+    const bool is_command = line.starts_with("  ");
+    text += is_command ? "  " + wrapped(joined(line.substr(indent)), indent, indent + 4, continued, columns)
+                       : wrapped(line, 0, 0, {}, columns);
+    text += '\n';
+  }
+  std::ranges::replace(text, joint, ' ');
+  return text;
+}
+
 std::string help_of(const CommandHelp& command) {
   std::string text = wrapped(command.meaning, 0, 0) + "\n" + usage_line(command);
   if (!command.operands.empty()) text += "\n" + operand_lines(command);
   text += option_lines(command);
-  if (!command.footer.empty()) text += "\n" + footer_lines(command.footer);
+  if (!command.footer.empty()) text += "\n" + footer_lines(command.footer, help_columns);
   return text;
 }
 

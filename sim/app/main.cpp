@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
   csgsim::keep_standard_numbers();
   csgsim::delete_partial_files_on_signals();
   csgsim::app::CommandLine line(
-      "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models", "csgsim",
-      "csgsim " CSGSIM_VERSION);
+      "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models",
+      "csgsim");
   add_commands(line);
   const int code = run(line, {argv, static_cast<std::size_t>(argc)});
   return code == 0 && !printed() ? not_printed() : code;

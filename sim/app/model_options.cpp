@@ -112,6 +112,12 @@ void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
   }
 }
 
+std::string said_pruning(const ModelOptions& options) {
+  if (options.without.empty()) return options.pruning;
+  if (options.pruning != "all") throw UsageError("--without", "is the older way to say --pruning; take one of them");
+  return pruning_without(options.without);
+}
+
 }  // namespace
 
 const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
@@ -172,7 +178,6 @@ void ModelOptions::add_to(Command& command, const std::string& what) {
   command.option("--without", without, "Prunings to leave out, with commas")
       .comma_list()
       .one_of(left_out_words(), "pruning")
-      .excludes("--pruning")
       .hidden();
 }
 
@@ -228,7 +233,7 @@ emit::Options emit_options_of(const ModelOptions& options) {
   emit.colour_bits = options.colour_bits;
   emit.scene = options.scene();
   emit.effects = effects::all();
-  emit.pruning = pruning_of(options.without.empty() ? options.pruning : pruning_without(options.without));
+  emit.pruning = pruning_of(said_pruning(options));
   return emit;
 }
 

@@ -34,6 +34,7 @@ std::string explain(std::span<const KnownCommand> commands, std::string_view rea
   const std::string help = fmt::format("see csgsim {} --help", command->name);
   const std::vector<std::string>& known = command->options;
   for (const std::string_view argument : arguments.subspan(2)) {
+    if (argument == "--") break;
     const std::string_view word = argument.substr(0, argument.find('='));
     const bool unknown = word.starts_with("--") && std::find(known.begin(), known.end(), word) == known.end();
     if (unknown) return fmt::format("there is no option {};{} {}", word, did_you_mean(word, known), help);

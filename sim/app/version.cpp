@@ -9,6 +9,8 @@
 #include <span>
 #include <string_view>
 
+#include "sim/app/commit.h"
+
 namespace csgsim::app {
 
 namespace {
@@ -51,12 +53,28 @@ int find_id(dl_phdr_info* object, std::size_t /*size*/, void* found) {
   return 1;
 }
 
-}  // namespace
-
-std::string version_and_build() {
+/// Empty if there is none.
+std::string build_id() {
   std::string id;
   ::dl_iterate_phdr(find_id, &id);
-  return CSGSIM_VERSION + (id.empty() ? "" : " " + id);
+  return id;
 }
+
+}  // namespace
+
+std::string version() { return CSGSIM_VERSION; }
+
+std::string version_and_build() {
+  const std::string id = build_id();
+  return version() + (id.empty() ? "" : " " + id);
+}
+
+std::string version_page() {
+  const std::string id = build_id();
+  return fmt::format("csgsim {}\ncommit {}, {}\nbuild {}\nbuilt with {}", version(), commit, commit_date,
+                     id.empty() ? "unknown" : id, CSGSIM_BUILT_WITH);
+}
+
+std::string date_of_sources() { return commit_date; }
 
 }  // namespace csgsim::app

@@ -45,7 +45,7 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
     };
     if (::chdir(where.c_str()) == 0 && connect("/dev/null", O_RDONLY, STDIN_FILENO) &&
         connect(out, O_WRONLY | O_CREAT, STDOUT_FILENO) && connect(err, O_WRONLY | O_CREAT, STDERR_FILENO))
-      ::execv(arguments.front(), arguments.data());
+      ::execvp(arguments.front(), arguments.data());
     std::_Exit(127);
   }
   int status = 0;

@@ -47,7 +47,7 @@ void write(const std::string& path, const std::string& text);
 Outcome run(const std::string& words);
 /// Runs csgsim with these words, whatever they are, in the folder, with files for its output.
 Outcome run_words(const std::vector<std::string>& words, const fs::path& where = ".");
-/// The same with another program than csgsim.
+/// The same with another program than csgsim, found as the shell would find it.
 Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& where = ".");
 std::string model(const std::string& name);
 nlohmann::json json(const std::string& path);

@@ -3,31 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/cli/cli.h"
+#include "tests/cli/help_lines.h"
 
 using namespace csgsim::testing::cli;
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream all(text);
-  for (std::string line; std::getline(all, line);) lines.push_back(line);
-  return lines;
-}
-
-/// As csgsim --help lists them.
-std::vector<std::string> commands() {
-  std::vector<std::string> names;
-  for (const std::string& line : lines_of(run("--help").out)) {
-    if (line.starts_with("  ") && line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
-  }
-  return names;
-}
 
 /// Options as a command's help lists them: what is said of each, on one line, by its last name.
 std::map<std::string, std::string> options_of(const std::string& command) {
@@ -102,7 +86,8 @@ TEST_CASE("the commands of the examples in help go on behind a backslash, as a s
 TEST_CASE("whatever word an option takes, a wrong one is told with the nearest and all that there are") {
   std::map<std::string, std::string> asked;
   for (const std::string& command : commands()) {
-    for (const auto& [option, told] : options_of(command)) {
+    for (const auto& [name, told] : options_of(command)) {
+      const std::string& option = name;  // clang cannot capture a part of a pair
       const std::string word = longest_word(told);
       if (word.empty()) continue;
       asked[option] = command;

@@ -32,7 +32,8 @@ TEST_CASE("prunings that make no sense together are refused") {
   misused("render m.csg --pruning space+no-sets", "says both what is done and what is not");
   misused("render m.csg --pruning space+", "there is no pruning ''");
   misused("render m.csg --pruning no-spice", "did you mean no-space?");
-  misused("render m.csg --pruning none --without sets", "--without excludes --pruning");
+  misused("render " + model("old_example002") + " --pruning none --without sets",
+          "--without: is the older way to say --pruning; take one of them");
 }
 
 TEST_CASE("a sweep and a comparison of two runs say prunings by the same words") {

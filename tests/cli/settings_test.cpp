@@ -61,6 +61,7 @@ const std::set<std::string> without_options{"isa", "scene"};
 /// alone needs a line here.
 const std::map<std::string, std::string> samples{{"projection", "\"perspective\""},
                                                  {"strategy", "\"list\""},
+                                                 {"colour-scheme", "\"Metallic\""},
                                                  {"colouring", "\"field\""},
                                                  {"level", "\"reference\""},
                                                  {"level-a", "\"reference\""},
@@ -69,7 +70,13 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"without-a", "[\"hidden\", \"sets\"]"},
                                                  {"without-b", "[\"hidden\", \"sets\"]"},
                                                  {"pruning", "\"none\""},
+                                                 {"strategy-a", "\"list\""},
+                                                 {"strategy-b", "\"list\""},
+                                                 {"pruning-a", "\"none\""},
+                                                 {"pruning-b", "\"none\""},
+                                                 {"shard", "\"2/3\""},
                                                  {"progress", "\"none\""},
+                                                 {"report", "\"page.html\""},
                                                  {"depth", "\"z.exr\""},
                                                  {"owner", "\"o.png\""},
                                                  {"tolerance", "\"0.5px\""},
@@ -84,7 +91,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"parts", "\"speed\""}};
 
 /// Options that stand in place of others, which they exclude.
-const std::set<std::string> alone{"point", "tolerances"};
+const std::set<std::string> alone{"point", "tolerances", "without-a", "without-b"};
 
 std::string sample(const std::string& command, const Key& key) {
   const auto found = samples.find(key.name);

@@ -40,7 +40,7 @@ std::vector<std::string> with_plots(const std::string& json, const std::vector<s
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"render", "render" + small_model + pictures, picture_files, "", 0, 8},
-      {"render to standard output", "render" + small_model + " --stats /dev/stdout", {}, "", 0, 8},
+      {"render to standard output", "render" + small_model + " --quiet --stats /dev/stdout", {}, "", 0, 8},
       {"render with a page",
        "render" + small_model + " --report OUT/p.html --stats OUT/s.json",
        {"p.html", "s.json"},

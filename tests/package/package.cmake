@@ -1,5 +1,5 @@
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... -P package.cmake: installs csgsim, moves it, and builds a project that uses
-# it; both write pictures there.
+# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -P package.cmake: installs csgsim, moves it, and builds a project that uses
+# it, by CMake and by pkg-config; all write pictures there.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY WORKING_DIRECTORY ${WORK})
 endfunction()
@@ -18,6 +18,33 @@ run(${CMAKE_COMMAND} --build ${WORK}/user)
 run(${WORK}/user/user)
 require_file(user.png)
 require_file(user.tif)
+# The same by pkg-config, without CMake.
+file(REMOVE ${WORK}/user.png ${WORK}/user.tif)
+file(GLOB_RECURSE pkgconfig_file ${WORK}/prefix/*/csgsim.pc)
+cmake_path(GET pkgconfig_file PARENT_PATH pkgconfig_folder)
+run(sh -c "PKG_CONFIG_PATH='${pkgconfig_folder}' pkg-config --cflags --libs csgsim >flags && \
+  ${COMPILER} ${FLAGS} -std=c++20 '${SOURCE}/tests/package/user.cpp' $(cat flags) -o plain_user")
+run(${WORK}/plain_user)
+require_file(user.png)
+require_file(user.tif)
 run(${WORK}/prefix/bin/csgsim --version)
 run(${WORK}/prefix/bin/csgsim render ${SOURCE}/tests/models/old_example011.csg --size 16x16 -o installed.tif)
 require_file(installed.tif)
+# What else is installed.
+foreach(name share/man/man1/csgsim.1.gz share/man/man1/csgsim-render.1.gz share/bash-completion/completions/csgsim
+    share/fish/vendor_completions.d/csgsim.fish share/doc/csgsim/README.md share/doc/csgsim/docs/tutorial.md
+    share/csgsim/examples/parts/vase.csg share/csgsim/examples/scenes/vehicle.toml)
+  require_file(prefix/${name})
+endforeach()
+execute_process(COMMAND ${WORK}/prefix/bin/csgsim machines OUTPUT_VARIABLE built_in COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB machines ${WORK}/prefix/share/csgsim/machines/*.toml)
+set(from_files "")
+foreach(name pixel-planes-4 scan-line pixel-square pixel-planes-5 multi-processor)
+  execute_process(COMMAND ${WORK}/prefix/bin/csgsim machines ${WORK}/prefix/share/csgsim/machines/${name}.toml
+    OUTPUT_VARIABLE one COMMAND_ERROR_IS_FATAL ANY)
+  string(APPEND from_files "${one}")
+endforeach()
+list(LENGTH machines count)
+if(NOT built_in STREQUAL from_files OR NOT count EQUAL 5)
+  message(FATAL_ERROR "the installed machine files are not the built-in machines")
+endif()

@@ -1,0 +1,31 @@
+# Debian packages, by cpack in the build folder: csgsim, and libcsgsim-dev with the libraries.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR "the csgsim authors")
+set(CPACK_PACKAGE_CONTACT ${CPACK_PACKAGE_VENDOR})
+set(CPACK_COMPONENTS_ALL csgsim development)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of the logic-enhanced frame buffers of the 1980s")
+set(CPACK_COMPONENT_CSGSIM_DESCRIPTION "Compiles Constructive Solid Geometry, OpenSCAD's models, into the instructions
+that the host of Pixel-planes or a machine of its kind would have broadcast, and
+runs them on a model of the hardware, word-parallel or clock by clock. Tells what
+each part of the machine takes.")
+set(CPACK_DEBIAN_CSGSIM_PACKAGE_NAME csgsim)
+set(CPACK_DEBIAN_CSGSIM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_CSGSIM_PACKAGE_SHLIBDEPS ON)
+# Plots are drawn by gnuplot; OpenSCAD evaluates its source (.scad) and is not needed for .csg; the usual font of its text.
+set(CPACK_DEBIAN_CSGSIM_PACKAGE_RECOMMENDS "gnuplot-nox, openscad, fonts-liberation")
+
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers, static libraries, the CMake package and the pkg-config file of csgsim.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcsgsim-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "csgsim (= ${PROJECT_VERSION})" libboost-dev libfmt-dev libglm-dev
+  libhwy-dev libpng-dev libpolyclipping-dev libpugixml-dev libsystemc-dev libtomlplusplus-dev nlohmann-json3-dev
+  tao-pegtl-dev zlib1g-dev)
+include(CPack)

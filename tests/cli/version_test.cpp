@@ -1,0 +1,85 @@
+#include <doctest/doctest.h>
+
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n");
+  return end == std::string::npos ? std::string() : text.substr(0, end + 1);
+}
+
+/// What cmake/commit.cmake says of a folder.
+std::string told_of(const Folder& folder, const std::string& source, const std::string& given) {
+  const std::string output = folder / "commit.cpp";
+  fs::remove(output);
+  const Outcome outcome = run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
+                                                std::string(CSGSIM_SOURCE_DIR) + "/cmake/commit.cmake"});
+  REQUIRE(outcome.code == 0);
+  std::smatch found;
+  const std::string text = content(output);
+  REQUIRE(std::regex_search(text, found, std::regex("commit = \"([^\"]*)\"")));
+  return found[1];
+}
+
+}  // namespace
+
+TEST_CASE("--version tells the version, the commit and its day, the build and the libraries") {
+  const Outcome outcome = run("--version");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err == "");
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line);
+  CHECK(std::regex_match(line, std::regex("csgsim \\d+\\.\\d+\\.\\d+")));
+  std::getline(lines, line);
+  CHECK(std::regex_match(line, std::regex("commit ([0-9a-f]{12}(\\+changes)?|[^ ]+), \\d{4}-\\d\\d-\\d\\d")));
+  std::getline(lines, line);
+  CHECK(std::regex_match(line, std::regex("build [0-9a-f]{16}")));
+  std::getline(lines, line);
+  CHECK(line.starts_with("built with SystemC "));
+}
+
+TEST_CASE("--version tells the libraries by the numbers that pkg-config has of them") {
+  const std::string told = run("--version").out;
+  for (const auto& library : {std::pair<std::string, std::string>{"libpng", "libpng"},
+                              {"zlib", "zlib"},
+                              {"fmt", "fmt"},
+                              {"pugixml", "pugixml"},
+                              {"OpenImageIO", "OpenImageIO"},
+                              {"HarfBuzz", "harfbuzz"},
+                              {"libedit", "libedit"}}) {
+    CAPTURE(library.first);
+    const Outcome version = run_program("pkg-config", {"--modversion", library.second});
+    REQUIRE(version.code == 0);
+    CHECK((told + ",").find(" " + library.first + " " + trimmed(version.out)) != std::string::npos);
+  }
+}
+
+TEST_CASE("the commit is that of the sources, with a mark if they are changed, and the given one outside of git") {
+  const Folder folder;
+  const std::string source = folder / "source";
+  fs::create_directory(source);
+  write(source + "/CMakeLists.txt", "1");
+  CHECK(told_of(folder, source, "") == "unknown");
+  CHECK(told_of(folder, source, "0123abcd") == "0123abcd");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"init", "-q"},
+        {"add", "."},
+        {"-c", "user.name=a", "-c", "user.email=a@b", "-c", "commit.gpgsign=false", "commit", "-qm", "one"}})
+    REQUIRE(run_program("git", words, source).code == 0);
+  const std::string head = trimmed(run_program("git", {"rev-parse", "HEAD"}, source).out);
+  CHECK(told_of(folder, source, "0123abcd") == head.substr(0, 12));
+  write(source + "/CMakeLists.txt", "2");
+  CHECK(told_of(folder, source, "") == head.substr(0, 12) + "+changes");
+  // A source archive that was unpacked within somebody else's repository.
+  fs::create_directory(source + "/inner");
+  write(source + "/inner/CMakeLists.txt", "3");
+  CHECK(told_of(folder, source + "/inner", "") == "unknown");
+}
