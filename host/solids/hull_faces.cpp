@@ -67,7 +67,9 @@ struct Rim {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
 
-  friend auto operator<=>(const Rim&, const Rim&) = default;
+  friend bool operator<(const Rim& a, const Rim& b) {
+    return std::tie(a.face, a.from, a.to) < std::tie(b.face, b.from, b.to);
+  }
 };
 
 std::vector<Rim> rims_of(const Mesh& hull) {
@@ -80,7 +82,7 @@ std::vector<Rim> rims_of(const Mesh& hull) {
       rims.push_back({own, hull.faces[face][side], hull.faces[face][(side + 1) % 3]});
     }
   }
-  std::ranges::sort(rims);
+  std::sort(rims.begin(), rims.end());
   return rims;
 }
 
@@ -133,7 +135,7 @@ Mesh with_sorted_faces(const Mesh& hull) {
   for (Loop& loop : loops) {
     for (std::uint32_t& corner : loop) corner = numbers[corner];
     std::erase(loop, none);
-    std::ranges::rotate(loop, std::ranges::min_element(loop));
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   }
   std::ranges::sort(loops);
   for (const Loop& loop : loops) {
