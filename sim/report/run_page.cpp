@@ -83,7 +83,7 @@ Table parts_of_machine(const Json& data) {
       std::string words = activity;
       std::replace(words.begin(), words.end(), '_', ' ');
       table.rows.push_back(
-          {{part}, {words}, cell(data, "/account/parts/" + part + "/" + activity), share(clocks, whole)});
+          {{part}, {words}, cell(data, pointer(pointer("/account/parts", part), activity)), share(clocks, whole)});
     }
   }
   return table;
