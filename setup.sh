@@ -19,6 +19,9 @@ Usage: ./setup.sh COMMAND
   bench  build and run the benchmarks of kernels
   performance
          measure the figures of docs/performance.md here, and write its tables and plots
+  docs [OPTIONS...]
+         make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
+         what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
   report-test
@@ -34,7 +37,8 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
   libcgal-dev libpolyclipping-dev libpugixml-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
-test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind"
+test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
+  python3"
 clang_packages="clang libclang-rt-14-dev"
 
 as_root() {
@@ -170,8 +174,24 @@ performance() {
   mv "$out/performance.md" docs/performance.md
 }
 
+# Makes what docs/manifest lists; what is measured or drawn by other programs needs these too.
+docs() {
+  # shellcheck disable=SC2086
+  need $build_packages $test_packages libbenchmark-dev python3 git openscad povray gtkwave xvfb xauth imagemagick \
+    qflow-tech-osu050
+  cmake --preset release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
+  cmake --build --preset release --target csgsim csgsim_pictures_module csgsim_text_module bench_division
+  python3 tests/docs/make.py build/release "$@" || failed=$?
+  git --no-pager diff --stat -- README.md docs hw/machines/area_table.h
+  return "${failed:-0}"
+}
+
 case "${1:-}" in
   demo) demo ;;
+  docs)
+    shift
+    docs "$@"
+    ;;
   performance) performance ;;
   build)
     # shellcheck disable=SC2086

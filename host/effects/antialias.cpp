@@ -33,8 +33,8 @@ constexpr std::array keys{
     scene::integer_key<&SampleSettings::samples>("samples", "samples a pixel", 2, most_samples, "2, 4, 8 or 16"),
     scene::boolean_key<&SampleSettings::adaptive>(
         "adaptive",
-        "begins with a quarter of the samples, 2 at least; a pixel gets twice as "
-        "many only where the means of those that it has, half and half, differ"),
+        "begins with a quarter of the samples, 2 at least; a pixel gets twice as many only where two halves of its "
+        "own differ"),
     scene::integer_key<&SampleSettings::least_difference>("least_difference", "levels of a channel", 1, 255,
                                                           "adaptive: means that differ by less count as equal")};
 

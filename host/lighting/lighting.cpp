@@ -73,7 +73,10 @@ glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const 
 }
 
 Finish finish_of(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut) {
-  Finish finish{primitive.colour.value_or(is_cut ? default_cut_colour : default_colour), {}, primitive.opacity};
+  const scene::Uncoloured& usual = scene.uncoloured;
+  const glm::dvec3 uncoloured =
+      is_cut ? usual.cut_face.value_or(default_cut_colour) : usual.face.value_or(default_colour);
+  Finish finish{primitive.colour.value_or(uncoloured), {}, primitive.opacity};
   for (const scene::MaterialRule& rule : scene.materials) {
     if (!is_chosen(rule, primitive)) continue;
     finish.material = rule.material;

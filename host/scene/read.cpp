@@ -38,7 +38,8 @@ const toml::node* set_value(const toml::node& node) {
 
 class Reader {
  public:
-  Reader(std::string_view file, std::span<const Section> effects) : file_(file), effects_(effects) {}
+  Reader(std::string_view file, std::span<const Section> effects, std::vector<SectionValues>* values)
+      : file_(file), effects_(effects), values_(values) {}
 
   Scene read(const toml::table& root) {
     std::vector<std::string_view> known{"effects"};
@@ -66,8 +67,10 @@ class Reader {
   void check_keys(const toml::table& table, std::span<const std::string_view> known, std::string_view prefix) const {
     for (const auto& [key, node] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string message = fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix,
-                                              printable(key.str()), nearest(key.str(), known));
+      const std::string message = prefix == effects_prefix
+                                      ? no_such("effect", printable(key.str()), known)
+                                      : fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix,
+                                                    printable(key.str()), nearest(key.str(), known));
       if (const toml::node* const value = set_value(node)) fail(*value, message);
       throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));
     }
@@ -88,7 +91,11 @@ class Reader {
 
   void read_if_there(const toml::table& table, const Section& section, std::string_view key) {
     const toml::node* const node = table.get(key);
-    if (node == nullptr) return;
+    if (node == nullptr) {
+      const bool always_holds = !section.is_list && !section.name.starts_with(effects_prefix);
+      if (always_holds) tell(section, section.blank());
+      return;
+    }
     if (!section.is_list) return read_section(table_of(*node, section.name), section);
     const toml::array* const list = node->as_array();
     if (list == nullptr) {
@@ -118,6 +125,7 @@ class Reader {
       if (node != nullptr) key.store(read, value_of(*node, key, fmt::format("{}.{}", section.name, key.name)));
     }
     const bool is_called = !is_effect || is_on(table, section);
+    if (is_called) tell(section, read);
     if (section.is_list && !is_called) return;  // the others of the list may be on
     try {
       section.keep(scene_, section, std::move(read));
@@ -125,6 +133,13 @@ class Reader {
       fail(table, error.what());
     }
     if (is_effect && !is_on(table, section)) scene_.effects.back().is_on = false;
+  }
+
+  void tell(const Section& section, const std::any& read) const {
+    if (values_ == nullptr) return;
+    SectionValues& told = values_->emplace_back(SectionValues{section.name, section.is_list, {}});
+    for (const Key& key : section.keys)
+      told.values.emplace_back(&key, key.load == nullptr ? std::nullopt : key.load(read));
   }
 
   [[nodiscard]] Value value_of(const toml::node& node, const Key& key, const std::string& name) const {
@@ -203,7 +218,9 @@ class Reader {
     const auto found = text == nullptr ? key.names.end()
                                        : std::find(key.names.begin(), key.names.end(), std::string_view(text->get()));
     if (found == key.names.end()) {
-      fail(node, fmt::format("{} is {}; it takes {}", name, said, fmt::join(key.names, ", ")));
+      const std::string_view near = text == nullptr ? std::string_view() : nearest_alike(text->get(), key.names);
+      fail(node, fmt::format("{} is {};{} it takes {}", name, said,
+                             near.empty() ? "" : fmt::format(" did you mean {}?", near), fmt::join(key.names, ", ")));
     }
     return found - key.names.begin();
   }
@@ -216,16 +233,17 @@ class Reader {
 
   std::string_view file_;
   std::span<const Section> effects_;
+  std::vector<SectionValues>* values_;
   Scene scene_;
 };
 
 }  // namespace
 
 Scene read_scene(std::string_view text, std::string_view file, std::span<const std::string> sets,
-                 std::span<const Section> effects) {
+                 std::span<const Section> effects, std::vector<SectionValues>* values) {
   toml::table root = parse_toml(text, file);
   for (const std::string& one : sets) set(root, one);
-  return Reader(file, effects).read(root);
+  return Reader(file, effects, values).read(root);
 }
 
 }  // namespace csgsim::scene

@@ -84,6 +84,14 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
+/// Faces of solids that neither the model nor a material gives a colour; the usual ones (host/lighting) if not given.
+struct Uncoloured {
+  std::optional<glm::dvec3> face;
+  std::optional<glm::dvec3> cut_face;  ///< where a solid was taken away
+
+  bool operator==(const Uncoloured&) const = default;
+};
+
 /// An effect that the scene speaks of, with its own settings.
 struct CalledEffect {
   std::string_view name;  ///< of the effect's row
@@ -94,6 +102,7 @@ struct CalledEffect {
 struct Scene {
   Camera camera;
   Background background;
+  Uncoloured uncoloured;
   Ambient ambient;
   std::vector<Light> lights;            ///< none: the usual one (host/lighting)
   std::vector<MaterialRule> materials;  ///< in order

@@ -9,13 +9,21 @@ namespace csgsim::view {
 
 enum class Projection : std::uint8_t { orthographic, perspective };
 
-/// A camera as OpenSCAD's: up is +z, the vertical field of view 22.5 degrees; the orthographic picture shows the height
+/// A camera as OpenSCAD's: the vertical field of view 22.5 degrees; the orthographic picture shows the height
 /// 2 |eye - centre| tan(11.25 degrees).
 struct Camera {
   glm::dvec3 eye{0, 0, 1};
   glm::dvec3 centre{0};
   Projection projection = Projection::orthographic;
+  glm::dvec3 up{0, 0, 1};  ///< in the picture, as far as it is across the view
 };
+
+/// OpenSCAD's camera of seven numbers: it looks at a point, from above with +y upwards, after turns by so many degrees
+/// about x, y and z in that order.
+Camera gimbal_camera(const glm::dvec3& centre, const glm::dvec3& degrees, double distance);
+
+/// The camera turned counterclockwise about the vertical axis through its centre.
+Camera turned(const Camera& camera, double radians);
 
 /// The picture's right, up and forward directions in model space; orthonormal.
 struct Basis {
@@ -24,7 +32,7 @@ struct Basis {
   glm::dvec3 forward;
 };
 
-/// Throws InputError if eye and centre coincide or are not finite. Looking straight up or down, right is +x.
+/// Throws InputError if eye and centre coincide or are not finite. Looking along `up`, +y is up.
 Basis basis(const Camera& camera);
 
 /// Half the vertical field of view's tangent.

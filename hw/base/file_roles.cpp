@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/base/output_file.h"
+#include "hw/base/standard_streams.h"
 
 namespace csgsim {
 
@@ -29,6 +30,7 @@ struct Identity {
 /// Nothing where not even the folder is there.
 std::optional<Identity> identity(const fs::path& path) {
   struct stat status {};
+  if (is_standard_output(path)) return Identity{0, 0, std::string(standard_stream), false};
   if (::stat(path.c_str(), &status) == 0) return Identity{status.st_dev, status.st_ino, "", S_ISCHR(status.st_mode)};
   const fs::path place = without_links(path);
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
@@ -47,6 +49,7 @@ struct Seen {
 std::optional<Clash> find_clash(std::span<const fs::path> inputs, std::span<const fs::path> outputs) {
   std::vector<Seen> seen;
   for (const fs::path& input : inputs) {
+    if (input.native() == standard_stream) continue;
     if (const auto known = identity(input)) seen.push_back({&input, *known, true});
   }
   for (const fs::path& output : outputs) {

@@ -14,7 +14,8 @@ struct Clash {
 };
 
 /// Whether writing would destroy what is read, or what was just written: compares files, not names, so links and
-/// different ways to a folder are seen through. Character devices take any number of outputs. Throws InputError where
+/// different ways to a folder are seen through. Character devices take any number of outputs, standard output by one of
+/// its names takes one; `-` among the inputs is none of them. Throws InputError where
 /// links lead in a circle.
 std::optional<Clash> find_clash(std::span<const std::filesystem::path> inputs,
                                 std::span<const std::filesystem::path> outputs);

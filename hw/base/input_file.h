@@ -14,8 +14,8 @@ struct InputKind {
   std::string_view advice;  ///< for a longer one, as in "split the model"
 };
 
-/// All of a file, which may also be a pipe or a device. Throws InputError if it cannot be read, is longer than allowed
-/// or does not fit into memory.
+/// All of a file, which may also be a pipe or a device; `-` is standard input, which is kept to be read again. Throws
+/// InputError if it cannot be read, is longer than allowed or does not fit into memory.
 std::string read_file(const std::filesystem::path& path, const InputKind& kind);
 
 /// What read_file says of a text of so many bytes, if it is too long. Throws InputError.

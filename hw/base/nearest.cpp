@@ -1,5 +1,8 @@
 #include "hw/base/nearest.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -43,6 +46,25 @@ std::string_view nearest_alike(std::string_view word, std::span<const std::strin
   const std::string_view one = nearest(word, candidates);
   const std::size_t characters = word.size() - std::min(word.find_first_not_of('-'), word.size());
   return !one.empty() && edit_distance(word, one) * 2 <= characters ? one : std::string_view{};
+}
+
+namespace {
+
+std::string plural(std::string_view kind) {
+  if (kind.ends_with('y')) return fmt::format("{}ies", kind.substr(0, kind.size() - 1));
+  return fmt::format("{}s", kind);
+}
+
+}  // namespace
+
+std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string_view> known) {
+  const std::string_view near = nearest_alike(word, known);
+  const std::string question = near.empty() ? " the" : fmt::format(" did you mean {}? The", near);
+  return fmt::format("there is no {} '{}';{} {} are {}", kind, word, question, plural(kind), fmt::join(known, ", "));
+}
+
+std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string> known) {
+  return no_such(kind, word, std::vector<std::string_view>(known.begin(), known.end()));
 }
 
 }  // namespace csgsim

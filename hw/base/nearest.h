@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace csgsim {
@@ -16,5 +17,10 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 
 /// The same if the word is like it, that is, if at least half its characters stay, leading dashes aside; else empty.
 std::string_view nearest_alike(std::string_view word, std::span<const std::string_view> candidates);
+
+/// What to say of a word that is none of the known ones, and the mend: `there is no strategy 'stak'; did you mean
+/// stack? The strategies are stack, list`. `kind` is what one of them is called.
+std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string_view> known);
+std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string> known);
 
 }  // namespace csgsim

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/standard_streams.h"
 
 namespace csgsim {
 
@@ -23,16 +24,6 @@ constexpr int most_links = 40;
 
 void check(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
-}
-
-/// Is it something to write to that is not a file of its own: a device, a pipe, a descriptor of this process?
-bool is_stream(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail_to_write(path, std::make_error_code(std::errc::is_a_directory));
-  if (!fs::exists(status)) return false;
-  const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), error);
-  return !fs::is_regular_file(status) || folder == "/dev" || folder.native().starts_with("/proc/");
 }
 
 /// Throws if there is a file that may not be written, though its folder would let it be replaced; or no name can be so.
@@ -56,6 +47,10 @@ Descriptor open_stream(const fs::path& path) {
   return Descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
 }
 
+[[noreturn]] void fail_on_terminal(const fs::path& path) {
+  throw InputError(path.native() + ": a terminal cannot show binary data; name a file, or lead it into a pipe");
+}
+
 /// The file's name is on the disk when its folder is.
 std::error_code sync_folder(const fs::path& folder) {
   const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -68,6 +63,16 @@ std::error_code sync_folder(const fs::path& folder) {
 void fail_to_write(const fs::path& path, const std::error_code& error) {
   throw InputError(fmt::format("{}: cannot write it: {}; check the path, its permissions and the room on the disk",
                                path.native(), error.message()));
+}
+
+bool is_stream(const fs::path& path) {
+  if (is_standard_output(path)) return true;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) fail_to_write(path, std::make_error_code(std::errc::is_a_directory));
+  if (!fs::exists(status)) return false;
+  const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), error);
+  return !fs::is_regular_file(status) || folder == "/dev" || folder.native().starts_with("/proc/");
 }
 
 fs::path without_links(const fs::path& path) {
@@ -85,6 +90,7 @@ fs::path without_links(const fs::path& path) {
 OutputFile::OutputFile(fs::path path) : asked_(std::move(path)), final_(asked_) {
   if (asked_.empty()) throw InputError("an output has an empty name; name the file");
   is_stream_ = is_stream(asked_);
+  if (is_standard_output(asked_)) standard_output_ = take_standard_output();
   std::error_code error;
   if (!is_stream_) {
     final_ = without_links(asked_);
@@ -133,15 +139,18 @@ void OutputFile::commit() {
   check(asked_, sync_folder(folder_of(final_)));
 }
 
-void OutputFile::copy_to_stream() const {
+void OutputFile::copy_to_stream() {
   std::fflush(stdout);
-  const Descriptor stream = open_stream(final_);
+  const bool is_ours = is_standard_output(asked_);
+  const Descriptor stream = is_ours ? std::move(standard_output_) : open_stream(final_);
   if (!stream.is_open() || ::lseek(file_.number(), 0, SEEK_SET) != 0) fail_to_write(asked_, last_error());
+  const bool is_seen = ::isatty(stream.number()) != 0;
   constexpr std::size_t block = std::size_t{1} << 16U;
   std::string bytes;
   do {
     bytes.clear();
     check(asked_, read_to_end(file_, bytes, block));
+    if (is_seen && bytes.find('\0') != std::string::npos) fail_on_terminal(asked_);
     check(asked_, write_all(stream, bytes));
   } while (!bytes.empty());
 }

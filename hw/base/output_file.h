@@ -13,6 +13,8 @@ namespace csgsim {
 
 /// A file being written beside its final place, so that nobody ever sees part of it. It is deleted unless committed.
 /// Symbolic links are followed; what goes to a device or a pipe is written elsewhere, and copied to it when committed.
+/// Standard output, which `-` names too, belongs to the file from then on: take_standard_output(). A terminal is not
+/// given binary data.
 /// Each function throws InputError, with the path as it was asked for, if it cannot do all of its work: what was at the
 /// final place is still there then, whole.
 class OutputFile {
@@ -37,7 +39,7 @@ class OutputFile {
 
  private:
   void create(const std::filesystem::path& folder);
-  void copy_to_stream() const;
+  void copy_to_stream();
 
   std::filesystem::path asked_;
   std::filesystem::path final_;
@@ -45,8 +47,13 @@ class OutputFile {
   std::filesystem::path partial_;
   std::optional<PartialFile> registered_;
   Descriptor file_;
+  Descriptor standard_output_;  ///< if it is the one that is written to
   bool is_finished_ = false;
 };
+
+/// Is it something to write to that is not a file of its own: standard output (`-`), a device, a pipe? Throws
+/// InputError for a folder.
+bool is_stream(const std::filesystem::path& path);
 
 /// Throws InputError that says why a file cannot be written, and what to look at.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::error_code& error);

@@ -171,13 +171,11 @@ void put_link(std::string& page) {
       "A, B and C travel as two's complement numbers modulo 2^width: more of them has no part in F. Origins do not "
       "travel.\n\n"
       "| number | command | bits on a link | meaning |\n|---|---|---|---|\n"
-      "| {} | segment | {} | x, y, width and height of a segment, {} bits each: memory and E become 0 at its pixels, "
-      "and "
-      "the instructions to come are theirs |\n"
+      "| {} | segment | {} | x, y, width and height of a segment, {} bits each: memory and E become 0 there; "
+      "the instructions to come are its pixels' |\n"
       "| {} | end of segment | {} | the pixels of the segment are finished |\n"
-      "| {} | end of frame | {} | base and width of the colour field, {} and {} bits: the picture is finished, and "
-      "what "
-      "stands there is to be shown, or nothing if the width is 0 |\n\n",
+      "| {} | end of frame | {} | base and width of the colour field, {} and {} bits: what stands there is to be "
+      "shown, or nothing if the width is 0 |\n\n",
       SegmentStart::number, wire_bits(SegmentStart{}), wire_region_bits, SegmentEnd::number, wire_bits(SegmentEnd{}),
       FrameEnd::number, wire_bits(FrameEnd{}), wire_base_bits, wire_field_width_bits);
   put(page,

@@ -8,6 +8,7 @@
 
 #include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
+#include "hw/base/standard_streams.h"
 #include "hw/isa/binary.h"
 #include "hw/isa/text.h"
 
@@ -22,7 +23,8 @@ constexpr InputKind program_file{"a .csgt file", std::size_t{1} << 30U, "draw a 
 Program load_program(const std::filesystem::path& path) {
   const std::string content = read_file(path, program_file);
   const auto bytes = std::as_bytes(std::span(content));
-  return is_binary(bytes) ? decode(bytes, path.native()) : parse(content, path.native());
+  const std::string name = path == standard_stream ? "standard input" : path.native();
+  return is_binary(bytes) ? decode(bytes, name) : parse(content, name);
 }
 
 void save_program(const Program& program, const std::filesystem::path& path, ProgramForm form) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
@@ -42,21 +43,60 @@ std::vector<std::string_view> built_in_names() {
 
 std::string_view file_of(std::string_view machine) {
   if (machine.ends_with(file_ending)) return machine;
-  const std::string_view name = machine.substr(0, machine.find('+'));
-  return name.ends_with(file_ending) ? name : std::string_view();
+  const std::size_t end = machine.rfind(std::string(file_ending) + "+");
+  return end == machine.npos ? std::string_view() : machine.substr(0, end + file_ending.size());
 }
 
-machines::Machine load(const std::string& machine) {
+namespace {
+
+const BuiltIn* built_in_named(std::string_view name) {
+  const auto found =
+      std::find_if(built_in().begin(), built_in().end(), [&](const BuiltIn& one) { return one.name == name; });
+  return found == built_in().end() ? nullptr : &*found;
+}
+
+machines::Machine read(const BuiltIn& machine, std::span<const std::string> changes) {
+  return machines::read_description(machine.text, fmt::format("{}.toml", machine.name), all(), changes);
+}
+
+/// Figures of the machine that are other than the original's, as its name tells them.
+std::string edits(const machines::Machine& machine, const machines::Machine& original) {
+  std::string text;
+  for (const machines::Figure& figure : original.figures) {
+    const auto found = std::find_if(machine.figures.begin(), machine.figures.end(),
+                                    [&](const machines::Figure& one) { return one.key == figure.key; });
+    if (found->value != figure.value) text += fmt::format("+{}={}", found->key, found->value);
+  }
+  return text;
+}
+
+machines::Machine read_file_of(const std::string& file, std::span<const std::string> changes) {
+  const std::string text = read_file(file, machine_file);
+  machines::Machine machine = machines::read_description(text, file, all(), changes);
+  const std::string name = changes.empty() ? machine.name : machines::read_description(text, file, all()).name;
+  const BuiltIn* const known = built_in_named(name);
+  if (known == nullptr) return machine;
+  const machines::Machine original = read(*known, {});
+  if (machine.kind != original.kind) {
+    throw InputError(
+        fmt::format("{}: the name '{}' is that of a machine of another kind, which comes with csgsim; give "
+                    "this one a name of its own",
+                    file, name));
+  }
+  machine.name = name + edits(machine, original);
+  return machine;
+}
+
+}  // namespace
+
+machines::Machine load(const std::string& machine, const std::vector<std::string>& changes) {
   const std::string file(file_of(machine));
   const std::string name = file.empty() ? machine.substr(0, machine.find('+')) : file;
-  const std::vector<std::string> changes = changes_of(std::string_view(machine).substr(name.size()));
-  if (!file.empty()) return machines::read_description(read_file(file, machine_file), file, all(), changes);
-  const auto found =
-      std::find_if(built_in().begin(), built_in().end(), [&name](const BuiltIn& one) { return one.name == name; });
-  if (found == built_in().end())
-    throw InputError(fmt::format("unknown machine '{}'; the nearest known is '{}', and a file's name ends in .toml",
-                                 name, nearest(name, built_in_names())));
-  return machines::read_description(found->text, fmt::format("{}.toml", found->name), all(), changes);
+  std::vector<std::string> all_changes = changes_of(std::string_view(machine).substr(name.size()));
+  all_changes.insert(all_changes.end(), changes.begin(), changes.end());
+  if (!file.empty()) return read_file_of(file, all_changes);
+  if (const BuiltIn* const found = built_in_named(name)) return read(*found, all_changes);
+  throw InputError(no_such("machine", name, built_in_names()) + ", or a file, whose name ends in .toml");
 }
 
 }  // namespace csgsim::kinds

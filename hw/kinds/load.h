@@ -15,8 +15,9 @@ std::vector<std::string_view> built_in_names();
 std::string_view file_of(std::string_view machine);
 
 /// A built-in machine by name, or one described in a file (anything ending in .toml). Figures may be changed behind it:
-/// `NAME+KEY=VALUE+KEY=VALUE`; a file whose own name has a plus sign takes no changes. Throws InputError: an unknown
-/// name (with the nearest one), unknown key, wrong type, value out of range, each with file:line:column.
-machines::Machine load(const std::string& machine);
+/// `NAME+KEY=VALUE+KEY=VALUE`, and `changes` are more of these. A file that gives a built-in machine's name to one of
+/// other figures is an edited one: its name tells them too. Throws InputError: an unknown name (with the nearest one),
+/// unknown key, wrong type, value out of range, each with file:line:column, or machines::ChangeError.
+machines::Machine load(const std::string& machine, const std::vector<std::string>& changes = {});
 
 }  // namespace csgsim::kinds

@@ -24,7 +24,9 @@ constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "sour
 
 class Reader {
  public:
-  Reader(std::string_view file, std::span<const Kind* const> kinds) : file_(file), kinds_(kinds) {}
+  /// Where `changed` says something, the file is known to be right, and what is wrong is what was changed.
+  Reader(std::string_view file, std::span<const Kind* const> kinds, std::string changed = {})
+      : file_(file), kinds_(kinds), changed_(std::move(changed)) {}
 
   Machine read(const toml::table& root) {
     read_kind(root);
@@ -52,6 +54,7 @@ class Reader {
   };
 
   [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
+    if (!changed_.empty()) throw ChangeError(fmt::format("{}: {}", changed_, message));
     throw InputError(fmt::format("{}: {}", show(place, file_), message));
   }
 
@@ -187,6 +190,7 @@ class Reader {
 
   std::string_view file_;
   std::span<const Kind* const> kinds_;
+  std::string changed_;
   Machine machine_;
   std::vector<Placed> figures_;
 };
@@ -202,10 +206,11 @@ void collect_figures(toml::table& table, const std::string& prefix, std::map<std
   }
 }
 
-void put_change(toml::table& root, const std::string& change, std::string_view file) {
+/// Changes the figure, and returns its key.
+std::string put_change(toml::table& root, const std::string& change, std::string_view file) {
   const std::size_t equals = change.find('=');
   if (equals == change.npos) {
-    throw InputError(fmt::format("{}: '{}' changes no figure; say KEY=VALUE", file, printable(change)));
+    throw ChangeError(fmt::format("{}: '{}' changes no figure; say KEY=VALUE", file, printable(change)));
   }
   std::map<std::string, toml::table*> figures;
   collect_figures(root, "", figures);
@@ -215,8 +220,8 @@ void put_change(toml::table& root, const std::string& change, std::string_view f
     std::vector<std::string_view> known;
     known.reserve(figures.size());
     for (const auto& [name, table] : figures) known.push_back(name);
-    throw InputError(fmt::format("{}: unknown figure '{}'; the nearest known is '{}'", file, printable(key),
-                                 known.empty() ? "none" : nearest(key, known)));
+    throw ChangeError(fmt::format("{}: unknown figure '{}'; the nearest known is '{}'", file, printable(key),
+                                  known.empty() ? "none" : nearest(key, known)));
   }
   const std::string value = change.substr(equals + 1);
   std::int64_t number = 0;
@@ -228,6 +233,19 @@ void put_change(toml::table& root, const std::string& change, std::string_view f
   }
   found->second->insert_or_assign("provenance", "assumed");
   found->second->insert_or_assign("source", "said with the machine's name");
+  return key;
+}
+
+/// What tells the changed machine from others: each figure that was changed, once, with the value that it has.
+std::string name_of_changes(const std::vector<std::string>& keys, const Machine& machine) {
+  std::string name;
+  for (auto key = keys.begin(); key != keys.end(); ++key) {
+    if (std::find(keys.begin(), key, *key) != key) continue;
+    const auto figure = std::find_if(machine.figures.begin(), machine.figures.end(),
+                                     [&](const Figure& one) { return one.key == *key; });
+    name += fmt::format("+{}={}", *key, figure->value);
+  }
+  return name;
 }
 
 }  // namespace
@@ -235,9 +253,16 @@ void put_change(toml::table& root, const std::string& change, std::string_view f
 Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
                          std::span<const std::string> changes) {
   toml::table root = parse_toml(text, file);
-  for (const std::string& change : changes) put_change(root, change, file);
   Machine machine = Reader(file, kinds).read(root);
-  for (const std::string& change : changes) machine.name += "+" + printable(change);
+  if (changes.empty()) return machine;
+  std::vector<std::string> keys;
+  std::string said(file);
+  for (const std::string& change : changes) {
+    keys.push_back(put_change(root, change, file));
+    said += "+" + printable(change);
+  }
+  machine = Reader(file, kinds, said).read(root);
+  machine.name += name_of_changes(keys, machine);
   return machine;
 }
 

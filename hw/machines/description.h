@@ -4,13 +4,20 @@
 #include <string>
 #include <string_view>
 
+#include "hw/base/error.h"
 #include "hw/machines/kind.h"
 
 namespace csgsim::machines {
 
+/// What is wrong with a change of a figure that was asked for, where the description itself is right.
+class ChangeError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Reads a description (TOML) of a machine of one of the kinds; `file` is its name in messages. Throws InputError, with
 /// file:line:column. Then each of `changes`, KEY=VALUE, takes the place of a figure's value, which is assumed from then
-/// on; the machine's name tells them.
+/// on; the machine's name tells them: `NAME+KEY=VALUE`, each figure once, with its last value. Throws ChangeError.
 Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
                          std::span<const std::string> changes = {});
 

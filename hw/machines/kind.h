@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/isa/program.h"
+#include "hw/machines/load.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/schema.h"
@@ -59,6 +60,9 @@ struct Kind {
   std::vector<ClockSpan> (*at_pixel)(const Timeline& timeline, const isa::Program& program, const Machine& machine,
                                      std::uint32_t segment, std::uint32_t x, std::uint32_t y) = nullptr;
   Resources (*resources)(const Machine& machine, const isa::FrameHeader& header);
+  /// Its parts, those that may bound a frame, with the clocks in which each works from one frame to the next; null for
+  /// a kind that does not tell. Of several that are alike the one that works most.
+  std::vector<Load> (*loads)(const FrameTiming& timing) = nullptr;
   /// Whether its processors are the pixels of tests/rtl, whose area is known (hw/machines/area.h).
   bool bit_serial_pixels = false;
 };

@@ -8,6 +8,7 @@
 #include "hw/machines/shared_figures.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/loads.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/timing.h"
 
@@ -136,6 +137,7 @@ const machines::Kind kind{
     .timeline = timeline,
     .at_pixel = at_pixel,
     .resources = resources,
+    .loads = loads,
 };
 
 }  // namespace csgsim::multi_processor

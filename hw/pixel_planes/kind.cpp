@@ -10,6 +10,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/machines/shared_figures.h"
 #include "hw/pixel_planes/figures.h"
+#include "hw/pixel_planes/loads.h"
 #include "hw/pixel_planes/timing.h"
 
 namespace csgsim::pixel_planes {
@@ -115,6 +116,7 @@ const machines::Kind kind{
     .timeline = timeline,
     .at_pixel = at_pixel,
     .resources = resources,
+    .loads = loads,
     .bit_serial_pixels = true,
 };
 

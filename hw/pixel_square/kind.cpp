@@ -9,6 +9,7 @@
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
 #include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/loads.h"
 #include "hw/pixel_square/regions.h"
 #include "hw/pixel_square/storage_check.h"
 #include "hw/pixel_square/timing.h"
@@ -132,6 +133,7 @@ const machines::Kind kind{
     .timeline = timeline,
     .at_pixel = at_pixel,
     .resources = resources,
+    .loads = loads,
     .bit_serial_pixels = true,
 };
 

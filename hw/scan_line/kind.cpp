@@ -8,6 +8,7 @@
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
 #include "hw/scan_line/figures.h"
+#include "hw/scan_line/loads.h"
 #include "hw/scan_line/timing.h"
 
 namespace csgsim::scan_line {
@@ -99,6 +100,7 @@ const machines::Kind kind{
     .timeline = timeline,
     .at_pixel = at_pixel,
     .resources = resources,
+    .loads = loads,
 };
 
 }  // namespace csgsim::scan_line

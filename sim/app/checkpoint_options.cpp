@@ -33,6 +33,7 @@ void CheckpointOptions::check(std::string_view level, std::span<const std::files
                      "are the same");
   }
   if (checkpoint.empty()) return;
+  if (is_stream(checkpoint)) throw UsageError("--checkpoint", "a stream keeps no state to resume from; name a file");
   refuse_clashes(files, std::to_array<std::filesystem::path>({checkpoint}));
   const OutputFile can_be_written(checkpoint);
 }

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -19,9 +18,10 @@
 #include "sim/app/report_option.h"
 #include "sim/app/study_files.h"
 #include "sim/app/version.h"
-#include "sim/study/gnuplot.h"
+#include "sim/observe/long_work.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/plots.h"
 #include "sim/study/table.h"
 
@@ -105,11 +105,16 @@ Study study_of(const Options& options) {
 void complete(const Options& options, const Study& study, Table& table) {
   study::Meter meter(study.tree, study::turned_views(study.camera, options.views), study.machine,
                      emit_options_of(options.model));
-  const bool show = options.progress == "auto" && ::isatty(STDERR_FILENO) != 0;
+  const bool show = shows_progress(options.progress);
+  sim::LongWork work("this study", "fewer --views and a smaller --size take less; what is measured is kept");
   std::size_t number = 0;
+  std::size_t known = 0;
   for (const study::WantedSettings& wanted : study.wanted) {
     ++number;
-    if (table.find(wanted) != nullptr) continue;
+    if (table.find(wanted) != nullptr) {
+      ++known;
+      continue;
+    }
     if (show)
       tell(fmt::format("\r\x1b[K{} of {} points: {} {}", number, study.wanted.size(), wanted.point.knob,
                        wanted.point.value));
@@ -118,6 +123,7 @@ void complete(const Options& options, const Study& study, Table& table) {
                                                      [&] { return meter.measure(wanted.point); });
     row.inputs = wanted.inputs;
     table.add(std::move(row));
+    work.at(static_cast<double>(number - known) / static_cast<double>(study.wanted.size() - known));
   }
   if (show) tell("\r\x1b[K");
 }
@@ -166,6 +172,7 @@ void add_accuracy(CommandLine& line) {
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   options->report.add_to(command);
   add_progress(command, options->progress);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

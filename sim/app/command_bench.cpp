@@ -14,7 +14,6 @@
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
-#include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
 #include "sim/app/study_files.h"
 #include "sim/bench/bench.h"
@@ -52,14 +51,16 @@ constexpr std::array parts{
     Part{"growth", [](const auto& settings, auto& results) { results.growths = bench::measure_growths(settings); }},
 };
 
-std::vector<std::string> levels_of(const std::string& text) { return study::parse_names(text, level_names()); }
+std::vector<std::string> levels_of(const std::string& text) { return study::parse_names(text, "level", level_names()); }
 
-std::vector<std::string> parts_of(const std::string& text) {
+std::vector<std::string> part_names() {
   std::vector<std::string> known;
   known.reserve(parts.size());
   for (const Part& part : parts) known.emplace_back(part.name);
-  return study::parse_names(text, known);
+  return known;
 }
+
+std::vector<std::string> parts_of(const std::string& text) { return study::parse_names(text, "part", part_names()); }
 
 void check_size(const std::string& text) { numbers<std::uint32_t>(text, 'x', 2, "--size", "WxH, as in 512x512"); }
 
@@ -106,14 +107,13 @@ void add_bench(CommandLine& line) {
                "Beside the models that are named it draws a grid of 64 cubes and a drilled sphere of 482 half-spaces.");
   command.option("MODEL", options->models, "Models, OpenSCAD .csg files (not sources); none: the generated ones only");
   command.option("--machines", options->machines, "List of machines, by name or .toml file");
-  command.option("--levels", options->levels, "List of levels: functional, cycle, reference")
-      .check(is_read_by(levels_of));
+  command.option("--levels", options->levels, "List of the levels that are measured").list_of(level_names(), "level");
   command
       .option(
           "--parts", options->parts,
           "List of what is measured: speed (simulated against wall time), dense (the clocked engine against a plain "
           "loop), rivals (OpenSCAD, POV-Ray, if installed), growth (against sizes and threads)")
-      .check(is_read_by(parts_of));
+      .list_of(part_names(), "part");
   command.option("--size", options->size, "Pixels of the pictures, WxH");
   command.option("--rounds", options->rounds, "Rounds of each comparison, of which the medians are taken")
       .between(1U, most_rounds);
@@ -123,6 +123,7 @@ void add_bench(CommandLine& line) {
               "Folder for bench.json, bench.md (the tables), the plots, and what is drawn meanwhile")
       .check(not_empty);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  command.prints_summary();
   command.runs([options] { run(*options); });
 }
 

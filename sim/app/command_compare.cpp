@@ -11,6 +11,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
+#include "sim/app/compare_words.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
@@ -18,12 +19,13 @@
 #include "sim/app/paths.h"
 #include "sim/app/read_by.h"
 #include "sim/app/report_option.h"
+#include "sim/app/sets.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/version.h"
 #include "sim/study/comparison.h"
-#include "sim/study/gnuplot.h"
 #include "sim/study/ideal.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/ranges.h"
 #include "sim/study/table.h"
 
@@ -58,7 +60,8 @@ std::vector<unsigned> sides_of(const std::string& text) {
 /// The machine, with the picture that --size asks for.
 machines::Machine machine_named(const Options& options, const std::string& name) {
   ModelOptions one = options.model;
-  one.machine = name;
+  one.machine = name;  // with its figures as set
+  one.sets = sorted(one.sets).scene;
   return machine_of(one);
 }
 
@@ -95,7 +98,7 @@ Study study_of(const Options& options) {
   ModelFile file = read_model_file(options.model);
   Study study{std::move(file.tree), {}, {}};
   const facet::Scene scene = facet::make_scene(study.tree);
-  for (const std::string& name : study::parse_words(options.machines)) {
+  for (const std::string& name : with_figures(study::parse_words(options.machines), options.model.sets)) {
     const machines::Machine machine = machine_named(options, name);
     const machines::Size base = machine.picture;
     const study::Inputs inputs{file.hash, study::hash_of(machine), version_and_build()};
@@ -131,7 +134,7 @@ Rows complete(const Options& options, const Study& study, Table& table) {
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) != nullptr) ++known;
   }
-  SweepProgress progress(study.jobs.size(), known, options.progress == "auto");
+  SweepProgress progress(study.jobs.size(), known, shows_progress(options.progress));
   Rows rows;
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) == nullptr) {
@@ -221,12 +224,13 @@ void run(const Options& options, const Command& command) {
   const std::string points = study::points_json(title, rows);
   write_file(folder.path() / "compare.json", points);
   options.ideal ? print_ideal_rows(rows) : print_rows(rows);
+  print_compare_words(rows);
   const bool plots = !options.no_plots && !options.ideal;
   if (plots) study::draw_comparison(rows, study.base, stem, folder.path());
   if (report.asked()) report.write(page_of(options, points));
   refuse_differences(rows);
   fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
-             !plots ? "" : ", and plots (.png, .svg) of the time against half-spaces and pixels");
+             !plots ? "" : ", and plots (.png, .svg) of the machines and of the time against half-spaces and pixels");
 }
 
 }  // namespace
@@ -261,6 +265,7 @@ void add_compare(CommandLine& line) {
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   options->report.add_to(command);
   add_progress(command, options->progress);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

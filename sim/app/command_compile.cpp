@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
+#include "hw/base/output_file.h"
 #include "hw/base/text.h"
-#include "hw/isa/program_file.h"
+#include "hw/isa/binary.h"
 #include "sim/app/commands.h"
 #include "sim/app/model_options.h"
 #include "sim/app/near_faces_warning.h"
@@ -26,12 +29,17 @@ void add_compile(CommandLine& line) {
       "carburettor.png");
   options->model.add_to(command);
   command.option("-o,--output", options->output, "The Program file, .csgt").required().check(not_empty);
+  command.prints_summary();
   command.runs([options] {
     refuse_clashes(options->model.inputs(), std::to_array<std::filesystem::path>({options->output}));
+    refuse_terminal("--output", options->output);
+    OutputFile file(options->output);
     const CompiledModel model = compile_model(options->model, machine_of(options->model));
     warn_of_near_faces(model, options->model);
     const isa::Program& program = model.program;
-    isa::save_program(program, options->output);
+    const std::vector<std::byte> bytes = isa::encode(program);
+    file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    file.commit();
     std::size_t instructions = 0;
     for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();
     fmt::print("{}: {} instructions for {} x {} pixels\n", printable(options->output), instructions,

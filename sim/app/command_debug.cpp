@@ -11,6 +11,7 @@
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
+#include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/memory.h"
@@ -20,6 +21,7 @@
 #include "sim/app/program_of.h"
 #include "sim/app/run_options.h"
 #include "sim/app/terminal.h"
+#include "sim/app/usage.h"
 #include "sim/debug/session.h"
 
 namespace csgsim::app {
@@ -79,7 +81,7 @@ void look_into(const Options& options, const isa::Program& program, const machin
     std::istringstream lines(read_file(options.commands, command_file));
     read_script(lines, options.commands, program, session);
   } else if (::isatty(STDIN_FILENO) != 0) {
-    fmt::print("{}: {} instructions on {}; help lists the commands\n", printable(options.model.model),
+    fmt::print("{}: {} instructions on {}; help lists the commands\n", printable(shown_name(options.model.model)),
                sim::Numbers(program).count(), machine.name);
     read_terminal(program, session);
   } else {
@@ -101,7 +103,9 @@ void add_debug(CommandLine& line) {
   command.option("--threads", options->threads, "Threads that it works on; the states are the same")
       .between(1U, most_threads);
   command.runs([options, command] {
-    if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "commands", "threads"});
+    if (options->model.model == standard_stream && options->commands.empty())
+      throw UsageError("MODEL", "standard input is for the commands then; name a file of commands, -x FILE");
+    if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "set", "commands", "threads"});
     machines::Machine machine = machine_of(options->model);
     const isa::Program program = program_of(options->model, machine);
     with_memory_for_run({&program, 1}, program.shape, [&] { look_into(*options, program, machine); });

@@ -18,7 +18,9 @@
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
 #include "sim/app/program_of.h"
+#include "sim/app/prunings.h"
 #include "sim/app/run_options.h"
+#include "sim/app/sets.h"
 #include "sim/app/usage.h"
 #include "sim/lockstep/comparison.h"
 #include "sim/story/phrases.h"
@@ -35,7 +37,8 @@ struct SideOptions {
   std::string machine;
   std::string level = "functional";
   std::string strategy;
-  std::vector<std::string> without;
+  std::string pruning;
+  std::vector<std::string> without;  ///< in place of `pruning`
   std::vector<std::string> sets;
 };
 
@@ -59,7 +62,10 @@ ModelOptions options_of(const ModelOptions& both, const SideOptions& side) {
   options.model = side.subject;
   if (!side.machine.empty()) options.machine = side.machine;
   if (!side.strategy.empty()) options.strategy = side.strategy;
-  if (!side.without.empty()) options.without = side.without;
+  if (!side.pruning.empty() || !side.without.empty()) {
+    options.pruning = side.without.empty() ? side.pruning : pruning_without(side.without);
+    options.without.clear();
+  }
   options.sets.insert(options.sets.end(), side.sets.begin(), side.sets.end());
   return options;
 }
@@ -78,14 +84,16 @@ void refuse_misuse(const Options& options, const Command& command) {
   for (const auto& [side, is_one, letter] : {std::tuple(&options.a, is_model_a, "a"), {&options.b, is_model_b, "b"}}) {
     if (is_one) continue;
     for (const auto& [name, is_given] : {std::pair("strategy", !side->strategy.empty()),
-                                         {"without", !side->without.empty()},
-                                         {"set", !side->sets.empty()}}) {
+                                         {"pruning", !side->pruning.empty()},
+                                         {"without", !side->without.empty()}}) {
       if (is_given)
         throw UsageError(fmt::format("--{}-{}", name, letter), "is for models; a Program has been compiled already");
     }
+    refuse_scene_sets(side->sets, fmt::format("--set-{}", letter));
   }
   if (!is_model_a && !is_model_b)
-    refuse_model_options(command, {"machine", "machine-a", "machine-b", "level-a", "level-b", "no-stories"});
+    refuse_model_options(
+        command, {"machine", "machine-a", "machine-b", "level-a", "level-b", "no-stories", "set", "set-a", "set-b"});
   if (options.a.level == "cycle" && options.b.level == "cycle") {
     throw UsageError("--level-b",
                      "SystemC clocks one machine a process; hold each side against the functional level, whose bits "
@@ -212,12 +220,18 @@ void diff(const Options& options, const Command& command) {
 void add_side(Command& command, SideOptions& side, const std::string& letter) {
   const std::string name = letter == "a" ? "A" : "B";
   command.option("--machine-" + letter, side.machine, "The machine of " + name + ", if it is another");
-  command.option("--level-" + letter, side.level, "The level of " + name).one_of(level_names());
-  command.option("--strategy-" + letter, side.strategy, "The strategy of " + name + ", if it is another");
+  command.option("--level-" + letter, side.level, "The level of " + name).one_of(level_names(), "level");
+  command.option("--strategy-" + letter, side.strategy, "The strategy of " + name + ", if it is another")
+      .one_of(strategy_names(), "strategy");
+  command.option("--pruning-" + letter, side.pruning, "Prunings that are done for " + name + ", if they are others")
+      .words(pruning_words(), check_pruning);
   command.option("--without-" + letter, side.without, "Prunings left out for " + name)
       .comma_list()
-      .one_of(pruning_names());
-  command.option("--set-" + letter, side.sets, "A key of the scene for " + name + "; once for each");
+      .one_of(left_out_words(), "pruning")
+      .excludes("--pruning-" + letter)
+      .hidden();
+  command.option("--set-" + letter, side.sets,
+                 "A figure of the machine of " + name + ", or a key of its scene; once for each");
 }
 
 }  // namespace
@@ -236,6 +250,7 @@ void add_diff(CommandLine& line) {
   add_side(command, options->a, "a");
   add_side(command, options->b, "b");
   command.flag("--no-stories", options->no_stories, "Leave out what happened at the pixel on both sides");
+  command.prints_summary();
   command.runs([options, command] {
     if (options->b.subject.empty()) options->b.subject = options->a.subject;
     diff(*options, command);

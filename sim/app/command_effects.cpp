@@ -18,6 +18,7 @@
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
+#include "sim/app/paths.h"
 #include "sim/app/report_option.h"
 #include "sim/app/run_options.h"
 #include "sim/app/study_files.h"
@@ -216,7 +217,7 @@ void run(const Options& options) {
   ReportFile report(options.report, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
   const Bill bill = make_bill(options.model, machine);
-  fmt::print("{} on {}: what its effects cost\n", printable(options.model.model), machine.name);
+  fmt::print("{} on {}: what its effects cost\n", printable(shown_name(options.model.model)), machine.name);
   print_bill(bill);
   if (report.asked()) report.write(page_of(options, bill));
   if (!folder) return;
@@ -235,6 +236,7 @@ void add_effects(CommandLine& line) {
   options->model.add_to(command);
   command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").check(not_empty);
   options->report.add_to(command);
+  command.prints_summary();
   command.runs([options] { run(*options); });
 }
 

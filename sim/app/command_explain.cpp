@@ -103,7 +103,7 @@ void refuse_misuse(const Options& options, const Command& command) {
   if (is_model(options.model.model)) return;
   if (!options.point.empty())
     throw UsageError("--point", "is for models; a Program does not tell its camera: take --pixel");
-  refuse_model_options(command, {"machine", "pixel", "why-not", "json"});
+  refuse_model_options(command, {"machine", "set", "pixel", "why-not", "json"});
 }
 
 /// Everything that is told, as text or as JSON.
@@ -167,8 +167,7 @@ void add_explain(CommandLine& line) {
       .option("--why-not", options->why_not,
               "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
       .check(not_empty);
-  command.option("--json", options->json, "The whole story, .json, in place of the text; /dev/stdout prints it")
-      .check(not_empty);
+  command.option("--json", options->json, "The whole story, .json, in place of the text; - prints it").check(not_empty);
   command.runs([options, command] { run(*options, command); });
 }
 

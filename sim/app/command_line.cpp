@@ -3,12 +3,38 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <utility>
 
+#include "hw/base/error.h"
+#include "hw/base/nearest.h"
+#include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
+#include "sim/app/help.h"
+#include "sim/app/read_by.h"
+#include "sim/app/settings_app.h"
 #include "sim/app/usage.h"
+#include "sim/study/ranges.h"
 
 namespace csgsim::app {
+
+namespace {
+
+/// Of the checks that help tells of.
+constexpr const char* words_name = "words";
+constexpr const char* range_name = "range";
+
+/// Of options that help does not show.
+constexpr const char* hidden_group = "Hidden";
+
+/// What a word of the option is called.
+std::string kind_of(const CLI::Option& option) {
+  std::string name = option.get_lnames().empty() ? option.get_name() : option.get_lnames().front();
+  std::ranges::replace(name, '-', ' ');
+  return name;
+}
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -20,18 +46,30 @@ Option& Option::check(const Check& check) {
   return *this;
 }
 
-Option& Option::one_of(const std::vector<std::string>& names) {
-  option_->check(CLI::IsMember(names));
+Option& Option::one_of(const std::vector<std::string>& names, const std::string& kind) {
+  const std::string called = kind.empty() ? kind_of(*option_) : kind;
+  return words(names, [names, called](const std::string& word) {
+    return std::ranges::find(names, word) != names.end() ? std::string() : no_such(called, word, names);
+  });
+}
+
+Option& Option::list_of(const std::vector<std::string>& names, const std::string& kind) {
+  return words(names, is_read_by([names, kind](const std::string& text) { study::parse_names(text, kind, names); }));
+}
+
+Option& Option::words(const std::vector<std::string>& words, const Check& check) {
+  option_->check(CLI::Validator([check](std::string& text) { return check(text); },
+                                fmt::format("{}", fmt::join(words, ", ")), words_name));
   return *this;
 }
 
-Option& Option::between(int low, int high) {
-  option_->check(CLI::Range(low, high));
-  return *this;
-}
+Option& Option::between(int low, int high) { return within(CLI::Range(low, high), low, high); }
 
-Option& Option::between(unsigned low, unsigned high) {
-  option_->check(CLI::Range(low, high));
+Option& Option::between(unsigned low, unsigned high) { return within(CLI::Range(low, high), low, high); }
+
+template <class Range, class Number>
+Option& Option::within(Range&& range, Number low, Number high) {
+  option_->check(range.name(range_name).description(fmt::format("{} to {}", low, high)));
   return *this;
 }
 
@@ -42,6 +80,11 @@ Option& Option::comma_list() {
 
 Option& Option::excludes(const std::string& other) {
   option_->excludes(other);
+  return *this;
+}
+
+Option& Option::hidden() {
+  option_->group(hidden_group);
   return *this;
 }
 
@@ -96,9 +139,20 @@ void Command::flag(const std::string& names, bool& is_given, const std::string& 
   command_->add_flag(names, is_given, help);
 }
 
+void Command::prints_summary() {
+  const std::string meaning = "Print nothing; errors and warnings are still told";
+  command_->add_flag("-q,--quiet", meaning);
+}
+
 void Command::remove(const std::string& option) { command_->remove_option(command_->get_option(option)); }
 
-void Command::runs(const std::function<void()>& action) { command_->callback(action); }
+void Command::runs(const std::function<void()>& action) {
+  command_->callback([command = command_, action] {
+    const CLI::Option* const quiet = command->get_option_no_throw("--quiet");
+    if (quiet != nullptr && quiet->count() > 0) silence_prints();
+    action();
+  });
+}
 
 const std::string& Command::name() const { return command_->get_name(); }
 
@@ -106,6 +160,7 @@ std::vector<GivenOption> Command::given() const {
   std::vector<GivenOption> given;
   for (const CLI::Option* option : std::as_const(*command_).get_options()) {
     if (option->get_positional() || option->get_lnames().empty() || option->count() == 0) continue;
+    if (settable(*option).name.empty()) continue;  // what a settings file says has been given
     const std::string value = fmt::format("{}", fmt::join(option->results(), ","));
     given.push_back({option->get_lnames().front(), value, value == option->get_default_str()});
   }
@@ -154,10 +209,56 @@ std::vector<KnownCommand> known_commands(const CLI::App& app) {
   return known;
 }
 
+/// What a check of that name tells of itself; empty if there is none.
+std::string told_by(CLI::Option& option, const char* check) {
+  try {
+    return option.get_validator(check)->get_description();
+  } catch (const CLI::OptionNotFound&) {
+    return {};
+  }
+}
+
+OptionHelp help_of_option(CLI::Option& option) {
+  OptionHelp help;
+  if (option.get_positional()) {
+    help.names.push_back(option.get_name());
+  } else {
+    for (const std::string& name : option.get_snames()) help.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) help.names.push_back("--" + name);
+  }
+  const std::string type = option.get_type_name();
+  help.type = option.get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
+  help.meaning = option.get_description();
+  help.words = told_by(option, words_name);
+  help.range = told_by(option, range_name);
+  help.usual = option.get_default_str();
+  help.is_needed = option.get_required();
+  help.takes_several = option.get_items_expected_max() > 1;
+  return help;
+}
+
+CommandHelp help_of_command(CLI::App& app) {
+  CommandHelp help{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+  for (CLI::Option* const option : app.get_options()) {
+    if (option->get_group() == hidden_group) continue;
+    (option->get_positional() ? help.operands : help.options).push_back(help_of_option(*option));
+  }
+  return help;
+}
+
+/// For the command that was asked about, or for all.
+std::string help_of_app(CLI::App& app) {
+  const std::vector<CLI::App*> asked = app.get_subcommands();
+  if (!asked.empty()) return help_of(help_of_command(*asked.front()));
+  std::vector<CommandHelp> commands;
+  for (CLI::App* const command : app.get_subcommands({})) commands.push_back(help_of_command(*command));
+  return help_of_all(app.get_description(), commands);
+}
+
 }  // namespace
 
 CommandLine::CommandLine(const std::string& description, const std::string& program, const std::string& version)
-    : app_(std::make_unique<CLI::App>(description, program)) {
+    : app_(make_settings_app(description, program)) {
   app_->require_subcommand(1);
   app_->set_version_flag("--version", version);
 }
@@ -172,11 +273,16 @@ Command CommandLine::add(const std::string& name, const std::string& description
 
 void CommandLine::run(std::span<char* const> arguments) {
   try {
+    load_settings(*app_, arguments);
     app_->parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", help_of_app(*app_));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw UsageError(explain(known_commands(*app_), error.what(), arguments));
     app_->exit(error);
   } catch (const UsageError& error) {
+    const std::string place = place_of(*app_, error.what());
+    if (!place.empty()) throw InputError(place + ": " + error.what());
     throw UsageError(explain(known_commands(*app_), error.what(), arguments));
   }
 }

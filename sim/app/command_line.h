@@ -4,12 +4,16 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-// The library that reads the command line takes seconds to compile; only command_line.cpp includes it.
+#include "sim/app/settings_file.h"
+
+// The library that reads the command line takes seconds to compile; only command_line.cpp and settings_app.cpp include
+// it.
 namespace CLI {
 class App;
 class Option;
@@ -27,7 +31,15 @@ class Option {
 
   Option& required();
   Option& check(const Check& check);
-  Option& one_of(const std::vector<std::string>& names);
+
+  /// One of these words, each of which is called a `kind`: the option's name if it is not given.
+  Option& one_of(const std::vector<std::string>& names, const std::string& kind = {});
+
+  /// A list of them with commas, as one text.
+  Option& list_of(const std::vector<std::string>& names, const std::string& kind);
+
+  /// A text that is made of these words, as the check says.
+  Option& words(const std::vector<std::string>& words, const Check& check);
 
   template <class Value>
   Option& one_of(const std::map<std::string, Value>& named) {
@@ -47,7 +59,13 @@ class Option {
   /// One may not be given with the other.
   Option& excludes(const std::string& other);
 
+  /// It works, but help does not show it.
+  Option& hidden();
+
  private:
+  template <class Range, class Number>
+  Option& within(Range&& range, Number low, Number high);
+
   CLI::Option* option_;
 };
 
@@ -56,6 +74,20 @@ struct GivenOption {
   std::string name;   ///< the long one, without dashes
   std::string value;  ///< all values, with commas
   bool is_default = false;
+};
+
+/// An option or operand with the value that it has, given or by default.
+struct OptionValue {
+  std::string name;  ///< as settings have it
+  Takes takes = Takes::text;
+  bool is_operand = false;
+  std::vector<std::string> values;  ///< none where nothing is said
+};
+
+/// What a command that runs commands wants to see of them.
+struct RunWatch {
+  std::function<void(const nlohmann::ordered_json& configuration)> before;  ///< of a run; it may throw
+  std::function<void(const nlohmann::ordered_json& stats)> after;           ///< when all is written
 };
 
 /// A command that is being described. Values are written when the command line is read, and have to live until then;
@@ -77,6 +109,9 @@ class Command {
                      const std::string& help);
   void flag(const std::string& names, bool& is_given, const std::string& help);
 
+  /// Adds --quiet: nothing is printed, whatever the command prints.
+  void prints_summary();
+
   /// Takes back an option of a group that makes no sense for this command.
   void remove(const std::string& option);
 
@@ -88,6 +123,13 @@ class Command {
   /// Options, without operands, in the order of help.
   [[nodiscard]] std::vector<GivenOption> given() const;
 
+  /// Every option and operand but --help and --config, in the order of help.
+  [[nodiscard]] std::vector<OptionValue> values() const;
+
+  /// The command line, whose first word is the program.
+  [[nodiscard]] const std::vector<std::string>& arguments() const;
+
+  [[nodiscard]] RunWatch& watch() const;
   /// The same with those that were not given but have a value by default.
   [[nodiscard]] std::vector<GivenOption> settings() const;
 

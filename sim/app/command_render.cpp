@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "hw/base/error.h"
+#include "sim/app/advice.h"
 #include "sim/app/commands.h"
+#include "sim/app/configuration.h"
 #include "sim/app/frames.h"
 #include "sim/app/model_options.h"
 #include "sim/app/near_faces_warning.h"
@@ -72,11 +74,20 @@ void choose_settings(Options& options, const machines::Machine& machine) {
 
 void run_frames(const Options& options) {
   if (options.check) throw UsageError("--check", "is for one frame; leave out --frames");
+  if (options.run.advice) throw UsageError("--advice", "is for one frame; leave out --frames");
   if (options.max_wrong_pixels) throw UsageError("--max-wrong-pixels", "is for one frame; leave out --frames");
   draw_frames(options.model, options.run, options.turntable, machine_of(options.model));
 }
 
-void run(Options& options) {
+Advice advice_of(const Options& options, const CompiledModel& compiled, const machines::Machine& machine) {
+  return {options.model.machine,
+          options.run.advice,
+          "csgsim render with --advice tries the machine's figures and the settings, and tells what each is worth",
+          [&](const sim::RunResult& result) { return setting_knobs(compiled, options.model, machine, result); },
+          {"csgsim accuracy tells what bits and facets cost in wrong pixels, csgsim sweep what memory buys"}};
+}
+
+void run(Options& options, const Command& command) {
   if (options.turntable.frames > 1) return run_frames(options);
   RunOutputs outputs(options.run, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
@@ -90,7 +101,12 @@ void run(Options& options) {
       return verdict(compiled, frame, json);
     };
   }
-  run_program(compiled.program, machine, options.run, outputs, judge);
+  std::vector<std::filesystem::path> inputs = options.model.inputs();
+  inputs.insert(inputs.end(), compiled.tree.imports.begin(), compiled.tree.imports.end());
+  run_program(
+      command,
+      {machine, compiled.program, std::move(inputs), compiled.hash, &compiled.camera, &options.model.scene_values()},
+      options.run, outputs, advice_of(options, compiled, machine), judge);
 }
 
 }  // namespace
@@ -116,7 +132,8 @@ void add_render(CommandLine& line) {
       .between(1U, most_frames);
   command.option("--turn", options->turntable.degrees,
                  "Degrees that the camera turns about the vertical axis through its centre from one frame to the next");
-  command.runs([options] { run(*options); });
+  command.prints_summary();
+  command.runs([options, command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -4,12 +4,14 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "hw/kinds/load.h"
+#include "sim/app/advice.h"
 #include "sim/app/commands.h"
+#include "sim/app/configuration.h"
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
 #include "sim/app/run_options.h"
 #include "sim/app/run_outputs.h"
+#include "sim/app/sets.h"
 
 namespace csgsim::app {
 
@@ -18,6 +20,7 @@ namespace {
 struct Options {
   std::string program;
   std::string machine = "pixel-planes-4";
+  std::vector<std::string> sets;  ///< KEY=VALUE of a figure
   RunOptions run;
   CheckpointOptions checkpoints;
 };
@@ -42,19 +45,25 @@ void add_run(CommandLine& line) {
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
   command.option("--machine", options->machine,
                  "A machine's name or its .toml file; it gets the array the Program is for");
+  add_figure_sets(command, options->sets, "the machine");
   options->run.add_to(command);
   options->checkpoints.add_to(command);
-  command.runs([options] {
+  command.prints_summary();
+  command.runs([options, command] {
     if (is_model(options->program))
       throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));
+    refuse_scene_sets(options->sets);
     std::vector<std::filesystem::path> files = input_files({options->program}, {options->machine});
     if (!options->checkpoints.resume.empty()) files.emplace_back(options->checkpoints.resume);
     RunOutputs outputs(options->run, files);
     options->checkpoints.check(options->run.level, others(*options));
     const isa::Program program = read_program(options->program);
-    machines::Machine machine = kinds::load(options->machine);
+    machines::Machine machine = load_machine(options->machine, options->sets);
     machines::adopt(machine, program);
-    run_program(program, machine, options->run, outputs, {}, options->checkpoints);
+    const Advice advice{options->machine, options->run.advice,
+                        "csgsim run --advice tries the machine's figures, csgsim render --advice settings too"};
+    run_program(command, {machine, program, input_files({options->program}, {options->machine}), {}}, options->run,
+                outputs, advice, {}, options->checkpoints);
   });
 }
 

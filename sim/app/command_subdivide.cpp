@@ -251,7 +251,7 @@ void run(const Options& options) {
     for (const double tolerance : tolerances) add(level, tolerance);
   }
   fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
-             printable(options.model.model));
+             printable(shown_name(options.model.model)));
   print_table(columns);
   if (!file) return;
   file->write(to_json(columns).dump(2) + "\n");
@@ -279,6 +279,7 @@ void add_subdivide(CommandLine& line) {
       .check(is_read_by(tolerances_of))
       .excludes("--tolerance");
   command.option("-o,--output", options->json, "The same figures, .json").check(not_empty);
+  command.prints_summary();
   command.runs([options] { run(*options); });
 }
 

@@ -14,13 +14,14 @@
 #include "hw/base/text.h"
 #include "sim/app/commands.h"
 #include "sim/app/numbers.h"
+#include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/report_option.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/sweep_report.h"
-#include "sim/study/gnuplot.h"
+#include "sim/study/plot_stem.h"
 #include "sim/study/ranges.h"
 #include "sim/study/sweep_plots.h"
 #include "sim/study/table.h"
@@ -50,7 +51,7 @@ Rows complete(const SweepOptions& options, const std::vector<study::SweepJob>& j
   for (const study::SweepJob& job : jobs) {
     if (table.find(wanted(options, job)) == nullptr) missing.push_back(job);
   }
-  SweepProgress progress(jobs.size(), jobs.size() - missing.size(), options.progress == "auto");
+  SweepProgress progress(jobs.size(), jobs.size() - missing.size(), shows_progress(options.progress), options.threads);
   try {
     study::measure_all(missing, !options.no_draw, options.threads, [&](SweepRow row) {
       table.add(std::move(row));
@@ -87,13 +88,25 @@ std::vector<std::pair<std::string, Rows>> by_model(const Rows& rows) {
   return models;
 }
 
+bool is_compiled(const SweepRow& row) { return row.compiled(); }
+
+/// A model of which there is no Program at all.
+void refuse_models(const Rows& rows) {
+  std::vector<std::string> failed;
+  const std::vector<std::pair<std::string, Rows>> models = by_model(rows);
+  for (const auto& [name, of_model] : models) {
+    if (std::ranges::none_of(of_model, is_compiled)) failed.push_back(of_model.front().point.model);
+  }
+  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "sweep.csv"));
+}
+
 void refuse_failures(const SweepOptions& options, const Rows& rows) {
-  const bool none = std::none_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
-  if (none) throw InputError(rows.front().reason);
+  if (std::ranges::none_of(rows, is_compiled) && by_model(rows).size() == 1) throw InputError(rows.front().reason);
   const std::vector<study::WrongPicture> wrong = study::wrong_pictures(rows);
   if (wrong.empty()) {
-    if (!options.no_draw)
+    if (!options.no_draw && std::ranges::any_of(rows, is_compiled))
       fmt::print("\nAll pictures of a model with the same size and z bits are the same, byte for byte.\n");
+    refuse_models(rows);
     return;
   }
   const study::PointNames names(rows);
@@ -138,11 +151,12 @@ void run(const SweepOptions& options, const Command& command) {
   write_file(folder.path() / "sweep.json", points);
   for (const auto& [name, of_model] : by_model(rows)) {
     print_sweep(of_model);
-    if (!options.no_plots) study::draw_sweep(of_model, name, folder.path());
+    if (!options.no_plots && std::ranges::any_of(of_model, is_compiled))
+      study::draw_sweep(of_model, name, folder.path());
   }
   if (report.asked()) report.write(page_of(options, points));
   fmt::print("\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
-             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks and memory");
+             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory");
   refuse_failures(options, rows);
 }
 
@@ -159,6 +173,7 @@ void add_sweep(CommandLine& line) {
       "Lists are with commas, ranges of numbers as 3..8; every combination is a point. What has been measured is in\n"
       "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is new.");
   options->add_to(command);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

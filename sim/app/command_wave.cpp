@@ -142,17 +142,20 @@ void print_timing(const Seconds& seconds) {
 }
 
 void record(const Options& options, const Command& command) {
-  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst"))
+  const bool is_stream = is_unnamed_stream(options.output);
+  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && !is_stream)
     throw UsageError("--output", "the waveform's name has to end in .vcd or .fst");
   if (!is_model(options.model.model))
-    refuse_model_options(command, {"machine", "pixel", "probe", "window", "at", "whole", "timing", "output"});
+    refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "at", "whole", "timing", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   const auto asked = options.at.empty() ? std::optional(window_request(options.window)) : std::nullopt;
-  const std::filesystem::path view_path = std::filesystem::path(options.output).replace_extension(".gtkw");
+  const std::filesystem::path view_path =
+      is_stream ? std::filesystem::path() : std::filesystem::path(options.output).replace_extension(".gtkw");
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
   OutputFile file(options.output);
-  OutputFile view(view_path);
+  std::optional<OutputFile> view;
+  if (!is_stream) view.emplace(view_path);
   machines::Machine machine = machine_of(options.model);
   const isa::Program program = program_of(options.model, machine);
   wave::Request request = request_of(options, program);
@@ -178,13 +181,14 @@ void record(const Options& options, const Command& command) {
                     known.result.clocks, known.result.shown_clocks, options.window));
   }
   waveform.finish();
-  view.write(gtkwave_view(recording, request.windows, windows.marked, options.output, machine));
-  commit_all(std::array{&file, &view});
+  if (view) view->write(gtkwave_view(recording, request.windows, windows.marked, options.output, machine));
+  commit_all(std::array{&file, view ? &*view : nullptr});
   std::uint64_t clocks = 0;
   for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
-  fmt::print("{}: {}; {} clocks of {} in {}, {}; to look at it: gtkwave {}\n", printable(options.output), windows.shown,
-             grouped(clocks), grouped(known.result.clocks), counted(request.windows.size(), "window"),
-             counted(request.pixels.size(), "pixel"), shell_word(view_path.native()));
+  fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
+             grouped(known.result.clocks), counted(request.windows.size(), "window"),
+             counted(request.pixels.size(), "pixel"),
+             view ? "; to look at it: gtkwave " + shell_word(view_path.native()) : "");
   if (options.timing) print_timing(seconds);
 }
 
@@ -210,7 +214,11 @@ void add_wave(CommandLine& line) {
   command.flag("--whole", options->whole,
                "Step all of the machine from the first clock on, and not the probed pixels alone near the window");
   command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");
-  command.option("-o,--output", options->output, "The waveform, .vcd, or .fst by vcd2fst").required();
+  command
+      .option("-o,--output", options->output,
+              "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it")
+      .required();
+  command.prints_summary();
   command.runs([options, command] { record(*options, command); });
 }
 

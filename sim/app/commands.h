@@ -9,13 +9,16 @@ namespace csgsim::app {
   COMMAND(render)                \
   COMMAND(compile)               \
   COMMAND(run)                   \
+  COMMAND(rerun)                 \
   COMMAND(disasm)                \
   COMMAND(debug)                 \
   COMMAND(diff)                  \
   COMMAND(explain)               \
   COMMAND(wave)                  \
   COMMAND(accuracy)              \
+  COMMAND(advise)                \
   COMMAND(sweep)                 \
+  COMMAND(corpus)                \
   COMMAND(compare)               \
   COMMAND(subdivide)             \
   COMMAND(effects)               \

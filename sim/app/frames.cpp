@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -45,14 +44,6 @@ std::vector<fs::path> picture_paths(const fs::path& picture, std::uint32_t frame
   return paths;
 }
 
-view::Camera turned(view::Camera camera, double degrees) {
-  const double angle = degrees * std::numbers::pi / 180.0;
-  const glm::dvec3 arm = camera.eye - camera.centre;
-  camera.eye = camera.centre + glm::dvec3(std::cos(angle) * arm.x - std::sin(angle) * arm.y,
-                                          std::sin(angle) * arm.x + std::cos(angle) * arm.y, arm.z);
-  return camera;
-}
-
 std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turntable& turntable,
                                          const machines::Machine& machine) {
   CompiledModel first = compile_model(model, machine);
@@ -60,7 +51,8 @@ std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turnta
   std::vector<isa::Program> programs;
   programs.push_back(std::move(first.program));
   for (std::uint32_t i = 1; i < turntable.frames; ++i) {
-    programs.push_back(compile_seen_by(turned(first.camera, i * turntable.degrees), first, model, machine));
+    const double radians = i * turntable.degrees * std::numbers::pi / 180.0;
+    programs.push_back(compile_seen_by(view::turned(first.camera, radians), first, model, machine));
   }
   return programs;
 }
@@ -115,6 +107,8 @@ void draw(const RunOptions& run, const std::vector<isa::Program>& programs, cons
 void draw_frames(const ModelOptions& model, const RunOptions& run, const Turntable& turntable,
                  const machines::Machine& machine) {
   refuse_other_outputs(run);
+  if (!run.picture.empty() && is_stream(run.picture))
+    throw UsageError("--output", "several pictures have several names; name a file, or leave out --frames");
   const std::vector<fs::path> paths = picture_paths(run.picture, turntable.frames);
   refuse_clashes(model.inputs(), paths);
   if (!run.picture.empty()) sim::check_format(run.picture);

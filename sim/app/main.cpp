@@ -8,6 +8,7 @@
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
 #include "hw/base/partial_files.h"
+#include "hw/base/standard_streams.h"
 #include "sim/app/commands.h"
 #include "sim/app/usage.h"
 
@@ -18,7 +19,10 @@ constexpr int bad_usage = 2;
 constexpr int our_fault = 3;
 
 /// Has all that was printed arrived?
-bool printed() { return std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }
+bool printed() {
+  if (!csgsim::prints_to_standard_output()) return true;
+  return std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
 
 int not_printed() {
   csgsim::tell_line("csgsim: standard output cannot be written; is there room?");

@@ -13,6 +13,7 @@
 #include "host/emit/compile.h"
 #include "host/emit/effect.h"
 #include "host/facet/scene.h"
+#include "host/lighting/colour_schemes.h"
 #include "host/read/read.h"
 #include "host/read/source.h"
 #include "host/scene/read.h"
@@ -21,11 +22,12 @@
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
-#include "hw/kinds/load.h"
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
+#include "sim/app/prunings.h"
 #include "sim/app/scad.h"
+#include "sim/app/sets.h"
 #include "sim/app/usage.h"
 #include "sim/functional/clocks.h"
 #include "sim/study/hash.h"
@@ -34,8 +36,22 @@ namespace csgsim::app {
 
 namespace {
 
+/// OpenSCAD's words, and their first letters, as it takes them.
 const std::map<std::string, view::Projection> projections{{"ortho", view::Projection::orthographic},
-                                                          {"perspective", view::Projection::perspective}};
+                                                          {"o", view::Projection::orthographic},
+                                                          {"perspective", view::Projection::perspective},
+                                                          {"p", view::Projection::perspective}};
+
+std::vector<std::string> scheme_names() {
+  std::vector<std::string> names;
+  for (const lighting::ColourScheme& scheme : lighting::colour_schemes()) names.emplace_back(scheme.name);
+  return names;
+}
+
+void apply_scheme(const std::string& name, scene::Scene& scene) {
+  for (const lighting::ColourScheme& scheme : lighting::colour_schemes())
+    if (scheme.name == name) lighting::apply(scheme, scene);
+}
 
 /// Everything that a list of named choices has, by name.
 template <class Choices>
@@ -51,17 +67,6 @@ Tolerance parse_tolerance(const std::string& text) {
   const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
   return {numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0], in_pixels};
 }
-
-struct NamedPruning {
-  const char* name;
-  bool csg::Pruning::*is_done;
-};
-
-constexpr NamedPruning prunings[] = {
-    {"space", &csg::Pruning::space},           {"picture", &csg::Pruning::picture},
-    {"separation", &csg::Pruning::separation}, {"halfspaces", &csg::Pruning::halfspaces},
-    {"hidden", &csg::Pruning::hidden},         {"sets", &csg::Pruning::sets},
-    {"early-out", &csg::Pruning::early_out},   {"near", &csg::Pruning::near}};
 
 /// A near plane much too close leaves no depth steps for what is farther away.
 void warn_of_coarse_depth(const view::View& view) {
@@ -80,6 +85,16 @@ view::Projection projection_of(const ModelOptions& options) {
   if (!options.projection.empty()) return projections.at(options.projection);
   const bool is_perspective = options.scene().camera.is_perspective.value_or(false);
   return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
+}
+
+/// Eye and centre, or centre, turns and distance.
+view::Camera camera_in(const std::string& text) {
+  const bool is_gimbal = std::ranges::count(text, ',') == 6;
+  const auto v = numbers<double>(text, ',', is_gimbal ? 7 : 6, "--camera", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
+  const glm::dvec3 first(v[0], v[1], v[2]);
+  const glm::dvec3 second(v[3], v[4], v[5]);
+  if (is_gimbal) return view::gimbal_camera(first, second, v[6]);
+  return {first, second};
 }
 
 /// As the scene says it; an orthographic view has none.
@@ -101,13 +116,15 @@ void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
 
 const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
   if (scene_ != nullptr) return *scene_;
-  LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}};
+  LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}, {}};
   try {
-    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sets, effects::sections());
+    const std::vector<scene::Section> sections = effects::sections();
+    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sorted(sets).scene, sections, &loaded.values);
   } catch (const scene::SetError& error) {
     throw UsageError(error.what());
   }
   switch_off(effects_off_, loaded.scene);
+  apply_scheme(colour_scheme, loaded.scene);
   scene_ = std::make_shared<const LoadedScene>(std::move(loaded));
   return *scene_;
 }
@@ -119,9 +136,9 @@ ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names
   return fewer;
 }
 
-std::vector<std::string> pruning_names() {
-  std::vector<std::string> names{"all"};
-  for (const NamedPruning& pruning : prunings) names.emplace_back(pruning.name);
+std::vector<std::string> strategy_names() {
+  std::vector<std::string> names;
+  for (const auto strategy : emit::strategies) names.emplace_back(emit::name_of(strategy));
   return names;
 }
 
@@ -136,8 +153,8 @@ void ModelOptions::add_to(Command& command, const std::string& what) {
   command.option("--z-bits", z_bits, "Bits of depth");
   command
       .option("--strategy", strategy,
-              "How classifications are worked out: stack, list, bits (with --stack-bits), products, parallel, or auto")
-      .one_of(by_name(emit::strategies));
+              "How classifications are worked out; bits with --stack-bits, auto: the fewest clocks that fit")
+      .one_of(strategy_names());
   command
       .option("--stack-bits", stack_bits,
               "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 renders a primitive "
@@ -145,29 +162,41 @@ void ModelOptions::add_to(Command& command, const std::string& what) {
       .between(emit::fewest_stack_bits, most_stack_bits);
   command
       .option("--colouring", colouring,
-              "rebroadcast (facets again after the merge), field (a second colour beside Z1), or auto")
+              "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour "
+              "beside Z1)")
       .one_of(by_name(emit::colourings));
   command
-      .option("--without", without,
-              "Prunings to leave out, with commas: space, picture, separation, halfspaces, hidden, sets, "
-              "early-out, near, or all")
+      .option("--pruning", pruning,
+              "Prunings that are done: all, none, those named (space+hidden) or all but those (no-space+no-hidden)")
+      .words(pruning_words(), check_pruning);
+  command.option("--without", without, "Prunings to leave out, with commas")
       .comma_list()
-      .one_of(pruning_names());
+      .one_of(left_out_words(), "pruning")
+      .excludes("--pruning")
+      .hidden();
 }
 
 void ModelOptions::add_view_to(Command& command) {
-  command.option("--size", size, "Picture and array size in pixels, WxH; the machine's own if not given");
-  command.option("--camera", camera, "Eye and centre as OpenSCAD takes them: ex,ey,ez,cx,cy,cz");
-  command.option("--projection", projection, "ortho or perspective; ortho if the scene says nothing either")
+  command.option("--size,--imgsize", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  command.option("--camera", camera,
+                 "As OpenSCAD's: eye and centre, ex,ey,ez,cx,cy,cz; or centre, turns and distance, x,y,z,rx,ry,rz,d");
+  command.option("--projection", projection, "ortho (o) or perspective (p); ortho if the scene says nothing either")
       .one_of(projections);
   command.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
-  command.option("--set", sets, "A key of the scene, as in lights.0.direction=0,0,-1; once for each");
+  command
+      .option("--colour-scheme,--colorscheme", colour_scheme,
+              "Background and usual colours of faces as OpenSCAD's scheme of that name has them")
+      .one_of(scheme_names());
+  command.option(
+      "--set", sets,
+      "A figure of the machine, as in alu.bits=4, or a key of the scene, as in lights.0.direction=0,0,-1; once for "
+      "each");
   command.option("--imports-from", imports_from,
                  "Folder in which, or below which, the files are that the model imports; the model's own if not given");
   command.flag("--snap", snap,
                "Restore rotations by hundredths of a degree from the six digits that OpenSCAD writes, so that planes "
                "that should coincide do");
-  command.flag("--view-all", view_all, "Move the camera so that the whole model just fits");
+  command.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
   command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
   command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients");
   command.option("--edge-on", edge_on,
@@ -181,9 +210,10 @@ void ModelOptions::add_view_to(Command& command) {
 }
 
 machines::Machine machine_of(const ModelOptions& options) {
-  machines::Machine machine = kinds::load(options.machine);
+  machines::Machine machine = load_machine(options.machine, options.sets);
   if (!options.size.empty()) {
-    const auto size = numbers<std::uint32_t>(options.size, 'x', 2, "--size", "WxH");
+    const char between = options.size.find(',') == std::string::npos ? 'x' : ',';
+    const auto size = numbers<std::uint32_t>(options.size, between, 2, "--size", "WxH");
     machines::set_picture_size(machine, {size[0], size[1]});
   }
   if (options.memory_bits) machine.array.memory_bits = *options.memory_bits;
@@ -198,11 +228,7 @@ emit::Options emit_options_of(const ModelOptions& options) {
   emit.colour_bits = options.colour_bits;
   emit.scene = options.scene();
   emit.effects = effects::all();
-  for (const std::string& name : options.without) {
-    for (const NamedPruning& pruning : prunings) {
-      if (name == "all" || name == pruning.name) emit.pruning.*pruning.is_done = false;
-    }
-  }
+  emit.pruning = pruning_of(options.without.empty() ? options.pruning : pruning_without(options.without));
   return emit;
 }
 
@@ -237,11 +263,7 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
   view::Camera camera = view::default_camera(box, picture.width, picture.height);
   camera.eye = seen_by.eye.value_or(camera.eye);
   camera.centre = seen_by.centre.value_or(camera.centre);
-  if (!options.camera.empty()) {
-    const auto v = numbers<double>(options.camera, ',', 6, "--camera", "ex,ey,ez,cx,cy,cz");
-    camera.eye = {v[0], v[1], v[2]};
-    camera.centre = {v[3], v[4], v[5]};
-  }
+  if (!options.camera.empty()) camera = camera_in(options.camera);
   camera.projection = projection_of(options);
   return sees_all ? view::view_all(camera, box, picture.width, picture.height) : camera;
 }
@@ -267,13 +289,14 @@ ModelFile read_model_file(const ModelOptions& options) {
   return with_memory_for("the model " + options.model, [&] {
     const bool is_source = ends_in(options.model, ".scad");
     const std::string text = is_source ? csg_of_scad(options.model) : read::load(options.model);
+    const std::string name = shown_name(options.model);
     study::Hash hash;
     hash.add(text);
     hash.add(options.scene_text());
     if (options.snap) hash.add("--snap");
-    model::Tree tree = read::read_csg_text(text, is_source ? options.model + " (as .csg)" : options.model,
-                                           {options.snap, options.imports_from});
-    tree.file = options.model;
+    model::Tree tree =
+        read::read_csg_text(text, is_source ? name + " (as .csg)" : name, {options.snap, options.imports_from});
+    tree.file = name;
     for (const std::filesystem::path& import : tree.imports) hash.add(read_file(import.string(), imported_file));
     return ModelFile{effects::reshaped(std::move(tree), options.scene()), hash.text()};
   });
@@ -283,10 +306,11 @@ model::Tree read_model(const ModelOptions& options) { return read_model_file(opt
 
 namespace {
 
-CompiledModel compile(model::Tree tree, const ModelOptions& options, const machines::Machine& machine) {
+CompiledModel compile(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
+  model::Tree& tree = file.tree;
   facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
   const view::Camera camera = camera_of(options, machine, tree, scene);
-  CompiledModel model{std::move(tree), std::move(scene), camera, {}};
+  CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
   model.program = compile_seen_by(model.camera, model, options, machine);
   return model;
 }
@@ -307,9 +331,9 @@ isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& mo
 }
 
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
-  model::Tree tree = read_model(options);
+  ModelFile file = read_model_file(options);
   return with_memory_for("the half-spaces of " + options.model,
-                         [&] { return compile(std::move(tree), options, machine); });
+                         [&] { return compile(std::move(file), options, machine); });
 }
 
 }  // namespace csgsim::app

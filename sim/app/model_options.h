@@ -8,6 +8,7 @@
 
 #include "host/emit/options.h"
 #include "host/facet/scene.h"
+#include "host/scene/read.h"
 #include "host/scene/scene.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
@@ -39,7 +40,8 @@ struct ModelOptions {
   bool view_all = false;
   std::optional<double> near;
   std::string scene_file;
-  std::vector<std::string> sets;  ///< KEY=VALUE of the scene
+  std::string colour_scheme;      ///< empty: the scene's colours
+  std::vector<std::string> sets;  ///< KEY=VALUE of the scene, or of a figure of the machine
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
   double edge_on = 1.0 / 256;
@@ -48,12 +50,15 @@ struct ModelOptions {
   unsigned stack_bits = emit::fewest_stack_bits;
   std::string colouring = "rebroadcast";
   unsigned colour_bits = isa::most_colour_bits;
-  std::vector<std::string> without;
+  std::string pruning = "all";       ///< see pruning_of
+  std::vector<std::string> without;  ///< prunings that are left out, in place of `pruning`
 
-  void add_to(Command& command, const std::string& what = "The model, an OpenSCAD .csg file, or its source, .scad");
+  void add_to(Command& command,
+              const std::string& what = "The model, an OpenSCAD .csg file (- is standard input), or its source, .scad");
 
   /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
+  [[nodiscard]] const std::vector<scene::SectionValues>& scene_values() const { return loaded_scene().values; }
   [[nodiscard]] const std::string& scene_text() const { return loaded_scene().text; }
 
   /// The same with those effects switched off, whatever the scene or the model calls for.
@@ -69,6 +74,7 @@ struct ModelOptions {
   struct LoadedScene {
     std::string text;
     scene::Scene scene;
+    std::vector<scene::SectionValues> values;  ///< of its keys
   };
 
   [[nodiscard]] const LoadedScene& loaded_scene() const;
@@ -77,8 +83,8 @@ struct ModelOptions {
   std::vector<std::string> effects_off_;
 };
 
-/// `all`, and the names of the prunings that can be left out.
-std::vector<std::string> pruning_names();
+/// Those of --strategy.
+std::vector<std::string> strategy_names();
 
 /// The machine with the array that the options ask for.
 machines::Machine machine_of(const ModelOptions& options);
@@ -110,6 +116,7 @@ model::Tree read_model(const ModelOptions& options);
 
 /// A model read, faceted, seen and compiled.
 struct CompiledModel {
+  std::string hash;  ///< of what was read
   model::Tree tree;
   facet::Scene scene;
   view::Camera camera;

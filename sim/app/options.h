@@ -1,8 +1,11 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <string>
 
+#include "hw/base/standard_streams.h"
 #include "sim/app/command_line.h"
 
 namespace csgsim::app {
@@ -17,8 +20,14 @@ inline std::string whole_number(const std::string& text) {
   return is_digits ? "" : "'" + text + "' is not a whole number, 0 or more";
 }
 
+/// Whether to tell on standard error how far things are.
+inline bool shows_progress(const std::string& progress) {
+  return progress == "auto" && !is_silent() && ::isatty(STDERR_FILENO) != 0;
+}
+
 inline void add_progress(Command& command, std::string& progress) {
-  command.option("--progress", progress, "auto (when standard error is a terminal) or none").one_of({"auto", "none"});
+  command.option("--progress", progress, "auto (when standard error is a terminal) or none")
+      .one_of({"auto", "none"}, "progress setting");
 }
 
 }  // namespace csgsim::app

@@ -8,6 +8,10 @@
 #include <optional>
 
 #include "hw/base/file_roles.h"
+#include "hw/base/input_file.h"
+#include "hw/base/output_file.h"
+#include "hw/base/standard_streams.h"
+#include "hw/isa/binary.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
 #include "sim/app/usage.h"
@@ -33,10 +37,43 @@ void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<con
                [](const std::filesystem::path& path) { return !path.empty(); });
   const std::optional<Clash> clash = find_clash(inputs, named);
   if (!clash) return;
-  throw UsageError(clash->output.native(),
-                   clash->is_input ? fmt::format("it is the same file as {}, which is read; name another output",
-                                                 clash->other.native())
-                                   : "two outputs cannot be the same file");
+  throw UsageError(
+      clash->output.native(),
+      is_standard_output(clash->output) ? "two outputs cannot both go to standard output; name a file for one"
+      : clash->is_input
+          ? fmt::format("it is the same file as {}, which is read; name another output", clash->other.native())
+          : "two outputs cannot be the same file");
+}
+
+bool is_unnamed_stream(const std::filesystem::path& path) {
+  return !path.empty() && !path.has_extension() && is_stream(path);
+}
+
+namespace {
+
+constexpr InputKind model_or_program{"a model or a Program", std::size_t{1} << 30U, "draw a smaller picture"};
+
+/// In either form.
+bool begins_as_program(std::string_view text) {
+  return isa::is_binary(std::as_bytes(std::span(text))) || text.starts_with("# csgsim program") ||
+         text.starts_with('.');
+}
+
+}  // namespace
+
+bool is_model(const std::filesystem::path& path) {
+  return path == standard_stream ? !is_program(path) : ends_in(path, ".csg");
+}
+
+bool is_program(const std::filesystem::path& path) {
+  return path == standard_stream ? begins_as_program(read_file(path, model_or_program)) : ends_in(path, ".csgt");
+}
+
+std::string shown_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
+
+void refuse_terminal(const std::string& option, const std::filesystem::path& path) {
+  if (path.empty() || !is_terminal(path)) return;
+  throw UsageError(option, fmt::format("a terminal cannot show binary data; name a file, or lead it into a pipe"));
 }
 
 }  // namespace csgsim::app

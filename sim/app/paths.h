@@ -19,7 +19,17 @@ std::vector<std::filesystem::path> input_files(const std::vector<std::string>& s
 /// UsageError.
 void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs);
 
-inline bool is_model(const std::filesystem::path& path) { return ends_in(path, ".csg"); }
-inline bool is_program(const std::filesystem::path& path) { return ends_in(path, ".csgt"); }
+/// A stream whose name has no ending to tell a format by: `-`, /dev/stdout, most pipes.
+bool is_unnamed_stream(const std::filesystem::path& path);
+
+/// The name of an input for people: `standard input` for `-`.
+std::string shown_name(const std::string& path);
+
+/// Refuses binary data on a terminal. Throws UsageError.
+void refuse_terminal(const std::string& option, const std::filesystem::path& path);
+
+/// By the name's ending; of standard input by how it begins.
+bool is_model(const std::filesystem::path& path);
+bool is_program(const std::filesystem::path& path);
 
 }  // namespace csgsim::app

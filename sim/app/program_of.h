@@ -15,7 +15,8 @@ namespace csgsim::app {
 /// without dashes.
 void refuse_model_options(const Command& command, const std::set<std::string>& own);
 
-/// A model is compiled; anything else is a Program, and the machine gets the array it is made for. Throws InputError.
+/// A model is compiled; anything else is a Program, and the machine gets the array it is made for. Throws InputError,
+/// or UsageError where a key of the scene is set for a Program.
 isa::Program program_of(const ModelOptions& options, machines::Machine& machine);
 
 }  // namespace csgsim::app

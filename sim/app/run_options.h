@@ -13,6 +13,7 @@
 #include "sim/app/report_option.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
+#include "sim/observe/long_work.h"
 
 namespace csgsim::app {
 
@@ -28,12 +29,16 @@ struct RunOptions {
   std::string level = "functional";
   std::string progress = "auto";
   unsigned threads = 1;
+  bool advice = false;  ///< try all that could be turned, to see what it is worth
 
   void add_to(Command& command);
 };
 
 /// The names of the levels of fidelity.
 std::vector<std::string> level_names();
+
+/// Of a run that may take long: what to say of it.
+sim::LongWork long_run(const std::string& level);
 
 /// An engine of the level of that name.
 std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads);
@@ -42,13 +47,17 @@ std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const
 using Judge = std::function<std::string(const sim::Frame&, nlohmann::ordered_json&)>;
 
 class RunOutputs;
+struct Advice;
 
 /// Throws InputError if a linear expression did not fit its width somewhere.
 void refuse_overflow(const sim::RunResult& result);
 
+struct RunSubject;
+
 /// Runs the Program at the level asked for, writes what was asked for and prints the summary. Where there is a judge,
-/// its verdict goes into the stats under `accuracy`.
-void run_program(const isa::Program& program, const machines::Machine& machine, const RunOptions& options,
-                 RunOutputs& outputs, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
+/// its verdict goes into the stats under `accuracy`; all that the run follows from is under `configuration`. `advice`
+/// says what may be tried to better it.
+void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
+                 const Advice& advice, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
 
 }  // namespace csgsim::app

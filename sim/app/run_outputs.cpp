@@ -17,7 +17,9 @@ void open(std::optional<OutputFile>& file, const std::string& name) {
 
 /// The file beside an owner picture that tells its colours; none if it holds indices.
 std::string legend_of(const std::filesystem::path& owner_picture) {
-  return sim::has_legend(owner_picture) ? std::filesystem::path(owner_picture).replace_extension(".json").native() : "";
+  return sim::has_legend(owner_picture) && !is_unnamed_stream(owner_picture)
+             ? std::filesystem::path(owner_picture).replace_extension(".json").native()
+             : "";
 }
 
 }  // namespace
@@ -26,6 +28,9 @@ RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesyste
   const std::string legend = legend_of(options.owner);
   refuse_clashes(inputs, std::to_array<std::filesystem::path>({options.picture, options.depth, options.owner, legend,
                                                                options.stats, options.report.file}));
+  refuse_terminal("--output", options.picture);
+  refuse_terminal("--depth", options.depth);
+  refuse_terminal("--owner", options.owner);
   if (!options.picture.empty()) sim::check_format(options.picture);
   if (!options.depth.empty()) sim::check_depth_format(options.depth);
   if (!options.owner.empty()) sim::check_format(options.owner);

@@ -10,6 +10,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
+#include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
 #include "sim/app/paths.h"
 #include "sim/app/usage.h"
@@ -23,6 +24,7 @@ constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".json
 
 std::filesystem::path made_folder(const std::filesystem::path& folder) {
   if (folder.empty()) throw UsageError("--output", "the name is empty; name the folder");
+  if (is_standard_output(folder)) throw UsageError("--output", "a folder is needed for several files; name one");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
@@ -44,7 +46,7 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
 }
 
 constexpr auto without_effect =
-    std::to_array<std::string_view>({"output", "threads", "progress", "no-plots", "report"});
+    std::to_array<std::string_view>({"output", "threads", "progress", "no-plots", "report", "quiet"});
 
 }  // namespace
 
@@ -62,6 +64,17 @@ std::string study_title(const Command& command, const std::set<std::string>& but
     title += fmt::format(" --{} {}", option.name, escaped(option.value));
   }
   return title;
+}
+
+std::string told_of(const std::string& model, const std::string& reason) {
+  return reason.starts_with(model) ? reason : model + ": " + reason;
+}
+
+std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table) {
+  constexpr std::size_t most_named = 5;
+  const std::span<const std::string> named = failed.first(std::min(failed.size(), most_named));
+  return fmt::format("{} of {} models could not be drawn: {}{}; {} says why", failed.size(), models,
+                     fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
 }
 
 void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {

@@ -29,6 +29,12 @@ class StudyFolder {
 /// result (the output, threads, progress, plots): tells what a table is of.
 std::string study_title(const Command& command, const std::set<std::string>& but);
 
+/// The reason, behind the model's name if it does not begin with that.
+std::string told_of(const std::string& model, const std::string& reason);
+
+/// The last line of a study of so many models that went on past some, which its table tells the reasons of.
+std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table);
+
 /// Tells on standard error what has changed since some rows of a table were measured.
 void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed);
 

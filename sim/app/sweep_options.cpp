@@ -1,12 +1,10 @@
 #include "sim/app/sweep_options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <functional>
 #include <map>
 #include <memory>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -15,8 +13,11 @@
 #include "hw/isa/instruction.h"
 #include "hw/kinds/load.h"
 #include "sim/app/options.h"
+#include "sim/app/prunings.h"
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
+#include "sim/app/sets.h"
+#include "sim/app/subjects.h"
 #include "sim/app/version.h"
 #include "sim/study/ranges.h"
 
@@ -32,22 +33,6 @@ std::vector<std::string> names_of(const Choices& choices) {
   return names;
 }
 
-constexpr const char* all_but = "no-";
-
-/// all, none, and no-X for each pruning X.
-std::vector<std::string> pruning_choices() {
-  std::vector<std::string> choices{"all", "none"};
-  for (const std::string& name : pruning_names()) {
-    if (name != "all") choices.push_back(all_but + name);
-  }
-  return choices;
-}
-
-std::vector<std::string> without(const std::string& choice) {
-  if (choice == "all") return {};
-  return {choice == "none" ? "all" : choice.substr(std::string_view(all_but).size())};
-}
-
 std::vector<unsigned> memory_bits_of(const std::string& text) {
   return study::parse_numbers(text, 1, isa::max_memory_bits);
 }
@@ -58,12 +43,11 @@ std::vector<unsigned> stack_bits_of(const std::string& text) {
   return study::parse_numbers(text, emit::fewest_stack_bits, most_stack_bits);
 }
 std::vector<std::string> strategies_of(const std::string& text) {
-  return study::parse_names(text, names_of(emit::strategies));
+  return study::parse_names(text, "strategy", names_of(emit::strategies));
 }
 std::vector<std::string> colourings_of(const std::string& text) {
-  return study::parse_names(text, names_of(emit::colourings));
+  return study::parse_names(text, "colouring", names_of(emit::colourings));
 }
-std::vector<std::string> prunings_of(const std::string& text) { return study::parse_names(text, pruning_choices()); }
 
 study::SweepRanges ranges_of(const SweepOptions& options) {
   study::SweepRanges ranges;
@@ -71,7 +55,7 @@ study::SweepRanges ranges_of(const SweepOptions& options) {
     if (std::find(ranges.models.begin(), ranges.models.end(), model) == ranges.models.end())
       ranges.models.push_back(model);
   }
-  ranges.machines = study::parse_words(options.machines);
+  ranges.machines = with_figures(study::parse_words(options.machines), options.view.sets);
   for (const std::string& machine : ranges.machines) {
     ranges.memory_bits[machine] = options.memory_bits.empty() ? std::vector{kinds::load(machine).array.memory_bits}
                                                               : memory_bits_of(options.memory_bits);
@@ -88,10 +72,11 @@ study::SweepRanges ranges_of(const SweepOptions& options) {
 ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& point) {
   ModelOptions one = options.view;
   one.model = point.model;
-  one.machine = point.machine;
+  one.machine = point.machine;  // with its figures as set
+  one.sets = sorted(options.view.sets).scene;
   one.memory_bits = point.memory_bits;
   one.z_bits = point.z_bits;
-  one.without = without(point.pruning);
+  one.pruning = point.pruning;
   one.colouring = point.colouring;
   one.strategy = point.strategy;
   if (point.stack_bits > 0) one.stack_bits = point.stack_bits;
@@ -102,28 +87,25 @@ ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& po
 
 std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
   // Facets may depend on what a pixel covers.
-  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, std::shared_ptr<const study::Subject>> subjects;
+  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, ReadSubject> subjects;
   std::vector<study::SweepJob> jobs;
   for (study::SweepPoint& point : study::points_of(ranges_of(options))) {
     const ModelOptions one = options_of(options, point);
     const machines::Machine machine = machine_of(one);
     const machines::Size picture = machine.picture;
-    std::shared_ptr<const study::Subject>& subject = subjects[{point.model, picture.width, picture.height}];
-    if (!subject) {
-      ModelFile file = read_model_file(one);
-      facet::Scene scene = facet::make_scene(file.tree, faceting_of(one, machine, file.tree));
-      subject = std::make_shared<study::Subject>(
-          study::Subject{std::move(file.tree), std::move(scene), std::move(file.hash)});
-    }
+    const auto [place, is_new] = subjects.try_emplace({point.model, picture.width, picture.height});
+    ReadSubject& read = place->second;
+    if (is_new) read = read_subject(one, machine);
     point.model = escaped(point.model);
     point.machine = escaped(point.machine);
     jobs.push_back({std::move(point),
-                    subject,
-                    camera_of(one, machine, subject->tree, subject->scene),
+                    read.subject,
+                    read.subject ? camera_of(one, machine, read.subject->tree, read.subject->scene) : view::Camera{},
                     sampling_of(one, machine),
                     machine,
                     emit_options_of(one),
-                    {subject->hash, study::hash_of(machine), version_and_build()}});
+                    {read.hash, study::hash_of(machine), version_and_build()},
+                    read.reason});
   }
   return jobs;
 }
@@ -134,12 +116,17 @@ void SweepOptions::add_to(Command& command) {
   const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
     command.option(name, value, help).check(is_read_by(parse));
   };
-  add_list("--strategy", strategies, strategies_of, "List of stack, list, bits, products, parallel, auto");
+  command.option("--strategy", strategies, "List of the ways in which classifications are worked out")
+      .list_of(names_of(emit::strategies), "strategy");
   add_list("--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
   add_list("--z-bits", z_bits, z_bits_of, "Numbers: bits of depth");
-  add_list("--colouring", colourings, colourings_of, "List of rebroadcast, field, auto");
-  add_list("--pruning", prunings, prunings_of,
-           fmt::format("List of {}: the prunings that are done", fmt::join(pruning_choices(), ", ")));
+  command.option("--colouring", colourings, "List of the ways in which colours get to the pixels")
+      .list_of(names_of(emit::colourings), "colouring");
+  command
+      .option("--pruning", prunings,
+              "List of which prunings are done: all, none, those named (space+hidden) or all but those "
+              "(no-space+no-hidden)")
+      .words(pruning_words(), is_read_by(prunings_of));
   add_list("--machine", machines, study::parse_words, "List of machines, by name or .toml file");
   add_list("--memory-bits", memory_bits, memory_bits_of,
            "Numbers: memory bits a pixel; the machine's own if not given");

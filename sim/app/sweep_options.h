@@ -33,8 +33,8 @@ struct SweepOptions {
   void add_to(Command& command);
 };
 
-/// The points asked for, with all that they are made from; each model is read once for each picture size. Throws
-/// InputError.
+/// The points asked for, with all that they are made from; each model is read once for each picture size. One that
+/// cannot be read is the reason of all its points. Throws InputError for machines.
 std::vector<study::SweepJob> jobs_of(const SweepOptions& options);
 
 }  // namespace csgsim::app

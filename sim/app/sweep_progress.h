@@ -1,21 +1,23 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 
 #include "hw/base/messages.h"
+#include "sim/observe/long_work.h"
 
 namespace csgsim::app {
 
-/// Tells on standard error, where that is a terminal, how many points of a sweep are done, the rate and the time left.
+/// Tells on standard error, where that is a terminal, how many points of a sweep are done, the rate and the time left;
+/// and warns, after the first point, of a sweep that will take minutes.
 class SweepProgress {
  public:
-  /// `known` of the points were measured before.
-  SweepProgress(std::size_t points, std::size_t known, bool wanted)
-      : points_(points), known_(known), show_(wanted && ::isatty(STDERR_FILENO) != 0) {
+  /// `known` of the points were measured before; so many are measured at the same time.
+  SweepProgress(std::size_t points, std::size_t known, bool wanted, unsigned threads = 1)
+      : points_(points), known_(known), threads_(threads), show_(wanted) {
     show();
   }
   ~SweepProgress() {
@@ -26,6 +28,10 @@ class SweepProgress {
 
   void done() {
     ++measured_;
+    // Those that are measured at the same time are nearly done too.
+    const std::size_t missing = points_ - known_;
+    const std::size_t done = std::min(measured_ + threads_ - 1, missing);
+    work_.at(static_cast<double>(done) / static_cast<double>(missing));
     show();
   }
 
@@ -43,8 +49,10 @@ class SweepProgress {
 
   std::size_t points_;
   std::size_t known_;
+  std::size_t threads_;
   std::size_t measured_ = 0;
   bool show_;
+  sim::LongWork work_{"this study", "fewer points and a smaller --size take less; what is measured is kept"};
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

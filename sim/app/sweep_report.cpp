@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/app/numbers.h"
+#include "sim/app/study_files.h"
 
 namespace csgsim::app {
 
@@ -132,11 +133,19 @@ void print_failures(std::span<const SweepRow> rows) {
   if (failed > 0) fmt::print("  {} of {} points cannot be compiled; the table says why\n", failed, rows.size());
 }
 
+bool is_one_reason(std::span<const SweepRow> rows) {
+  return std::ranges::all_of(rows, [&](const SweepRow& row) { return row.reason == rows.front().reason; });
+}
+
 }  // namespace
 
 void print_sweep(std::span<const SweepRow> rows) {
   // A row without a Program knows nothing of its model.
   const auto compiled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
+  if (compiled == rows.end() && is_one_reason(rows)) {
+    fmt::print("\n{}\n", told_of(rows.front().point.model, rows.front().reason));
+    return;
+  }
   const SweepRow& facts = compiled == rows.end() ? rows.front() : *compiled;
   fmt::print("\n{}: {}, {}, {} x {} pixels\n", facts.point.model, counted(facts.primitives, "primitive"),
              counted(facts.halfspaces, "half-space"), facts.width, facts.height);

@@ -1,45 +1,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/bench/report.h"
-#include "sim/study/gnuplot.h"
+#include "sim/plots/gnuplot.h"
 
 namespace csgsim::bench {
 
 namespace {
 
-/// The lines of one plot: all parts that are measured against the same.
-std::string script_of(const std::vector<Growth>& growths, const std::string& against) {
-  std::string data;
-  std::string plots;
+/// All parts that are measured against the same.
+plots::Chart chart_of(const std::vector<Growth>& growths, const std::string& against) {
+  plots::Chart chart{"csgsim against " + against,
+                     {against, plots::Scale::logarithmic},
+                     {{"ms", plots::Scale::logarithmic}},
+                     {},
+                     "bench.json"};
   for (const Growth& growth : growths) {
     if (growth.against != against) continue;
-    data += fmt::format("${} << EOD\n", growth.part);
-    for (const Point& point : growth.points) data += fmt::format("{} {}\n", point.x, point.y * 1e3);
-    data += "EOD\n";
-    plots += fmt::format("{}${} using 1:2 with linespoints pt 7 lw 2 title '{}: exponent {:.2f}'",
-                         plots.empty() ? "plot " : ", ", growth.part, growth.part, growth.power());
+    plots::Series series{fmt::format("{}: exponent {:.2f}", growth.part, growth.power())};
+    for (const Point& point : growth.points) series.points.push_back({point.x, point.y * 1e3});
+    chart.series.push_back(std::move(series));
   }
-  return fmt::format(
-      "set title 'csgsim against {0}'\nset xlabel '{0}'\nset ylabel 'ms'\nset logscale xy\nset grid\n"
-      "set key outside bottom horizontal\nset offsets graph 0.05, graph 0.05, graph 0.1, graph 0.1\n{1}{2}\n",
-      against, data, plots);
+  return chart;
 }
 
 }  // namespace
 
-std::vector<std::filesystem::path> draw_growths(const Results& results) {
-  std::vector<std::string> drawn;
-  std::vector<std::filesystem::path> files;
-  for (const Growth& growth : results.growths) {
-    if (std::ranges::find(drawn, growth.against) != drawn.end()) continue;
-    drawn.push_back(growth.against);
-    for (std::filesystem::path& file : study::draw_plot(results.settings.folder, "growth_" + growth.against,
-                                                        script_of(results.growths, growth.against)))
-      files.push_back(std::move(file));
+std::vector<plots::Plot> plots_of_growths(const std::vector<Growth>& growths) {
+  std::vector<plots::Plot> all;
+  for (const Growth& growth : growths) {
+    const std::string name = "growth_" + growth.against;
+    if (std::ranges::find(all, name, &plots::Plot::name) == all.end())
+      all.push_back({name, chart_of(growths, growth.against)});
   }
-  return files;
+  return all;
+}
+
+std::vector<std::filesystem::path> draw_growths(const Results& results) {
+  return plots::draw(plots_of_growths(results.growths), results.settings.folder);
 }
 
 }  // namespace csgsim::bench

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/bench/bench.h"
+#include "sim/plots/plot.h"
 
 namespace csgsim::bench {
 
@@ -15,8 +16,11 @@ nlohmann::ordered_json to_json(const Results& results);
 /// The same for people, as tables in Markdown.
 std::string to_tables(const Results& results);
 
-/// Draws seconds against what grows, a plot each, as growth_NAME.png and .svg into the folder, by gnuplot. Returns the
-/// files. Throws InputError if gnuplot cannot be run.
+/// Times against what grows, a plot each, by the name growth_NAME.
+std::vector<plots::Plot> plots_of_growths(const std::vector<Growth>& growths);
+
+/// Draws them as PNG and SVG into the folder, by gnuplot. Returns the files. Throws InputError if gnuplot cannot be
+/// run.
 std::vector<std::filesystem::path> draw_growths(const Results& results);
 
 }  // namespace csgsim::bench

@@ -19,6 +19,7 @@ namespace {
 RunResult result_of(kernel::RunReport&& report, const Relay& relay) {
   RunResult result{.overflows = relay.overflows(),
                    .skipped = report.skipped,
+                   .skips = relay.skips(),
                    .answers = std::move(report.answers),
                    .scanned_out = std::move(report.picture)};
   put(machines::with_pace({.clocks = report.clocks,

@@ -1,5 +1,8 @@
 #include "sim/cycle/relay.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "sim/cycle/overflow.h"
 
 namespace csgsim::sim {
@@ -21,6 +24,7 @@ kernel::Keep Relay::keeps_after(std::uint32_t segment, std::uint32_t index) {
 }
 
 void Relay::after_instruction(const kernel::Retired& retired, const kernel::PixelView& pixels) {
+  if (retired.skipped > 0) skips_.push_back({retired.segment, retired.index});
   count_overflows_of_next(retired, pixels);
   in_order_.after_instruction({.segment = retired.segment,
                                .index = retired.index,
@@ -32,6 +36,12 @@ void Relay::after_instruction(const kernel::Retired& retired, const kernel::Pixe
 
 void Relay::after_segment(std::uint32_t segment, const kernel::PixelView& pixels) {
   in_order_.after_segment(segment, pixels);
+}
+
+std::vector<machines::Skip> Relay::skips() const {
+  std::vector<machines::Skip> sorted = skips_;
+  std::ranges::sort(sorted, {}, [](const machines::Skip& one) { return std::tuple(one.segment, one.index); });
+  return sorted;
 }
 
 /// No pixel is enabled when a segment begins, nor where instructions are skipped.

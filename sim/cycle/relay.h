@@ -23,6 +23,8 @@ class Relay final : public kernel::RunListener {
   void after_segment(std::uint32_t segment, const kernel::PixelView& pixels) override;
 
   [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
+  /// What was skipped, in program order.
+  [[nodiscard]] std::vector<machines::Skip> skips() const;
 
  private:
   void count_overflows_of_next(const kernel::Retired& retired, const kernel::PixelView& pixels);
@@ -31,6 +33,7 @@ class Relay final : public kernel::RunListener {
   InOrder in_order_;
   std::vector<std::uint64_t> enable_;
   std::uint64_t overflows_ = 0;
+  std::vector<machines::Skip> skips_;  ///< in the order in which the machine comes to them
 };
 
 }  // namespace csgsim::sim

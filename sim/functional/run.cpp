@@ -95,6 +95,7 @@ RunResult FunctionalRun::result() const {
   RunResult result;
   result.overflows = overflows_;
   result.skipped = skipped_;
+  result.skips = skips_;
   result.answers = answers_;
   result.work = tiles_.work();
   put(machines::time_frame(program_, machine_, skips_), result);

@@ -27,13 +27,27 @@ pictures::Raster colours(const Frame& frame, const std::vector<std::uint8_t>& sa
   return {frame.width, frame.height, 3, {}, pictures::Bytes(samples)};
 }
 
-void write(OutputFile& file, const pictures::Raster& raster) { file.write(pictures::encode(file.asked(), raster)); }
+/// A name with an ending that tells the format.
+std::filesystem::path named(std::filesystem::path path, const char* usual_ending) {
+  return path.has_extension() || !is_stream(path) ? path : path += usual_ending;
+}
+
+constexpr const char* png = ".png";
+constexpr const char* exr = ".exr";
+
+void write(OutputFile& file, const char* usual_ending, const pictures::Raster& raster) {
+  file.write(pictures::encode(named(file.asked(), usual_ending), raster));
+}
 
 }  // namespace
 
-void check_format(const std::filesystem::path& path) { pictures::check_format(path, pictures::Samples::bytes); }
+void check_format(const std::filesystem::path& path) {
+  pictures::check_format(named(path, png), pictures::Samples::bytes);
+}
 
-void check_depth_format(const std::filesystem::path& path) { pictures::check_format(path, pictures::Samples::floats); }
+void check_depth_format(const std::filesystem::path& path) {
+  pictures::check_format(named(path, exr), pictures::Samples::floats);
+}
 
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
   std::vector<std::uint8_t> pixels;
@@ -43,7 +57,7 @@ void write_picture(OutputFile& file, const Frame& frame, const isa::Program& pro
     const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
     pixels.insert(pixels.end(), channels.begin(), channels.end());
   }
-  write(file, colours(frame, pixels));
+  write(file, png, colours(frame, pixels));
 }
 
 void write_depth(OutputFile& file, const Frame& frame, const isa::Program& program) {
@@ -53,11 +67,11 @@ void write_depth(OutputFile& file, const Frame& frame, const isa::Program& progr
   for (const std::uint32_t step : frame.depth) {
     pixels.push_back(static_cast<float>(isa::distance_of(program.facts.depth_scale, bits, step)));
   }
-  write(file, floats(frame, "Z", pixels));
+  write(file, exr, floats(frame, "Z", pixels));
 }
 
 bool has_legend(const std::filesystem::path& owner_picture) {
-  std::string extension = owner_picture.extension().native();
+  std::string extension = named(owner_picture, png).extension().native();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension == ".png";
@@ -85,7 +99,7 @@ void write_owner_colours(OutputFile& file, const Frame& frame) {
     const std::array<std::uint8_t, 3> colour = owner_colour(owner);
     pixels.insert(pixels.end(), colour.begin(), colour.end());
   }
-  write(file, colours(frame, pixels));
+  write(file, png, colours(frame, pixels));
 }
 
 nlohmann::ordered_json colour_json(std::uint32_t primitive) {
@@ -100,7 +114,7 @@ void write_owner(OutputFile& file, const Frame& frame) {
   std::vector<float> pixels;
   pixels.reserve(frame.owner.size());
   for (const std::uint32_t owner : frame.owner) pixels.push_back(owner == no_owner ? -1.0F : static_cast<float>(owner));
-  write(file, floats(frame, "owner", pixels));
+  write(file, exr, floats(frame, "owner", pixels));
 }
 
 Frame of_primitives(Frame frame, const isa::Facts& facts) {
@@ -125,7 +139,7 @@ void write_legend(OutputFile& file, const Frame& frame, const isa::Program& prog
 }
 
 void write_picture(OutputFile& file, const Picture& picture) {
-  write(file, {picture.width, picture.height, picture.channels, {}, pictures::Bytes(picture.bytes)});
+  write(file, png, {picture.width, picture.height, picture.channels, {}, pictures::Bytes(picture.bytes)});
 }
 
 }  // namespace csgsim::sim

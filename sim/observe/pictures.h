@@ -10,7 +10,8 @@
 
 namespace csgsim::sim {
 
-/// Throws InputError unless the path's extension names a format for pictures. Asked before a run, it lets what takes
+/// Throws InputError unless the path's extension names a format for pictures; a stream without one is PNG, or EXR for
+/// distances. Asked before a run, it lets what takes
 /// long to load be loaded beside the run.
 void check_format(const std::filesystem::path& path);
 

@@ -29,6 +29,11 @@ void ProgressObserver::begin_at(Place place) {
   }
 }
 
+void ProgressObserver::warn(LongWork& work, bool also_tells) {
+  work_ = &work;
+  tells_ = also_tells;
+}
+
 ProgressObserver::~ProgressObserver() {
   if (shown_) tell("\r\x1b[K");
 }
@@ -40,6 +45,8 @@ void ProgressObserver::after_instruction(const Step& step, const PixelState& /*s
     total_ -= machines::clocks(all.subspan(step.index + 1, skipped), machine_);
   }
   if (++instructions_ % look_every != 0) return;
+  if (work_ != nullptr && work_->elapsed() >= 1.0) work_->at(static_cast<double>(done_) / static_cast<double>(total_));
+  if (!tells_) return;
   const Clock::time_point now = Clock::now();
   const std::chrono::duration<double> since_told = now - told_;
   const std::chrono::duration<double> elapsed = now - begin_;

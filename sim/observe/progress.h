@@ -5,15 +5,20 @@
 
 #include "sim/engine/engine.h"
 #include "sim/engine/numbers.h"
+#include "sim/observe/long_work.h"
 
 namespace csgsim::sim {
 
 /// Tells on standard error how far a run is, its rate and the time left, a few times a second once it has taken a
-/// second.
+/// second; and, if asked to, warns then of one that will take minutes.
 class ProgressObserver : public Observer {
  public:
   /// The clocks of what turns out to be skipped are taken off the total. Program and machine have to outlive it.
   ProgressObserver(const isa::Program& program, const machines::Machine& machine);
+
+  /// Warns as LongWork does; tells how far the run is only if asked to.
+  void warn(LongWork& work, bool also_tells);
+
   ~ProgressObserver() override;
   ProgressObserver(const ProgressObserver&) = delete;
   ProgressObserver& operator=(const ProgressObserver&) = delete;
@@ -33,6 +38,8 @@ class ProgressObserver : public Observer {
   std::uint64_t instructions_ = 0;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point told_ = begin_;
+  bool tells_ = true;
+  LongWork* work_ = nullptr;
   bool shown_ = false;
 };
 

@@ -2,6 +2,12 @@
 
 namespace csgsim::sim {
 
+namespace {
+
+bool is_plain(const isa::Origin& origin) { return origin.effect == isa::no_effect || origin.effect == 0; }
+
+}  // namespace
+
 Cost& Cost::operator+=(const Cost& other) {
   instructions += other.instructions;
   clocks += other.clocks;
@@ -15,6 +21,7 @@ StatsObserver::StatsObserver(const isa::Program& program) : primitive_of_piece_(
     pixels_of_segment_.push_back(static_cast<std::uint64_t>(segment.region.width) * segment.region.height);
   }
   stats_.by_primitive.resize(program.facts.primitives.size());
+  stats_.plain_by_primitive.resize(program.facts.primitives.size());
   stats_.by_effect.resize(program.facts.compile.effects.size() + 1);
 }
 
@@ -24,8 +31,11 @@ void StatsObserver::after_instruction(const Step& step, const PixelState& /*stat
   stats_.total += cost;
   stats_.by_opcode[static_cast<std::size_t>(instruction.opcode)] += cost;
   stats_.by_purpose[static_cast<std::size_t>(instruction.origin.purpose)] += cost;
-  if (const std::uint32_t piece = instruction.origin.primitive; piece != isa::no_primitive)
-    stats_.by_primitive[primitive_of_piece_.empty() ? piece : primitive_of_piece_[piece]] += cost;
+  if (const std::uint32_t piece = instruction.origin.primitive; piece != isa::no_primitive) {
+    const std::uint32_t primitive = primitive_of_piece_.empty() ? piece : primitive_of_piece_[piece];
+    stats_.by_primitive[primitive] += cost;
+    if (is_plain(instruction.origin)) stats_.plain_by_primitive[primitive] += cost;
+  }
   if (instruction.origin.effect != isa::no_effect) {
     stats_.by_effect[instruction.origin.effect] += cost;
   } else {

@@ -28,6 +28,9 @@ struct Stats {
   std::array<Cost, isa::opcode_numbers> by_opcode{};  ///< by its number
   std::array<Cost, isa::purpose_table.size()> by_purpose{};
   std::vector<Cost> by_primitive;  ///< one a primitive of the Program
+  /// Of these, what no effect but flat shading calls for. With by_effect, but for its first and last, and with what
+  /// serves neither a primitive nor an effect, it adds up to the total too.
+  std::vector<Cost> plain_by_primitive;
   std::vector<Cost> by_effect;  ///< one an effect of the Program, flat shading first; the last what no effect calls for
 
   bool operator==(const Stats&) const = default;

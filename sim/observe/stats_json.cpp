@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "hw/base/text.h"
 #include "hw/isa/opcodes.h"
@@ -9,6 +10,8 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/account_json.h"
+#include "sim/observe/bound.h"
+#include "sim/observe/dearest.h"
 
 namespace csgsim::sim {
 
@@ -136,6 +139,38 @@ Json segments_json(const isa::Program& program) {
           {"linear_width_mean", mean_linear_width(program)}};
 }
 
+/// Null where the machine's kind does not tell.
+Json bound_json(const Report& report) {
+  const std::optional<Bound> bound = bound_of(report.result, report.machine);
+  if (!bound) return {};
+  return {{"part", bound->part}, {"share", bound->share}, {"sentence", bound->sentence}};
+}
+
+Json dearest_json(const Report& report) {
+  Json dearest = Json::array();
+  for (const PrimitiveCost& one : clock_shares(report.program, report.result, report.stats).dearest) {
+    dearest.push_back({{"primitive", one.primitive},
+                       {"name", one.name},
+                       {"source", one.source},
+                       {"clocks", one.clocks},
+                       {"share", one.share},
+                       {"pieces", one.pieces},
+                       {"half_spaces", one.half_spaces}});
+  }
+  return dearest;
+}
+
+Json knobs_json(std::span<const Knob> knobs) {
+  Json json = Json::array();
+  for (const Knob& knob : knobs) {
+    json.push_back({{"sentence", printable(knob.sentence)},
+                    {"option", printable(knob.option)},
+                    {"clocks_before", knob.clocks_before},
+                    {"clocks_after", knob.clocks_after}});
+  }
+  return json;
+}
+
 /// 0 where a frame takes no time.
 double frames_a_second(const Report& report) {
   const std::uint64_t interval = report.result.interval_clocks;
@@ -176,6 +211,9 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["account"] = account_json(report.result.account);
   json["effects"] = Json::array();
   for (const std::string& effect : compile.effects) json["effects"].push_back(printable(effect));
+  json["bound_by"] = bound_json(report);
+  json["dearest_primitives"] = dearest_json(report);
+  json["knobs"] = knobs_json(report.knobs);
   json["wall_seconds"] = report.wall_seconds;
   return json;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string_view>
 
 #include "hw/machines/machine.h"
 #include "sim/engine/engine.h"
+#include "sim/observe/knobs.h"
 #include "sim/observe/stats.h"
 
 namespace csgsim::sim {
@@ -17,6 +19,7 @@ struct Report {
   const RunResult& result;
   const Stats& stats;
   double wall_seconds = 0;
+  std::span<const Knob> knobs{};  ///< what was tried and helps
 };
 
 /// The stats file; docs/stats.md describes every key with its unit.

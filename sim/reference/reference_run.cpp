@@ -129,6 +129,7 @@ void ReferenceRun::restore(const RunState& state) {
 RunResult ReferenceRun::result() const {
   RunResult result = so_far_;
   result.overflows += array_.overflows();
+  result.skips = skips_;
   put(machines::time_frame(program_, machine_, skips_), result);
   return result;
 }

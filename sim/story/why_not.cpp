@@ -110,7 +110,7 @@ std::string nowhere_text(const Subject& subject, const Story& story, const WhyNo
   }
   return fmt::format(
       "no instruction of {} draws {}: it is beside the segment's pixels, or pruning found that it cannot be seen there "
-      "(csgsim render --without all draws it)",
+      "(csgsim render --pruning none draws it)",
       story.segments.empty() ? "any segment" : fmt::format("segment {}", story.segments.back().segment), name);
 }
 

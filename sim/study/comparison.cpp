@@ -9,6 +9,8 @@
 #include "hw/machines/area.h"
 #include "hw/machines/kind.h"
 #include "sim/engine/engine.h"
+#include "sim/observe/bound.h"
+#include "sim/observe/dearest.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
 #include "sim/study/frame_hash.h"
@@ -51,6 +53,13 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.enabled = stats.stats().total.enabled;
   row.processor_clocks = row.processors * row.clocks;
   row.utilisation = static_cast<double>(row.enabled) / static_cast<double>(row.processor_clocks);
+  if (const std::optional<sim::Bound> bound = sim::bound_of(result, machine)) {
+    row.bound_by = bound->part;
+    row.bound_share = bound->share;
+  }
+  const sim::ClockShares shares = sim::clock_shares(program, result, stats.stats());
+  row.instruction_clocks = shares.whole;
+  row.dearest = dear_primitives(shares);
   row.picture = hash_of(frame.frame());
 }
 

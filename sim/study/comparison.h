@@ -14,6 +14,8 @@
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
+#include "sim/plots/plot.h"
+#include "sim/study/dear_cell.h"
 #include "sim/study/inputs.h"
 
 namespace csgsim::study {
@@ -50,7 +52,11 @@ struct ComparisonRow {
   std::optional<std::uint64_t> pixel_transistors{};  ///< of one processor with its memory: hw/machines/area.h
   std::optional<std::uint64_t> transistors{};        ///< of all processors
   double utilisation = 0;                            ///< enabled pixel operations in processor clocks
-  std::string picture;                               ///< hash of depth, owner and colour of every pixel
+  std::string bound_by;                  ///< the part that bounds the frame; empty where the kind does not tell
+  double bound_share = 0;                ///< of the clocks from one frame to the next, in which it works
+  std::uint64_t instruction_clocks = 0;  ///< of all instructions, over all segments, and the final latency
+  DearPrimitives dearest;                ///< what they take of these
+  std::string picture;                   ///< hash of depth, owner and colour of every pixel
   std::string reason;
 
   [[nodiscard]] bool drawn() const { return reason.empty(); }
@@ -88,6 +94,10 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("pixel_transistors", row.pixel_transistors);
   visit("transistors", row.transistors);
   visit("utilisation", row.utilisation);
+  visit("bound_by", row.bound_by);
+  visit("bound_share", row.bound_share);
+  visit("instruction_clocks", row.instruction_clocks);
+  visit("dearest", row.dearest);
   visit("picture", row.picture);
   visit("reason", row.reason);
 }
@@ -121,8 +131,12 @@ struct ComparisonJob {
 /// Compiles the point and draws it at the functional level.
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
 
-/// Time of a frame against half-spaces and against pixels, a line a machine; returns the files. The rows are of one
-/// model, `base` is the picture size at which half-spaces vary.
+/// Time and memory of a frame on each machine; its time against half-spaces and against pixels, a line a machine: what
+/// varies among the rows, which are of one model. `base` is the picture size at which half-spaces vary.
+std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
+                                             const std::string& model);
+
+/// Draws them as PNG and SVG into a folder, by gnuplot. Returns the files. Throws InputError if gnuplot cannot be run.
 std::vector<std::filesystem::path> draw_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
                                                    const std::string& model, const std::filesystem::path& folder);
 

@@ -1,14 +1,15 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <limits>
+#include <utility>
 
+#include "sim/plots/gnuplot.h"
 #include "sim/study/comparison.h"
-#include "sim/study/gnuplot.h"
 
 namespace csgsim::study {
 
 namespace {
+
+constexpr const char* table = "compare.csv";
+constexpr const char* time_title = "time of a frame, ms";
 
 /// One plot: which rows it shows, and against what.
 struct View {
@@ -18,84 +19,86 @@ struct View {
   double (*against)(const ComparisonRow& row);
 };
 
+bool has_size(const ComparisonRow& row, const machines::Size& size) {
+  return machines::Size{row.point.width, row.point.height} == size;
+}
+
 constexpr View views[] = {
-    {"halfspaces", "half-spaces of the model",
-     [](const ComparisonRow& row, const machines::Size& base) {
-       return machines::Size{row.point.width, row.point.height} == base;
-     },
+    {"halfspaces", "half-spaces of the model", has_size,
      [](const ComparisonRow& row) { return static_cast<double>(row.halfspaces); }},
     {"pixels", "pixels of the picture",
      [](const ComparisonRow& row, const machines::Size& /*base*/) { return row.point.fragments == 0; },
      [](const ComparisonRow& row) { return static_cast<double>(row.point.width) * row.point.height; }},
 };
 
+double milliseconds(const ComparisonRow& row) { return row.seconds * 1e3; }
+
 std::vector<std::string> machines_of(std::span<const ComparisonRow> rows) {
   std::vector<std::string> names;
   for (const ComparisonRow& row : rows) {
-    if (std::find(names.begin(), names.end(), row.point.machine) == names.end()) names.push_back(row.point.machine);
+    if (std::ranges::find(names, row.point.machine) == names.end()) names.push_back(row.point.machine);
   }
   return names;
 }
 
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
-std::vector<Point> line_of(std::span<const ComparisonRow> rows, const std::string& machine, const View& view,
-                           const machines::Size& base) {
-  std::vector<Point> points;
-  for (const ComparisonRow& row : rows) {
-    if (row.drawn() && row.point.machine == machine && view.shows(row, base))
-      points.push_back({view.against(row), row.seconds * 1e3});
+plots::Chart growth_chart(std::span<const ComparisonRow> rows, const View& view, const machines::Size& base,
+                          const std::string& model) {
+  plots::Chart chart{model + ": machines against " + view.title,
+                     {view.title, plots::Scale::logarithmic},
+                     {{time_title, plots::Scale::logarithmic}},
+                     {},
+                     table};
+  for (const std::string& machine : machines_of(rows)) {
+    plots::Series series{machine};
+    for (const ComparisonRow& row : rows) {
+      if (row.drawn() && row.point.machine == machine && view.shows(row, base))
+        series.points.push_back({view.against(row), milliseconds(row)});
+    }
+    std::ranges::stable_sort(series.points, {}, &plots::Point::x);
+    if (!series.points.empty()) chart.series.push_back(std::move(series));
   }
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-  return points;
+  return chart;
 }
 
-/// Empty where no line would have more than one point.
-std::string script_of(std::span<const ComparisonRow> rows, const View& view, const machines::Size& base,
-                      const std::string& model) {
-  std::string data;
-  std::string plots;
-  bool varies = false;
-  double least = std::numeric_limits<double>::max();
-  double most = 0;
-  for (const std::string& machine : machines_of(rows)) {
-    const std::vector<Point> line = line_of(rows, machine, view, base);
-    if (line.empty()) continue;
-    varies = varies || line.front().x < line.back().x;
-    const std::string name = fmt::format("$m{}", data.size());
-    data += name + " << EOD\n";
-    for (const Point& point : line) {
-      data += fmt::format("{} {}\n", point.x, point.y);
-      least = std::min(least, point.y);
-      most = std::max(most, point.y);
-    }
-    data += "EOD\n";
-    plots += fmt::format("{}{} using 1:2 with linespoints pt 7 lw 2 title {} noenhanced",
-                         plots.empty() ? "plot " : ", ", name, plot_text(machine));
+bool varies(const plots::Chart& chart) {
+  return std::ranges::any_of(
+      chart.series, [](const plots::Series& series) { return series.points.front().x < series.points.back().x; });
+}
+
+/// A picture of the first machine's size with the model's own facets, on each machine.
+plots::Chart machines_chart(std::span<const ComparisonRow> rows, const machines::Size& base, const std::string& model) {
+  plots::Chart chart{model + ": machines",
+                     {"machine", plots::Scale::linear, {}, true},
+                     {{time_title, plots::Scale::logarithmic}, {"memory bits in all", plots::Scale::logarithmic}},
+                     {{"", 0, plots::Trace::marks}, {"", 1, plots::Trace::marks}},
+                     table};
+  for (const ComparisonRow& row : rows) {
+    if (!row.drawn() || row.point.fragments != 0 || !row.point.ideal.empty() || !has_size(row, base)) continue;
+    const auto place = static_cast<double>(chart.x.ticks.size());
+    chart.x.ticks.push_back({place, row.point.machine});
+    chart.series[0].points.push_back({place, milliseconds(row)});
+    chart.series[1].points.push_back({place, static_cast<double>(row.memory_bits)});
   }
-  if (!varies) return {};
-  return fmt::format(
-      "set title {} noenhanced\nset xlabel '{}'\nset ylabel 'time of a frame, ms'\nset logscale xy\nset grid\n"
-      "set key outside bottom horizontal\nset yrange [{}:{}]\nset offsets graph 0.05, graph 0.05, 0, 0\n{}{}\n",
-      plot_text(fmt::format("{}: machines against {}", model, view.title)), view.title, least / 1.5, most * 1.5, data,
-      plots);
+  return chart;
 }
 
 }  // namespace
 
+std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
+                                             const std::string& model) {
+  std::vector<plots::Plot> all;
+  plots::Chart machines = machines_chart(rows, base, model);
+  if (machines.x.ticks.size() > 1) all.push_back({"compare_machines", std::move(machines)});
+  for (const View& view : views) {
+    plots::Chart chart = growth_chart(rows, view, base, model);
+    if (varies(chart)) all.push_back({std::string("compare_") + view.name, std::move(chart)});
+  }
+  return all;
+}
+
 std::vector<std::filesystem::path> draw_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
                                                    const std::string& model, const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const View& view : views) {
-    const std::string script = script_of(rows, view, base, model);
-    if (script.empty()) continue;
-    for (std::filesystem::path& file : draw_plot(folder, std::string("compare_") + view.name, script))
-      files.push_back(std::move(file));
-  }
-  return files;
+  return plots::draw(plots_of_comparison(rows, base, model), folder);
 }
 
 }  // namespace csgsim::study

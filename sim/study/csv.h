@@ -31,8 +31,8 @@ class CsvFile {
   /// Throws InputError that says which of the lines found cannot be used, and why.
   [[noreturn]] void refuse(std::size_t found, std::string_view why) const;
 
-  /// Adds a line, and has it on the disk. Throws InputError if it cannot: no part of the line is left then, unless the
-  /// file cannot even be shortened.
+  /// Adds a line, or several with line breaks between them, and has it on the disk. Throws InputError if it cannot: no
+  /// part of it is left then, unless the file cannot even be shortened.
   void append(const std::string& line) const;
 
   /// Puts other lines in place of all below the header, at once: nobody sees part of them.

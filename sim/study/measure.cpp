@@ -177,13 +177,7 @@ std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& cand
 std::vector<view::Camera> turned_views(const view::Camera& camera, unsigned count) {
   constexpr double golden_angle = 2.399963229728653;
   std::vector<view::Camera> cameras;
-  const glm::dvec3 arm = camera.eye - camera.centre;
-  for (unsigned i = 0; i < count; ++i) {
-    const double c = std::cos(golden_angle * i);
-    const double s = std::sin(golden_angle * i);
-    const glm::dvec3 turned(c * arm.x - s * arm.y, s * arm.x + c * arm.y, arm.z);
-    cameras.push_back({camera.centre + turned, camera.centre, camera.projection});
-  }
+  for (unsigned i = 0; i < count; ++i) cameras.push_back(view::turned(camera, golden_angle * i));
   return cameras;
 }
 

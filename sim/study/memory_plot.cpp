@@ -5,104 +5,69 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/study/gnuplot.h"
-
 namespace csgsim::study {
 
 namespace {
 
 /// Points that lay out memory alike.
-struct Bar {
+struct Layout {
   std::vector<std::string> names;
   MemoryMap map;
   std::uint32_t memory_bits = 0;
 };
 
-std::vector<Bar> bars_of(std::span<const SweepRow> rows) {
+std::vector<Layout> layouts_of(std::span<const SweepRow> rows) {
   const PointNames names(rows);
-  std::vector<Bar> bars;
+  std::vector<Layout> layouts;
   for (const SweepRow& row : rows) {
     if (!row.compiled()) continue;
-    const auto same = std::find_if(bars.begin(), bars.end(), [&](const Bar& bar) {
-      return bar.map == row.memory_map && bar.memory_bits == row.point.memory_bits;
+    const auto same = std::ranges::find_if(layouts, [&](const Layout& layout) {
+      return layout.map == row.memory_map && layout.memory_bits == row.point.memory_bits;
     });
-    Bar& bar = same == bars.end() ? bars.emplace_back(Bar{{}, row.memory_map, row.point.memory_bits}) : *same;
-    bar.names.push_back(names.name(row.point));
+    Layout& layout =
+        same == layouts.end() ? layouts.emplace_back(Layout{{}, row.memory_map, row.point.memory_bits}) : *same;
+    layout.names.push_back(names.name(row.point));
   }
-  return bars;
+  return layouts;
 }
 
 /// As many names as there is room for, and the number of the others.
-std::string label_of(const Bar& bar) {
+std::string label_of(const Layout& layout) {
   constexpr std::size_t room = 36;
-  std::string label = bar.names.front();
+  std::string label = layout.names.front();
   std::size_t said = 1;
-  for (; said < bar.names.size() && label.size() + bar.names[said].size() < room; ++said)
-    label += "; " + bar.names[said];
-  return said == bar.names.size() ? label : fmt::format("{} (+ {} alike)", label, bar.names.size() - said);
+  for (; said < layout.names.size() && label.size() + layout.names[said].size() < room; ++said)
+    label += "; " + layout.names[said];
+  return said == layout.names.size() ? label : fmt::format("{} (+ {} alike)", label, layout.names.size() - said);
 }
 
-/// Pixels that the bars take from side to side.
-constexpr unsigned bars_width = 640;
-
-/// What each part of memory is painted with, in the order of the key.
-constexpr std::pair<const char*, const char*> part_colours[] = {
-    {"Z2", "#4477aa"},      {"Z1", "#88bbdd"},    {"colour", "#cc8844"}, {"colour1", "#eebb88"}, {"mask", "#222222"},
-    {"product", "#aa3377"}, {"label", "#228833"}, {"stack", "#ee6677"},  {"shown", "#aa8855"},
-};
-
-std::string map_script(const std::vector<Bar>& bars, const std::string& model) {
-  std::uint32_t most_bits = 1;
-  for (const Bar& bar : bars) most_bits = std::max(most_bits, bar.memory_bits);
-  std::string labels;
-  std::string ticks;
-  std::string data = "$free << EOD\n";
-  for (std::size_t i = 0; i < bars.size(); ++i)
-    data += fmt::format("0 0 0 {} {} {}\n", bars[i].memory_bits, static_cast<double>(i) - 0.38,
-                        static_cast<double>(i) + 0.38);
-  data += "EOD\n";
-  std::string plots =
-      "plot $free using 1:2:3:4:5:6 with boxxyerror lc rgb 'white' fs solid 1 border lc rgb 'black' title 'free'";
-  for (const auto& [name, colour] : part_colours) {
-    std::string boxes;
-    for (std::size_t i = 0; i < bars.size(); ++i) {
-      for (const MemoryPart& part : bars[i].map) {
-        if (part.name != name) continue;
-        const double y = static_cast<double>(i);
-        boxes += fmt::format("0 0 {} {} {} {}\n", part.base, part.base + part.width, y - 0.38, y + 0.38);
-        const std::string label = fmt::format("{} {}", name, part.width);
-        if (part.width * bars_width / most_bits >= label.size() * character_width)
-          labels += fmt::format("set label '{}' at {},{} center front tc rgb 'white'\n", label,
-                                part.base + part.width / 2.0, y);
-      }
-    }
-    if (boxes.empty()) continue;
-    data += fmt::format("${} << EOD\n{}EOD\n", name, boxes);
-    plots +=
-        fmt::format(", ${} using 1:2:3:4:5:6 with boxxyerror lc rgb '{}' fs solid 1 border lc rgb 'black' title '{}'",
-                    name, colour, name);
-  }
-  for (std::size_t i = 0; i < bars.size(); ++i)
-    ticks += fmt::format("{}{} {}", ticks.empty() ? "" : ", ", tick_text(label_of(bars[i])), i);
-  return fmt::format(
-      "set title {} noenhanced\nset xlabel 'bit of pixel memory'\nset ytics ({}) noenhanced\nset yrange [{}:-0.6]\nset "
-      "xrange [0:*]\nset xtics {} out nomirror\nset key bmargin center horizontal maxcols 5\nset bmargin 6\n{}{}{}\n",
-      plot_text(model + ": which bits hold what"), ticks, static_cast<double>(bars.size()) - 0.4,
-      most_bits <= 128 ? 8 : 32, labels, data, plots);
+std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
+  constexpr std::uint32_t most_ticks = 16;
+  std::uint32_t step = 8;
+  while (most / step > most_ticks) step *= 2;
+  std::vector<plots::Tick> ticks;
+  for (std::uint32_t bit = 0; bit <= most; bit += step)
+    ticks.push_back({static_cast<double>(bit), std::to_string(bit)});
+  return ticks;
 }
 
 }  // namespace
 
-std::vector<std::filesystem::path> draw_memory(std::span<const SweepRow> rows, const std::string& model,
-                                               const std::filesystem::path& folder) {
-  constexpr unsigned margins = 160;
-  constexpr unsigned bar_height = 28;
-  const std::vector<Bar> bars = bars_of(rows);
-  std::size_t longest = 0;
-  for (const Bar& bar : bars) longest = std::max(longest, label_of(bar).size());
-  return draw_plot(folder, model + "_memory", map_script(bars, model),
-                   {bars_width + 60 + character_width * static_cast<unsigned>(longest),
-                    margins + bar_height * static_cast<unsigned>(bars.size())});
+plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model) {
+  plots::Bars plot{model + ": which bits hold what",
+                   {"bit of pixel memory"},
+                   {},
+                   {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "shown"},
+                   "sweep.csv"};
+  std::uint32_t most = 0;
+  for (const Layout& layout : layouts_of(rows)) {
+    plots::Bar& bar = plot.bars.emplace_back(plots::Bar{label_of(layout), static_cast<double>(layout.memory_bits), {}});
+    for (const MemoryPart& part : layout.map)
+      bar.parts.push_back({part.name, static_cast<double>(part.base), static_cast<double>(part.base + part.width)});
+    most = std::max(most, layout.memory_bits);
+  }
+  plot.x.ticks = bit_ticks(most);
+  return {model + "_memory", std::move(plot)};
 }
 
 }  // namespace csgsim::study

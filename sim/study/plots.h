@@ -5,12 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "sim/plots/plot.h"
 #include "sim/study/measure.h"
 
 namespace csgsim::study {
 
-/// Draws error against clocks, a plot a knob, and the Pareto front of z bits and fraction bits, as PNG and SVG into a
-/// folder, by gnuplot. Returns the files. Throws InputError if gnuplot cannot be run.
+/// Of each knob, what its values do to errors and clocks; and the Pareto front of z bits and fraction bits.
+std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const std::string& model);
+
+/// Draws them as PNG and SVG into a folder, by gnuplot. Returns the files. Throws InputError if gnuplot cannot be run.
 std::vector<std::filesystem::path> draw_plots(std::span<const Measurement> rows, const std::string& model,
                                               const std::filesystem::path& folder);
 

@@ -1,7 +1,6 @@
 #include "sim/study/ranges.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -54,15 +53,10 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
   return numbers;
 }
 
-std::vector<std::string> parse_names(std::string_view text, std::span<const std::string> known) {
+std::vector<std::string> parse_names(std::string_view text, std::string_view kind, std::span<const std::string> known) {
   std::vector<std::string> words = parse_words(text);
-  const std::vector<std::string_view> candidates(known.begin(), known.end());
-  for (const std::string& word : words) {
-    if (std::find(known.begin(), known.end(), word) != known.end()) continue;
-    const std::string_view nearest = nearest_alike(word, candidates);
-    if (!nearest.empty()) throw InputError(fmt::format("there is no '{}'; did you mean {}?", word, nearest));
-    throw InputError(fmt::format("there is no '{}'; there are {}", word, fmt::join(known, ", ")));
-  }
+  for (const std::string& word : words)
+    if (std::find(known.begin(), known.end(), word) == known.end()) throw InputError(no_such(kind, word, known));
   return words;
 }
 

@@ -14,8 +14,8 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
 /// Words with commas; in that order, none twice. Throws InputError for an empty one.
 std::vector<std::string> parse_words(std::string_view text);
 
-/// The same for words that have to be among the known ones; an unknown one is told with the nearest known, if any is
-/// like it.
-std::vector<std::string> parse_names(std::string_view text, std::span<const std::string> known);
+/// The same for words that have to be among the known ones, each of which is a `kind`; an unknown one is told with the
+/// nearest known, if any is like it.
+std::vector<std::string> parse_names(std::string_view text, std::string_view kind, std::span<const std::string> known);
 
 }  // namespace csgsim::study

@@ -1,14 +1,8 @@
 #include "sim/study/sweep_run.h"
 
-#include <algorithm>
 #include <array>
-#include <atomic>
-#include <exception>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
-#include <vector>
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
@@ -20,6 +14,7 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
 #include "sim/study/frame_hash.h"
+#include "sim/study/parallel.h"
 
 namespace csgsim::study {
 
@@ -71,6 +66,8 @@ SweepRow measure(const SweepJob& job, bool is_drawn) {
   row.inputs = job.inputs;
   row.width = job.machine.picture.width;
   row.height = job.machine.picture.height;
+  row.reason = job.reason;
+  if (!row.compiled()) return row;
   std::optional<isa::Program> program;
   try {
     program = compile(job);
@@ -90,27 +87,8 @@ SweepRow measure(const SweepJob& job, bool is_drawn) {
 
 void measure_all(std::span<const SweepJob> jobs, bool is_drawn, unsigned threads,
                  const std::function<void(SweepRow)>& finished) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex lock;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      try {
-        SweepRow row = measure(jobs[i], is_drawn);
-        const std::lock_guard guard(lock);
-        if (!failure) finished(std::move(row));
-      } catch (...) {
-        const std::lock_guard guard(lock);
-        if (!failure) failure = std::current_exception();
-        next = jobs.size();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (std::size_t i = 0; i < std::min<std::size_t>(threads, jobs.size()); ++i) workers.emplace_back(work);
-  }
-  if (failure) std::rethrow_exception(failure);
+  measure_each(
+      jobs.size(), threads, [&](std::size_t i) { return measure(jobs[i], is_drawn); }, finished);
 }
 
 }  // namespace csgsim::study

@@ -31,6 +31,7 @@ struct SweepJob {
   machines::Machine machine;
   emit::Options options;
   Inputs inputs;
+  std::string reason{};  ///< why the model cannot be read; there is no subject then
 };
 
 /// Compiles the point, counts, and, if asked to, draws it at the functional level. The clocks are those of a run. A

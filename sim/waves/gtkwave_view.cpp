@@ -58,6 +58,7 @@ std::string gtkwave_view(const Recording& recording, std::span<const wave::Windo
                  row_height * (recording.taps.size() + 16));
   fmt::format_to(out, "*{:.6f} {}\n", zoom_of(first.end - first.begin, period), (marked + 1) * period);
   fmt::format_to(out, "[sst_expanded] 0\n[sst_width] 0\n[signals_width] {}\n", names_width);
+  fmt::format_to(out, "@200\n-{}\n", machine.name);
   fmt::format_to(out, "{}{}.clock\n", flags_of(wave::Show::bits), recording.top);
   std::vector<const wave::Tap*> taps;
   for (const wave::Tap& tap : recording.taps) taps.push_back(&tap);

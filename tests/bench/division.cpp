@@ -91,12 +91,13 @@ Work one_level(const Subject& subject, const division::Divider& divider) {
   return work;
 }
 
-Work two_levels(const Subject& subject, const division::Divider& divider, std::uint64_t list_entries) {
+Work two_levels(const Subject& subject, const division::Divider& divider, std::uint64_t list_entries,
+                std::uint32_t side = group_side) {
   Work work;
   const std::vector<isa::Region> squares = machines::regions(subject.machine);
   const machines::Size picture = subject.machine.picture;
-  for (const division::Group& group : division::groups_of(squares, {picture.width, picture.height, 0},
-                                                          subject.machine.array, group_side, group_side)) {
+  for (const division::Group& group :
+       division::groups_of(squares, {picture.width, picture.height, 0}, subject.machine.array, side, side)) {
     std::vector<isa::Region> inside;
     for (const std::size_t square : group.squares) inside.push_back(squares[square]);
     const division::DividedGroup divided = division::divide_group(divider, group.region, inside, list_entries);
@@ -223,6 +224,7 @@ void report(const Subject& subject, bool unions) {
   print("two: squares", two.squares);
   fmt::print("  tests: {} clocks at one level, {} at two, {:.3f}\n", one.tests(), two.tests(),
              static_cast<double>(two.tests()) / static_cast<double>(one.tests()));
+  fmt::print("  tests in groups of 4: {} clocks\n", two_levels(subject, divider, unlimited, 4).tests());
   fmt::print("  at hand: {} half-spaces and {} nodes at one level, {} and {} at two; {} words of commands\n",
              one.at_hand.halfspaces, one.at_hand.nodes, two.at_hand.halfspaces, two.at_hand.nodes, one.most_words);
   std::sort(two.entries.begin(), two.entries.end());

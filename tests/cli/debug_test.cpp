@@ -44,6 +44,7 @@ void kill_when_there(const std::vector<std::string>& words, const std::string& f
 nlohmann::json without_wall(const std::string& path) {
   nlohmann::json stats = json(path);
   stats.erase("wall_seconds");
+  stats.erase("configuration");
   return stats;
 }
 

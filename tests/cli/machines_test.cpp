@@ -119,7 +119,8 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
     CHECK(points[i]["processor_clocks"] == points[i]["processors"].get<double>() * points[i]["clocks"].get<double>());
   }
   CHECK(points[5]["processors"] == 256);
-  for (const char* plot : {"halfspaces.png", "halfspaces.svg", "pixels.png", "pixels.svg"})
+  for (const char* plot :
+       {"machines.png", "machines.svg", "halfspaces.png", "halfspaces.svg", "pixels.png", "pixels.svg"})
     CHECK(fs::file_size(folder / ("c/compare_" + std::string(plot))) > 1000);
   const std::string table = content(folder / "c/compare.csv");
   write(folder / "c/compare.csv", table.substr(0, table.size() - 40));

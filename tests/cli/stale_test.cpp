@@ -38,6 +38,8 @@ std::vector<std::string> words_of(const std::string& command) {
   else
     words.insert(words.end(), {"--machine", "mine.toml"});
   if (command == "sweep") words.insert(words.end(), {"--strategy", "stack,list"});
+  if (command == "advise")
+    words.insert(words.end(), {"--strategy", "stack,list", "--z-bits", "16", "--fraction-bits", "6"});
   if (command == "accuracy") words.insert(words.end(), {"--views", "1"});
   return words;
 }
@@ -49,7 +51,7 @@ nlohmann::json points(const Folder& folder, const std::string& command) {
 }  // namespace
 
 TEST_CASE("what a study measured of a machine or a model that has changed since is told and measured anew") {
-  for (const std::string command : {"sweep", "compare", "accuracy"}) {
+  for (const std::string command : {"sweep", "compare", "accuracy", "advise"}) {
     CAPTURE(command);
     const Folder folder;
     write(folder / "m.csg", cube);
@@ -150,7 +152,7 @@ TEST_CASE("a study that finds its folder in use says who holds it, and goes on w
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
   fs::create_directory(folder / "out");
-  for (const std::string command : {"sweep", "compare", "accuracy"}) {
+  for (const std::string command : {"sweep", "compare", "accuracy", "advise"}) {
     const int lock = ::open((folder / "out/.csgsim-lock").c_str(), O_RDWR | O_CREAT, 0600);
     REQUIRE(::flock(lock, LOCK_EX) == 0);
     REQUIRE(::write(lock, "process 12, sweep", 17) == 17);

@@ -45,7 +45,7 @@ TEST_CASE("sweep writes a table, JSON and plots for every model, and measures no
   CHECK(first.out.find("number of scan-conversions of primitives in active trees") != std::string::npos);
   CHECK(first.out.find("fewest clocks: ") != std::string::npos);
   for (const std::string name : {"old_example011", "thesis_fig_2_3"}) {
-    for (const std::string plot : {"_scan_conversions", "_clocks", "_memory"}) {
+    for (const std::string plot : {"_scan_conversions", "_clocks", "_bits", "_memory"}) {
       for (const std::string ending : {".png", ".svg"})
         CHECK(fs::file_size(folder / ("s/" + name + plot + ending)) > 1000);
     }

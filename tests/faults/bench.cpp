@@ -38,10 +38,13 @@ void erase(std::string& text, const std::string& begin, const std::string& end) 
   text.erase(first, text.find(end, first + begin.size()) - first);
 }
 
-/// A file's content without the time that the run took (stats) or was at (waves).
+/// A file's content without the time that the run took and what was asked for (stats), or was at (waves).
 std::string steady(const std::string& path) {
   std::string text = cli::content(path);
-  if (path.ends_with(".json")) erase(text, "\"wall_seconds\"", "\n");
+  if (path.ends_with(".json")) {
+    erase(text, "\"configuration\"", "\"wall_seconds\"");
+    erase(text, "\"wall_seconds\"", "\n");
+  }
   if (path.ends_with(".vcd")) erase(text, "$date", "$end");
   return text;
 }

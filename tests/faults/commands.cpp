@@ -14,6 +14,9 @@ const std::string trace = " SOURCE/traces/thesis_fig_2_3.csgt";
 
 const std::string accuracy = "accuracy" + small_model + " --views 1 -o OUT --no-plots";
 const std::string sweep = "sweep" + small_model + " --strategy stack,list,bits --stack-bits 3 --threads 1 -o OUT";
+const std::string advise = "advise" + small_model +
+                           " --z-bits 16 --fraction-bits 6 --colour-bits 24 --strategy stack,list,products"
+                           " --max-wrong-pixels 64 --threads 1 -o OUT";
 const std::string compare =
     "compare" + small_model + " --sides 4 --fragments 3 --machines pixel-planes-4,scan-line -o OUT";
 
@@ -53,14 +56,19 @@ const std::vector<Command>& commands() {
       {"subdivide", "subdivide" + small_model + " --levels 1 -o OUT/s.json", {"s.json"}, "", 0, 8},
       {"accuracy", accuracy, {"accuracy.json"}, "accuracy.csv", 0, 3},
       {"accuracy going on", accuracy, {"accuracy.json"}, "accuracy.csv", 73, 8},
+      {"advise", advise + " --no-plots", {"advise.json"}, "advise.csv", 0, 4},
+      {"advise going on", advise + " --no-plots", {"advise.json"}, "advise.csv", 6, 8},
+      {"advise with plot", advise, with_plots("advise.json", {"advise"}), "advise.csv", 7, 0},
       {"sweep", sweep + " --no-plots", {"sweep.json"}, "sweep.csv", 0, 4},
       {"sweep going on", sweep + " --no-plots", {"sweep.json"}, "sweep.csv", 3, 8},
       {"sweep with plots", sweep,
-       with_plots("sweep.json", {"old_example011_scan_conversions", "old_example011_clocks", "old_example011_memory"}),
+       with_plots("sweep.json", {"old_example011_scan_conversions", "old_example011_clocks", "old_example011_bits",
+                                 "old_example011_memory"}),
        "sweep.csv", 4, 0},
       {"compare", compare + " --no-plots", {"compare.json"}, "compare.csv", 0, 3},
       {"compare going on", compare + " --no-plots", {"compare.json"}, "compare.csv", 6, 8},
-      {"compare with plots", compare, with_plots("compare.json", {"compare_pixels"}), "compare.csv", 7, 3},
+      {"compare with plots", compare, with_plots("compare.json", {"compare_machines", "compare_pixels"}), "compare.csv",
+       7, 3},
   };
   return all;
 }

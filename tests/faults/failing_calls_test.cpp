@@ -211,6 +211,11 @@ TEST_CASE("accuracy leaves whole lines, and goes on from them, whichever call fa
   try_command("accuracy going on");
 }
 
+TEST_CASE("advise leaves whole lines, and goes on from them, whichever call fails") {
+  try_command("advise");
+  try_command("advise going on");
+}
+
 TEST_CASE("sweep leaves whole lines, and goes on from them, whichever call fails") {
   try_command("sweep");
   try_command("sweep going on");
@@ -223,6 +228,7 @@ TEST_CASE("compare leaves whole lines, and goes on from them, whichever call fai
 
 TEST_CASE("a study's plots are old or wholly new, whichever call fails") {
   try_command("sweep with plots");
+  try_command("advise with plot");
   try_command("compare with plots");
 }
 

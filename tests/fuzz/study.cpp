@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/study/comparison.h"
+#include "sim/study/corpus.h"
 #include "sim/study/csv.h"
 #include "sim/study/measure.h"
 #include "sim/study/memory_map.h"
@@ -82,7 +83,7 @@ void look_at_lists(const std::string& text) {
          fuzz::require(!has_doubles(values), "no number comes twice");
        });
   const std::vector<std::string> known{"stack", "list", "bits"};
-  look([&] { return study::parse_names(text, known); },
+  look([&] { return study::parse_names(text, "strategy", known); },
        [&](const std::vector<std::string>& names) {
          const auto is_known = [&](const std::string& name) { return std::ranges::count(known, name) == 1; };
          fuzz::require(!names.empty() && std::ranges::all_of(names, is_known), "names are known ones");
@@ -100,6 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   look_at_row<study::Measurement>(line);
   look_at_row<study::ComparisonRow>(line);
   look_at_row<study::SweepRow>(line);
+  look_at_row<study::CorpusRow>(line);
   look_at_memory_map(line);
   look_at_lists(line);
   return 0;

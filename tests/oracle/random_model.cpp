@@ -33,22 +33,43 @@ double on_grid(Random& random, int low, int high) {
   return low + 0.5 * static_cast<double>(random.below(static_cast<std::uint64_t>(2 * (high - low)) + 1));
 }
 
+// Each number is drawn in a statement of its own: compilers differ in the order of a call's arguments.
+
+std::string place(Random& random) {
+  const double z = on_grid(random, -3, 3);
+  const double y = on_grid(random, -3, 3);
+  const double x = on_grid(random, -3, 3);
+  return fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,{}],[0,0,0,1]])", x, y, z);
+}
+
+std::string cone(Random& random, bool center) {
+  const double top = on_grid(random, 1, 3);
+  const double bottom = on_grid(random, 0, 3);
+  const double height = on_grid(random, 1, 4);
+  const std::uint64_t fragments = 3 + random.below(10);
+  return fmt::format("cylinder($fn={},$fa=12,$fs=2,h={},r1={},r2={},center={});", fragments, height, bottom, top,
+                     center);
+}
+
+std::string sphere(Random& random) {
+  const double radius = on_grid(random, 1, 3);
+  const std::uint64_t fragments = 4 + random.below(8);
+  return fmt::format("sphere($fn={},$fa=12,$fs=2,r={});", fragments, radius);
+}
+
+std::string cube(Random& random, bool center) {
+  const double z = on_grid(random, 1, 5);
+  const double y = on_grid(random, 1, 5);
+  const double x = on_grid(random, 1, 5);
+  return fmt::format("cube(size=[{},{},{}],center={});", x, y, z, center);
+}
+
 std::string solid(Random& random) {
-  const std::string place = fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,{}],[0,0,0,1]])",
-                                        on_grid(random, -3, 3), on_grid(random, -3, 3), on_grid(random, -3, 3));
+  const std::string where = place(random);
   const bool center = random.below(2) == 0;
-  switch (random.below(6)) {
-    case 0:
-      return fmt::format("{}{{cylinder($fn={},$fa=12,$fs=2,h={},r1={},r2={},center={});}}\n", place,
-                         3 + random.below(10), on_grid(random, 1, 4), on_grid(random, 0, 3), on_grid(random, 1, 3),
-                         center);
-    case 1:
-      return fmt::format("{}{{sphere($fn={},$fa=12,$fs=2,r={});}}\n", place, 4 + random.below(8),
-                         on_grid(random, 1, 3));
-    default:
-      return fmt::format("{}{{cube(size=[{},{},{}],center={});}}\n", place, on_grid(random, 1, 5),
-                         on_grid(random, 1, 5), on_grid(random, 1, 5), center);
-  }
+  const std::uint64_t kind = random.below(6);
+  const std::string what = kind == 0 ? cone(random, center) : kind == 1 ? sphere(random) : cube(random, center);
+  return fmt::format("{}{{{}}}\n", where, what);
 }
 
 std::string tree(Random& random, unsigned primitives) {

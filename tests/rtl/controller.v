@@ -1,5 +1,5 @@
 // The controller: takes commands from the link, and puts bits of A, B and C and a control word for the pixels on the
-// wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/pixel-planes.md.
+// wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes-4.md.
 `include "faults.vh"
 
 // The control word and coefficient bits of one clock of an instruction.

@@ -1,5 +1,5 @@
 // The whole machine: link, controller, multiplier trees, a pixel processor at every pixel, and the OR of their enable bits.
-// Parts of docs/pixel-planes.md that are not here: the scan-out with its refresh words, and a second buffer. Wires of the
+// Parts of docs/machines/pixel-planes-4.md that are not here: the scan-out with its refresh words, and a second buffer. Wires of the
 // pixels for who looks on are at the end of the ports; pixel (x, y) is number y * WIDTH + x.
 `include "faults.vh"
 

@@ -9,7 +9,7 @@
 
 namespace csgsim::rtl {
 
-/// The host's end of the link, after docs/pixel-planes.md.
+/// The host's end of the link, after docs/machines/pixel-planes-4.md.
 class HostLink {
  public:
   explicit HostLink(const machines::Link& link) : link_(link) {}

@@ -1,5 +1,5 @@
 // The serial multiplier trees of the Linear Expression Evaluator (thesis 7.2.1 and fig. 7.1). Written from
-// docs/pixel-planes.md: a node passes its input on, a clock later, to one child, and to the other the sum of its input
+// docs/machines/pixel-planes-4.md: a node passes its input on, a clock later, to one child, and to the other the sum of its input
 // and the multiplicand's bit, from a one-bit adder that keeps its carry.
 //
 // Streams come least significant bit first and back to back. Level k of n (the root is level 0) gets a stream k clocks

@@ -1,5 +1,5 @@
 // Pixels that obey the same control word and share their word lines: a bit-serial processor with enable, carry and latch,
-// and its memory, at each. Written from the meanings of the instruction table (hw/isa/opcodes.h), docs/pixel-planes.md
+// and its memory, at each. Written from the meanings of the instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md
 // and thesis 7.2.1. Vectors have a bit a pixel; where they have several places of the ALU, the least significant first.
 `include "faults.vh"
 

@@ -1,5 +1,5 @@
 // The machine's end of the link: a FIFO, and a register that gathers words until a command is whole. At which edge a word
-// moves is docs/pixel-planes.md, "Link".
+// moves is docs/machines/pixel-planes-4.md, "Link".
 
 // What goes in at an edge can be taken at the next, and a place that becomes free can be filled at the next.
 module fifo #(

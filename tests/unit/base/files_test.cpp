@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 
 #include "hw/base/error.h"
@@ -74,6 +75,8 @@ TEST_CASE("a file longer than its limit is refused, whether or not it says how l
   CHECK(contains(refusal([&] { read_file(scratch / "long", small_file); }), "longer than 1 KiB; cut it"));
   CHECK(contains(refusal([&] { read_file("/dev/zero", small_file); }), "/dev/zero: longer than 1 KiB; cut it"));
   CHECK(read_file("/dev/null", small_file).empty());
+  constexpr InputKind any_file{"a file", std::numeric_limits<std::size_t>::max(), ""};
+  CHECK(read_file(scratch / "fits", any_file).size() == 1024);
 }
 
 TEST_CASE("a file appears under its name only when it is committed, and replaces another with its permissions") {

@@ -137,10 +137,12 @@ TEST_CASE("a machine has a global OR or has none") {
 }
 
 TEST_CASE("an unknown machine names the nearest known") {
-  CHECK_THROWS_WITH_AS(kinds::load("pixel-plane-4"),
-                       "unknown machine 'pixel-plane-4'; the nearest known is 'pixel-planes-4', and a file's name ends "
-                       "in .toml",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      kinds::load("pixel-plane-4"),
+      "there is no machine 'pixel-plane-4'; did you mean pixel-planes-4? The machines are "
+      "pixel-planes-4, scan-line, pixel-square, pixel-planes-5, multi-processor, or a file, whose name "
+      "ends in .toml",
+      InputError);
   CHECK_THROWS_WITH_AS(kinds::load("none/such.toml"),
                        "none/such.toml: cannot be read: No such file or directory; check the path and its permissions",
                        InputError);

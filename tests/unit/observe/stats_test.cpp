@@ -65,6 +65,21 @@ TEST_CASE("an instruction costs its clocks at every pixel of its segment, and at
   CHECK(stats.by_primitive[2] == Cost{});
 }
 
+TEST_CASE("what an effect calls for at a primitive is the effect's, not the primitive's alone") {
+  isa::Program one = program();
+  one.facts.compile.effects = {"flat", "shadows"};
+  sim::StatsObserver observer(one);
+  const testing::FakePixels pixels({0, 0, 5, 3});
+  const Instruction shadow{Opcode::copy, {}, {}, 0, {Purpose::render, 1, isa::no_node, 1}};
+  const Instruction flat{Opcode::copy, {}, {}, 0, {Purpose::shade, 1, isa::no_node, 0}};
+  observer.after_instruction({0, 0, merges, 30, 0}, pixels);
+  observer.after_instruction({0, 1, shadow, 7, 0}, pixels);
+  observer.after_instruction({0, 2, flat, 5, 0}, pixels);
+  CHECK(observer.stats().by_primitive[1].clocks == 42);
+  CHECK(observer.stats().plain_by_primitive[1].clocks == 35);
+  CHECK(observer.stats().by_effect[1].clocks == 7);
+}
+
 TEST_CASE("opcodes add up to the total, and so do purposes, and primitives with what serves none") {
   CHECK(rc::check([] {
     sim::StatsObserver observer(program());

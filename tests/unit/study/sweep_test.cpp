@@ -95,11 +95,13 @@ TEST_CASE("what is no list of numbers is refused") {
 
 TEST_CASE("an unknown name is told with the nearest known one, if any is like it") {
   const Words known{"stack", "list", "bits"};
-  CHECK(study::parse_names("list,stack,list", known) == Words{"list", "stack"});
-  CHECK_THROWS_WITH_AS(study::parse_names("stack,lst", known), "there is no 'lst'; did you mean list?", InputError);
-  CHECK_THROWS_WITH_AS(study::parse_names("quixotic", known), "there is no 'quixotic'; there are stack, list, bits",
+  CHECK(study::parse_names("list,stack,list", "strategy", known) == Words{"list", "stack"});
+  CHECK_THROWS_WITH_AS(study::parse_names("stack,lst", "strategy", known),
+                       "there is no strategy 'lst'; did you mean list? The strategies are stack, list, bits",
                        InputError);
-  CHECK_THROWS_AS(study::parse_names("", known), InputError);
+  CHECK_THROWS_WITH_AS(study::parse_names("quixotic", "level", known),
+                       "there is no level 'quixotic'; the levels are stack, list, bits", InputError);
+  CHECK_THROWS_AS(study::parse_names("", "level", known), InputError);
 }
 
 TEST_CASE("the product has a point for each combination, and stack bits only where they matter") {

@@ -1,0 +1,39 @@
+#include "hw/multi_processor/loads.h"
+
+#include "hw/multi_processor/account.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+/// Of the nodes the one that works most.
+machines::Load busiest(const machines::Account& account) {
+  machines::Load load{"nodes", "work", 0};
+  for (const machines::PartAccount& part : account.parts) {
+    if (!part.part.starts_with("node ")) continue;
+    std::uint64_t clocks = 0;
+    for (const NodeActivity one : {NodeActivity::pruning, NodeActivity::sharing, NodeActivity::rendering})
+      clocks += machines::clocks_of(account, part.part, name_of(one));
+    if (clocks > load.clocks) load = {part.part, "works", clocks};
+  }
+  return load;
+}
+
+}  // namespace
+
+std::vector<machines::Load> loads(const machines::FrameTiming& timing) {
+  const auto display = [&](DisplayActivity activity) {
+    return machines::clocks_of(timing.account, "display processor", name_of(activity));
+  };
+  const auto bus = [&](BusActivity activity) {
+    return machines::clocks_of(timing.account, "control bus", name_of(activity));
+  };
+  return {{"link from the host", "sends", display(DisplayActivity::receiving)},
+          {"display processor", "transforms, divides and broadcasts",
+           display(DisplayActivity::transforming) + display(DisplayActivity::dividing) +
+               display(DisplayActivity::broadcasting)},
+          {"control bus", "is taken", bus(BusActivity::busy) + bus(BusActivity::granting)},
+          busiest(timing.account)};
+}
+
+}  // namespace csgsim::multi_processor

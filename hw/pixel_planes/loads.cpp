@@ -1,0 +1,22 @@
+#include "hw/pixel_planes/loads.h"
+
+#include <algorithm>
+
+namespace csgsim::pixel_planes {
+
+std::vector<machines::Load> loads(const machines::FrameTiming& timing) {
+  const auto controller = [&](const char* activity) {
+    return machines::clocks_of(timing.account, "controller", activity);
+  };
+  // The rows that are latched after the picture was drawn, and what a picture takes that is copied to be shown.
+  const std::uint64_t latched = timing.interval_clocks - std::min(timing.clocks, timing.interval_clocks);
+  return {{"array", "carries out instructions", controller("issuing") + controller("draining")},
+          {"clearing of the array", "runs", controller("clearing")},
+          {"global OR", "is waited for", controller("answering")},
+          {"jumps of the host", "are waited for", controller("jumping")},
+          {"link from the host", "sends", machines::clocks_of(timing.account, "host link", "sending")},
+          {"scan-out", "holds the array",
+           latched + controller("refreshing") + controller("holding") + controller("copying")}};
+}
+
+}  // namespace csgsim::pixel_planes

@@ -1,0 +1,16 @@
+#include "hw/scan_line/loads.h"
+
+namespace csgsim::scan_line {
+
+std::vector<machines::Load> loads(const machines::FrameTiming& timing) {
+  const auto of = [&](const char* part, const char* activity) {
+    return machines::clocks_of(timing.account, part, activity);
+  };
+  return {{"host", "works",
+           of("host", "sorting") + of("host", "updating") + of("host", "preparing") + of("host", "starting")},
+          {"link from the host", "sends", of("link", "sending")},
+          {"chain of cells", "takes packets", of("entry", "entering")},
+          {"refresh path", "shows", of("refresh", "showing")}};
+}
+
+}  // namespace csgsim::scan_line

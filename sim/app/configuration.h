@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "hw/machines/machine.h"
+#include "sim/app/command_line.h"
+#include "sim/app/model_options.h"
+#include "sim/observe/frame.h"
+
+/// The `configuration` of a stats file: all that a run follows from. docs/stats.md describes every key.
+namespace csgsim::app {
+
+/// What a command runs, beside its options.
+struct RunSubject {
+  const machines::Machine& machine;
+  const isa::Program& program;
+  std::vector<std::filesystem::path> inputs;  ///< the subject's file first
+  std::string hash;                           ///< of what was compiled or run; if empty, of the subject's file
+  const view::Camera* camera = nullptr;       ///< none of a Program
+  const std::vector<scene::SectionValues>* scene = nullptr;
+};
+
+nlohmann::ordered_json configuration_of(const Command& command, const RunSubject& subject);
+
+/// Of the bytes of a file; null of what can be read only once, as a pipe is. Throws InputError.
+nlohmann::ordered_json hash_of_file(const std::filesystem::path& file);
+
+/// Bytes from outside, as JSON can hold them: those that are no plain text are {"hex": "..."}.
+nlohmann::ordered_json bytes_json(const std::string& bytes);
+
+/// The same back. Throws InputError where it is neither.
+std::string bytes_of(const nlohmann::ordered_json& json);
+
+/// Puts the configuration before the time that the run took, the last key of a stats file.
+void put_configuration(nlohmann::ordered_json& stats, nlohmann::ordered_json configuration, const sim::Frame& picture);
+
+}  // namespace csgsim::app

@@ -1,0 +1,44 @@
+#include "sim/observe/bound.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "hw/machines/kind.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+machines::FrameTiming timing_of(const RunResult& result) {
+  return {result.clocks, result.shown_clocks, result.interval_clocks, result.latency_clocks, result.account};
+}
+
+double share_of(const machines::Load& load, const RunResult& result) {
+  return static_cast<double>(load.clocks) / static_cast<double>(result.interval_clocks);
+}
+
+/// With an article, but for one of several that is called by its number.
+std::string with_article(const std::string& part) {
+  const bool is_numbered = part.back() >= '0' && part.back() <= '9';
+  return is_numbered ? part : "the " + part;
+}
+
+}  // namespace
+
+std::optional<Bound> bound_of(const RunResult& result, const machines::Machine& machine) {
+  if (machine.kind->loads == nullptr || result.interval_clocks == 0) return std::nullopt;
+  std::vector<machines::Load> loads = machine.kind->loads(timing_of(result));
+  std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
+  const machines::Load& most = loads.front();
+  const double rate = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
+  std::string sentence = fmt::format(
+      "{} bounds the frame: it {} in {:.1f} % of the {} clocks from one frame to the next, {:.4g} frames a second",
+      with_article(most.part), most.does, 100.0 * share_of(most, result), result.interval_clocks, rate);
+  if (loads.size() > 1 && loads[1].clocks > 0)
+    sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], result));
+  return Bound{most.part, share_of(most, result), sentence};
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+
+namespace csgsim::sim {
+
+/// The part of a machine that bounds how fast frames follow one another: it works in more of the clocks from one to the
+/// next than any other does.
+struct Bound {
+  std::string part;
+  double share = 0;      ///< of these clocks
+  std::string sentence;  ///< for people: the part, its share, the frames a second, the part that comes after it
+};
+
+/// From the account of a run; nothing where the machine's kind does not tell of its parts, or a frame takes no time.
+std::optional<Bound> bound_of(const RunResult& result, const machines::Machine& machine);
+
+}  // namespace csgsim::sim

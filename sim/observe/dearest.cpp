@@ -1,0 +1,125 @@
+#include "sim/observe/dearest.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <tuple>
+
+#include "hw/base/text.h"
+#include "hw/isa/pieces.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+/// A half-space as it stands in the picture, wherever a segment's corner is: the place of its primitive among the
+/// dearest, A, B, C and shift.
+using PictureLinear = std::tuple<std::uint32_t, std::int64_t, std::int64_t, std::int64_t, std::uint16_t>;
+
+/// C may wrap: it does so alike in every segment.
+PictureLinear in_picture(std::uint32_t place, const isa::Linear& linear, const isa::Region& region) {
+  const std::uint64_t moved =
+      static_cast<std::uint64_t>(linear.a) * region.x + static_cast<std::uint64_t>(linear.b) * region.y;
+  return {place, linear.a, linear.b, static_cast<std::int64_t>(static_cast<std::uint64_t>(linear.c) - moved),
+          linear.shift};
+}
+
+/// A side of the rectangle of pixels that a surface is cut to first, or a half-space that is no more than that.
+bool is_pixel_edge(const isa::Linear& linear) {
+  return linear.shift == 0 && std::abs(linear.a) + std::abs(linear.b) == 1;
+}
+
+/// Whether it scan-converts a half-space of a surface that is drawn.
+bool is_halfspace(const isa::Instruction& one) {
+  const isa::Origin& origin = one.origin;
+  return one.linear.width > 0 && origin.purpose == isa::Purpose::render && origin.primitive != isa::no_primitive &&
+         origin.effect == isa::no_effect && !is_pixel_edge(one.linear);
+}
+
+constexpr std::uint32_t not_dear = ~std::uint32_t{0};
+
+/// Of each primitive its place among the dearest.
+std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& dearest, std::size_t primitives) {
+  std::vector<std::uint32_t> places(primitives, not_dear);
+  for (std::uint32_t i = 0; i < dearest.size(); ++i) places[dearest[i].primitive] = i;
+  return places;
+}
+
+/// A half-space is counted once, in however many segments and pieces' surfaces it is.
+void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& dearest) {
+  const std::vector<std::uint32_t> places = places_of(dearest, program.facts.primitives.size());
+  std::vector<PictureLinear> found;
+  for (const isa::Segment& segment : program.segments) {
+    for (const isa::Instruction& one : segment.instructions) {
+      if (!is_halfspace(one)) continue;
+      const std::uint32_t place = places[isa::primitive_of(program.facts, one.origin.primitive)];
+      if (place != not_dear) found.push_back(in_picture(place, one.linear, segment.region));
+    }
+  }
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (const PictureLinear& one : found) ++dearest[std::get<0>(one)].half_spaces;
+}
+
+std::vector<std::uint32_t> by_clocks(const std::vector<Cost>& costs) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < costs.size(); ++i)
+    if (costs[i].clocks > 0) order.push_back(i);
+  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return costs[a].clocks > costs[b].clocks; });
+  return order;
+}
+
+std::uint64_t sum_of(const std::vector<Cost>& costs) {
+  return std::accumulate(costs.begin(), costs.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const Cost& cost) { return sum + cost.clocks; });
+}
+
+std::vector<EffectCost> effects_of(const isa::Program& program, const Stats& stats) {
+  std::vector<EffectCost> effects;
+  const std::vector<std::string>& names = program.facts.compile.effects;
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    if (stats.by_effect[i].clocks > 0) effects.push_back({printable(names[i]), stats.by_effect[i].clocks});
+  }
+  return effects;
+}
+
+}  // namespace
+
+std::string source_of(const std::string& name) {
+  const std::size_t at = name.rfind('@');
+  return at == std::string::npos ? "" : name.substr(at + 1);
+}
+
+ClockShares clock_shares(const isa::Program& program, const RunResult& result, const Stats& stats) {
+  ClockShares shares;
+  shares.whole = stats.total.clocks + result.latency_clocks;
+  const std::vector<Cost>& costs = stats.plain_by_primitive;
+  const std::vector<std::uint32_t> order = by_clocks(costs);
+  const std::size_t shown = std::min(order.size(), most_dearest);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::uint32_t index = order[i];
+    const std::string name = printable(program.facts.primitives[index]);
+    shares.dearest.push_back({index, name, source_of(name), costs[index].clocks,
+                              static_cast<double>(costs[index].clocks) / static_cast<double>(shares.whole),
+                              isa::pieces_of(program.facts, index).count, 0});
+  }
+  count_halfspaces(program, shares.dearest);
+  shares.other_primitives = order.size() - shown;
+  for (std::size_t i = shown; i < order.size(); ++i) shares.other_clocks += costs[order[i]].clocks;
+  shares.effects = effects_of(program, stats);
+  shares.rest = shares.whole - sum_of(costs);
+  for (const EffectCost& effect : shares.effects) shares.rest -= effect.clocks;
+  return shares;
+}
+
+std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program) {
+  std::vector<std::uint64_t> pixels(program.facts.primitives.size());
+  for (const std::uint32_t piece : frame.owner) {
+    if (piece == no_owner) continue;
+    const std::uint32_t primitive = isa::primitive_of(program.facts, piece);
+    if (primitive < pixels.size()) ++pixels[primitive];
+  }
+  return pixels;
+}
+
+}  // namespace csgsim::sim

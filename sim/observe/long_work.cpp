@@ -1,0 +1,44 @@
+#include "sim/observe/long_work.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "hw/base/messages.h"
+
+namespace csgsim::sim {
+
+namespace {
+
+std::string duration_text(double seconds) {
+  constexpr double minute = 60;
+  constexpr double hour = 60 * minute;
+  if (seconds < 2 * minute) return fmt::format("{:.0f} seconds", seconds);
+  if (seconds < 2 * hour) return fmt::format("{:.0f} minutes", seconds / minute);
+  return fmt::format("{:.0f} hours", seconds / hour);
+}
+
+}  // namespace
+
+Stopwatch wall_time() {
+  return [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+}
+
+LongWork::LongWork(std::string what, std::string mend, Stopwatch stopwatch, double warned_of)
+    : what_(std::move(what)),
+      mend_(std::move(mend)),
+      stopwatch_(std::move(stopwatch)),
+      begin_(stopwatch_()),
+      warned_of_(warned_of) {}
+
+void LongWork::at(double done) {
+  if (warned_ || !(done > 0)) return;
+  const double expected = elapsed() / done;
+  if (expected < warned_of_) return;
+  warned_ = expected;
+  tell_line(fmt::format("warning: {} will take about {} here, to judge by the first {:.2g} %; {}", what_,
+                        duration_text(expected), 100 * done, mend_));
+}
+
+}  // namespace csgsim::sim

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace csgsim::sim {
+
+/// Seconds from some point in time on.
+using Stopwatch = std::function<double()>;
+
+Stopwatch wall_time();
+
+/// Warns once on standard error, early, of work that will take minutes, by the time that its first part took.
+class LongWork {
+ public:
+  static constexpr double few_seconds = 60;  ///< what takes less is not warned of
+
+  /// `what` will take so long; `mend` says what would take less.
+  LongWork(std::string what, std::string mend, Stopwatch stopwatch = wall_time(), double warned_of = few_seconds);
+
+  /// This part of the work is done, above 0, at most 1.
+  void at(double done);
+
+  /// Seconds in all that were warned of, if it was.
+  [[nodiscard]] std::optional<double> warned() const { return warned_; }
+
+  /// Seconds since the work began.
+  [[nodiscard]] double elapsed() const { return stopwatch_() - begin_; }
+
+ private:
+  std::string what_;
+  std::string mend_;
+  Stopwatch stopwatch_;
+  double begin_;
+  double warned_of_;
+  std::optional<double> warned_;
+};
+
+}  // namespace csgsim::sim

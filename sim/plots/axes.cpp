@@ -1,0 +1,126 @@
+#include "sim/plots/axes.h"
+
+#include <algorithm>
+
+#include "sim/plots/text_size.h"
+
+namespace csgsim::plots {
+
+namespace {
+
+constexpr double tick_length = 5;
+constexpr double tick_gap = 4;        ///< pixels from a tick to its text
+constexpr double between_ticks = 8;   ///< pixels between two texts
+constexpr double pixels_a_tick = 34;  ///< upwards
+constexpr unsigned x_ticks_at_most = 9;
+constexpr double longest_upright = 170;
+constexpr double longest_level = 150;
+constexpr std::string_view ink = "#000000";
+
+struct XTick {
+  Pixel at;
+  std::string text;
+};
+
+/// The texts of the ticks, side by side or upright.
+std::vector<Text> tick_texts(const std::vector<XTick>& ticks, bool is_upright) {
+  std::vector<std::string> words;
+  words.reserve(ticks.size());
+  for (const XTick& tick : ticks) words.push_back(tick.text);
+  words = shortened(words, is_upright ? longest_upright : longest_level);
+  std::vector<Text> texts;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double below = tick_length + tick_gap + (is_upright ? 0 : line_height / 2);
+    texts.push_back(
+        {words[i], {ticks[i].at.x, ticks[i].at.y + below}, is_upright ? Anchor::right : Anchor::centre, is_upright});
+  }
+  return texts;
+}
+
+/// Those that fit beside each other within the picture, from the left on.
+std::vector<Text> fitting(const std::vector<Text>& texts, bool is_upright, double right_edge) {
+  std::vector<Text> kept;
+  double end = 0;
+  for (const Text& text : texts) {
+    const Box box = box_of(text);
+    const double room = is_upright ? 0 : between_ticks;
+    if (box.left < end || box.right > right_edge) continue;
+    kept.push_back(text);
+    end = box.right + room;
+  }
+  return kept;
+}
+
+}  // namespace
+
+void add_title(Drawing& drawing, const std::string& title) {
+  drawing.texts.push_back(
+      {shortened(title, drawing.width - 2 * side_margin), {drawing.width / 2, title_height / 2}, Anchor::centre});
+}
+
+std::vector<Tick> ticks_of(const Axis& axis, const Extent& extent, double pixels) {
+  return axis.ticks.empty() ? extent.ticks(std::max(3U, static_cast<unsigned>(pixels / pixels_a_tick)), axis.is_whole)
+                            : axis.ticks;
+}
+
+std::vector<Tick> x_ticks_of(const Axis& axis, const Extent& extent) {
+  return axis.ticks.empty() ? extent.ticks(x_ticks_at_most, axis.is_whole) : axis.ticks;
+}
+
+double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area) {
+  std::vector<XTick> ticks;
+  for (const Tick& tick : x_ticks_of(axis, extent))
+    ticks.push_back({{area.left + extent.along(tick.value) * (area.right - area.left), area.bottom}, tick.text});
+  std::ranges::stable_sort(ticks, {}, [](const XTick& tick) { return tick.at.x; });
+  std::vector<Text> texts = fitting(tick_texts(ticks, false), false, drawing.width);
+  if (axis.is_names && texts.size() < ticks.size()) texts = fitting(tick_texts(ticks, true), true, drawing.width);
+  double bottom = area.bottom + tick_length + tick_gap;
+  for (const XTick& tick : ticks) drawing.lines.push_back({{tick.at, {tick.at.x, tick.at.y + tick_length}}, ink});
+  for (Text& text : texts) {
+    bottom = std::max(bottom, box_of(text).bottom);
+    drawing.texts.push_back(std::move(text));
+  }
+  const double middle = (area.left + area.right) / 2;
+  drawing.texts.push_back({shortened(axis.title, 2 * (drawing.width - side_margin - middle)),
+                           {middle, bottom + 6 + line_height / 2},
+                           Anchor::centre});
+  return bottom + line_height + 14;
+}
+
+double room_for_y_axis(const std::vector<Tick>& ticks) {
+  double widest = 0;
+  for (const Tick& tick : ticks) widest = std::max(widest, text_width(tick.text));
+  return side_margin + line_height + 10 + widest + tick_gap + tick_length;
+}
+
+void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area) {
+  for (const Tick& tick : ticks_of(axis, extent, area.bottom - area.top)) {
+    const double y = area.bottom - extent.along(tick.value) * (area.bottom - area.top);
+    drawing.lines.push_back({{{area.left - tick_length, y}, {area.left, y}}, ink});
+    drawing.texts.push_back({tick.text, {area.left - tick_length - tick_gap, y}, Anchor::right});
+  }
+  drawing.texts.push_back({shortened(axis.title, area.bottom - area.top),
+                           {side_margin + line_height / 2, (area.top + area.bottom) / 2},
+                           Anchor::centre,
+                           true});
+}
+
+void add_grid(Drawing& drawing, const std::vector<Tick>& x_ticks, const Extent& x, const std::vector<Tick>& y_ticks,
+              const Extent& y, const Box& area) {
+  for (const Tick& tick : x_ticks) {
+    const double at = area.left + x.along(tick.value) * (area.right - area.left);
+    drawing.lines.push_back({{{at, area.top}, {at, area.bottom}}, grid_colour});
+  }
+  for (const Tick& tick : y_ticks) {
+    const double at = area.bottom - y.along(tick.value) * (area.bottom - area.top);
+    drawing.lines.push_back({{{area.left, at}, {area.right, at}}, grid_colour});
+  }
+  drawing.lines.push_back({{{area.left, area.top},
+                            {area.right, area.top},
+                            {area.right, area.bottom},
+                            {area.left, area.bottom},
+                            {area.left, area.top}},
+                           ink});
+}
+
+}  // namespace csgsim::plots

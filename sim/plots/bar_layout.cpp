@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/plots/axes.h"
+#include "sim/plots/key.h"
+#include "sim/plots/layout.h"
+#include "sim/plots/text_size.h"
+
+namespace csgsim::plots {
+
+namespace {
+
+constexpr double bar_height = 22;
+constexpr double row_height = 30;
+constexpr double longest_name = 260;
+constexpr std::string_view free_room = "#ffffff";
+
+std::string_view fill_of(const std::vector<std::string>& names, const std::string& name) {
+  const auto number = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  return number < palette::fills.size() ? palette::fills[number] : palette::background.colour;
+}
+
+/// Those of the plot, then what bars have besides.
+std::vector<std::string> names_of(const Bars& plot) {
+  std::vector<std::string> names = plot.names;
+  for (const Bar& bar : plot.bars) {
+    for (const Part& part : bar.parts) {
+      if (std::ranges::find(names, part.name) == names.end()) names.push_back(part.name);
+    }
+  }
+  return names;
+}
+
+bool is_used(const std::string& name, const Bars& plot) {
+  return std::ranges::any_of(
+      plot.bars, [&](const Bar& bar) { return std::ranges::find(bar.parts, name, &Part::name) != bar.parts.end(); });
+}
+
+std::vector<KeyEntry> key_of(const std::vector<std::string>& names, const Bars& plot) {
+  std::vector<KeyEntry> key;
+  std::size_t more = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!is_used(names[i], plot)) continue;
+    if (i < palette::fills.size()) {
+      key.push_back({names[i], Sample::fill, {palette::fills[i], "", {}}});
+    } else {
+      ++more;
+    }
+  }
+  if (more > 0) {
+    key.push_back({fmt::format("{} more: {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
+  }
+  key.push_back({"free", Sample::fill, {free_room, "", {}}});
+  if (plot.bars.size() > most_bars)
+    key.push_back({fmt::format("{} bars more: {}", plot.bars.size() - most_bars, plot.table)});
+  return key;
+}
+
+void add_bar(Drawing& drawing, const Bar& bar, const std::vector<std::string>& names, const Extent& extent,
+             const Box& row) {
+  const auto x = [&](double value) { return row.left + extent.along(value) * (row.right - row.left); };
+  drawing.fills.push_back({{x(0), row.top, x(bar.length), row.bottom}, free_room});
+  for (const Part& part : bar.parts) {
+    const Box box{x(part.begin), row.top, x(part.end), row.bottom};
+    const std::string_view colour = fill_of(names, part.name);
+    drawing.fills.push_back({box, colour});
+    const std::string text = shortened(fmt::format("{} {}", part.name, part.end - part.begin), longest_name);
+    if (text_width(text) + 4 <= box.right - box.left) {
+      drawing.texts.push_back({text,
+                               {(box.left + box.right) / 2, (row.top + row.bottom) / 2},
+                               Anchor::centre,
+                               false,
+                               palette::text_on(colour)});
+    }
+  }
+}
+
+}  // namespace
+
+Drawing laid_out(const Bars& plot) {
+  Drawing drawing{plot_width, 0, {}, {}, {}, {}};
+  const std::size_t count = std::min(plot.bars.size(), most_bars);
+  std::vector<std::string> labels;
+  double most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    labels.push_back(plot.bars[i].name);
+    most = std::max(most, plot.bars[i].length);
+  }
+  labels = shortened(labels, longest_name);
+  double widest = 0;
+  for (const std::string& label : labels) widest = std::max(widest, text_width(label));
+  const Box area{widest + 20, title_height, plot_width - right_margin,
+                 title_height + row_height * static_cast<double>(std::max<std::size_t>(count, 1))};
+  const Extent extent{0, std::max(most, 1.0)};
+  const std::vector<std::string> names = names_of(plot);
+  add_title(drawing, plot.title);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double middle = area.top + row_height * (static_cast<double>(i) + 0.5);
+    add_bar(drawing, plot.bars[i], names, extent,
+            {area.left, middle - bar_height / 2, area.right, middle + bar_height / 2});
+    drawing.texts.push_back({labels[i], {area.left - 8, middle}, Anchor::right});
+  }
+  const double bottom = add_x_axis(drawing, plot.x, extent, area);
+  drawing.height = add_key(drawing, key_of(names, plot), side_margin, plot_width - side_margin, bottom) + side_margin;
+  return drawing;
+}
+
+}  // namespace csgsim::plots

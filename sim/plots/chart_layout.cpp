@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/plots/axes.h"
+#include "sim/plots/chart_series.h"
+#include "sim/plots/labels.h"
+#include "sim/plots/layout.h"
+#include "sim/plots/text_size.h"
+
+namespace csgsim::plots {
+
+namespace {
+
+constexpr double between_panels = 24;
+constexpr double mark_size = 9;
+constexpr double small_mark_size = 5;
+constexpr std::size_t many_points = 60;  ///< of a series, whose marks are small
+constexpr double longest_label = 150;
+constexpr std::size_t numbers_in_key = 24;
+
+double panel_height(std::size_t panels) { return panels == 1 ? 360 : panels == 2 ? 230 : 170; }
+
+/// A panel's place, and what its pixels stand for.
+struct Panel {
+  Box area;
+  Extent x;
+  Extent y;
+
+  [[nodiscard]] Pixel at(const Point& point) const {
+    return {area.left + x.along(point.x) * (area.right - area.left),
+            area.bottom - y.along(point.y) * (area.bottom - area.top)};
+  }
+};
+
+bool is_finite(const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
+
+Extent x_extent(const Chart& chart) {
+  if (chart.x.is_names) return {-0.5, static_cast<double>(std::max<std::size_t>(chart.x.ticks.size(), 1)) - 0.5};
+  std::vector<double> values;
+  for (const Tick& tick : chart.x.ticks) values.push_back(tick.value);
+  for (const Series& series : chart.series) {
+    if (series.trace == Trace::level) continue;
+    for (const Point& point : series.points) {
+      if (is_finite(point)) values.push_back(point.x);
+    }
+  }
+  return extent_of(values, chart.x.scale, false);
+}
+
+Extent y_extent(const Chart& chart, std::size_t panel) {
+  std::vector<double> values;
+  for (const Series& series : chart.series) {
+    if (series.panel != panel) continue;
+    for (const Point& point : series.points) {
+      if (is_finite(point)) values.push_back(point.y);
+    }
+  }
+  return extent_of(values, chart.panels[panel].scale, true);
+}
+
+std::vector<Panel> panels_of(const Chart& chart) {
+  const double height = panel_height(chart.panels.size());
+  std::vector<Panel> panels;
+  double left = 0;
+  for (std::size_t i = 0; i < chart.panels.size(); ++i) {
+    const double top = title_height + static_cast<double>(i) * (height + between_panels);
+    panels.push_back({{0, top, plot_width - right_margin, top + height}, x_extent(chart), y_extent(chart, i)});
+    left = std::max(left, room_for_y_axis(ticks_of(chart.panels[i], panels.back().y, height)));
+  }
+  for (Panel& panel : panels) panel.area.left = left;
+  return panels;
+}
+
+/// What is drawn in a panel, and what is to be written there.
+class PanelContent {
+ public:
+  explicit PanelContent(const Panel& panel) : panel_(panel), surroundings_{inside(panel.area), {}, {}} {}
+
+  /// `more` pixels across than the smallest mark.
+  void add(Drawing& drawing, const Series& series, const palette::Look& look, double more) {
+    const double size = series.is_background || series.points.size() > many_points ? small_mark_size : mark_size + more;
+    const std::vector<Pixel> pixels = pixels_of(series, size);
+    if (pixels.empty()) return;
+    if (series.trace == Trace::steps) add_line(drawing, steps_of(pixels), look);
+    if (series.trace == Trace::line || series.trace == Trace::level) add_line(drawing, pixels, look);
+    if (series.trace == Trace::level) return;
+    for (const Pixel& at : pixels) {
+      drawing.marks.push_back({at, look.mark, look.colour, size});
+      surroundings_.boxes.push_back(around(at, size / 2));
+    }
+  }
+
+  /// Writes the labels; what found no room for its text is told in the key.
+  void add_labels(Drawing& drawing, std::vector<KeyEntry>& key, const std::string& table) const {
+    std::vector<LabelWish> wishes;
+    wishes.reserve(labels_.size());
+    for (const Label& label : labels_) wishes.push_back({label.at, text_width(label.text), label.mark / 2});
+    const std::vector<PlacedLabel> placed = place_labels(wishes, surroundings_);
+    for (const PlacedLabel& label : placed) {
+      const std::string& text = labels_[label.wish].text;
+      if (label.leader) drawing.lines.push_back({{label.leader->from, label.leader->to}, "#666666"});
+      drawing.texts.push_back({label.number ? std::to_string(*label.number) : text,
+                               {(label.box.left + label.box.right) / 2, (label.box.top + label.box.bottom) / 2},
+                               Anchor::centre});
+      if (label.number && *label.number <= numbers_in_key) key.push_back({fmt::format("{}: {}", *label.number, text)});
+    }
+    const auto told = static_cast<std::size_t>(std::ranges::count_if(
+        placed, [](const PlacedLabel& label) { return !label.number || *label.number <= numbers_in_key; }));
+    if (told < labels_.size()) key.push_back({fmt::format("{} labels more: {}", labels_.size() - told, table)});
+  }
+
+ private:
+  struct Label {
+    Pixel at;
+    std::string text;
+    double mark = 0;  ///< pixels across of the largest there
+  };
+
+  static Box inside(const Box& area) { return {area.left + 2, area.top + 2, area.right - 2, area.bottom - 2}; }
+
+  std::vector<Pixel> pixels_of(const Series& series, double mark) {
+    std::vector<Pixel> pixels;
+    for (const Point& point : series.points) {
+      if (!is_finite(point)) continue;
+      const Pixel at = panel_.at(point);
+      if (series.trace == Trace::level) return {{panel_.area.left, at.y}, {panel_.area.right, at.y}};
+      pixels.push_back(at);
+      if (!point.label.empty()) add_label(at, shortened(point.label, longest_label), mark);
+    }
+    return pixels;
+  }
+
+  /// Corners of the stairs; one point alone goes to the right.
+  [[nodiscard]] std::vector<Pixel> steps_of(const std::vector<Pixel>& pixels) const {
+    std::vector<Pixel> corners;
+    corners.reserve(2 * pixels.size());
+    for (const Pixel& at : pixels) {
+      if (!corners.empty()) corners.push_back({at.x, corners.back().y});
+      corners.push_back(at);
+    }
+    const bool goes_left = pixels.back().x < pixels.front().x;
+    corners.push_back({goes_left ? panel_.area.left : panel_.area.right, pixels.back().y});
+    return corners;
+  }
+
+  /// Labels of one place are one text.
+  void add_label(const Pixel& at, std::string text, double mark) {
+    const auto same = std::ranges::find_if(
+        labels_, [&](const Label& label) { return overlap(around(label.at, 1), around(at, 0.5)); });
+    if (same == labels_.end()) {
+      labels_.push_back({at, std::move(text), mark});
+      return;
+    }
+    same->mark = std::max(same->mark, mark);
+    const std::string together = same->text + ", " + text;
+    if (same->text != text && text_width(together) <= longest_label) same->text = together;
+  }
+
+  void add_line(Drawing& drawing, const std::vector<Pixel>& pixels, const palette::Look& look) {
+    if (pixels.size() < 2) return;
+    drawing.lines.push_back({pixels, look.colour, 2, look.dash});
+    for (std::size_t i = 1; i < pixels.size(); ++i) surroundings_.segments.push_back({pixels[i - 1], pixels[i]});
+  }
+
+  const Panel& panel_;
+  Surroundings surroundings_;
+  std::vector<Label> labels_;
+};
+
+/// Marks of series that are drawn first are larger, so that some of them is seen below others.
+double mark_growth(const SeriesLooks& looks, std::size_t series) {
+  constexpr double step = 2;
+  constexpr std::size_t steps = 3;
+  if (looks.looks[series].colour == palette::background.colour) return 0;
+  const auto later = static_cast<std::size_t>(std::count_if(
+      looks.looks.begin() + static_cast<std::ptrdiff_t>(series), looks.looks.end(), [&](const palette::Look& look) {
+        return look.colour != looks.looks[series].colour && look.colour != palette::background.colour;
+      }));
+  return step * static_cast<double>(std::min(steps, later));
+}
+
+/// Background first, then what has no colour of its own, then the others.
+std::vector<std::size_t> drawing_order(const Chart& chart, const SeriesLooks& looks) {
+  std::vector<std::size_t> order;
+  for (const bool coloured : {false, true}) {
+    for (std::size_t i = 0; i < chart.series.size(); ++i) {
+      if ((looks.looks[i].colour != palette::background.colour) == coloured) order.push_back(i);
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+Drawing laid_out(const Chart& chart) {
+  Drawing drawing{plot_width, 0, {}, {}, {}, {}};
+  SeriesLooks looks = looks_of(chart);
+  const std::vector<Panel> panels = panels_of(chart);
+  add_title(drawing, chart.title);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Panel& panel = panels[i];
+    add_grid(drawing, x_ticks_of(chart.x, panel.x), panel.x,
+             ticks_of(chart.panels[i], panel.y, panel.area.bottom - panel.area.top), panel.y, panel.area);
+    add_y_axis(drawing, chart.panels[i], panel.y, panel.area);
+    PanelContent content(panel);
+    for (const std::size_t s : drawing_order(chart, looks)) {
+      if (chart.series[s].panel == i) content.add(drawing, chart.series[s], looks.looks[s], mark_growth(looks, s));
+    }
+    content.add_labels(drawing, looks.key, chart.table);
+  }
+  const double bottom = add_x_axis(drawing, chart.x, panels.back().x, panels.back().area);
+  drawing.height = add_key(drawing, looks.key, side_margin, plot_width - side_margin, bottom) + side_margin;
+  return drawing;
+}
+
+}  // namespace csgsim::plots

@@ -1,0 +1,179 @@
+#include "sim/plots/gnuplot.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "hw/base/child_process.h"
+#include "hw/base/error.h"
+#include "hw/base/memory_file.h"
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "sim/plots/layout.h"
+#include "sim/plots/text_size.h"
+
+namespace csgsim::plots {
+
+namespace {
+
+constexpr double points_a_pixel = 72.0 / 96.0;  ///< of fonts, as cairo counts them
+constexpr double mark_units = 10.5;             ///< pixels across of gnuplot's marks of size 1
+
+/// One that draws a kind of file, with how a whole one ends.
+struct Terminal {
+  std::string_view ending;
+  std::string_view name;
+  std::string_view font;
+  double font_unit;
+  std::string_view last;
+};
+
+constexpr std::array terminals{
+    Terminal{".png", "pngcairo", "sans", points_a_pixel, std::string_view("IEND\xae\x42\x60\x82", 8)},
+    Terminal{".svg", "svg background 'white'", "sans-serif", 1, "</svg>"},
+};
+
+/// But for line breaks at its end.
+bool is_whole(std::string_view picture, const Terminal& terminal) {
+  return picture.substr(0, picture.find_last_not_of('\n') + 1).ends_with(terminal.last);
+}
+
+bool is_plain(char byte) {
+  return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || (byte >= '0' && byte <= '9') ||
+         std::string_view(" .,:;/()_+-<>=").find(byte) != std::string_view::npos;
+}
+
+std::string_view name_of(Anchor anchor) {
+  switch (anchor) {
+    case Anchor::left: return "left";
+    case Anchor::centre: return "center";
+    case Anchor::right: return "right";
+  }
+  return "";
+}
+
+/// A picture of its own for lines and marks: they are drawn in the order of the script.
+struct Curve {
+  std::string data;
+  std::string style;
+};
+
+std::vector<Curve> curves_of(const Drawing& drawing) {
+  std::vector<Curve> curves;
+  const auto add = [&](const std::string& data, const std::string& style) {
+    if (curves.empty() || curves.back().style != style) curves.push_back({"", style});
+    curves.back().data += data + "\n";  // an empty line ends a line
+  };
+  for (const Line& line : drawing.lines) {
+    std::string data;
+    for (const Pixel& point : line.points)
+      fmt::format_to(std::back_inserter(data), "{:.2f} {:.2f}\n", point.x, point.y);
+    add(data, fmt::format("lines lc rgb '{}' lw {}{}", line.colour, line.width,
+                          line.dash.empty() ? " dt solid" : fmt::format(" dt ({})", line.dash)));
+  }
+  for (const Mark& mark : drawing.marks) {
+    add(fmt::format("{:.2f} {:.2f}\n", mark.at.x, mark.at.y),
+        fmt::format("points lc rgb '{}' lw 2 pt {} ps {:.2f}", mark.colour, static_cast<unsigned>(mark.form),
+                    mark.size / mark_units));
+  }
+  return curves;
+}
+
+/// What gnuplot said was wrong: its first line that tells a line of the script is a message, those before are the
+/// script.
+std::string message_of(const std::string& said) {
+  constexpr std::string_view before = "line ";
+  constexpr std::size_t longest = 200;
+  for (std::size_t begin = 0; begin < said.size();) {
+    const std::size_t end = std::min(said.find('\n', begin), said.size());
+    const std::string line = said.substr(begin, end - begin);
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with(before) && colon != std::string::npos) return printable(line.substr(colon + 2, longest));
+    begin = end + 1;
+  }
+  return "";
+}
+
+std::string why(int status, const std::string& said) {
+  if (WIFSIGNALED(status)) return fmt::format("it was ended by a signal: {}", ::strsignal(WTERMSIG(status)));
+  const std::string message = message_of(said);
+  if (!message.empty()) return "it says: " + message;
+  return status == 0 ? "its picture is not whole" : fmt::format("it ended with {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+std::string gnuplot_text(std::string_view bytes) {
+  std::string result = "\"";
+  for (const char byte : printable(bytes))
+    result += is_plain(byte) ? std::string(1, byte) : fmt::format("\\{:03o}", static_cast<unsigned char>(byte));
+  return result + "\"";
+}
+
+std::string script_of(const Drawing& drawing) {
+  std::string script = fmt::format(
+      "set lmargin at screen 0\nset rmargin at screen 1\nset tmargin at screen 1\nset bmargin at screen 0\n"
+      "unset border\nunset tics\nunset key\nset xrange [0:{}]\nset yrange [{}:0]\n",
+      drawing.width, drawing.height);
+  const auto add = [&]<class... Values>(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(script), format, std::forward<Values>(values)...);
+  };
+  for (const Fill& fill : drawing.fills) {
+    const Box& box = fill.box;
+    add("set object rectangle from {:.2f},{:.2f} to {:.2f},{:.2f} fc rgb '{}' fs solid 1 border lc rgb 'black' back\n",
+        box.left, box.top, box.right, box.bottom, fill.colour);
+  }
+  for (const Text& text : drawing.texts) {
+    add("set label {} at {:.2f},{:.2f} {}{} front noenhanced tc rgb '{}'\n", gnuplot_text(text.text), text.at.x,
+        text.at.y, name_of(text.anchor), text.is_upright ? " rotate by 90" : "", text.colour);
+  }
+  const std::vector<Curve> curves = curves_of(drawing);
+  for (std::size_t i = 0; i < curves.size(); ++i) add("$c{} << EOD\n{}EOD\n", i, curves[i].data);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    add("{}$c{} using 1:2 with {}", i == 0 ? "plot " : ", ", i, curves[i].style);
+  return script + "\n";
+}
+
+Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing) {
+  const auto* const terminal =
+      std::ranges::find_if(terminals, [&](const Terminal& one) { return file.native().ends_with(one.ending); });
+  MemoryFile input(file);
+  const MemoryFile output(file);
+  const MemoryFile errors(file);
+  input.write(fmt::format("set encoding utf8\nset terminal {} size {:.0f},{:.0f} font '{},{}'\nset output\n{}",
+                          terminal->name, drawing.width, drawing.height, terminal->font,
+                          font_size * terminal->font_unit, script_of(drawing)));
+  const std::array<std::string, 2> words{"gnuplot", "-d"};  // no settings of its user's
+  const std::optional<int> status = run_child(words, {input, output, errors});
+  if (!status)
+    throw InputError(file.native() +
+                     ": gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
+  Drawn drawn{output.content(), errors.content()};
+  if (*status != 0 || !is_whole(drawn.picture, *terminal)) {
+    throw InputError(
+        fmt::format("{}: gnuplot did not draw; {} (package gnuplot-nox draws this; --no-plots does without)",
+                    file.native(), why(*status, drawn.said)));
+  }
+  return drawn;
+}
+
+std::vector<std::filesystem::path> draw(const std::vector<Plot>& plots, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const Plot& plot : plots) {
+    const Drawing drawing = std::visit([](const auto& content) { return laid_out(content); }, plot.content);
+    for (const Terminal& terminal : terminals) {
+      files.push_back(folder / (plot.name + std::string(terminal.ending)));
+      write_file(files.back(), drawn_for(files.back(), drawing).picture);
+    }
+  }
+  return files;
+}
+
+}  // namespace csgsim::plots

@@ -1,0 +1,110 @@
+#include "sim/plots/labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "sim/plots/text_size.h"
+
+namespace csgsim::plots {
+
+namespace {
+
+constexpr double gap = 2;               ///< pixels from what is drawn to a label beside it
+constexpr double away_from_others = 6;  ///< pixels, where there is room
+constexpr double first_ring = 12;       ///< pixels from what is drawn to a label at a leader
+constexpr double ring_step = 8;
+constexpr unsigned rings = 12;
+constexpr unsigned directions = 16;
+
+/// Beside the place: to the right above, as people expect it, and on around.
+constexpr auto beside = std::to_array<Pixel>({{1, -1}, {1, 0}, {1, 1}, {0, -1}, {0, 1}, {-1, -1}, {-1, 0}, {-1, 1}});
+
+/// A box of that size that lies in the direction, with its nearest point so far away.
+Box box_towards(const Pixel& at, const Pixel& direction, double distance, double width) {
+  const double x = at.x + direction.x * distance + std::clamp(direction.x * 2, -1.0, 1.0) * width / 2;
+  const double y = at.y + direction.y * distance + std::clamp(direction.y * 2, -1.0, 1.0) * line_height / 2;
+  return {x - width / 2, y - line_height / 2, x + width / 2, y + line_height / 2};
+}
+
+Segment leader_to(const Pixel& at, const Box& box) {
+  return {at, {std::clamp(at.x, box.left, box.right), std::clamp(at.y, box.top, box.bottom)}};
+}
+
+class Placer {
+ public:
+  explicit Placer(const Surroundings& surroundings) : around_(surroundings) {}
+
+  /// Whether a text of that width has found a place.
+  bool place(std::size_t wish, const LabelWish& what, double width, std::optional<unsigned> number) {
+    const Pixel& at = what.at;
+    for (const double distance : {away_from_others, 0.0}) {
+      for (const Pixel& direction : beside) {
+        const Box box = box_towards(at, direction, what.clearance + gap, width);
+        if (!is_near_another(box, at, distance) && take(wish, box, std::nullopt, number)) return true;
+      }
+    }
+    for (unsigned ring = 0; ring < rings; ++ring) {
+      for (unsigned i = 0; i < directions; ++i) {
+        const double turn = std::numbers::pi * (2.0 * i / directions - 0.25);
+        const Box box =
+            box_towards(at, {std::cos(turn), std::sin(turn)}, what.clearance + first_ring + ring_step * ring, width);
+        if (take(wish, box, leader_to(at, box), number)) return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] const std::vector<PlacedLabel>& placed() const { return placed_; }
+
+ private:
+  bool take(std::size_t wish, const Box& box, const std::optional<Segment>& leader, std::optional<unsigned> number) {
+    if (!is_clear(box) || (leader && !is_clear(*leader))) return false;
+    placed_.push_back({wish, box, leader, number});
+    return true;
+  }
+
+  /// Whether something that is not drawn at the place is so near to the box that the text might be its.
+  [[nodiscard]] bool is_near_another(const Box& box, const Pixel& at, double distance) const {
+    const Box wide{box.left - distance, box.top - distance, box.right + distance, box.bottom + distance};
+    return std::ranges::any_of(
+        around_.boxes, [&](const Box& one) { return overlap(one, wide) && !overlap(one, plots::around(at, 1)); });
+  }
+
+  [[nodiscard]] bool is_clear(const Box& box) const {
+    const auto is_hit = [&](const Segment& segment) { return meets(segment, box); };
+    return is_within(box, around_.area) &&
+           std::ranges::none_of(around_.boxes, [&](const Box& one) { return overlap(one, box); }) &&
+           std::ranges::none_of(around_.segments, is_hit) &&
+           std::ranges::none_of(placed_, [&](const PlacedLabel& label) {
+             return overlap(label.box, box) || (label.leader && is_hit(*label.leader));
+           });
+  }
+
+  [[nodiscard]] bool is_clear(const Segment& leader) const {
+    const auto holds = [&](const Box& box) { return overlap(plots::around(leader.from, 0.01), box); };
+    return std::ranges::none_of(around_.boxes, [&](const Box& box) { return meets(leader, box) && !holds(box); }) &&
+           std::ranges::none_of(placed_, [&](const PlacedLabel& label) {
+             return meets(leader, label.box) || (label.leader && cross(leader, *label.leader));
+           });
+  }
+
+  const Surroundings& around_;
+  std::vector<PlacedLabel> placed_;
+};
+
+}  // namespace
+
+std::vector<PlacedLabel> place_labels(std::span<const LabelWish> wishes, const Surroundings& surroundings) {
+  Placer placer(surroundings);
+  unsigned numbers = 0;
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    if (placer.place(i, wishes[i], wishes[i].width, std::nullopt)) continue;
+    if (placer.place(i, wishes[i], text_width(std::to_string(numbers + 1)), numbers + 1)) ++numbers;
+  }
+  return placer.placed();
+}
+
+}  // namespace csgsim::plots

@@ -1,0 +1,70 @@
+#include "sim/plots/number_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace csgsim::plots {
+
+namespace {
+
+std::string raised(int number) {
+  constexpr std::array<std::string_view, 10> digits{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                                    "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text;
+  for (const char digit : std::to_string(number))
+    text += digit == '-' ? "\u207b" : digits[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
+/// The power of a thousand in which a number of that size is told; 0 where it is written out.
+int unit_of(double largest) {
+  if (largest == 0 || (largest >= 1e-3 && largest < 1e6)) return 0;
+  return 3 * static_cast<int>(std::floor(std::log10(largest) / 3));
+}
+
+std::string unit_text(int unit) {
+  switch (unit) {
+    case 0: return "";
+    case 6: return " M";
+    case 9: return " G";
+    case 12: return " T";
+    default: return "\u00b710" + raised(unit);
+  }
+}
+
+/// With a comma every three digits before the point.
+std::string grouped(std::string digits) {
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  const std::size_t first = digits.front() == '-' ? 1 : 0;
+  for (std::size_t at = point; at > first + 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
+
+/// Divided exactly where a power of ten is a double.
+double in_units(double value, int unit) { return unit >= 0 ? value / std::pow(10, unit) : value * std::pow(10, -unit); }
+
+}  // namespace
+
+std::vector<std::string> number_texts(std::span<const double> values, int exponent) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  const int unit = unit_of(largest);
+  const int decimals = std::max(0, unit - exponent);
+  std::vector<std::string> texts;
+  texts.reserve(values.size());
+  for (const double value : values)
+    texts.push_back(value == 0 ? "0"
+                               : grouped(fmt::format("{:.{}f}", in_units(value, unit), decimals)) + unit_text(unit));
+  return texts;
+}
+
+std::string power_text(int factor, int exponent, bool as_power) {
+  if (as_power) return (factor == 1 ? std::string() : fmt::format("{}\u00b7", factor)) + "10" + raised(exponent);
+  return grouped(fmt::format("{:.{}f}", factor * std::pow(10, exponent), std::max(0, -exponent)));
+}
+
+}  // namespace csgsim::plots

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace csgsim::study {
+
+/// Calls measure(i) for i below `count` on that many threads, and finished(result) with each result, one at a time, in
+/// the order in which they are done. The first exception ends it and is thrown again.
+template <class Measure, class Finished>
+void measure_each(std::size_t count, unsigned threads, const Measure& measure, const Finished& finished) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex lock;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        auto result = measure(i);
+        const std::lock_guard guard(lock);
+        if (!failure) finished(std::move(result));
+      } catch (...) {
+        const std::lock_guard guard(lock);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (std::size_t i = 0; i < std::min<std::size_t>(threads, count); ++i) workers.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace csgsim::study

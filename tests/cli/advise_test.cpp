@@ -1,0 +1,190 @@
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+const std::string narrow = " --size 64x48 --z-bits 12,14,16 --fraction-bits 2,6 --stack-bits 3,5 ";
+
+/// Runs the command that advice gives and holds what comes out against what was said.
+void check_command(const nlohmann::json& recommended, const Folder& folder) {
+  std::string command = recommended["command"];
+  CAPTURE(command);
+  const std::string name = "csgsim ";
+  REQUIRE(command.starts_with(name));
+  const std::string output = " --output ";
+  command.replace(command.find(output) + output.size(), std::string::npos, folder / "p.png");
+  const Outcome outcome = run(command.substr(name.size()) + " --stats " + (folder / "p.json"));
+  REQUIRE(outcome.err == "");
+  REQUIRE(outcome.code == 0);
+  const nlohmann::json stats = json(folder / "p.json");
+  const nlohmann::json& point = recommended["point"];
+  CHECK(stats["memory_bits"]["used"] == point["memory_bits"]);
+  CHECK(stats["clocks"] == point["clocks"]);
+  CHECK(stats["interval_clocks"] == point["interval_clocks"]);
+  CHECK(stats["frames_a_second"].get<double>() == doctest::Approx(point["frames_per_second"].get<double>()));
+  CHECK(stats["accuracy"]["wrong_pixels"] == point["wrong"]);
+}
+
+/// All that is recommended for the model, as advise.json has it.
+nlohmann::json advice(const std::string& words, const Folder& folder) {
+  const Outcome outcome = run("advise " + model("old_example011") + words + " --no-plots -o " + (folder / "a"));
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  return json(folder / "a/advise.json")["recommendations"];
+}
+
+}  // namespace
+
+TEST_CASE("the commands that advise recommends draw with the bits, clocks and wrong pixels that it says") {
+  const Folder folder;
+  const nlohmann::json all = advice(narrow +
+                                        "--projection perspective --alu-bits 1,4 --edge-on 0.01 --view-all "
+                                        "--set lights.0.direction=0,0.5,-1 --without near,hidden --max-bits 80 "
+                                        "--max-wrong-pixels 40 --min-colour-bits 15 --min-fps 30",
+                                    folder);
+  REQUIRE(all.size() == 4);
+  for (const nlohmann::json& one : all) {
+    CHECK(one["meets_all"] == true);
+    check_command(one, folder);
+  }
+}
+
+TEST_CASE("the commands on advise's page draw what the page says of them") {
+  const Folder folder;
+  std::istringstream page(content(std::string(CSGSIM_SOURCE_DIR) + "/docs/advise.md"));
+  std::string figures;
+  unsigned commands = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (line.find(" clocks, ") != std::string::npos && line.find("bits a pixel, ") != std::string::npos) figures = line;
+    const std::size_t begin = line.find("csgsim render tests/");
+    if (begin == std::string::npos) continue;
+    ++commands;
+    CAPTURE(line);
+    const std::string output = " --output ";
+    std::string words = line.substr(begin, line.find(output) - begin).substr(std::string("csgsim ").size());
+    words.replace(words.find("tests/"), 0, std::string(CSGSIM_SOURCE_DIR) + "/");
+    REQUIRE(run(words + output + (folder / "p.png") + " --stats " + (folder / "p.json")).code == 0);
+    const nlohmann::json stats = json(folder / "p.json");
+    const auto says = [&](const std::string& text) { return figures.find(text) != std::string::npos; };
+    const std::string clocks = std::to_string(stats["clocks"].get<std::uint64_t>());
+    CHECK(says(": " + stats["memory_bits"]["used"].dump() + " bits a pixel, "));
+    CHECK(says(" " + stats["accuracy"]["wrong_pixels"].dump() + " wrong pixel"));
+    CHECK(says(" " + clocks.substr(0, clocks.size() - 3) + "," + clocks.substr(clocks.size() - 3) + " clocks"));
+  }
+  CHECK(commands == 6);
+}
+
+TEST_CASE("advise asks every machine, and its commands draw the same there") {
+  for (const std::string machine : {"scan-line", "pixel-square", "pixel-square+divider.kind=host", "multi-processor",
+                                    "pixel-planes-4+scan_out.buffers=2"}) {
+    CAPTURE(machine);
+    const Folder folder;
+    const nlohmann::json all = advice(
+        " --size 48x48 --z-bits 12,16 --fraction-bits 2,6 --colour-bits 12,24 --stack-bits 3 "
+        "--max-bits 120 --max-wrong-pixels 1000 --machine " +
+            machine,
+        folder);
+    REQUIRE(all.size() == 4);
+    check_command(all[0], folder);
+    check_command(all[2], folder);
+  }
+}
+
+TEST_CASE("where no choice meets all wishes, advise says what is in the way and how far the nearest is") {
+  const Folder folder;
+  const std::string ask = "advise " + model("old_example011") + narrow + " --no-plots --max-wrong-pixels 1000 ";
+  const Outcome fast = run(ask + "--min-fps 1e6 -o " + (folder / "a"));
+  CHECK(fast.code == 1);
+  CHECK(one_line(fast.err));
+  CHECK(fast.err.find("no choice meets all wishes") != std::string::npos);
+  CHECK(fast.err.find("frames a second too few") != std::string::npos);
+  CHECK(fast.out.find("in the way is the wish for at least 1e+06 frames a second") != std::string::npos);
+  CHECK(fast.out.find("rebroadcast") != std::string::npos);
+  const nlohmann::json recommended = json(folder / "a/advise.json")["recommendations"];
+  REQUIRE(recommended.size() == 1);
+  CHECK(recommended[0]["what"] == "fastest");
+  CHECK(recommended[0]["meets_all"] == false);
+  check_command(recommended[0], folder);
+  // Two wishes at once that nothing meets leave none to recommend by.
+  const Outcome both = run(ask + "--min-fps 1e6 --max-bits 47 -o " + (folder / "a"));
+  CHECK(both.code == 1);
+  const nlohmann::json answer = json(folder / "a/advise.json");
+  CHECK(answer["recommendations"].empty());
+  CHECK(answer["meets_all"] == false);
+  CHECK(both.out.find("nearest: ") != std::string::npos);
+  check_command(answer["nearest"], folder);
+  // 12 bits of each depth, 24 of colour and the mask.
+  const Outcome tight = run(ask + "--max-bits 47");
+  CHECK(tight.code == 1);
+  CHECK(tight.err.find("2 bits too many") != std::string::npos);
+  CHECK(
+      tight.out.find("in the way is the wish for at least 24 bits of colour: with the others met, 21 bits of colour") !=
+      std::string::npos);
+  CHECK(run(ask + "--max-bits 49").code == 0);
+}
+
+TEST_CASE("advise measures nothing twice, whatever is wished") {
+  const Folder folder;
+  const std::string ask =
+      "advise " + model("old_example011") + narrow + "--colour-bits 12,24 --max-wrong-pixels 1000 -o " + (folder / "a");
+  const Outcome first = run(ask + " --threads 2");
+  CHECK(first.err == "");
+  REQUIRE(first.code == 0);
+  CHECK(fs::file_size(folder / "a/advise.png") > 1000);
+  CHECK(fs::file_size(folder / "a/advise.svg") > 1000);
+  const std::string table = content(folder / "a/advise.csv");
+  const std::string answer = content(folder / "a/advise.json");
+  // As if interrupted: some lines are gone, one of them halfway. What is left has a mark, and keeps it.
+  const std::string measured = ",24,rebroadcast,stack,";
+  std::string marked = table;
+  const std::size_t at = marked.find(measured);
+  REQUIRE(at != std::string::npos);
+  const std::size_t end = marked.find('\n', at);
+  marked.insert(end, "marked");
+  write(folder / "a/advise.csv", marked.substr(0, marked.size() - 500));
+  REQUIRE(run(ask + " --threads 1 --no-plots").code == 0);
+  CHECK(content(folder / "a/advise.csv") == marked);
+  write(folder / "a/advise.csv", table);
+  REQUIRE(run(ask + " --min-fps 1 --max-bits 60 --no-plots").code == 0);
+  CHECK(content(folder / "a/advise.csv") == table);
+  CHECK(content(folder / "a/advise.json") != answer);
+  const Outcome again = run(ask);
+  CHECK(again.out == first.out);
+  CHECK(content(folder / "a/advise.json") == answer);
+  CHECK(run(ask + " --projection perspective").code == 1);
+}
+
+TEST_CASE("advise without a folder leaves no file behind") {
+  const Folder folder;
+  const Outcome outcome = run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits", "16",
+                                     "--fraction-bits", "6", "--max-wrong-pixels", "1000"},
+                                    folder.path());
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.find("\nfewest bits") != std::string::npos);
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("wishes and ranges of advise that make no sense are refused before anything is done") {
+  const Folder folder;
+  const std::string ask = "advise " + model("old_example011") + " -o " + (folder / "a") + " ";
+  misused(ask + "--max-bits 0", "--max-bits");
+  misused(ask + "--max-wrong-pixels -1", "whole number");
+  misused(ask + "--min-fps fast", "not a number");
+  misused(ask + "--min-fps=-2", "not a number");
+  misused(ask + "--min-colour-bits 25", "24");
+  misused(ask + "--strategy auto", "there is no 'auto'");
+  misused(ask + "--strategy lst", "did you mean list?");
+  misused(ask + "--z-bits 3", "4 to 30");
+  misused(ask + "--alu-bits 0", "1 to 32");
+  misused(ask + "--machine scan-line --alu-bits 2", "has no figure alu.bits");
+  misused(ask + "--memory-bits 72", "--memory-bits");
+  misused("advise", "MODEL");
+  CHECK(folder.files() == 0);
+}

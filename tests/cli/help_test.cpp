@@ -1,0 +1,165 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream all(text);
+  for (std::string line; std::getline(all, line);) lines.push_back(line);
+  return lines;
+}
+
+/// As csgsim --help lists them.
+std::vector<std::string> commands() {
+  std::vector<std::string> names;
+  for (const std::string& line : lines_of(run("--help").out)) {
+    if (line.starts_with("  ") && line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return names;
+}
+
+/// Options as a command's help lists them: what is said of each, on one line, by its last name.
+std::map<std::string, std::string> options_of(const std::string& command) {
+  std::map<std::string, std::string> options;
+  std::string* told = nullptr;
+  for (const std::string& line : lines_of(run(command + " --help").out)) {
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == 2 && line[2] == '-') {
+      const std::size_t name = line.find("--");
+      told = &options[line.substr(name, line.find_first_of(" ,", name) - name)];
+    } else if (begin != 26) {
+      told = nullptr;
+    }
+    if (told != nullptr) *told += " " + line.substr(begin);
+  }
+  return options;
+}
+
+/// The longest of the words that help says an option takes; empty if it takes any.
+std::string longest_word(const std::string& told) {
+  const std::size_t begin = told.find("Words: ");
+  if (begin == std::string::npos) return {};
+  const std::size_t first = begin + std::string("Words: ").size();
+  std::string list = told.substr(first, told.find(" [", first) - first);
+  std::ranges::replace(list, ',', '\n');
+  std::string longest;
+  for (const std::string& word : lines_of(list)) {
+    const std::string plain = word.substr(word.find_first_not_of(' '));
+    if (plain.size() > longest.size()) longest = plain;
+  }
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("no line of any help is longer than 80 columns") {
+  REQUIRE(commands().size() >= 18);
+  std::vector<std::string> helps{run("--help").out};
+  for (const std::string& command : commands()) helps.push_back(run(command + " --help").out);
+  for (const std::string& help : helps) {
+    for (const std::string& line : lines_of(help)) {
+      CAPTURE(line);
+      CHECK(line.size() <= 80);
+      CHECK((line.empty() || line.back() != ' '));
+    }
+  }
+}
+
+TEST_CASE("help has the options by subject, and none is left for the last resort") {
+  const std::string help = run("render --help").out;
+  std::size_t at = 0;
+  for (const std::string subject : {"What is drawn:", "View:", "Machine:", "Algorithm and pixel memory:", "Accuracy:",
+                                    "The run:", "Outputs:", "Messages:", "Example:"}) {
+    CAPTURE(subject);
+    const std::size_t found = help.find("\n\n" + subject + "\n");
+    CHECK(found != std::string::npos);
+    CHECK(found >= at);
+    at = found;
+  }
+  for (const std::string& command : commands()) {
+    CAPTURE(command);
+    CHECK(run(command + " --help").out.find("Further options:") == std::string::npos);
+  }
+  CHECK(run("--help").out.find("Further commands:") == std::string::npos);
+}
+
+TEST_CASE("the commands of the examples in help go on behind a backslash, as a shell takes them") {
+  const std::string help = run("render --help").out;
+  CHECK(help.find("--camera 220,-255,135,2,0,5 \\\n      --stats carburettor.json\n") != std::string::npos);
+}
+
+TEST_CASE("whatever word an option takes, a wrong one is told with the nearest and all that there are") {
+  std::map<std::string, std::string> asked;
+  for (const std::string& command : commands()) {
+    for (const auto& [option, told] : options_of(command)) {
+      const std::string word = longest_word(told);
+      if (word.empty()) continue;
+      asked[option] = command;
+      std::string wrong = word;
+      std::swap(wrong[1], wrong[2]);
+      CAPTURE(command);
+      CAPTURE(option);
+      const Outcome outcome = run_words({command, "m.csg", option, wrong});
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 2);
+      CHECK(one_line(outcome.err));
+      CHECK(outcome.err.find("there is no ") != std::string::npos);
+      CHECK(outcome.err.find("'" + wrong + "'; did you mean " + word + "? The ") != std::string::npos);
+    }
+  }
+  for (const std::string option : {"--strategy", "--colouring", "--level", "--levels", "--projection", "--progress",
+                                   "--pruning", "--pruning-a", "--parts", "--colour-scheme", "--strategy-b"}) {
+    CAPTURE(option);
+    CHECK(asked.count(option) == 1);
+  }
+}
+
+TEST_CASE("names that are not fixed words are told alike: machines, effects, settings of effects, fields") {
+  const Outcome machine = run("render " + model("old_example003") + " --machine scanline");
+  CHECK(machine.code == 1);
+  CHECK(machine.err.find("there is no machine 'scanline'; did you mean scan-line? The machines are pixel-planes-4, ") !=
+        std::string::npos);
+  CHECK(run("machines foo").err.starts_with("there is no machine 'foo'; the machines are pixel-planes-4, "));
+  misused("render " + model("old_example003") + " --set effects.shadow.on=true",
+          "there is no effect 'shadow'; did you mean shadows? The effects are ");
+  misused("render " + model("old_example003") + " --set effects.transparency.method=screendor",
+          "did you mean screen-door? it takes layers, screen-door");
+  const Outcome field = run("wave " + std::string(CSGSIM_SOURCE_DIR) +
+                            "/traces/thesis_fig_2_3.csgt --pixel 1,1 --at Z3 -o " + (Folder() / "w.vcd"));
+  CHECK(field.code == 1);
+}
+
+TEST_CASE("--quiet: nothing is printed, but errors and warnings are") {
+  const Folder folder;
+  const std::string draw = model("old_example011") + " --size 16x16 ";
+  for (const std::string& words :
+       {"render " + draw + "-o " + (folder / "p.png"), "compile " + draw + "-o " + (folder / "p.csgt"),
+        "run " + (folder / "p.csgt") + " --stats " + (folder / "s.json"), "levels " + draw, "effects " + draw,
+        "sweep " + draw + "--strategy stack -o " + (folder / "s") + " --no-plots",
+        "accuracy " + draw + "--views 1 -o " + (folder / "a") + " --no-plots",
+        "compare " + draw + "--machines pixel-planes-4 --sides 8 --fragments 4 -o " + (folder / "c") + " --no-plots",
+        "wave " + draw + "--pixel 1,1 --window 0:9 -o " + (folder / "w.vcd")}) {
+    CAPTURE(words);
+    CHECK(run(words).out != "");
+    const Outcome quiet = run(words + " -q");
+    CHECK(quiet.out == "");
+    CHECK(quiet.err == "");
+    CHECK(quiet.code == 0);
+  }
+  const Outcome differing = run("diff " + draw + model("old_example003") + " -q");
+  CHECK(differing.out == "");
+  CHECK(differing.err == "A and B differ\n");
+  CHECK(run("render none.csg --quiet").err.find("none.csg") != std::string::npos);
+  CHECK(run("render " + draw + "--projection perspective --near 0.001 --z-bits 8 -q").err.starts_with("warning: "));
+}

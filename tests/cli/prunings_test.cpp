@@ -1,0 +1,50 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+/// The Program of a model with those options.
+std::string compiled(const std::string& options) {
+  const Folder folder;
+  REQUIRE(run("compile " + model("old_example002") + " --size 60x50 " + options + " -o " + (folder / "p.csgt")).code ==
+          0);
+  return content(folder / "p.csgt");
+}
+
+}  // namespace
+
+TEST_CASE("--pruning says what is done or what is not, and the older --without still works") {
+  CHECK(compiled("--pruning all") == compiled(""));
+  CHECK(compiled("--pruning none") == compiled("--without all"));
+  CHECK(compiled("--pruning none") != compiled(""));
+  CHECK(compiled("--pruning no-hidden+no-sets+no-early-out") == compiled("--without hidden,sets,early-out"));
+  CHECK(compiled("--pruning space+picture+separation+halfspaces+near") ==
+        compiled("--pruning no-hidden+no-sets+no-early-out"));
+  CHECK(compiled("--pruning early-out") != compiled("--pruning none"));
+}
+
+TEST_CASE("prunings that make no sense together are refused") {
+  misused("render m.csg --pruning space+no-sets", "says both what is done and what is not");
+  misused("render m.csg --pruning space+", "there is no pruning ''");
+  misused("render m.csg --pruning no-spice", "did you mean no-space?");
+  misused("render m.csg --pruning none --without sets", "--without excludes --pruning");
+}
+
+TEST_CASE("a sweep and a comparison of two runs say prunings by the same words") {
+  const Folder folder;
+  const std::string part = model("old_example011") + " --size 16x16 ";
+  REQUIRE(run("sweep " + part + "--strategy stack --pruning all,none,no-sets+no-hidden,space --no-plots -o " +
+              (folder / "s"))
+              .code == 0);
+  const nlohmann::json points = json(folder / "s/sweep.json")["points"];
+  REQUIRE(points.size() == 4);
+  CHECK(points[2]["pruning"] == "no-sets+no-hidden");
+  const Outcome diff = run("diff " + part + "--pruning-b none --no-stories");
+  CHECK(diff.out == run("diff " + part + "--without-b all --no-stories").out);
+  CHECK(diff.out.find("another instruction") != std::string::npos);
+}

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "host/effects/rows.h"
+#include "host/scene/schema.h"
+#include "hw/kinds/rows.h"
+#include "hw/machines/kind.h"
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+namespace effects = csgsim::effects;
+namespace kinds = csgsim::kinds;
+namespace machines = csgsim::machines;
+namespace scene = csgsim::scene;
+
+TEST_CASE("no figure of a machine has the name of a scene's key, so that --set says one thing") {
+  std::vector<std::string> words{"effects"};
+  for (const scene::Section& section : scene::common_sections()) words.emplace_back(section.name);
+  for (const scene::Section& section : effects::sections()) CHECK(section.name.starts_with("effects."));
+  std::size_t figures = 0;
+  for (const machines::Kind* kind : kinds::all()) {
+    for (const machines::FigureSchema& figure : kind->schema) {
+      const std::string word(figure.key.substr(0, figure.key.find('.')));
+      CAPTURE(word);
+      CHECK(std::ranges::find(words, word) == words.end());
+      ++figures;
+    }
+  }
+  CHECK(figures > 50);
+}
+
+TEST_CASE("a figure that is set is the one of a machine that is named so") {
+  const Folder folder;
+  const auto clocks = [&](const std::string& words) {
+    REQUIRE(
+        run("render " + model("old_example002") + " --size 32x32 " + words + " --stats " + (folder / "s.json")).code ==
+        0);
+    const nlohmann::json stats = json(folder / "s.json");
+    CHECK(stats["machine"]["name"] == stats["configuration"]["machine"]["name"]);
+    return std::pair(stats["machine"]["name"].get<std::string>(), stats["clocks"].get<std::uint64_t>());
+  };
+  const auto set = clocks("--set alu.bits=4 --set memory.reads=2");
+  CHECK(set == clocks("--machine pixel-planes-4+alu.bits=4+memory.reads=2"));
+  CHECK(set.first == "pixel-planes-4+alu.bits=4+memory.reads=2");
+  CHECK(set.second < clocks("").second);
+  // Said twice, or with another spelling of the number, it is the same edit.
+  CHECK(set == clocks("--set alu.bits=2 --set alu.bits=04 --set memory.reads=2"));
+  CHECK(clocks("--set alu.bits=2").first != clocks("--set alu.bits=4").first);
+  CHECK(clocks("--machine pixel-square --set divider.kind=host").first == "pixel-square+divider.kind=host");
+}
+
+TEST_CASE("a file that is a built-in machine with other figures has a name that tells them") {
+  const Folder folder;
+  std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
+  write(folder / "same.toml", text);
+  const std::string figure = "[alu.bits]\nvalue = 1";
+  REQUIRE(text.find(figure) != std::string::npos);
+  text.replace(text.find(figure), figure.size(), "[alu.bits]\nvalue = 4");
+  write(folder / "wide.toml", text);
+  const auto first_line = [&](const std::string& words) {
+    const Outcome outcome = run_words({"machines", folder / words}, folder.path());
+    return outcome.out.substr(0, outcome.out.find('\n'));
+  };
+  CHECK(first_line("same.toml") == "pixel-planes-4");
+  CHECK(first_line("wide.toml") == "pixel-planes-4+alu.bits=4");
+  CHECK(first_line("wide.toml+memory.reads=2") == "pixel-planes-4+alu.bits=4+memory.reads=2");
+  CHECK(first_line("wide.toml+alu.bits=1") == "pixel-planes-4");
+}
+
+TEST_CASE("what is set wrongly is told in one line, with the nearest figure or key") {
+  const std::string render = "render " + model("old_example002") + " --size 16x16 ";
+  misused(render + "--set alu.bit=4",
+          "'alu.bit' is neither a figure of a machine nor a key of a scene; the nearest known is 'alu.bits'");
+  misused(render + "--set ambience.intensity=1", "the nearest known is 'ambient.intensity'");
+  misused(render + "--set ambient.intensty=1", "ambient.intensity");
+  misused(render + "--set alu.bits=99", "alu.bits is 99; it takes");
+  misused(render + "--set alu.bits=wide", "alu.bits is a string; make it an integer");
+  misused(render + "--set alu.bits", "changes no figure; say KEY=VALUE");
+  misused(render + "--set divider.kind=host", "pixel-planes-4 has no such figure, machines of the kind pixel-square");
+  misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is for models");
+  misused("machines --set ambient.intensity=1", "'ambient.intensity=1' is for models");
+}
+
+TEST_CASE("a figure is set for those of several machines that have it, and refused where none has") {
+  const Folder folder;
+  const std::string compare = "compare " + model("thesis_fig_2_3") +
+                              " --size 16x16 --sides '' --fragments '' --no-plots -o " + (folder / "out") +
+                              " --machines ";
+  const Outcome outcome = run(compare + "pixel-planes-4,multi-processor --set alu.bits=4");
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.out.find("pixel-planes-4+alu.bits=4 ") != std::string::npos);
+  CHECK(outcome.out.find("multi-processor ") != std::string::npos);
+  CHECK(content(folder / "out/compare.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
+  misused(compare + "scan-line,multi-processor --set alu.bits=4", "none of scan-line, multi-processor has that figure");
+  misused(compare + "pixel-planes-4 --set alu.bits=99", "alu.bits is 99");
+  const Outcome listed = run("machines --set alu.bits=4");
+  REQUIRE(listed.code == 0);
+  CHECK(listed.out.find("pixel-planes-4+alu.bits=4\n") != std::string::npos);
+  CHECK(listed.out.find("\nscan-line\n") != std::string::npos);
+}
+
+TEST_CASE("a sweep, a diff, a debugger and a wave take figures, and say the machine's name") {
+  const Folder folder;
+  const std::string sweep = "sweep " + model("thesis_fig_2_3") +
+                            " --size 16x16 --strategy stack --no-plots --set alu.bits=4 -o " + (folder / "out");
+  const Outcome swept = run(sweep);
+  CAPTURE(swept.err);
+  REQUIRE(swept.code == 0);
+  CHECK(content(folder / "out/sweep.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
+  const std::string trace = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
+  const Outcome diff = run("diff " + trace + " --set-b alu.bits=4 --no-stories");
+  CHECK(diff.out.find("B  " + trace + ": pixel-planes-4+alu.bits=4, ") != std::string::npos);
+  CHECK(run("diff " + trace + " --set-b ambient.intensity=1").code == 2);
+  CHECK(run("debug " + trace + " --set alu.bits=4").code == 0);
+  CHECK(run("explain " + trace + " --pixel 5,5 --set alu.bits=4").code == 0);
+  const Outcome wave = run("wave " + trace + " --pixel 5,5 --window 0:20 --set alu.bits=4 -o " + (folder / "w.vcd"));
+  CAPTURE(wave.err);
+  REQUIRE(wave.code == 0);
+  CHECK(content(folder / "w.gtkw").find("pixel-planes-4+alu.bits=4") != std::string::npos);
+}

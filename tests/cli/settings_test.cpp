@@ -1,0 +1,319 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sim/app/commands.h"
+#include "sim/app/file_options.h"
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+std::vector<std::string> commands() {
+  std::vector<std::string> names;
+#define CSGSIM_COMMAND_NAME(name) names.emplace_back(#name);
+  CSGSIM_COMMANDS(CSGSIM_COMMAND_NAME)
+#undef CSGSIM_COMMAND_NAME
+  return names;
+}
+
+/// An option of a settings file as --dump-config writes it: `key = value`, commented out where nothing is said.
+struct Key {
+  std::string name;
+  std::string value;
+  bool is_said = false;
+  std::string meaning;  ///< the comment before
+};
+
+std::vector<Key> keys_of(const std::string& settings) {
+  std::vector<Key> keys;
+  std::istringstream lines(settings);
+  std::string before;
+  for (std::string line; std::getline(lines, line); before = line) {
+    const bool is_said = !line.starts_with("# ");
+    const std::string text = is_said ? line : line.substr(2);
+    const std::size_t equals = text.find(" = ");
+    if (equals == std::string::npos || text.find(' ') != equals) continue;
+    keys.push_back({text.substr(0, equals), text.substr(equals + 3), is_said, before});
+  }
+  return keys;
+}
+
+std::vector<Key> keys_of_command(const std::string& command) {
+  const Outcome outcome = run(command + " --dump-config");
+  CAPTURE(command);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  return keys_of(outcome.out);
+}
+
+/// Commands without options.
+const std::set<std::string> without_options{"isa", "scene"};
+
+/// Another value than the one an option has, where it is not any text or number. An option that takes certain words
+/// alone needs a line here.
+const std::map<std::string, std::string> samples{{"projection", "\"perspective\""},
+                                                 {"strategy", "\"list\""},
+                                                 {"colouring", "\"field\""},
+                                                 {"level", "\"reference\""},
+                                                 {"level-a", "\"reference\""},
+                                                 {"level-b", "\"reference\""},
+                                                 {"without", "[\"hidden\", \"sets\"]"},
+                                                 {"without-a", "[\"hidden\", \"sets\"]"},
+                                                 {"without-b", "[\"hidden\", \"sets\"]"},
+                                                 {"pruning", "\"none\""},
+                                                 {"progress", "\"none\""},
+                                                 {"depth", "\"z.exr\""},
+                                                 {"owner", "\"o.png\""},
+                                                 {"tolerance", "\"0.5px\""},
+                                                 {"tolerances", "\"0.5,1\""},
+                                                 {"levels", "\"4\""},
+                                                 {"sides", "\"64\""},
+                                                 {"fragments", "\"12\""},
+                                                 {"stack-bits", "5"},
+                                                 {"colour-bits", "15"},
+                                                 {"z-bits", "16"},
+                                                 {"memory-bits", "96"},
+                                                 {"parts", "\"speed\""}};
+
+/// Options that stand in place of others, which they exclude.
+const std::set<std::string> alone{"point", "tolerances"};
+
+std::string sample(const std::string& command, const Key& key) {
+  const auto found = samples.find(key.name);
+  const bool is_text = key.value.starts_with('"');
+  if (command == "bench" && key.name == "levels") return "\"cycle\"";
+  if (found != samples.end()) {
+    const bool needs_quotes = is_text && !found->second.starts_with('"');
+    return needs_quotes ? "\"" + found->second + "\"" : found->second;
+  }
+  if (is_text) return "\"word\"";
+  if (key.value.starts_with('[')) return "[\"one\", \"two\"]";
+  if (key.value == "false") return "true";
+  return key.value.find('.') == std::string::npos ? "7" : "0.75";
+}
+
+/// The lines of a settings file for the command that say these samples.
+std::string settings(const std::string& command, const std::vector<Key>& keys) {
+  std::string text = "[" + command + "]\n";
+  for (const Key& key : keys) text += fmt::format("{} = {}\n", key.name, sample(command, key));
+  return text;
+}
+
+/// The settings reach the options.
+void check_reached(const std::string& command, const std::vector<Key>& keys) {
+  const Folder folder;
+  write(folder / "s.toml", settings(command, keys));
+  const Outcome outcome = run_words({command, "--config", "s.toml", "--dump-config"}, folder.path());
+  CAPTURE(command);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const std::vector<Key> reached = keys_of(outcome.out);
+  for (const Key& key : keys) {
+    CAPTURE(key.name);
+    const auto found = std::ranges::find(reached, key.name, &Key::name);
+    REQUIRE(found != reached.end());
+    CHECK(found->is_said);
+    CHECK(found->value == sample(command, key));
+  }
+}
+
+void refused(const std::string& command, const std::string& text, const std::string& message) {
+  const Folder folder;
+  write(folder / "s.toml", text);
+  const Outcome outcome = run_words({command, model("old_example002"), "--config", "s.toml"}, folder.path());
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(one_line(outcome.err));
+  CHECK(outcome.err.find(message) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("every option of every command can be set by a settings file") {
+  std::size_t options = 0;
+  for (const std::string& command : commands()) {
+    if (without_options.contains(command)) {
+      CHECK(run(command + " --dump-config").code == 2);
+      continue;
+    }
+    std::vector<Key> together = keys_of_command(command);
+    CHECK(!together.empty());
+    options += together.size();
+    for (const std::string& name : alone) {
+      const auto found = std::ranges::find(together, name, &Key::name);
+      if (found == together.end()) continue;
+      check_reached(command, {*found});
+      together.erase(found);
+    }
+    check_reached(command, together);
+  }
+  CHECK(options > 200);
+}
+
+TEST_CASE("every long option that help shows is one that a settings file may have") {
+  for (const std::string& command : commands()) {
+    if (without_options.contains(command)) continue;
+    const std::vector<Key> keys = keys_of_command(command);
+    std::istringstream lines(run(command + " --help").out);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t begin = line.find("--");
+      if (!line.starts_with("  -") || begin == std::string::npos) continue;
+      const std::string name = line.substr(begin + 2, line.find_first_of(" ,=", begin) - begin - 2);
+      if (name == "help" || name == "config" || name == "dump-config") continue;
+      CAPTURE(command);
+      CAPTURE(name);
+      CHECK(std::ranges::find(keys, name, &Key::name) != keys.end());
+    }
+  }
+}
+
+TEST_CASE("every option that names a file is known to, so that its name is one of the settings file's folder") {
+  const std::regex of_file(R"(\.(png|exr|json|csg|csgt|toml|vcd|scad)\b|[Ff]older|[Ff]ile)");
+  std::size_t files = 0;
+  for (const std::string& command : commands()) {
+    if (without_options.contains(command)) continue;
+    for (const Key& key : keys_of_command(command)) {
+      const bool is_text = key.value.starts_with('"') || key.value.starts_with('[');
+      if (!is_text || !std::regex_search(key.meaning, of_file)) continue;
+      CAPTURE(command);
+      CAPTURE(key.name);
+      CHECK(csgsim::app::role_of(key.name) != csgsim::app::FileRole::none);
+      ++files;
+    }
+  }
+  CHECK(files > 50);
+}
+
+TEST_CASE("what --dump-config prints is a settings file that changes nothing") {
+  const Folder folder;
+  const std::vector<std::string> words{"render", "m.csg", "--set", "alu.bits=4", "--view-all", "--tolerance", "0.5px"};
+  const auto dumped = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    more.emplace_back("--dump-config");
+    return run_words(more, folder.path()).out;
+  };
+  const std::string first = dumped({});
+  write(folder / "s.toml", first);
+  CHECK(first.find("tolerance = \"0.5px\"") != std::string::npos);
+  CHECK(run_words({"render", "--config", "s.toml", "--dump-config"}, folder.path()).out == first);
+}
+
+TEST_CASE("the command line wins over its own table, and that over what is said at the top") {
+  const Folder folder;
+  write(folder / "s.toml",
+        "z-bits = 16\nview-all = true\n[render]\nz-bits = 18\nset = ['alu.bits=2']\n[levels]\nsnap = true\n");
+  const auto value = [&](std::vector<std::string> words, const std::string& name) {
+    words.insert(words.end(), {"--config", "s.toml", "--dump-config"});
+    const std::vector<Key> keys = keys_of(run_words(words, folder.path()).out);
+    return std::ranges::find(keys, name, &Key::name)->value;
+  };
+  CHECK(value({"compile"}, "z-bits") == "16");
+  CHECK(value({"render"}, "z-bits") == "18");
+  CHECK(value({"render", "--z-bits", "12"}, "z-bits") == "12");
+  CHECK(value({"render", "--z-bits=12"}, "z-bits") == "12");
+  CHECK(value({"render"}, "set") == "[\"alu.bits=2\"]");
+  CHECK(value({"render", "m.csg", "--set", "alu.bits=8"}, "set") == "[\"alu.bits=8\"]");
+  CHECK(value({"render"}, "view-all") == "true");
+  CHECK(value({"render", "--view-all=false"}, "view-all") == "false");
+  CHECK(value({"render"}, "snap") == "false");
+  CHECK(value({"levels"}, "snap") == "true");
+}
+
+TEST_CASE("an option on the command line takes the place of the one that it excludes") {
+  const Folder folder;
+  write(folder / "s.toml", "point = '0,0,0'\n");
+  const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
+  CHECK(run_words({"explain", program, "--pixel", "5,5", "--config", "s.toml"}, folder.path()).code == 0);
+  refused("explain", "point = '0,0,0'\npixel = '1,1'\n", "s.toml:2:1: pixel stands in place of another option");
+}
+
+TEST_CASE("what is wrong in a settings file is told with its place") {
+  refused("render", "z-bit = 16\n", "s.toml:1:1: 'z-bit' is no option of any command; the nearest known is 'z-bits'");
+  refused("render", "\n[render]\nstratgy = 'list'\n",
+          "s.toml:3:1: 'stratgy' is no option of render; the nearest known is 'strategy'");
+  refused("render", "[sweep]\nturn = 3\n", "s.toml:2:1: 'turn' is no option of sweep");
+  refused("render", "[rendr]\nturn = 3\n",
+          "s.toml:1:2: 'rendr' is no option of any command; the nearest known is 'render'");
+  refused("render", "z-bits = '16'\n", "s.toml:1:10: z-bits is a string; make it an integer");
+  refused("render", "z-bits = -1\n", "s.toml:1:10: z-bits is -1; make it 0 or more");
+  refused("render", "z-bits = 1.5\n", "s.toml:1:10: z-bits is a number with a point; make it an integer");
+  refused("render", "near = nan\n", "s.toml:1:8: near is not finite");
+  refused("render", "view-all = 1\n", "s.toml:1:12: view-all is an integer; make it true or false");
+  refused("render", "output = ['a.png']\n", "s.toml:1:10: output is an array; make it a string");
+  refused("render", "camera = [1, [2]]\n", "s.toml:1:14: camera is an array");
+  refused("render", "set = [true]\n", "s.toml:1:8: set is a boolean; make it a string");
+  refused("render", "output = \"a\\u0000\"\n", "s.toml:1:10: output has a zero byte");
+  refused("render", "strategy = 'stak'\n", "s.toml:1:1: --strategy: ");
+  refused("render", "memory-bits = 5000\n", "s.toml:1:1: --memory-bits: ");
+  refused("render", "size = '3'\n", "s.toml:1:1: --size: '3' is not of the form WxH");
+  refused("render", "set = ['ambient.intensity=7']\n", "s.toml:1:1: --set ambient.intensity=7");
+  refused("render", "render = 3\n", "s.toml:1:1: 'render' is an integer; make it a table, [render]");
+  refused("render", "z-bits = \n", "s.toml:1:10: ");
+  const Outcome missing = run("render m.csg --config no.toml");
+  CHECK(missing.code == 1);
+  CHECK(missing.err.find("no.toml: cannot be read") != std::string::npos);
+}
+
+TEST_CASE("what is wrong in a settings file is told where the command line says otherwise too") {
+  const Folder folder;
+  write(folder / "s.toml", "strategy = 'stak'\n");
+  const Outcome outcome = run_words({"render", "m.csg", "--strategy", "list", "--config", "s.toml"}, folder.path());
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.find("s.toml:1:1: --strategy: ") != std::string::npos);
+}
+
+TEST_CASE("a settings file draws what the command line draws, with files of its own folder") {
+  const Folder folder;
+  fs::create_directory(folder / "job");
+  fs::copy(model("old_example002"), folder / "job/m.csg");
+  fs::copy(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/scan-line.toml", folder / "job/mine.toml");
+  write(folder / "job/look.toml", "[ambient]\nintensity = 0.6\n");
+  write(folder / "job/run.toml",
+        "model = 'm.csg'\nmachine = 'mine.toml'\nscene = 'look.toml'\noutput = 'p.png'\nstats = 's.json'\n"
+        "size = '40x30'\ncamera = [65, -95, 60, 0, 0, -2.5]\nwithout = ['hidden', 'sets']\nset = ['cells.words=6']\n");
+  REQUIRE(run_words({"render", "--config", "job/run.toml"}, folder.path()).code == 0);
+  REQUIRE(run_words({"render", "job/m.csg", "--machine", "job/mine.toml", "--scene", "job/look.toml", "-o", "q.png",
+                     "--stats", "q.json", "--size", "40x30", "--camera", "65,-95,60,0,0,-2.5", "--without",
+                     "hidden,sets", "--set", "cells.words=6"},
+                    folder.path())
+              .code == 0);
+  CHECK(content(folder / "job/p.png") == content(folder / "q.png"));
+  nlohmann::json by_file = json(folder / "job/s.json");
+  nlohmann::json by_words = json(folder / "q.json");
+  for (nlohmann::json* stats : {&by_file, &by_words}) {
+    stats->erase("wall_seconds");
+    (*stats)["configuration"].erase("command");
+    for (const std::string name : {"output", "stats"}) (*stats)["configuration"]["options"].erase(name);
+  }
+  CHECK(by_file == by_words);
+}
+
+TEST_CASE("operands in a settings file give way to those on the command line") {
+  const Folder folder;
+  write(folder / "s.toml", "program = 'no.csgt'\noutput = 'text'\n");
+  const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
+  CHECK(run_words({"disasm", program, "--config", "s.toml"}, folder.path()).code == 0);
+  CHECK(run_words({"disasm", "--config", "s.toml"}, folder.path()).err.find("no.csgt") != std::string::npos);
+}
+
+TEST_CASE("a table of a sweep is the same however its options are said") {
+  const Folder folder;
+  write(folder / "s.toml", "size = '16x16'\n[sweep]\nstrategy = ['stack', 'list']\nno-plots = true\nno-draw = true\n");
+  const std::vector<std::string> words{"sweep", model("thesis_fig_2_3"), "-o", "out"};
+  std::vector<std::string> by_words = words;
+  by_words.insert(by_words.end(), {"--size", "16x16", "--strategy", "stack,list", "--no-plots", "--no-draw"});
+  std::vector<std::string> by_file = words;
+  by_file.insert(by_file.end(), {"--config", "s.toml"});
+  REQUIRE(run_words(by_words, folder.path()).code == 0);
+  const std::string table = content(folder / "out/sweep.csv");
+  REQUIRE(run_words(by_file, folder.path()).code == 0);
+  CHECK(content(folder / "out/sweep.csv") == table);
+}

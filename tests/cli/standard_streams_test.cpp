@@ -1,0 +1,152 @@
+#include <doctest/doctest.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+std::string binary() { return std::string(CSGSIM_BINARY_DIR) + "/csgsim"; }
+
+/// A command of bash, with its output and errors.
+Outcome shell(const std::string& command) { return run_program("/bin/bash", {"-c", command}); }
+
+/// What csgsim shows on a terminal of its own, and its exit code.
+Outcome on_terminal(const std::string& words) {
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", (binary() + " " + words).c_str(), static_cast<char*>(nullptr));
+    std::_Exit(127);
+  }
+  Outcome outcome;
+  std::array<char, 4096> bytes{};
+  for (ssize_t count = 0; (count = ::read(terminal, bytes.data(), bytes.size())) > 0;)
+    outcome.out.append(bytes.data(), static_cast<std::size_t>(count));
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(terminal);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+const std::string draw = " --size 40x30 ";
+
+}  // namespace
+
+TEST_CASE("- is standard input: a model, a Program in either form, and what is in doubt by how it begins") {
+  const Folder folder;
+  const std::string part = model("old_example003");
+  REQUIRE(run("render " + part + draw + "-o " + (folder / "p.png")).code == 0);
+  CHECK(shell(binary() + " render -" + draw + "-o " + (folder / "q.png") + " <" + part).code == 0);
+  CHECK(content(folder / "q.png") == content(folder / "p.png"));
+  // Read twice: once to choose settings.
+  CHECK(shell("cat " + part + " | " + binary() + " render -" + draw + "--max-wrong-pixels 900").code == 0);
+
+  REQUIRE(run("compile " + part + draw + "-o " + (folder / "p.csgt")).code == 0);
+  CHECK(shell(binary() + " run - -o " + (folder / "r.png") + " <" + (folder / "p.csgt")).code == 0);
+  CHECK(content(folder / "r.png") == content(folder / "p.png"));
+  const Outcome text = shell(binary() + " disasm - <" + (folder / "p.csgt"));
+  CHECK(text.out == run("disasm " + (folder / "p.csgt")).out);
+  CHECK(
+      shell(binary() + " disasm " + (folder / "p.csgt") + " | " + binary() + " run - -o " + (folder / "t.png")).code ==
+      0);
+  CHECK(content(folder / "t.png") == content(folder / "p.png"));
+
+  CHECK(shell(binary() + " explain - --pixel 20,15 <" + (folder / "p.csgt")).out.find("pixel") != std::string::npos);
+  CHECK(shell(binary() + " explain -" + draw + "--pixel 20,15 <" + part).out.find("pixel") != std::string::npos);
+  CHECK(shell(binary() + " render - <" + (folder / "p.csgt")).err.find("that is a Program") != std::string::npos);
+  CHECK(shell(binary() + " debug - <" + part).code == 2);
+}
+
+TEST_CASE("what a model on standard input imports is looked for in the current folder, and errors name their place") {
+  const Folder folder;
+  write(folder / "t.stl", "solid t\nendsolid t\n");
+  const auto in_folder = [&](const std::string& csg) {
+    return shell("cd " + folder.path().string() + " && echo '" + csg + "' | " + binary() + " render -" + draw);
+  };
+  CHECK(in_folder("import(file = \"t.stl\");").err.find("cannot be read") == std::string::npos);
+  CHECK(in_folder("import(file = \"none.stl\");").err.find("none.stl: cannot be read") != std::string::npos);
+  CHECK(
+      in_folder("import(file = \"../t.stl\");").err.starts_with("standard input:1:1: ../t.stl is not in the model's"));
+  CHECK(in_folder("cub(1);").err.starts_with("standard input:1:1: unknown node cub()"));
+}
+
+TEST_CASE("- is standard output: the data alone, the summary on standard error") {
+  const Folder folder;
+  const std::string part = model("old_example003");
+  REQUIRE(run("render " + part + draw + "-o " + (folder / "p.png") + " --depth " + (folder / "z.exr") + " --owner " +
+              (folder / "o.png"))
+              .code == 0);
+  for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1"}) {
+    CAPTURE(name);
+    const Outcome picture = run("render " + part + draw + "-o " + name);
+    CHECK(picture.code == 0);
+    CHECK(picture.out == content(folder / "p.png"));
+    CHECK(picture.err.find("7 primitives") != std::string::npos);
+  }
+  CHECK(run("render " + part + draw + "-q -o -").err == "");
+  CHECK(run("render " + part + draw + "-q -o -").out == content(folder / "p.png"));
+  CHECK(run("render " + part + draw + "--depth -").out == content(folder / "z.exr"));
+  CHECK(run("render " + part + draw + "--owner -").out == content(folder / "o.png"));
+  CHECK(nlohmann::json::parse(run("render " + part + draw + "--stats -").out)["model"]["primitives"] == 7);
+  CHECK(run("render " + part + draw + "-o - --tolerance 0.5px").out.substr(1, 3) == "PNG");
+  CHECK(shell(binary() + " compile " + part + draw + "-o - | " + binary() + " run - -o -").out ==
+        content(folder / "p.png"));
+  CHECK(run("disasm " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt -o -").out ==
+        run("disasm " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt").out);
+  CHECK(nlohmann::json::parse(run("explain " + part + draw + "--pixel 20,15 --json -").out).is_object());
+  CHECK(run("wave " + part + draw + "--pixel 1,1 --window 0:9 -o -").out.find("$enddefinitions") != std::string::npos);
+  CHECK_FALSE(fs::exists("-"));
+}
+
+TEST_CASE("standard output takes one output, and no folder, sequence or checkpoint") {
+  const std::string part = model("old_example003");
+  misused("render " + part + draw + "-o - --stats -", "two outputs cannot both go to standard output");
+  misused("render " + part + draw + "-o - --stats /dev/stdout", "two outputs cannot both go to standard output");
+  misused("render " + part + draw + "-o - --frames 2", "several pictures");
+  misused("sweep " + part + draw + "-o -", "a folder is needed");
+  misused("run " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt --checkpoint -", "name a file");
+}
+
+TEST_CASE("pipes and process substitution get what a file would, in the format of their name or the usual one") {
+  const Folder folder;
+  const std::string render = binary() + " render " + model("old_example003") + draw;
+  REQUIRE(shell(render + "-o " + (folder / "p.png") + " -o " + (folder / "p.png") + " 2>&1").code != 0);
+  REQUIRE(shell(render + "-o " + (folder / "p.png") + " --stats " + (folder / "s.json")).code == 0);
+  CHECK(shell("set -o pipefail; " + render + "-o >(cat >" + (folder / "q.png") + "); sleep 0.3").code == 0);
+  CHECK(content(folder / "q.png") == content(folder / "p.png"));
+  for (const std::string name : {"fifo", "fifo.ppm"}) {
+    const std::string pipe = folder / name;
+    CHECK(shell("mkfifo " + pipe + "; cat " + pipe + " >" + (folder / "r") + " & " + render + "-o " + pipe + "; wait")
+              .code == 0);
+    CHECK(content(folder / "r").substr(0, 2) == (name == "fifo" ? "\x89P" : "P6"));
+  }
+}
+
+TEST_CASE("a terminal is shown text, and never binary data") {
+  const std::string part = model("old_example003");
+  for (const std::string& words :
+       std::vector<std::string>{"render " + part + draw + "-o -", "render " + part + draw + "--depth /dev/tty",
+                                "render " + part + draw + "--owner /dev/stdout", "compile " + part + draw + "-o -"}) {
+    CAPTURE(words);
+    const Outcome outcome = on_terminal(words);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.find("a terminal cannot show binary data; name a file, or lead it into a pipe") !=
+          std::string::npos);
+    CHECK(outcome.out.find("primitives") == std::string::npos);  // refused before anything is drawn
+    CHECK(outcome.out.find("IHDR") == std::string::npos);
+  }
+  const Outcome stats = on_terminal("render " + part + draw + "-q --stats -");
+  CHECK(stats.code == 0);
+  CHECK(stats.out.find("\"by_purpose\"") != std::string::npos);
+}

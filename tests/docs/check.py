@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary"""
+
+import collections
+import pathlib
+import re
+import sys
+
+import coverage
+import manifest
+import markdown
+import pages
+from runs import ROOT
+
+MOST_WORDS = 25
+MOST_WORDS_OF_A_TERM = 3  # longer ones are titles of books
+MOST_NOT_COVERED = 60  # numbers that look measured and whose reason is 'not covered'; it may only fall
+
+
+def links():
+    """Every relative link leads to a file, and to an anchor of it."""
+    for path in markdown.files():
+        for number, target in markdown.links(markdown.read(path)):
+            if re.match(r"[a-z]+:", target):
+                continue
+            name, _, anchor = target.partition("#")
+            place = (ROOT / path).parent / name if name else ROOT / path
+            if not place.exists():
+                yield f"{path}:{number}: there is no {target}"
+            elif anchor and place.suffix == ".md" and anchor not in markdown.anchors(place.read_text(encoding="utf-8")):
+                yield f"{path}:{number}: {target} has no such heading"
+
+
+def cells():
+    """No cell of a table has more words than a reader takes in."""
+    for path in markdown.pages():
+        for number, row in markdown.rows(markdown.read(path)):
+            for cell in row:
+                if len(cell.split()) > MOST_WORDS:
+                    yield f"{path}:{number}: a cell of {len(cell.split())} words, more than {MOST_WORDS}: {cell[:60]}..."
+
+
+def numbers():
+    """Every number that looks measured is made, or may stand there for a stated reason."""
+    found, made = coverage.survey()
+    for each in found:
+        if not each.reason:
+            yield f"{each.page}:{each.line}: {each.text} looks measured: let docs/manifest make it, or say there why it may stand"
+    by_reason = collections.Counter(each.reason.split(":")[0] for each in found)
+    print(f"{made} numbers are made; of others that look measured", dict(by_reason))
+    if by_reason["not covered"] > MOST_NOT_COVERED:
+        yield f"{by_reason['not covered']} numbers are not covered, more than {MOST_NOT_COVERED}"
+
+
+def pictures():
+    """Every picture has an entry, and is shown somewhere."""
+    listed = {path for page in manifest.read() for entry in page.entries for path in entry.keys.get("files", [])}
+    there = {str(path.relative_to(ROOT)) for path in (ROOT / "docs/pictures").rglob("*.*")}
+    shown = set()
+    for path in markdown.files():
+        for _, target in markdown.links(markdown.read(path)):
+            shown.add(str(pathlib.Path(ROOT / path).parent.joinpath(target).resolve().relative_to(ROOT)) if "://" not in target else "")
+    yield from (f"{path} is in no manifest" for path in sorted(there - listed))
+    yield from (f"{path} is in the manifest and not there" for path in sorted(listed - there))
+    yield from (f"{path} is shown on no page" for path in sorted(there - shown))
+
+
+def blocks():
+    """Every made block has an entry."""
+    named = {(entry.page, entry.keys["name"]) for page in manifest.read() for entry in page.entries if entry.kind == "block"}
+    there = {(path, name) for path in markdown.pages() for name in pages.block_names(markdown.read(path))}
+    yield from (f"{path}: nothing makes the block '{name}'" for path, name in sorted(there - named))
+    yield from (f"{path}: there is no block '{name}'" for path, name in sorted(named - there))
+
+
+def glossary():
+    """What README and the tutorial set in italics as a term is in the glossary, in its order."""
+    text = markdown.read("docs/glossary.md")
+    terms = [term for line in text.splitlines() for term in re.findall(r"^- \*\*([^*]+)\*\*", line)]
+    known = {name.strip().lower().removesuffix("s") for term in terms for name in term.split(",")}
+    if terms != sorted(terms, key=str.lower):
+        yield "docs/glossary.md: the terms are not in order"
+    for path in ("README.md", "docs/tutorial.md"):
+        for number, line in markdown.prose(markdown.read(path)):
+            for term in re.findall(r"(?<!\*)\*([a-zA-Z][\w -]*)\*(?!\*)", line):
+                if len(term.split()) <= MOST_WORDS_OF_A_TERM and term.lower().removesuffix("s") not in known:
+                    yield f"{path}:{number}: '{term}' is not in docs/glossary.md"
+    for line in text.splitlines():
+        if line.startswith("- **") and "](" not in line:
+            yield f"docs/glossary.md: {line[:40]}... links to no page"
+
+
+CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary)}
+
+
+def main():
+    names = sys.argv[1:] or list(CHECKS)
+    if any(name not in CHECKS for name in names):
+        sys.exit(__doc__)
+    wrong = [line for name in names for line in CHECKS[name]()]
+    print("\n".join(wrong))
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()

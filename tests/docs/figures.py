@@ -1,0 +1,91 @@
+"""What the manifest's expressions and tables may ask for: the commands of csgsim on the models of the pages."""
+
+from runs import ROOT
+
+MODELS = {
+    "carburettor": "tests/models/carburettor.csg --camera 220,-255,135,2,0,5",
+    "vehicle": "tests/models/terrain_vehicle.csg --camera 560,-590,420,-5,0,68",
+    "house": "tests/models/rietveld_house.csg --camera 3430,-2900,1950,590,230,220",
+    "fig_2_3": "tests/models/thesis_fig_2_3.csg --camera 42,-38,41,10,5.5,2",
+}
+THESIS_MODELS = ("carburettor", "vehicle", "house")
+PERSPECTIVE = " --projection perspective"
+
+
+class Figures:
+    """Names that expressions know, beside those that a page's manifest lets stand for something."""
+
+    def __init__(self, runs):
+        self.runs = runs
+
+    def model(self, name):
+        return MODELS.get(name, name)
+
+    def render(self, model, options="", command="render"):
+        """The stats of a frame."""
+        return self.runs.run(f"csgsim {command} {self.model(model)} {options} --progress none --stats $OUT/stats.json"
+                             ).json("stats.json")
+
+    def clocks(self, model, options=""):
+        return self.render(model, options).clocks
+
+    def compare(self, model, options=""):
+        """The points of csgsim compare."""
+        return self.runs.run(f"csgsim compare {self.model(model)} {options} --no-plots --progress none -o $OUT/compare"
+                             ).json("compare/compare.json").points
+
+    def sweep(self, model, options=""):
+        return self.runs.run(f"csgsim sweep {self.model(model)} {options} --no-plots --progress none -o $OUT/sweep"
+                             ).json("sweep/sweep.json").points
+
+    def accuracy(self, model, options=""):
+        return self.runs.run(f"csgsim accuracy {self.model(model)} {options} --no-plots --progress none -o $OUT/accuracy"
+                             ).json("accuracy/accuracy.json").points
+
+    def subdivide(self, model, options=""):
+        return self.runs.run(f"csgsim subdivide {self.model(model)} {options} -o $OUT/subdivide.json").json("subdivide.json")
+
+    def effects(self, model, options=""):
+        return self.runs.run(f"csgsim effects {self.model(model)} {options} -o $OUT/effects").json("effects/effects.json")
+
+    def shown(self, page, start):
+        """The commands that a page shows, indented, from the line on that begins so."""
+        lines = (ROOT / page).read_text(encoding="utf-8").splitlines()
+        first = next(n for n, line in enumerate(lines) if line.startswith("    " + start))
+        last = next(n for n in range(first, len(lines)) if not lines[n].startswith("    "))
+        return "\n".join(line[4:] for line in lines[first:last])
+
+    def division_reports(self):
+        from tables import division  # pylint: disable=import-outside-toplevel
+
+        return division.reports(self)
+
+    def names(self):
+        """The names of expressions."""
+        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown")
+        return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
+                "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
+
+
+def per_cent(part, whole):
+    return 100 * part / whole
+
+
+def point(points, **wanted):
+    """The one point of a study that has these values."""
+    found = [each for each in points if all(each[key] == value for key, value in wanted.items())]
+    if len(found) != 1:
+        raise ValueError(f"{len(found)} points have {wanted}")
+    return found[0]
+
+
+def row(*cells):
+    return "|" + "".join(f" {cell} |" if cell != "" else " |" for cell in cells)
+
+
+def ruled(head, rows, numbers_from=1):
+    """A table of Markdown; columns from numbers_from on are set to the right, and the first if it holds numbers."""
+    if numbers_from == 1 and all(str(cells[0]).isdigit() for cells in rows):
+        numbers_from = 0
+    rule = "|" + "|".join("--:" if n >= numbers_from else "---" for n in range(len(head))) + "|"
+    return "\n".join([row(*head), rule, *(row(*cells) for cells in rows)])

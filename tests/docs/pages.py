@@ -1,0 +1,71 @@
+"""Pages in Markdown: their made blocks, and sentences with measured numbers."""
+
+import re
+import string
+
+NUMBER = r"[-+−]?[0-9]+(?:[,.][0-9]+)*"
+BLOCK = re.compile(r"<!-- made: (?P<name>[^\n]*?) -->\n(?P<body>.*?)\n?<!-- end -->", re.DOTALL)
+
+
+class Missing(Exception):
+    """Something that the manifest names is not in the page, or more than once."""
+
+
+def block_names(text):
+    return [match["name"] for match in BLOCK.finditer(text)]
+
+
+def with_block(text, name, body):
+    """The page with another body of a block."""
+    found = [match for match in BLOCK.finditer(text) if match["name"] == name]
+    if len(found) != 1:
+        raise Missing(f"block '{name}' is there {len(found)} times; it is <!-- made: {name} --> ... <!-- end -->")
+    return text[: found[0].start("body")] + body.strip("\n") + "\n" + text[found[0].end("body"):].lstrip("\n")
+
+
+def expressions(words):
+    """The parts of a sentence: (words, expression, format), the last two None at its end."""
+    return [(literal, expression, spec) for literal, expression, spec, _ in string.Formatter().parse(words)]
+
+
+def pattern(words):
+    """What finds the sentence in a page: its words, however they are broken into lines, and a group a number."""
+    made = ""
+    for literal, expression, _ in expressions(words):
+        made += re.sub(r"(?:\\?\s)+", r"\\s+", re.escape(literal))
+        made += f"({NUMBER})" if expression is not None else ""
+    return re.compile(made)
+
+
+def places(text, words):
+    """Where the sentence's numbers are in the page: spans, in order."""
+    found = list(pattern(words).finditer(text))
+    if len(found) != 1:
+        raise Missing(f"the sentence is there {len(found)} times: {words}")
+    return [found[0].span(n + 1) for n in range(len(found[0].groups()))]
+
+
+def with_numbers(text, words, names):
+    """The page with the sentence's numbers as its expressions have them now."""
+    spans = places(text, words)
+    values = [format(eval(expression, names, names), spec)  # pylint: disable=eval-used
+              for _, expression, spec in expressions(words) if expression is not None]
+    for (begin, end), value in reversed(list(zip(spans, values))):
+        text = text[:begin] + value + text[end:]
+    return text
+
+
+def part_span(text, begin, end):
+    """What stands between two marks."""
+    if text.count(begin) != 1:
+        raise Missing(f"the mark {begin} is there {text.count(begin)} times")
+    first = text.index(begin) + len(begin)
+    last = text.find(end, first)
+    if last < 0:
+        raise Missing(f"the mark {end} does not follow {begin}")
+    return first, last
+
+
+def with_part(text, begin, end, body):
+    first, last = part_span(text, begin, end)
+    return text[:first] + body + text[last:]

@@ -1,0 +1,41 @@
+"""docs/machines/NAME.md: the figures of a machine, from its file."""
+
+import re
+import tomllib
+
+from figures import ruled
+from runs import ROOT
+
+MOST_WORDS = 25
+PREFIXES = {1_000_000: "M", 1_000: "k"}
+
+
+def value_of(figure):
+    value, unit = figure["value"], figure.get("unit", "")
+    if unit == "Hz":
+        for step, prefix in PREFIXES.items():
+            if value >= step:
+                return f"{value / step:g} {prefix}Hz"
+    text = f"{value:,}" if isinstance(value, int) else str(value)
+    if value == 1 and not unit.startswith("a "):
+        unit = unit.removesuffix("s")
+    return f"{text} {unit}".strip()
+
+
+def shortened(source):
+    """The first clauses of the source, as many as a cell has room for."""
+    source = re.sub(r"Jansen 1987(, sections?(?= )|,(?= (fig|table)))?", "thesis", source).replace(" x ", " × ")
+    clauses = re.split(r"(?<=[;:,])\s", source)
+    text = clauses[0]
+    for clause in clauses[1:]:
+        if len(f"{text} {clause}".split()) > MOST_WORDS:
+            break
+        text += " " + clause
+    return text.rstrip(";:,")
+
+
+def figures(_, name):
+    machine = tomllib.loads((ROOT / f"hw/machines/{name}.toml").read_text(encoding="utf-8"))
+    rows = [(f"`{table}.{key}`", value_of(figure), figure["provenance"], shortened(figure["source"]))
+            for table, keys in machine.items() if isinstance(keys, dict) for key, figure in keys.items()]
+    return ruled(("figure", "value", "", "where, or why"), rows, numbers_from=9)

@@ -1,0 +1,84 @@
+"""docs/memory-bits.md."""
+
+from figures import PERSPECTIVE, point, ruled
+
+MODELS = ("vehicle", "carburettor", "house")
+WIDTHS = (1, 2, 4, 8, 16)
+PRUNINGS = (("all prunings", "all"), ("without boxes in space", "no-space"), ("without boxes in the picture", "no-picture"),
+            ("without separating planes", "no-separation"), ("without half-spaces that never matter", "no-halfspaces"),
+            ("without hidden primitives", "no-hidden"), ("without convex sets", "no-sets"), ("without early out", "no-early-out"),
+            ("without the near plane's place among the fronts", "no-near"), ("none", "none"))
+
+
+def of_bits(points, bits):
+    return point(points, strategy="bits", stack_bits=bits)
+
+
+def table_6_1(figures):
+    points = [of_bits(figures.sweep("vehicle", PERSPECTIVE), bits) for bits in range(3, 8)]
+    rows = [("scan-conversions of primitives", *(each.rendered for each in points)),
+            ("depth-buffer tests", *(each.depth_tests for each in points)),
+            ("scan-conversions of primitives in active trees", *(each.classified for each in points)),
+            ("bits used, mask included", *(each.classification_bits for each in points)),
+            ("clocks", *(f"{each.clocks:,}" for each in points)),
+            ("*thesis: scan-conversions*", "*151*", *["*118*"] * 4),
+            ("*thesis: in active trees*", "*236*", "*236*", "*140*", "*131*", "*123*")]
+    return ruled(("bits for the stack, m", *range(3, 8)), rows)
+
+
+def strategies(figures):
+    """`parallel` with 80 bits, since the vehicle needs more than the machine has."""
+    rows = []
+    for model in MODELS:
+        points = figures.sweep(model, PERSPECTIVE)
+        wide = figures.sweep(model, PERSPECTIVE + " --strategy parallel --memory-bits 80")
+        row = [point(points, strategy="stack"), point(points, strategy="list"), *(of_bits(points, bits) for bits in (3, 4, 5)),
+               point(points, strategy="products"), point(wide, strategy="parallel")]
+        rows.append((f"{model}: clocks", *(f"{each.clocks:,}" for each in row)))
+        rows.append((f"{model}: bits used", *(each.classification_bits for each in row)))
+    return ruled(("", "stack", "list", "bits 3", "bits 4", "bits 5", "products", "parallel"), rows)
+
+
+def widths(figures):
+    rows = []
+    for model in ("vehicle", "carburettor"):
+        for strategy in ("stack", "parallel"):
+            stats = [figures.render(model, f"{PERSPECTIVE} --strategy {strategy} --memory-bits 80"
+                                           f" --machine pixel-planes-4+alu.bits={width}") for width in WIDTHS]
+            rows.append((f"{model}, `{strategy}`", *(f"{each.clocks:,}" for each in stats)))
+            rows.append((f"{model}, combining, `{strategy}`", *(each.by_purpose.stack.clocks for each in stats)))
+    return ruled(("`alu.bits`", *WIDTHS), rows)
+
+
+def prunings(figures):
+    """In active trees and clocks; `bits` 3 of the house is what its `stack` is."""
+    names = ",".join(pruning for _, pruning in PRUNINGS)
+    points = {model: figures.sweep(model, f"{PERSPECTIVE} --strategy stack,bits --stack-bits 3 --pruning {names}")
+              for model in MODELS}
+    rows = []
+    for title, pruning in PRUNINGS:
+        cells = []
+        for model in MODELS:
+            stack = point(points[model], strategy="stack", pruning=pruning)
+            bits = point(points[model], strategy="bits", pruning=pruning)
+            cells += [stack.classified, f"{stack.clocks:,}"] + ([f"{bits.clocks:,}"] if model != "house" else [])
+        rows.append((title, *cells))
+    return ruled(("", "vehicle: in trees", "`stack`", "`bits` 3", "carburettor: in trees", "`stack`", "`bits` 3",
+                  "house: in trees", "`stack`"), rows)
+
+
+def early_out(figures):
+    """What asking whether a pixel is left is worth, in both projections."""
+    varied = [(model, "") for model in ("vehicle", "carburettor", "house")]
+    varied += [(model, " --strategy bits --stack-bits 3") for model in ("vehicle", "carburettor")]
+    varied += [(model, " --colouring field --memory-bits 110") for model in ("vehicle", "carburettor", "house")]
+    rows = []
+    for model, options in varied:
+        cells = []
+        for projection in (PERSPECTIVE, " --projection ortho"):
+            without = figures.clocks(model, f"{projection}{options} --without early-out")
+            with_it = figures.clocks(model, f"{projection}{options}")
+            cells += [f"{without:,}", f"{with_it:,}", f"{100 * (with_it / without - 1):+.1f} %".replace("-", "−")]
+        name = {"": "", " --strategy bits --stack-bits 3": ", `bits` 3"}.get(options, ", `--colouring field`")
+        rows.append((model + name, *cells))
+    return ruled(("clocks", "without, perspective", "with", "", "without, ortho", "with", ""), rows)

@@ -1,0 +1,17 @@
+"""docs/machines/multi-processor.md."""
+
+from figures import THESIS_MODELS, ruled
+
+STAGES = (("reception of the model", "reception_clocks"), ("transformation", "transformation_clocks"), ("first pruning", "first_pruning_clocks"),
+          ("broadcasting", "broadcasting_clocks"), ("second pruning", "second_pruning_clocks"), ("sharing of lists", "sharing_clocks"),
+          ("rendering", "rendering_clocks"))
+
+
+def stages(figures):
+    stats = [figures.render(model, "--machine multi-processor") for model in THESIS_MODELS]
+    rows = [("clocks", *(f"{each.clocks:,}" for each in stats)),
+            ("seconds", *(f"{each.simulated_seconds:.2f}" for each in stats))]
+    rows += [(name, *(f"{each.account[key]:,}" for each in stats)) for name, key in STAGES]
+    rows += [(name, *(f"{100 * each.account[key]:.1f} %" for each in stats))
+             for name, key in (("nodes at work, mean", "nodes_working"), ("busiest node", "busiest_node_working"))]
+    return ruled(("", *THESIS_MODELS), rows)

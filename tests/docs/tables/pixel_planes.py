@@ -1,0 +1,26 @@
+"""docs/machines/pixel-planes-4.md: what a second buffer is worth."""
+
+import re
+
+from figures import THESIS_MODELS, ruled
+
+TURNS = (0, 5, 10)
+CLOCK = 10e6  # Hz
+
+
+def pace(figures, model, buffers):
+    """Frames a second of three frames, of each and of all, while the camera turns."""
+    run = figures.runs.run(f"csgsim render {figures.model(model)} --memory-bits 96 --frames 3 --turn 5 --progress none"
+                               f" --machine pixel-planes-4+scan_out.buffers={buffers} -o $OUT/frame.png")
+    intervals = [int(line.split()[3].replace(",", "")) for line in run.printed.splitlines() if re.match(r"\d+\s\s", line)]
+    in_all = re.search(r"clocks = ([0-9.]+) frames a second", run.printed)
+    return [f"{CLOCK / each:.1f}" for each in intervals] + [f"{float(in_all[1]):.1f}"]
+
+
+def buffers(figures):
+    rows = [("turned by, degrees", "", 0, 0, *TURNS, "all three")]
+    for model in THESIS_MODELS:
+        for count in (1, 2):
+            stats = figures.render(model, f"--memory-bits 96 --machine pixel-planes-4+scan_out.buffers={count}")
+            rows.append((model if count == 1 else "", count, f"{stats.clocks:,}", f"{stats.interval_clocks:,}", *pace(figures, model, count)))
+    return ruled(("", "buffers", "drawn after, clocks", "next after, clocks", "frames/s", "", "", ""), rows)

@@ -1,0 +1,75 @@
+#include "sim/observe/long_work.h"
+
+#include <doctest/doctest.h>
+
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hw/isa/program_file.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/progress.h"
+
+using namespace csgsim;
+
+namespace {
+
+/// Time of this process, which does not depend on what else the computer does; ten times as fast, for runs of a second
+/// to count as ten.
+double processor_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 10 * (static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec));
+}
+
+/// What was foretold of a real run after its first second, in parts of what it took.
+double foretold(const std::string& trace, const std::string& machine_name,
+                std::unique_ptr<sim::Engine> (*make)(const machines::Machine&)) {
+  const isa::Program program = isa::load_program(std::string(CSGSIM_SOURCE_DIR) + "/traces/" + trace + ".csgt");
+  machines::Machine machine = kinds::load(machine_name);
+  machines::adopt(machine, program);
+  const auto engine = make(machine);
+  sim::LongWork work("the run", "wait", processor_time, 0);
+  sim::ProgressObserver observer(program, machine);
+  observer.warn(work, false);
+  std::vector<sim::Observer*> observers{&observer};
+  engine->run(program, observers);
+  const double took = work.elapsed();
+  REQUIRE(work.warned().has_value());
+  REQUIRE(took > 2);
+  return *work.warned() / took;
+}
+
+}  // namespace
+
+TEST_CASE("what a run at the reference level will take is foretold within a factor of two") {
+  const double ratio = foretold("thesis_fig_2_3", "pixel-planes-4", sim::make_reference_engine);
+  MESSAGE("foretold / taken: ", ratio);
+  CHECK(ratio > 0.5);
+  CHECK(ratio < 2);
+}
+
+TEST_CASE("what a run at the cycle level will take is foretold within a factor of two") {
+  const double ratio = foretold("terrain_vehicle", "pixel-planes-4", sim::make_cycle_engine);
+  MESSAGE("foretold / taken: ", ratio);
+  CHECK(ratio > 0.5);
+  CHECK(ratio < 2);
+}
+
+TEST_CASE("work is warned of once, by its first part, and only if it takes long") {
+  double now = 0;
+  sim::LongWork work(
+      "this study", "take less", [&now] { return now; }, 60);
+  now = 5;
+  work.at(0.1);
+  CHECK_FALSE(work.warned().has_value());
+  now = 40;
+  work.at(0.4);
+  CHECK(work.warned() == 100.0);
+  now = 90;
+  work.at(0.5);
+  CHECK(work.warned() == 100.0);
+}

@@ -1,0 +1,195 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hw/isa/pieces.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/kind.h"
+#include "sim/observe/bound.h"
+#include "sim/observe/dearest.h"
+#include "sim/observe/knobs.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+const std::string all_machines[] = {"pixel-planes-4",
+                                    "scan-line",
+                                    "pixel-square",
+                                    "pixel-planes-5",
+                                    "multi-processor",
+                                    "pixel-planes-4+scan_out.buffers=2+array.memory_bits=128",
+                                    "pixel-square+divider.kind=host+renderers.count=3"};
+
+/// Clocks by the primitive and the effect that each instruction names, taken down as it is told.
+class Ledger : public sim::Observer {
+ public:
+  explicit Ledger(const isa::Facts& facts) : facts_(facts) {}
+  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
+  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+    const isa::Origin& origin = step.instruction.origin;
+    all += step.clocks;
+    if (origin.effect != isa::no_effect && origin.effect > 0) {
+      effects[facts_.compile.effects[origin.effect]] += step.clocks;
+    } else if (origin.primitive == isa::no_primitive) {
+      nobody += step.clocks;
+    } else {
+      primitives[isa::primitive_of(facts_, origin.primitive)] += step.clocks;
+    }
+  }
+
+  std::uint64_t all = 0;
+  std::uint64_t nobody = 0;
+  std::map<std::uint32_t, std::uint64_t> primitives;
+  std::map<std::string, std::uint64_t> effects;
+
+ private:
+  const isa::Facts& facts_;
+};
+
+struct Drawn {
+  machines::Machine machine;
+  isa::Program program;
+  sim::RunResult result;
+  sim::Stats stats;
+  Ledger ledger;
+};
+
+Drawn draw(const std::string& machine_name, const std::string& model, const emit::Options& options = {}) {
+  testing::Setup setup;
+  setup.sampling.width = 60;
+  setup.sampling.height = 44;
+  setup.machine = machine_name;
+  setup.options = options;
+  Drawn drawn{kinds::load(machine_name),
+              testing::compile_default_view(testing::model_path(model), setup, view::Projection::orthographic).program,
+              {},
+              {},
+              Ledger(drawn.program.facts)};
+  machines::set_picture_size(drawn.machine, {60, 44});
+  sim::StatsObserver stats(drawn.program);
+  const std::array<sim::Observer*, 2> observers{&stats, &drawn.ledger};
+  drawn.result = sim::make_functional_engine(drawn.machine)->run(drawn.program, observers);
+  drawn.stats = stats.stats();
+  return drawn;
+}
+
+std::uint64_t activity(const sim::RunResult& result, const char* name) {
+  return machines::clocks_of(result.account, "controller", name);
+}
+
+}  // namespace
+
+TEST_CASE("primitives, effects and the rest take all clocks of a frame, on every machine") {
+  for (const std::string& machine : all_machines) {
+    for (const std::string model : {"thesis_fig_2_3", "old_example011", "carburettor"}) {
+      CAPTURE(machine);
+      CAPTURE(model);
+      const Drawn drawn = draw(machine, model);
+      const sim::ClockShares shares = sim::clock_shares(drawn.program, drawn.result, drawn.stats);
+      std::uint64_t sum = shares.other_clocks + shares.rest;
+      for (const sim::PrimitiveCost& one : shares.dearest) {
+        CHECK(one.clocks == drawn.ledger.primitives.at(one.primitive));
+        sum += one.clocks;
+      }
+      CHECK(shares.effects.empty());
+      CHECK(sum == shares.whole);
+      CHECK(shares.whole == drawn.ledger.all + drawn.result.latency_clocks);
+      CHECK(shares.rest == drawn.ledger.nobody + drawn.result.latency_clocks);
+      CHECK(shares.dearest.size() + shares.other_primitives == drawn.ledger.primitives.size());
+      if (machine == "pixel-planes-4") {
+        CHECK(shares.whole + activity(drawn.result, "clearing") + activity(drawn.result, "starved") +
+                  activity(drawn.result, "jumping") ==
+              drawn.result.clocks);
+      }
+    }
+  }
+}
+
+TEST_CASE("the dearest primitives come first, ten at most, with their place in the file") {
+  const Drawn drawn = draw("pixel-planes-4", "carburettor");
+  const sim::ClockShares shares = sim::clock_shares(drawn.program, drawn.result, drawn.stats);
+  REQUIRE(shares.dearest.size() == 10);
+  for (std::size_t i = 1; i < 10; ++i) CHECK(shares.dearest[i].clocks <= shares.dearest[i - 1].clocks);
+  std::multiset<std::uint64_t> clocks;
+  for (const auto& [primitive, count] : drawn.ledger.primitives) clocks.insert(count);
+  CHECK(*clocks.rbegin() == shares.dearest.front().clocks);
+  for (const sim::PrimitiveCost& one : shares.dearest) {
+    CHECK(one.name.ends_with("@" + one.source));
+    CHECK(one.source.find(':') != std::string::npos);
+  }
+  CHECK(sim::source_of("mesh") == "");
+}
+
+TEST_CASE("the half-spaces of the primitives are those that pruning leaves, counted once in however many squares") {
+  const Drawn whole = draw("pixel-planes-4", "thesis_fig_2_3");
+  std::uint64_t halfspaces = 0;
+  const sim::ClockShares shares = sim::clock_shares(whole.program, whole.result, whole.stats);
+  for (const sim::PrimitiveCost& one : shares.dearest) halfspaces += one.half_spaces;
+  CHECK(halfspaces == whole.program.segments.front().facts.kept_halfspaces);
+  const Drawn squares = draw("pixel-square", "thesis_fig_2_3");
+  for (const sim::PrimitiveCost& one : sim::clock_shares(squares.program, squares.result, squares.stats).dearest) {
+    const auto same = std::ranges::find(shares.dearest, one.primitive, &sim::PrimitiveCost::primitive);
+    REQUIRE(same != shares.dearest.end());
+    CHECK(one.half_spaces > 0);
+    CHECK(one.half_spaces <= same->half_spaces);
+  }
+}
+
+TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of") {
+  const auto bound = [](const std::string& machine, const std::string& model = "carburettor") {
+    const Drawn drawn = draw(machine, model);
+    const auto found = sim::bound_of(drawn.result, drawn.machine);
+    REQUIRE(found);
+    CHECK(found->share > 0);
+    CHECK(found->share <= 1);
+    CHECK(found->sentence.find(found->part) != std::string::npos);
+    return found->part;
+  };
+  CHECK(bound("pixel-planes-4") == "array");
+  CHECK(bound("pixel-planes-4+link.width=1") == "link from the host");
+  CHECK(bound("scan-line+link.width=2") == "link from the host");
+  CHECK(bound("scan-line+host.active_clocks=20000") == "host");
+  CHECK(bound("pixel-square+divider.halfspace_clocks=9000") == "divider");
+  CHECK(bound("pixel-square+divider.kind=host+alu.bits=1") == "renderer 0");
+  CHECK(bound("pixel-square+port.width=1", "thesis_fig_2_3") == "frame buffer");
+  CHECK(bound("multi-processor+host.link_word_clocks=1000000") == "link from the host");
+  CHECK(bound("multi-processor+display.transform_clocks=1000000") == "display processor");
+  CHECK(bound("multi-processor+display.transform_clocks=0+display.halfspace_clocks=0+display.cell_clocks=0")
+            .starts_with("node "));
+}
+
+TEST_CASE("a figure is worth what a run on a machine with it takes") {
+  for (const std::string& name : all_machines) {
+    CAPTURE(name);
+    const Drawn drawn = draw(name, "carburettor");
+    const std::vector<sim::Knob> knobs = sim::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
+    CHECK(!knobs.empty());
+    CHECK(knobs.size() <= sim::figures_to_try(drawn.machine));
+    std::uint64_t before = 0;
+    for (const sim::Knob& knob : knobs) {
+      CAPTURE(knob.option);
+      CHECK(knob.clocks_before == drawn.result.interval_clocks);
+      CHECK(knob.clocks_after < knob.clocks_before);
+      CHECK(knob.clocks_after >= before);
+      before = knob.clocks_after;
+      REQUIRE(knob.option.starts_with("--machine "));
+      machines::Machine machine = kinds::load(knob.option.substr(10));
+      machines::set_picture_size(machine, {60, 44});
+      CHECK(sim::make_functional_engine(machine)->run(drawn.program, {}).interval_clocks == knob.clocks_after);
+    }
+  }
+}
+
+TEST_CASE("a figure that a machine's name changes already is changed in its place") {
+  const std::string name = "scan-line+link.width=4+cells.ports=2";
+  const Drawn drawn = draw(name, "thesis_fig_2_3");
+  const std::vector<sim::Knob> knobs = sim::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
+  REQUIRE(!knobs.empty());
+  CHECK(std::ranges::count(knobs, "--machine scan-line+cells.ports=2+link.width=8", &sim::Knob::option) == 1);
+}

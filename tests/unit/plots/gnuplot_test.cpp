@@ -1,0 +1,193 @@
+#include "sim/plots/gnuplot.h"
+
+#include <doctest/doctest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "hw/base/error.h"
+#include "sim/plots/layout.h"
+#include "sim/plots/text_size.h"
+#include "tests/unit/plots/sample_plots.h"
+
+using namespace csgsim;
+namespace samples = csgsim::testing::plots_;
+
+namespace {
+
+struct Picture {
+  unsigned width = 0;
+  unsigned height = 0;
+  std::vector<unsigned char> grey;
+};
+
+Picture decoded(const std::string& file) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  REQUIRE(png_image_begin_read_from_memory(&image, file.data(), file.size()) != 0);
+  image.format = PNG_FORMAT_GRAY;
+  Picture picture{image.width, image.height, std::vector<unsigned char>(PNG_IMAGE_SIZE(image))};
+  REQUIRE(png_image_finish_read(&image, nullptr, picture.grey.data(), 0, nullptr) != 0);
+  return picture;
+}
+
+/// Around all that is not white.
+plots::Box ink_of(const Picture& picture) {
+  plots::Box ink{1e9, 1e9, 0, 0};
+  for (unsigned y = 0; y < picture.height; ++y) {
+    for (unsigned x = 0; x < picture.width; ++x) {
+      if (picture.grey[y * picture.width + x] > 200) continue;
+      ink = {std::min<double>(ink.left, x), std::min<double>(ink.top, y), std::max<double>(ink.right, x + 1.0),
+             std::max<double>(ink.bottom, y + 1.0)};
+    }
+  }
+  return ink;
+}
+
+plots::Drawing of_text(const plots::Text& text) {
+  plots::Drawing drawing{600, 600, {}, {}, {}, {}};
+  drawing.texts.push_back(text);
+  drawing.lines.push_back({{{0, 0}, {0, 0}}, "#ffffff"});  // gnuplot wants something to plot
+  return drawing;
+}
+
+const std::filesystem::path png = "plot.png";
+const std::filesystem::path svg = "plot.svg";
+
+/// A folder with a program `gnuplot` of ours, first where programs are looked for.
+class FakeGnuplot {
+ public:
+  explicit FakeGnuplot(const std::string& script) : path_(std::getenv("PATH")) {
+    std::string name = (std::filesystem::temp_directory_path() / "csgsim-plots-XXXXXX").native();
+    folder_ = ::mkdtemp(name.data());
+    std::ofstream(folder_ / "gnuplot") << "#!/bin/sh\n" << script << "\n";
+    std::filesystem::permissions(folder_ / "gnuplot", std::filesystem::perms::owner_all);
+    ::setenv("PATH", (folder_.native() + ":" + path_).c_str(), 1);
+  }
+  ~FakeGnuplot() {
+    ::setenv("PATH", path_.c_str(), 1);
+    std::filesystem::remove_all(folder_);
+  }
+  FakeGnuplot(const FakeGnuplot&) = delete;
+  FakeGnuplot& operator=(const FakeGnuplot&) = delete;
+
+ private:
+  std::string path_;
+  std::filesystem::path folder_;
+};
+
+std::string error_with(const std::string& gnuplot) {
+  const FakeGnuplot fake(gnuplot);
+  try {
+    plots::drawn_for(png, of_text({"text", {100, 100}}));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("gnuplot has nothing to say of any plot, and draws it twice with the same bytes") {
+  for (const plots::Plot& plot : samples::sample_plots()) {
+    CAPTURE(plot.name);
+    const plots::Drawing drawing = samples::laid_out(plot);
+    for (const std::filesystem::path& file : {png, svg}) {
+      const plots::Drawn drawn = plots::drawn_for(file, drawing);
+      CHECK(drawn.said == "");
+      CHECK(drawn.picture == plots::drawn_for(file, drawing).picture);
+    }
+  }
+}
+
+TEST_CASE("a text's ink is within the box that was kept for it") {
+  std::vector<std::string> texts{"MMMMMMMMMMMM",
+                                 "iiiiiiiiiiii",
+                                 "0123456789,.",
+                                 "m = 5, m = 6",
+                                 "pixel-planes-4",
+                                 "10\u207b\u2079\u00b7\u2026",
+                                 "\u00c5\u00c9gjpqy|{}[]()@#",
+                                 "wrong pixels",
+                                 "WWWW%%@@",
+                                 "\u0416\u0429\u03a9",
+                                 "\u5b57"};
+  for (char c = 33; c < 127; ++c) texts.push_back(std::string(20, c));
+  for (const std::string& text : texts) {
+    CAPTURE(text);
+    for (const plots::Anchor anchor : {plots::Anchor::left, plots::Anchor::centre, plots::Anchor::right}) {
+      for (const bool upright : {false, true}) {
+        const plots::Text one{text, {300, 300}, anchor, upright};
+        const plots::Box ink = ink_of(decoded(plots::drawn_for(png, of_text(one)).picture));
+        plots::Box box = plots::box_of(one);
+        // An edge may fall within a pixel.
+        box = {box.left - 1, box.top - 1, box.right + 1, box.bottom + 1};
+        CHECK(plots::is_within(ink, box));
+        if (text != "\u5b57") CHECK(ink.right - ink.left + ink.bottom - ink.top > 10);
+      }
+      if (text.size() == 20 && text[0] == text[1]) break;
+    }
+  }
+}
+
+TEST_CASE("the SVG has its texts at the same places, in a font of the size that was reckoned with") {
+  const std::string drawn = plots::drawn_for(svg, of_text({"here", {123, 300}, plots::Anchor::right})).picture;
+  const std::regex group(
+      R"re(translate\(([0-9.]+),([0-9.]+)\)[^>]*font-size="([0-9.]+)"\s*text-anchor="(\w+)">\s*<text>([^<]*))re");
+  std::smatch match;
+  REQUIRE(std::regex_search(drawn, match, group));
+  CHECK(std::stod(match[1]) == doctest::Approx(123).epsilon(0.001));
+  // The baseline: capitals are halfway up there.
+  CHECK(std::stod(match[2]) == doctest::Approx(300 + 0.325 * plots::font_size).epsilon(0.005));
+  CHECK(std::stod(match[3]) == plots::font_size);
+  CHECK(match[4] == "end");
+}
+
+TEST_CASE("marks and lines are drawn where they are") {
+  plots::Drawing drawing{400, 300, {}, {}, {}, {}};
+  drawing.marks.push_back({{100, 200}, plots::palette::Mark::square, "#000000", 9});
+  plots::Box ink = ink_of(decoded(plots::drawn_for(png, drawing).picture));
+  CHECK(plots::is_within(ink, plots::around({100, 200}, 6.5)));
+  CHECK(plots::is_within(plots::around({100, 200}, 3), ink));
+  drawing.marks.clear();
+  drawing.lines.push_back({{{50, 60}, {350, 60}}, "#000000"});
+  ink = ink_of(decoded(plots::drawn_for(png, drawing).picture));
+  CHECK(plots::is_within(ink, {48, 58, 352, 62}));
+  CHECK(ink.right - ink.left > 298);
+}
+
+TEST_CASE("a picture is as large as its drawing") {
+  plots::Drawing drawing{321, 234, {}, {}, {}, {}};
+  drawing.marks.push_back({{100, 200}, plots::palette::Mark::disc, "#000000"});
+  const Picture picture = decoded(plots::drawn_for(png, drawing).picture);
+  CHECK(picture.width == 321);
+  CHECK(picture.height == 234);
+  CHECK(plots::drawn_for(svg, drawing).picture.find("viewBox=\"0 0 321 234\"") != std::string::npos);
+}
+
+TEST_CASE("texts reach gnuplot as strings that end nothing and run nothing") {
+  const std::string text = plots::gnuplot_text("a\"'`b\\\n$(x)%d\xff");
+  CHECK(text.front() == '"');
+  CHECK(text.find_first_of("\"'`$\n%") == 0);
+  CHECK(text.find_first_of("\"'`$\n%", 1) == text.size() - 1);
+}
+
+TEST_CASE("what gnuplot says of its script becomes one line of ours, without the script") {
+  const std::string error = error_with(
+      "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo '   ^' >&2;"
+      "echo 'line 2: unknown or ambiguous terminal name; type just set terminal for a list' >&2; echo >&2; exit 1");
+  CHECK(error.find("plot.png: gnuplot did not draw; it says: unknown or ambiguous terminal name") == 0);
+  CHECK(error.find("set terminal pngcairo") == std::string::npos);
+  CHECK(error.find('\n') == std::string::npos);
+  CHECK(error.find("--no-plots") != std::string::npos);
+}
+
+TEST_CASE("gnuplot that fails without a word, breaks off, or is ended is told") {
+  CHECK(error_with("exit 3").find("it ended with 3") != std::string::npos);
+  CHECK(error_with("printf '\\211PNG half'").find("its picture is not whole") != std::string::npos);
+  CHECK(error_with("kill -9 $$").find("it was ended by a signal: Killed") != std::string::npos);
+}

@@ -1,0 +1,163 @@
+#include "sim/plots/layout.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "sim/plots/text_size.h"
+#include "tests/unit/plots/sample_plots.h"
+
+using namespace csgsim;
+namespace samples = csgsim::testing::plots_;
+
+namespace {
+
+void check_texts(const plots::Drawing& drawing) {
+  const plots::Box picture{0, 0, drawing.width, drawing.height};
+  for (std::size_t i = 0; i < drawing.texts.size(); ++i) {
+    const plots::Text& text = drawing.texts[i];
+    CAPTURE(text.text);
+    CHECK(plots::is_within(plots::box_of(text), picture));
+    for (std::size_t j = 0; j < i; ++j) {
+      CAPTURE(drawing.texts[j].text);
+      CHECK(!plots::overlap(plots::box_of(text), plots::box_of(drawing.texts[j])));
+    }
+  }
+}
+
+void check_marks_and_lines(const plots::Drawing& drawing) {
+  const plots::Box picture{0, 0, drawing.width, drawing.height};
+  for (const plots::Mark& mark : drawing.marks) CHECK(plots::is_within(plots::around(mark.at, mark.size / 2), picture));
+  for (const plots::Line& line : drawing.lines) {
+    for (const plots::Pixel& point : line.points) CHECK(plots::is_within(plots::around(point, 0), picture));
+  }
+}
+
+void check(const plots::Drawing& drawing) {
+  check_texts(drawing);
+  check_marks_and_lines(drawing);
+}
+
+/// Texts of a drawing that hold the words.
+std::vector<std::string> with(const plots::Drawing& drawing, const std::string& words) {
+  std::vector<std::string> found;
+  for (const plots::Text& text : drawing.texts) {
+    if (text.text.find(words) != std::string::npos) found.push_back(text.text);
+  }
+  return found;
+}
+
+plots::Chart chart_of(std::size_t series) {
+  plots::Chart chart{"title", {"across"}, {{"up"}}, {}, "table.csv"};
+  for (std::size_t i = 0; i < series; ++i) {
+    // The third series of every four is the largest.
+    const double height = static_cast<double>(i) + (i % 4 == 2 ? 100 : 0);
+    chart.series.push_back({"series " + std::to_string(i), 0, plots::Trace::line, {{0, height}, {1, height}}});
+  }
+  return chart;
+}
+
+}  // namespace
+
+TEST_CASE("no two texts of a plot overlap, and nothing leaves the picture") {
+  for (const plots::Plot& plot : samples::sample_plots()) {
+    CAPTURE(plot.name);
+    check(samples::laid_out(plot));
+  }
+}
+
+TEST_CASE("no two texts overlap in plots drawn by lot") {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    check(plots::laid_out(samples::random_chart(random)));
+    check(plots::laid_out(samples::random_bars(random)));
+  }
+}
+
+TEST_CASE("the key names the series with the largest values, and how many others there are in which table") {
+  const plots::Drawing drawing = plots::laid_out(chart_of(20));
+  CHECK(with(drawing, "series ").size() == plots::palette::most_series);
+  for (const char* name :
+       {"series 2", "series 6", "series 10", "series 14", "series 18", "series 19", "series 17", "series 16"})
+    CHECK(with(drawing, name).size() == 1);
+  CHECK(with(drawing, "12 more") == std::vector<std::string>{"12 more, with smaller values: table.csv"});
+  CHECK(with(plots::laid_out(chart_of(8)), "more").empty());
+}
+
+TEST_CASE("series in the key have different colours, and the others are grey") {
+  const plots::Drawing drawing = plots::laid_out(chart_of(20));
+  std::multiset<std::string_view> colours;
+  for (const plots::Mark& mark : drawing.marks) colours.insert(mark.colour);
+  for (const plots::palette::Look& look : plots::palette::looks) CHECK(colours.count(look.colour) == 3);
+  CHECK(colours.count(plots::palette::background.colour) == 2 * 12 + 1);
+}
+
+TEST_CASE("labels of points at one place are one text") {
+  const plots::Chart chart{"title",
+                           {"across"},
+                           {{"up"}},
+                           {{"s", 0, plots::Trace::marks, {{1, 1, "m = 5"}, {1, 1, "m = 6"}, {2, 3, "m = 7"}}}},
+                           "t"};
+  const plots::Drawing drawing = plots::laid_out(chart);
+  CHECK(with(drawing, "m = 5") == std::vector<std::string>{"m = 5, m = 6"});
+  CHECK(with(drawing, "m = 7").size() == 1);
+}
+
+TEST_CASE("every label is in the plot, or by its number in the key, or counted there") {
+  plots::Chart chart{"title", {"across"}, {{"up"}}, {{"s", 0, plots::Trace::marks, {}}}, "table.csv"};
+  for (std::size_t i = 0; i < 200; ++i)
+    chart.series[0].points.push_back(
+        {static_cast<double>(i % 4), static_cast<double>(i) / 1000, "point " + std::to_string(i)});
+  chart.series[0].points.push_back({0, 100, ""});
+  const plots::Drawing drawing = plots::laid_out(chart);
+  const std::vector<std::string> more = with(drawing, "labels more: table.csv");
+  REQUIRE(more.size() == 1);
+  CHECK(with(drawing, ": point ").size() > 3);
+  // Points that fall on one place share a label, which names all that fit.
+  CHECK(with(drawing, "point ").size() + std::stoul(more[0]) <= 200);
+}
+
+TEST_CASE(
+    "names on an axis stand upright where they do not fit side by side, and are left out where that is not enough") {
+  const auto axis = [](std::size_t count) {
+    plots::Chart chart{
+        "title", {"machine", plots::Scale::linear, {}, true}, {{"ms"}}, {{"", 0, plots::Trace::marks, {}}}, "t"};
+    for (std::size_t i = 0; i < count; ++i) {
+      chart.x.ticks.push_back({static_cast<double>(i), "machine " + std::to_string(i)});
+      chart.series[0].points.push_back({static_cast<double>(i), 1});
+    }
+    return plots::laid_out(chart);
+  };
+  const auto upright = [](const plots::Drawing& drawing) {
+    return std::ranges::count_if(drawing.texts,
+                                 [](const plots::Text& text) { return text.is_upright && text.text != "ms"; });
+  };
+  CHECK(upright(axis(5)) == 0);
+  CHECK(with(axis(5), "machine ").size() == 5);
+  CHECK(upright(axis(30)) == 30);
+  CHECK(upright(axis(300)) < 60);
+  CHECK(upright(axis(300)) > 20);
+}
+
+TEST_CASE("bars beyond the most that are shown are counted") {
+  plots::Bars bars{"title", {"bit"}, {}, {}, "table.csv"};
+  for (std::size_t i = 0; i < plots::most_bars + 7; ++i)
+    bars.bars.push_back({"bar " + std::to_string(i), 8, {{"Z1", 0, 4}}});
+  const plots::Drawing drawing = plots::laid_out(bars);
+  CHECK(with(drawing, "bar ").size() == plots::most_bars);
+  CHECK(with(drawing, "7 bars more: table.csv").size() == 1);
+}
+
+TEST_CASE("names that are shortened still differ, and are no wider than they may be") {
+  const std::string middle(80, 'x');
+  const std::vector<std::string> names{"begin" + middle + "1" + middle + "end", "begin" + middle + "2" + middle + "end",
+                                       "short", "begin" + middle + "1" + middle + "end"};
+  const std::vector<std::string> shown = plots::shortened(names, 120);
+  CHECK(shown[0] != shown[1]);
+  CHECK(shown[0] == shown[3]);
+  CHECK(shown[2] == "short");
+  for (const std::string& text : shown) CHECK(plots::text_width(text) <= 120);
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sim/plots/drawing.h"
+#include "sim/plots/plot.h"
+
+namespace csgsim::testing::plots_ {
+
+/// Plots of all sorts: one point, equal points, hundreds, huge ranges, hostile names; by their names.
+std::vector<plots::Plot> sample_plots();
+
+/// A chart drawn by lot: panels, series, values, labels and names.
+plots::Chart random_chart(std::mt19937& random);
+
+plots::Bars random_bars(std::mt19937& random);
+
+plots::Drawing laid_out(const plots::Plot& plot);
+
+}  // namespace csgsim::testing::plots_

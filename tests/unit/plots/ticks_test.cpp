@@ -1,0 +1,124 @@
+#include "sim/plots/ticks.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "sim/plots/extent.h"
+#include "sim/plots/number_text.h"
+
+using namespace csgsim;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words texts(const std::vector<plots::Tick>& ticks) {
+  Words words;
+  for (const plots::Tick& tick : ticks) words.push_back(tick.text);
+  return words;
+}
+
+void check_told_apart(const std::vector<plots::Tick>& ticks, double low, double high) {
+  CAPTURE(low);
+  CAPTURE(high);
+  std::set<std::string> known;
+  for (const plots::Tick& tick : ticks) {
+    CHECK(known.insert(tick.text).second);
+    CHECK(tick.value >= low - (high - low) * 1e-9);
+    CHECK(tick.value <= high + (high - low) * 1e-9);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("linear ticks are round numbers, with as many decimals as tell them apart") {
+  CHECK(texts(plots::linear_ticks(0, 10, 6)) == Words{"0", "2", "4", "6", "8", "10"});
+  CHECK(texts(plots::linear_ticks(275'000, 445'000, 5)) == Words{"300,000", "350,000", "400,000"});
+  CHECK(texts(plots::linear_ticks(280'964.8, 280'966.1, 4)) == Words{"280,965.0", "280,965.5", "280,966.0"});
+  CHECK(texts(plots::linear_ticks(1.1e6, 1.32e6, 5)) == Words{"1.10 M", "1.15 M", "1.20 M", "1.25 M", "1.30 M"});
+  CHECK(texts(plots::linear_ticks(0.00001, 0.00003, 3)) ==
+        Words{"10\u00b710\u207b\u2076", "20\u00b710\u207b\u2076", "30\u00b710\u207b\u2076"});
+  CHECK(texts(plots::linear_ticks(-0.3, 0.3, 4)) == Words{"-0.2", "0", "0.2"});
+}
+
+TEST_CASE("logarithmic ticks are decades, and parts of them where there are few") {
+  CHECK(texts(plots::logarithmic_ticks(0.5, 20'000, 6)) == Words{"1", "10", "100", "1,000", "10,000"});
+  CHECK(texts(plots::logarithmic_ticks(3, 130, 6)) == Words{"5", "10", "20", "50", "100"});
+  CHECK(texts(plots::logarithmic_ticks(3.05, 3.95, 6)) == Words{"3.2", "3.4", "3.6", "3.8"});
+  CHECK(texts(plots::logarithmic_ticks(1e-9, 1e3, 4)) ==
+        Words{"10\u207b\u2079", "10\u207b\u2075", "10\u207b\u00b9", "10\u00b3"});
+}
+
+TEST_CASE("no two ticks have the same text, whatever the range") {
+  std::mt19937 random(3);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+  };
+  for (int round = 0; round < 20'000; ++round) {
+    const auto most = static_cast<unsigned>(3 + random() % 10);
+    const double middle = (random() % 2 == 0 ? 1 : -1) * std::pow(10, uniform(-14, 18));
+    const double low = random() % 10 == 0 ? 0 : middle;
+    const double high = low + std::abs(middle) * std::pow(10, uniform(-13, 3));
+    if (!(low < high)) continue;
+    const std::vector<plots::Tick> linear = plots::linear_ticks(low, high, most);
+    check_told_apart(linear, low, high);
+    CHECK(linear.size() <= most + 1);
+    if (low <= 0) continue;
+    const std::vector<plots::Tick> logarithmic = plots::logarithmic_ticks(low, high, most);
+    check_told_apart(logarithmic, low, high);
+    CHECK(logarithmic.size() <= most + 1);
+  }
+}
+
+TEST_CASE("a tick's text is its value") {
+  std::mt19937 random(4);
+  for (int round = 0; round < 2'000; ++round) {
+    const double low = static_cast<double>(random() % 1'000'000) / 1000 - 500;
+    const double high = low + 0.001 + static_cast<double>(random() % 1'000'000) / 1000;
+    for (const plots::Tick& tick : plots::linear_ticks(low, high, 8)) {
+      std::string digits = tick.text;
+      std::erase(digits, ',');
+      CHECK(std::stod(digits) == doctest::Approx(tick.value).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("an axis has room for all its values, and 0 has a place below a logarithmic one") {
+  const std::vector<double> values{0, 3, 40, 5'000};
+  const plots::Extent extent = plots::extent_of(values, plots::Scale::by_range, true);
+  CHECK(extent.is_logarithmic);
+  CHECK(extent.ticks(8).front() == plots::Tick{0, "0"});
+  double before = 0;
+  for (const double value : values) {
+    CHECK(extent.along(value) > before);
+    before = extent.along(value);
+  }
+  CHECK(before < 1);
+}
+
+TEST_CASE("an axis is linear where its values are of one size, where one is negative, and where all are 0") {
+  using Values = std::vector<double>;
+  CHECK(!plots::extent_of(Values{100, 1'900}, plots::Scale::by_range, true).is_logarithmic);
+  CHECK(plots::extent_of(Values{100, 2'100}, plots::Scale::by_range, true).is_logarithmic);
+  CHECK(!plots::extent_of(Values{-1, 100, 10'000}, plots::Scale::logarithmic, true).is_logarithmic);
+  CHECK(!plots::extent_of(Values{0, 0}, plots::Scale::logarithmic, true).is_logarithmic);
+}
+
+TEST_CASE("equal values, none, and the largest numbers have an axis with at least two ticks") {
+  using Values = std::vector<double>;
+  for (const Values& values :
+       {Values{}, Values{0}, Values{7, 7}, Values{-3}, Values{1e-300}, Values{1.7e308, -1.7e308}, Values{1e300}}) {
+    for (const plots::Scale scale : {plots::Scale::by_range, plots::Scale::linear, plots::Scale::logarithmic}) {
+      CAPTURE(values.size());
+      const plots::Extent extent = plots::extent_of(values, scale, true);
+      CHECK(extent.ticks(6).size() >= 2);
+      for (const double value : values) {
+        CHECK(extent.along(value) >= 0);
+        CHECK(extent.along(value) <= 1);
+      }
+    }
+  }
+}

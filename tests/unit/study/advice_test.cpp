@@ -1,0 +1,297 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "host/emit/compile.h"
+#include "host/read/read.h"
+#include "hw/base/error.h"
+#include "hw/kinds/load.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/study/advice_run.h"
+#include "sim/study/fitted_program.h"
+#include "sim/study/measure.h"
+#include "sim/study/table.h"
+
+using namespace csgsim;
+using study::AdvicePoint;
+using study::AdviceRow;
+using study::Wish;
+
+namespace {
+
+using Rows = std::vector<AdviceRow>;
+
+const char* const bitten_cube =
+    "difference(){cube(size=14,center=true);sphere($fn=24,$fa=12,$fs=2,r=9);"
+    "intersection(){cube(size=10,center=false);sphere($fn=12,$fa=12,$fs=2,r=8);}}";
+constexpr unsigned side = 40;
+
+AdviceRow row(std::uint32_t bits, std::uint64_t wrong, std::uint64_t interval, unsigned colour_bits = 24,
+              unsigned alu_bits = 1) {
+  AdviceRow one;
+  one.point = {16, 6, colour_bits, "rebroadcast", "stack", 0, alu_bits};
+  one.memory_bits = bits;
+  one.wrong = wrong;
+  one.interval_clocks = interval;
+  one.clocks = interval / 2;
+  one.frames_per_second = 1e7 / static_cast<double>(interval);
+  return one;
+}
+
+study::AdviceRanges small_ranges() {
+  return {{12, 16}, {2, 6}, {24, 12}, {"rebroadcast", "field"}, {"stack", "list", "bits"}, {3, 5}, {1, 4}};
+}
+
+study::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Options& options = {}) {
+  model::Tree tree = read::read_csg_text(bitten_cube, "test");
+  facet::Scene scene = facet::make_scene(tree);
+  study::AdviceJob job;
+  job.subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
+  job.camera = {{40, -60, 45}, {0, 0, 0}};
+  job.sampling.width = job.sampling.height = side;
+  job.options = options;
+  for (const std::string& name : machines) {
+    job.machines.push_back(kinds::load(name));
+    machines::set_picture_size(job.machines.back(), {side, side});
+  }
+  return job;
+}
+
+Rows measured(const study::AdviceJob& job, const std::vector<AdvicePoint>& points, unsigned threads) {
+  Rows rows;
+  study::measure_advice(job, points, threads, [&](AdviceRow one) { rows.push_back(std::move(one)); });
+  std::sort(rows.begin(), rows.end(), [](const AdviceRow& a, const AdviceRow& b) { return a.point < b.point; });
+  return rows;
+}
+
+template <class Choices>
+auto named(const Choices& choices, const std::string& name) {
+  return *std::find_if(choices.begin(), choices.end(), [&](auto choice) { return emit::name_of(choice) == name; });
+}
+
+/// As csgsim sweep measures it.
+study::SweepRow swept(const study::AdviceJob& job, const AdvicePoint& point, std::uint32_t memory_bits) {
+  machines::Machine machine = *std::find_if(job.machines.begin(), job.machines.end(),
+                                            [&](const auto& one) { return one.alu_bits == point.alu_bits; });
+  machine.array.memory_bits = memory_bits;
+  study::SweepJob sweep{{}, job.subject, job.camera, job.sampling, machine, job.options, {}};
+  sweep.sampling.z_bits = point.z_bits;
+  sweep.sampling.fraction_bits = point.fraction_bits;
+  sweep.options.strategy = named(emit::strategies, point.strategy);
+  sweep.options.stack_bits = std::max(point.stack_bits, emit::fewest_stack_bits);
+  sweep.options.colouring = named(emit::colourings, point.colouring);
+  sweep.options.colour_bits = point.colour_bits;
+  return study::measure(sweep, true);
+}
+
+/// As csgsim accuracy judges it.
+std::uint64_t judged(const study::AdviceJob& job, const AdvicePoint& point) {
+  study::Meter meter(job.subject->tree, {job.camera}, job.machines.front(), job.options);
+  study::Settings settings{"together", "", {}, job.sampling};
+  settings.sampling.z_bits = point.z_bits;
+  settings.sampling.fraction_bits = point.fraction_bits;
+  return meter.measure(settings).wrong;
+}
+
+/// Is the first as good in everything?
+bool beats_or_equals(const AdviceRow& a, const AdviceRow& b) {
+  const bool is_as_fast =
+      a.interval_clocks < b.interval_clocks || (a.interval_clocks == b.interval_clocks && a.clocks <= b.clocks);
+  return a.memory_bits <= b.memory_bits && a.wrong <= b.wrong && is_as_fast &&
+         a.point.colour_bits >= b.point.colour_bits && a.point.alu_bits <= b.point.alu_bits;
+}
+
+const Wish every_wish[] = {Wish::bits, Wish::wrong_pixels, Wish::speed, Wish::colour};
+
+}  // namespace
+
+TEST_CASE("points of advice are every combination once, ALU widths together") {
+  const std::vector<AdvicePoint> points = points_of(small_ranges());
+  CHECK(points.size() == 2 * 2 * 2 * 2 * 4 * 2);
+  CHECK(points[0] == AdvicePoint{12, 2, 24, "rebroadcast", "stack", 0, 1});
+  CHECK(points[1] == AdvicePoint{12, 2, 24, "rebroadcast", "stack", 0, 4});
+  CHECK(points[4] == AdvicePoint{12, 2, 24, "rebroadcast", "bits", 3, 1});
+  CHECK(study::strategy_name(points[6]) == "bits 5");
+  std::vector<AdvicePoint> sorted = points;
+  std::sort(sorted.begin(), sorted.end());
+  CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
+}
+
+TEST_CASE("advice's front has what no other choice beats, colours and the ALU counted too, and equals once") {
+  const Rows rows{row(66, 0, 100),    row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2),
+                  row(54, 0, 95, 12), row(66, 1, 100), row(70, 0, 110), row(62, 9, 100, 12)};
+  const Rows front = study::advice_front(rows);
+  CHECK(front == Rows{row(54, 0, 95, 12), row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2)});
+}
+
+TEST_CASE("a choice without a Program is neither on the front nor recommended") {
+  AdviceRow refused = row(0, 0, 1);
+  refused.reason = "it does not fit";
+  const study::Wishes wishes{72, 10, 0, 24};
+  const Rows rows{refused, row(66, 0, 100)};
+  CHECK(study::advice_front(rows) == Rows{rows[1]});
+  for (const study::Recommendation& one : study::recommend(rows, wishes)) CHECK(one.row == rows[1]);
+  CHECK(study::nearest_choices(rows, wishes, 9) == Rows{rows[1]});
+}
+
+TEST_CASE("each recommendation is the best by its wish of those that meet the others") {
+  // 1e7 / 400,000 is 25 frames a second.
+  const study::Wishes wishes{64, 10, 25, 24};
+  const Rows rows{row(60, 8, 390'000), row(64, 2, 400'000), row(64, 9, 300'000),    row(58, 11, 390'000),
+                  row(58, 5, 410'000), row(72, 0, 200'000), row(64, 0, 390'000, 18)};
+  const std::vector<study::Recommendation> all = study::recommend(rows, wishes);
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].wish == Wish::bits);
+  CHECK(all[0].row == rows[0]);
+  CHECK(all[1].row == rows[1]);
+  CHECK(all[2].row == rows[2]);
+  CHECK(all[3].row == rows[0]);
+  for (const study::Recommendation& one : all) CHECK(one.miss == 0);
+}
+
+TEST_CASE("where nothing meets all wishes, a recommendation says by how much its wish is missed") {
+  const Rows rows{row(70, 3, 300'000), row(64, 30, 300'000), row(60, 3, 500'000), row(50, 500, 600'000, 3)};
+  const study::Wishes wishes{64, 10, 25, 24};
+  const std::vector<study::Recommendation> all = study::recommend(rows, wishes);
+  REQUIRE(all.size() == 3);
+  CHECK(all[0].row == rows[0]);
+  CHECK(all[0].miss == 6);
+  CHECK(all[1].row == rows[1]);
+  CHECK(all[1].miss == 20);
+  CHECK(all[2].row == rows[2]);
+  CHECK(all[2].miss == doctest::Approx(5));
+  // 6 of 64 bits are a smaller part than 20 of 10 pixels and 5 of 25 frames.
+  CHECK(study::nearest_choices(rows, wishes, 2) == Rows{rows[0], rows[2]});
+  CHECK(std::none_of(rows.begin(), rows.end(), [&](const AdviceRow& one) { return study::meets_all(one, wishes); }));
+}
+
+TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and its answers with a plain search") {
+  const study::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
+  const std::vector<AdvicePoint> points = points_of(small_ranges());
+  const Rows rows = measured(job, points, 2);
+  REQUIRE(rows.size() == points.size());
+  for (const AdviceRow& one : rows) {
+    CAPTURE(one.point.z_bits);
+    CAPTURE(study::strategy_name(one.point));
+    REQUIRE(one.reason.empty());
+    const study::SweepRow other = swept(job, one.point, one.memory_bits);
+    CHECK(other.used_bits == one.memory_bits);
+    CHECK(other.classification_bits == one.classification_bits);
+    CHECK(other.clocks == one.clocks);
+    CHECK(swept(job, one.point, one.memory_bits - 1).reason.find("memory bits") != std::string::npos);
+    CHECK(judged(job, one.point) == one.wrong);
+    CHECK((one.colour_error == 0) == (one.point.colour_bits == 24));
+  }
+  Rows front;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    bool is_beaten = false;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const bool is_same = beats_or_equals(rows[i], rows[k]);
+      is_beaten = is_beaten || (k != i && beats_or_equals(rows[k], rows[i]) && (!is_same || k < i));
+    }
+    if (!is_beaten) front.push_back(rows[i]);
+  }
+  const Rows answer = study::advice_front(rows);
+  CHECK(answer.size() == front.size());
+  for (const AdviceRow& one : front) CHECK(std::find(answer.begin(), answer.end(), one) != answer.end());
+  CHECK(front.size() > 4);
+  const study::Wishes wishes{static_cast<std::uint32_t>(front[front.size() / 2].memory_bits),
+                             front[front.size() / 2].wrong, front[front.size() / 2].frames_per_second, 12};
+  for (const study::Recommendation& one : study::recommend(rows, wishes)) {
+    for (const AdviceRow& other : rows) {
+      const bool is_eligible = std::all_of(std::begin(every_wish), std::end(every_wish), [&](Wish wish) {
+        return wish == one.wish || study::miss(other, wish, wishes) == 0;
+      });
+      if (!is_eligible) continue;
+      if (one.wish == Wish::bits) CHECK(one.row.memory_bits <= other.memory_bits);
+      if (one.wish == Wish::wrong_pixels) CHECK(one.row.wrong <= other.wrong);
+      if (one.wish == Wish::speed) CHECK(one.row.frames_per_second >= other.frames_per_second);
+      if (one.wish == Wish::colour) CHECK(one.row.point.colour_bits >= other.point.colour_bits);
+    }
+    CHECK(one.miss == 0);
+  }
+}
+
+TEST_CASE("advice does not depend on threads, nor on which points are measured together") {
+  const study::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
+  const std::vector<AdvicePoint> points = points_of(small_ranges());
+  const Rows rows = measured(job, points, 1);
+  CHECK(measured(job, points, 3) == rows);
+  for (std::size_t i = 0; i < rows.size(); i += 7) CHECK(study::draw_advice(job, rows[i].point) == rows[i]);
+}
+
+TEST_CASE("memory that shows one picture while the next is drawn counts among a choice's bits") {
+  const AdvicePoint point{16, 6, 24, "rebroadcast", "stack", 0, 1};
+  const AdviceRow one = study::draw_advice(job_on({"pixel-planes-4"}), point);
+  const AdviceRow two = study::draw_advice(job_on({"pixel-planes-4+scan_out.buffers=2"}), point);
+  CHECK(two.memory_bits == one.memory_bits + 24);
+}
+
+TEST_CASE("a choice that needs more memory than any may take is a row that says so") {
+  study::AdviceJob job = job_on({"pixel-planes-4"});
+  const std::string many = [] {
+    std::string text = "intersection(){cube(size=14,center=true);union(){";
+    for (int i = 0; i < 600; ++i)
+      text += "multmatrix([[1,0,0," + std::to_string(i % 20 - 10) + "],[0,1,0," + std::to_string(i / 20 - 15) +
+              "],[0,0,1,7],[0,0,0,1]]){difference(){cube(size=1,center=true);sphere($fn=8,$fa=12,$fs=2,r=0.6);}}";
+    return text + "}}";
+  }();
+  model::Tree tree = read::read_csg_text(many, "test");
+  facet::Scene scene = facet::make_scene(tree);
+  job.subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
+  job.options.pruning = {.space = false, .picture = false, .separation = false};
+  const AdviceRow refused = study::draw_advice(job, {16, 6, 24, "rebroadcast", "parallel", 0, 1});
+  CHECK(refused.reason.find("memory bits") != std::string::npos);
+  CHECK(study::draw_advice(job, {16, 6, 24, "rebroadcast", "list", 0, 1}).compiled());
+}
+
+TEST_CASE("a Program fitted to its memory is the same whatever was guessed") {
+  const study::AdviceJob job = job_on({"pixel-planes-4"});
+  const view::View view = view::make_view(job.subject->scene, job.subject->tree, job.camera, job.sampling);
+  const auto fitted = [&](std::uint32_t likely) {
+    return study::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(), job.options,
+                                  {likely, 256});
+  };
+  const study::Fitted plain = fitted(0);
+  const std::uint32_t bits = plain.machine.array.memory_bits;
+  CHECK(plain.program.shape.memory_bits == bits);
+  for (const std::uint32_t likely : {bits - 3, bits, bits + 5, 300U}) {
+    const study::Fitted other = fitted(likely);
+    CHECK(other.machine.array.memory_bits == bits);
+    CHECK(other.program.segments == plain.program.segments);
+  }
+  CHECK_THROWS_AS(study::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(), job.options,
+                                         {0, bits - 1}),
+                  InputError);
+}
+
+TEST_CASE("a timer tells of every machine what a run of its own tells, though it runs a Program once") {
+  const study::AdviceJob job = job_on({"pixel-planes-4"});
+  const view::View view = view::make_view(job.subject->scene, job.subject->tree, job.camera, job.sampling);
+  study::RunTimer timer;
+  bool skips = false;
+  for (const char* name : {"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+link.width=16"}) {
+    machines::Machine machine = kinds::load(name);
+    machines::set_picture_size(machine, {side, side});
+    const isa::Program program = emit::compile(job.subject->tree, job.subject->scene, view, machine, job.options);
+    const sim::RunResult result = sim::make_functional_engine(machine)->run(program, {});
+    skips = skips || result.skipped > 0;
+    const machines::FrameTiming timing = timer.time(program, machine);
+    CHECK(timing.clocks == result.clocks);
+    CHECK(timing.interval_clocks == result.interval_clocks);
+  }
+  CHECK(skips);
+}
+
+TEST_CASE("a line of a table of advice reads back as it was") {
+  AdviceRow one = row(66, 3, 411'000, 18, 4);
+  one.inputs = {"0123456789abcdef", "fedcba9876543210", "0.1.0"};
+  one.colour_error = 2;
+  CHECK(study::from_line<AdviceRow>(study::to_line(one)) == one);
+}

@@ -1,0 +1,141 @@
+#include "sim/study/plots.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "sim/study/comparison.h"
+#include "sim/study/sweep_axis.h"
+#include "sim/study/sweep_plots.h"
+
+using namespace csgsim;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+study::SweepRow row(const study::SweepPoint& point, std::uint64_t clocks) {
+  study::SweepRow one;
+  one.point = point;
+  one.clocks = clocks;
+  one.classification_bits = point.stack_bits;
+  one.memory_map = {{"Z2", 0, 20}};
+  return one;
+}
+
+study::SweepPoint point(const std::string& strategy, unsigned stack_bits, const std::string& pruning = "all") {
+  return {"a.csg", "pixel-planes-4", 72, 20, pruning, "rebroadcast", strategy, stack_bits};
+}
+
+Words tick_texts(const plots::Axis& axis) {
+  Words words;
+  for (const plots::Tick& tick : axis.ticks) words.push_back(tick.text);
+  return words;
+}
+
+plots::Chart chart_named(const std::vector<plots::Plot>& all, const std::string& name) {
+  const auto found = std::ranges::find(all, name, &plots::Plot::name);
+  REQUIRE(found != all.end());
+  return std::get<plots::Chart>(found->content);
+}
+
+}  // namespace
+
+TEST_CASE("a sweep's x axis is what it varies most, numbers before names, and the strategy where only it varies") {
+  using Rows = std::vector<study::SweepRow>;
+  const Rows stack_bits{row(point("stack", 0), 1), row(point("bits", 3), 2), row(point("bits", 4), 3)};
+  CHECK(tick_texts(study::SweepAxis(stack_bits).axis()) == Words{"3", "4"});
+  const Rows prunings{row(point("bits", 3, "all"), 1), row(point("bits", 3, "no-sets"), 2),
+                      row(point("bits", 4, "none"), 3)};
+  CHECK(study::SweepAxis(prunings).axis().title == "prunings that are done");
+  CHECK(study::SweepAxis(prunings).axis().is_names);
+  CHECK(study::SweepAxis(prunings).others(prunings[2].point) == "bits, m = 4");
+  const Rows strategies{row(point("stack", 0), 1), row(point("list", 0), 2)};
+  CHECK(tick_texts(study::SweepAxis(strategies).axis()) == Words{"stack", "list"});
+  Rows both = stack_bits;
+  both[1].point.z_bits = 16;
+  CHECK(study::SweepAxis(both).axis().title == "bits of depth");
+  both.push_back(row(point("bits", 5), 4));
+  CHECK(study::SweepAxis(both).axis().title.starts_with("m, "));
+}
+
+TEST_CASE("machines of a sweep stand side by side, each by its name") {
+  study::SweepPoint other = point("stack", 0);
+  other.machine = "alu-4.toml";
+  const std::vector<study::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};
+  const plots::Chart chart = chart_named(study::plots_of_sweep(rows, "a"), "a_clocks");
+  CHECK(tick_texts(chart.x) == Words{"pixel-planes-4", "alu-4.toml"});
+  REQUIRE(chart.series.size() == 1);
+  CHECK(chart.series[0].points[1].x == 1);
+  CHECK(chart.series[0].points[1].y == 50);
+}
+
+TEST_CASE("a strategy without stack bits is a level, and lines that would cover each other are one") {
+  const std::vector<study::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 7), row(point("bits", 4), 8),
+                                          row(point("bits", 3), 9)};
+  const std::vector<plots::Plot> all = study::plots_of_sweep(rows, "a");
+  const plots::Chart chart = chart_named(all, "a_clocks");
+  REQUIRE(chart.series.size() == 2);
+  CHECK(chart.series[0].name == "stack; list");
+  CHECK(chart.series[0].trace == plots::Trace::level);
+  CHECK(chart.series[1].points.front().x == 3);
+  CHECK(chart.series[1].points.back().y == 8);
+}
+
+TEST_CASE("points that cannot be compiled are in no plot") {
+  std::vector<study::SweepRow> rows{row(point("stack", 0), 7), row(point("bits", 3), 0)};
+  rows[1].reason = "does not fit";
+  const plots::Chart chart = chart_named(study::plots_of_sweep(rows, "a"), "a_clocks");
+  for (const plots::Series& series : chart.series) {
+    for (const plots::Point& one : series.points) CHECK(one.y == 7);
+  }
+  rows[0].reason = "does not fit";
+  CHECK(study::plots_of_sweep(rows, "a").empty());
+}
+
+TEST_CASE("a knob's values are across, where they belong") {
+  std::vector<study::Measurement> rows(5);
+  const Words values{"1/4", "1/16", "128x64", "0.125", "12"};
+  const Words knobs{"edge-on", "edge-on", "size", "tolerance", "z-bits"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].knob = knobs[i];
+    rows[i].value = values[i];
+    rows[i].clocks = 100 + i;
+    rows[i].wrong = i;
+  }
+  const std::vector<plots::Plot> all = study::plots_of_accuracy(rows, "a");
+  const plots::Chart edge_on = chart_named(all, "edge-on");
+  CHECK(edge_on.panels.size() == 3);
+  REQUIRE(edge_on.series[0].points.size() == 2);
+  CHECK(edge_on.series[0].points[0].x == 0.0625);
+  CHECK(edge_on.series[0].points[0].y == 1);
+  CHECK(edge_on.series[2].points[0].y == 101);
+  CHECK(tick_texts(edge_on.x) == Words{"1/4", "1/16"});
+  CHECK(chart_named(all, "size").series[0].points[0].x == 128);
+  CHECK(chart_named(all, "tolerance").series[0].points[0].x == 0.125);
+  CHECK(chart_named(all, "z-bits").series[0].points[0].x == 12);
+}
+
+TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
+  std::vector<study::ComparisonRow> rows(2);
+  for (study::ComparisonRow& one : rows) {
+    one.point = {"scan-line", 64, 64, 0, {}};
+    one.seconds = 0.5;
+    one.halfspaces = 100;
+  }
+  rows[1].point.machine = "pixel-square";
+  const auto names = [&] {
+    Words words;
+    for (const plots::Plot& plot : study::plots_of_comparison(rows, {64, 64}, "a")) words.push_back(plot.name);
+    return words;
+  };
+  CHECK(names() == Words{"compare_machines"});
+  rows.push_back(rows[0]);
+  rows.back().point.fragments = 8;
+  rows.back().halfspaces = 200;
+  CHECK(names() == Words{"compare_machines", "compare_halfspaces"});
+  rows.push_back(rows[0]);
+  rows.back().point.width = 128;
+  CHECK(names() == Words{"compare_machines", "compare_halfspaces", "compare_pixels"});
+}
