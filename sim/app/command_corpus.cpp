@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
@@ -133,10 +136,24 @@ void refuse_failures(const Rows& rows) {
   if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "corpus.csv"));
 }
 
+report::Page page_of(const CorpusOptions& options, const std::vector<study::CorpusJob>& jobs, const Rows& rows,
+                     const std::string& points) {
+  std::vector<machines::Machine> machines;
+  for (const study::CorpusJob& job : jobs) {
+    if (job.wanted.point.model == jobs.front().wanted.point.model) machines.push_back(job.machine);
+  }
+  report::StudyContext context = plain_study_context(options.report, options.models.front(), machines);
+  const std::size_t models = jobs.size() / machines.size();
+  if (models > 1) context.model = counted(models, "model");
+  return report::corpus_page(report::Json::parse(points), study::plots_of_corpus(rows), context);
+}
+
 void run(const CorpusOptions& options, const Command& command) {
   const std::vector<study::CorpusJob> jobs = corpus_jobs(options);
-  const StudyFolder folder(options.folder, "corpus",
-                           input_files(corpus_files(options.models), study::parse_words(options.machines)));
+  const std::vector<std::filesystem::path> inputs =
+      input_files(corpus_files(options.models), study::parse_words(options.machines));
+  const StudyFolder folder(options.folder, "corpus", inputs);
+  ReportFile report(options.report, inputs);
   const std::string title = study_title(command, {"machines"});
   const std::filesystem::path table_path = folder.path() / "corpus.csv";
   Table table(table_path, title);
@@ -144,10 +161,12 @@ void run(const CorpusOptions& options, const Command& command) {
   for (const study::CorpusJob& job : jobs) wanted.push_back(job.wanted);
   tell_stale(table_path, table.drop_stale(std::span<const study::WantedCorpusPoint>(wanted)));
   const Rows rows = complete(options, jobs, table);
-  write_file(folder.path() / "corpus.json", study::corpus_json(title, rows));
+  const std::string points = study::corpus_json(title, rows);
+  write_file(folder.path() / "corpus.json", points);
   print_rows(rows);
   print_distributions(rows);
   if (!options.no_plots) study::draw_corpus(rows, folder.path());
+  if (report.asked()) report.write(page_of(options, jobs, rows, points));
   fmt::print("\n{}: corpus.csv, corpus.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) of clocks and frames a second");
   refuse_failures(rows);

@@ -130,11 +130,6 @@ class Command {
   [[nodiscard]] const std::vector<std::string>& arguments() const;
 
   [[nodiscard]] RunWatch& watch() const;
-  /// The same with those that were not given but have a value by default.
-  [[nodiscard]] std::vector<GivenOption> settings() const;
-
-  /// The command with all that was given, operands first and long names, for a POSIX shell.
-  [[nodiscard]] std::string typed() const;
 
  private:
   CLI::App* command_;

@@ -132,8 +132,12 @@ std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std
 report::Page page_of(const SweepOptions& options, const std::string& points) {
   ModelOptions model = options.view;
   model.model = options.models.front();
-  model.machine = study::parse_words(options.machines).front();
-  report::StudyContext context = study_context(options.report, model, machine_of(model));
+  std::vector<machines::Machine> machines;
+  for (const std::string& name : study::parse_words(options.machines)) {
+    model.machine = name;
+    machines.push_back(machine_of(model));
+  }
+  report::StudyContext context = study_context(options.report, model, machines);
   if (options.models.size() > 1) context.model = counted(options.models.size(), "model");
   return report::sweep_page(report::Json::parse(points), context);
 }
@@ -155,8 +159,9 @@ void run(const SweepOptions& options, const Command& command) {
       study::draw_sweep(of_model, name, folder.path());
   }
   if (report.asked()) report.write(page_of(options, points));
-  fmt::print("\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
-             options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory");
+  fmt::print(
+      "\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
+      options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory");
   refuse_failures(options, rows);
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
+#include "sim/app/report_option.h"
 #include "sim/study/corpus.h"
 
 namespace csgsim::app {
@@ -21,6 +22,7 @@ struct CorpusOptions {
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool no_plots = false;
   std::string progress = "auto";
+  ReportOption report;
 
   void add_to(Command& command);
 };
