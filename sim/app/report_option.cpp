@@ -75,7 +75,7 @@ report::Picture picture_of(const ModelOptions& model, const machines::Machine& m
     return sim::make_functional_engine(machine)->run(program, {&observer, 1});
   });
   refuse_overflow(result);
-  return report::picture_of(frame.frame(), program, caption, "The model, " + caption);
+  return report::picture_of(frame.frame(), program, caption, "The model: " + caption);
 }
 
 report::StudyContext plain_study_context(const ReportOption& option, const std::string& model,
@@ -89,7 +89,7 @@ report::StudyContext study_context(const ReportOption& option, const ModelOption
   machines::Machine machine = machines.front();
   machine.array.memory_bits = std::max(machine.array.memory_bits, study::ample_memory_bits);
   try {
-    context.picture = picture_of(model, machine, "as " + machine.name + " draws it");
+    context.picture = picture_of(model, machine, "The model as " + machine.name + " draws it");
   } catch (const InputError& error) {
     context.no_picture = error.what();
   }
