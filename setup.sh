@@ -29,6 +29,9 @@ Usage: ./setup.sh COMMAND
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
          changed since
+  cluster
+         run a study on a Slurm of its own with two nodes, kill one of them, and compare with one process; the same
+         with srun, mpirun and GNU Parallel (as root)
   mutate test the tests: 200 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
@@ -242,6 +245,12 @@ case "${1:-}" in
     need $build_packages python3 chromium
     build release
     python3 tests/report/pages_test.py build/release/csgsim .
+    ;;
+  cluster)
+    # shellcheck disable=SC2086
+    need $build_packages gnuplot-nox slurmctld slurmd slurm-client munge parallel openmpi-bin procps
+    build release -DCSGSIM_BUILD_TESTS=OFF
+    as_root tests/cluster/slurm.sh build/release/csgsim build/cluster.log
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;

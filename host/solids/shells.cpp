@@ -91,6 +91,7 @@ std::vector<FaceList> faces_of_shells(const Mesh& mesh) {
 
 std::vector<std::uint32_t> depths_of(const Mesh& mesh, const std::vector<FaceList>& shells) {
   std::vector<facet::Box> boxes;
+  boxes.reserve(shells.size());
   for (const FaceList& shell : shells) boxes.push_back(box_of(mesh, shell));
   std::vector<std::uint32_t> depths(shells.size(), 0);
   for (std::size_t i = 0; i < shells.size(); ++i) {

@@ -37,6 +37,7 @@ std::optional<int> run_child(std::span<const std::string> words, const ChildFile
   actions.connect(files.errors, STDERR_FILENO);
   std::vector<std::string> owned(words.begin(), words.end());
   std::vector<char*> arguments;
+  arguments.reserve(owned.size() + 1);
   for (std::string& word : owned) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t child = 0;

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <random>
 #include <string>
 
 namespace csgsim {
@@ -60,8 +61,9 @@ void handle_unless_ignored(int signal) {
 }  // namespace
 
 std::filesystem::path unused_name(std::string_view ending) {
+  static const unsigned host = std::random_device{}();
   static std::atomic<unsigned> number = 0;
-  return fmt::format(".csgsim-{}-{}{}", ::getpid(), ++number, ending);
+  return fmt::format(".csgsim-{}-{:08x}-{}{}", ::getpid(), host, ++number, ending);
 }
 
 PartialFile::PartialFile(const std::filesystem::path& path) : slot_(take_slot(path.native())) {}

@@ -7,7 +7,8 @@
 
 namespace csgsim {
 
-/// A name that no other file of this process or another has, with the ending.
+/// A name that no other file of this process or another has, on this machine or on others that share the folder, with
+/// the ending.
 std::filesystem::path unused_name(std::string_view ending = {});
 
 /// A file that must not outlive this process unfinished, as long as the object lives.

@@ -88,4 +88,10 @@ std::string shell_word(std::string_view bytes) {
   return word + "'";
 }
 
+std::string grouped(std::uint64_t value) {
+  std::string digits = std::to_string(value);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
 }  // namespace csgsim

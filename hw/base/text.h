@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,8 @@ std::string escaped(std::string_view bytes);
 
 /// A word that a POSIX shell reads as these bytes again, to be copied from a message.
 std::string shell_word(std::string_view bytes);
+
+/// 1234567 as `1,234,567`.
+std::string grouped(std::uint64_t value);
 
 }  // namespace csgsim

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -16,6 +18,8 @@
 #include "sim/app/model_options.h"
 #include "sim/app/options.h"
 #include "sim/app/report_option.h"
+#include "sim/app/shard_run.h"
+#include "sim/app/studies.h"
 #include "sim/app/study_files.h"
 #include "sim/app/version.h"
 #include "sim/observe/long_work.h"
@@ -35,6 +39,7 @@ struct Options {
   ModelOptions model;
   std::string folder;
   unsigned views = 4;
+  std::optional<study::Shard> shard;
   bool no_plots = false;
   ReportOption report;
   std::string progress = "auto";
@@ -97,14 +102,30 @@ Study study_of(const Options& options) {
   std::vector<study::WantedSettings> wanted;
   const study::Inputs inputs{file.hash, machine_hash, version_and_build()};
   for (study::Settings& point :
-       study::points(sampling_of(options.model, machine), faceting, glm::length(scene.box.high - scene.box.low)))
-    wanted.push_back({std::move(point), inputs});
+       study::points(sampling_of(options.model, machine), faceting, glm::length(scene.box.high - scene.box.low))) {
+    // Small pictures cannot be divided as often: some sizes are the same.
+    const bool is_known = std::any_of(wanted.begin(), wanted.end(), [&](const study::WantedSettings& one) {
+      return one.point.knob == point.knob && one.point.value == point.value;
+    });
+    if (!is_known) wanted.push_back({std::move(point), inputs});
+  }
   return {std::move(file.tree), std::move(machine), camera, std::move(wanted)};
 }
 
+study::Meter meter_of(const Options& options, const Study& study) {
+  return {study.tree, study::turned_views(study.camera, options.views), study.machine, emit_options_of(options.model)};
+}
+
+study::Measurement measure(const study::WantedSettings& wanted, const Study& study, study::Meter& meter) {
+  const view::Sampling& sampling = wanted.point.sampling;
+  study::Measurement row = with_memory_for_picture({sampling.width, sampling.height, study.machine.array.memory_bits},
+                                                   [&] { return meter.measure(wanted.point); });
+  row.inputs = wanted.inputs;
+  return row;
+}
+
 void complete(const Options& options, const Study& study, Table& table) {
-  study::Meter meter(study.tree, study::turned_views(study.camera, options.views), study.machine,
-                     emit_options_of(options.model));
+  study::Meter meter = meter_of(options, study);
   const bool show = shows_progress(options.progress);
   sim::LongWork work("this study", "fewer --views and a smaller --size take less; what is measured is kept");
   std::size_t number = 0;
@@ -118,11 +139,7 @@ void complete(const Options& options, const Study& study, Table& table) {
     if (show)
       tell(fmt::format("\r\x1b[K{} of {} points: {} {}", number, study.wanted.size(), wanted.point.knob,
                        wanted.point.value));
-    const view::Sampling& sampling = wanted.point.sampling;
-    study::Measurement row = with_memory_for_picture({sampling.width, sampling.height, study.machine.array.memory_bits},
-                                                     [&] { return meter.measure(wanted.point); });
-    row.inputs = wanted.inputs;
-    table.add(std::move(row));
+    table.add(measure(wanted, study, meter));
     work.at(static_cast<double>(number - known) / static_cast<double>(study.wanted.size() - known));
   }
   if (show) tell("\r\x1b[K");
@@ -135,15 +152,31 @@ report::Page page_of(const Options& options, const std::string& points, const st
                                study_context(options.report, options.model, {{machine_of(options.model)}}));
 }
 
-void run(const Options& options, const Command& command) {
+void run_shard(const Options& options, const Command& command) {
   const Study study = study_of(options);
+  study::Meter meter = meter_of(options, study);
+  measure_shard<study::Measurement>(command, options.folder, *options.shard, study.wanted, options.progress,
+                                    [&](const std::vector<std::size_t>& points, const auto& finished) {
+                                      for (const std::size_t i : points)
+                                        finished(measure(study.wanted[i], study, meter));
+                                    });
+}
+
+void run(const Options& options, const Command& command, const study::Gathered* gathered) {
+  if (options.shard) return run_shard(options, command);
+  std::optional<Study> study;
+  if (gathered == nullptr) study = study_of(options);
   const StudyFolder folder(options.folder, "accuracy", options.model.inputs());
   ReportFile report(options.report, options.model.inputs());
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "accuracy.csv";
   Table table(table_path, title);
-  tell_stale(table_path, table.drop_stale(std::span(study.wanted)));
-  complete(options, study, table);
+  if (study) {
+    tell_stale(table_path, table.drop_stale(std::span<const study::WantedSettings>(study->wanted)));
+    complete(options, *study, table);
+  } else {
+    put_rows(*gathered, table_path, table);
+  }
   print_table(table.rows());
   print_front(table.rows());
   const std::string points = study::points_json(title, table.rows());
@@ -154,9 +187,7 @@ void run(const Options& options, const Command& command) {
              options.no_plots ? "" : ", and plots (.png, .svg) a knob and of the front");
 }
 
-}  // namespace
-
-void add_accuracy(CommandLine& line) {
+void add(CommandLine& line, const study::Gathered* gathered) {
   const auto options = std::make_shared<Options>();
   Command command =
       line.add("accuracy", "Show what accuracy costs in clocks: turn every knob and measure the errors",
@@ -170,10 +201,16 @@ void add_accuracy(CommandLine& line) {
   command.option("--views", options->views, "Views that a point is measured in: the camera turned about the vertical")
       .between(1, 64);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  add_shard(command, options->shard);
   options->report.add_to(command);
   add_progress(command, options->progress);
   command.prints_summary();
-  command.runs([options, command] { run(*options, command); });
+  command.runs([options, command, gathered] { run(*options, command, gathered); });
 }
+
+}  // namespace
+
+void add_accuracy(CommandLine& line) { add(line, nullptr); }
+void gather_accuracy(CommandLine& line, const study::Gathered& gathered) { add(line, &gathered); }
 
 }  // namespace csgsim::app

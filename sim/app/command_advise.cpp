@@ -20,6 +20,7 @@
 #include "sim/app/advise_options.h"
 #include "sim/app/advise_report.h"
 #include "sim/app/commands.h"
+#include "sim/app/options.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/study/advice_plot.h"
@@ -96,7 +97,8 @@ Rows complete(const AdviseOptions& options, const AdviceQuestion& question, Tabl
   for (const AdvicePoint& point : question.points) {
     if (!kept.has(point)) missing.push_back(point);
   }
-  SweepProgress progress(question.points.size(), question.points.size() - missing.size(), options.progress == "auto");
+  SweepProgress progress(question.points.size(), question.points.size() - missing.size(),
+                         shows_progress(options.progress), options.threads);
   try {
     study::measure_advice(question.job, missing, options.threads, [&](AdviceRow row) {
       kept.add(std::move(row));

@@ -20,6 +20,8 @@
 #include "sim/app/read_by.h"
 #include "sim/app/report_option.h"
 #include "sim/app/sets.h"
+#include "sim/app/shard_run.h"
+#include "sim/app/studies.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/app/version.h"
@@ -44,6 +46,7 @@ struct Options {
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
   std::string folder;
+  std::optional<study::Shard> shard;
   bool ideal = false;
   bool no_plots = false;
   ReportOption report;
@@ -91,19 +94,17 @@ std::vector<study::ComparisonPoint> points_of(const Options& options, const std:
 struct Study {
   model::Tree tree;
   std::vector<study::ComparisonJob> jobs;
-  machines::Size base;  ///< of the first machine's picture
 };
 
 Study study_of(const Options& options) {
   ModelFile file = read_model_file(options.model);
-  Study study{std::move(file.tree), {}, {}};
+  Study study{std::move(file.tree), {}};
   const facet::Scene scene = facet::make_scene(study.tree);
   for (const std::string& name : with_figures(study::parse_words(options.machines), options.model.sets)) {
     const machines::Machine machine = machine_named(options, name);
     const machines::Size base = machine.picture;
     const study::Inputs inputs{file.hash, study::hash_of(machine), version_and_build()};
     const view::Camera camera = camera_of(options.model, machine, study.tree, scene);
-    if (study.jobs.empty()) study.base = base;
     for (study::ComparisonPoint& point :
          options.ideal ? ideal_points(machine, escaped(name)) : points_of(options, escaped(name), base)) {
       machines::Machine drawing = study::made_ideal(machine, point.ideal);
@@ -129,6 +130,11 @@ std::vector<study::WantedComparison> wanted_of(const Study& study) {
   return wanted;
 }
 
+study::ComparisonRow measure(const study::ComparisonJob& job, const Study& study) {
+  return with_memory_for_picture({job.wanted.point.width, job.wanted.point.height, job.machine.array.memory_bits},
+                                 [&] { return study::measure(job, study.tree); });
+}
+
 Rows complete(const Options& options, const Study& study, Table& table) {
   std::size_t known = 0;
   for (const study::ComparisonJob& job : study.jobs) {
@@ -138,9 +144,7 @@ Rows complete(const Options& options, const Study& study, Table& table) {
   Rows rows;
   for (const study::ComparisonJob& job : study.jobs) {
     if (table.find(job.wanted) == nullptr) {
-      table.add(
-          with_memory_for_picture({job.wanted.point.width, job.wanted.point.height, job.machine.array.memory_bits},
-                                  [&] { return study::measure(job, study.tree); }));
+      table.add(measure(job, study));
       progress.done();
     }
     rows.push_back(*table.find(job.wanted));
@@ -148,9 +152,17 @@ Rows complete(const Options& options, const Study& study, Table& table) {
   return rows;
 }
 
-void print_row(const study::ComparisonRow& row) {
+/// Columns of the machines' names, with a blank behind the longest.
+std::size_t name_width(const Rows& rows) {
+  std::size_t width = 16;
+  for (const study::ComparisonRow& row : rows) width = std::max(width, row.point.machine.size() + 1);
+  return width;
+}
+
+void print_row(const study::ComparisonRow& row, std::size_t width) {
   const std::string facets = row.point.fragments == 0 ? "own" : fmt::format("{}", row.point.fragments);
-  fmt::print("{:<16}{:>11}{:>7}", row.point.machine, fmt::format("{}x{}", row.point.width, row.point.height), facets);
+  fmt::print("{:<{}}{:>11}{:>7}", row.point.machine, width, fmt::format("{}x{}", row.point.width, row.point.height),
+             facets);
   if (!row.drawn()) {
     fmt::print("  {}\n", row.reason);
     return;
@@ -163,11 +175,12 @@ void print_row(const study::ComparisonRow& row) {
 
 /// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
 void print_ideal_rows(const Rows& rows) {
-  fmt::print("{:<16}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", "ideal", "clocks", "ms", "frames/s", "worth %");
+  const std::size_t width = name_width(rows);
+  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "frames/s", "worth %");
   const study::ComparisonRow* as_it_is = nullptr;
   for (const study::ComparisonRow& row : rows) {
     if (row.point.ideal.empty()) as_it_is = &row;
-    fmt::print("{:<16}{:<28}", row.point.machine, row.point.ideal.empty() ? "as it is" : row.point.ideal);
+    fmt::print("{:<{}}{:<28}", row.point.machine, width, row.point.ideal.empty() ? "as it is" : row.point.ideal);
     if (!row.drawn()) {
       fmt::print("  {}\n", row.reason);
       continue;
@@ -179,10 +192,11 @@ void print_ideal_rows(const Rows& rows) {
 }
 
 void print_rows(const Rows& rows) {
-  fmt::print("{:<16}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", "picture",
-             "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.", "processor clocks",
-             "memory bits", "transistors", "used %");
-  for (const study::ComparisonRow& row : rows) print_row(row);
+  const std::size_t width = name_width(rows);
+  fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", width,
+             "picture", "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.",
+             "processor clocks", "memory bits", "transistors", "used %");
+  for (const study::ComparisonRow& row : rows) print_row(row, width);
   fmt::print("Transistors are a model (docs/area.md), of the processors with their memory; -: not synthesised.\n");
 }
 
@@ -212,32 +226,51 @@ report::Page page_of(const Options& options, const std::string& points) {
   return report::compare_page(report::Json::parse(points), study_context(options.report, options.model, machines));
 }
 
-void run(const Options& options, const Command& command) {
-  const std::string stem = study::plot_stem(options.model.model);
+std::filesystem::path folder_of(const Options& options) {
+  return options.folder.empty() ? study::plot_stem(options.model.model) + "-compare" : options.folder;
+}
+
+void run_shard(const Options& options, const Command& command) {
   const Study study = study_of(options);
-  const StudyFolder folder(options.folder.empty() ? stem + "-compare" : options.folder, "compare",
+  measure_shard<study::ComparisonRow>(command, folder_of(options), *options.shard, wanted_of(study), options.progress,
+                                      [&](const std::vector<std::size_t>& points, const auto& finished) {
+                                        for (const std::size_t i : points) finished(measure(study.jobs[i], study));
+                                      });
+}
+
+/// Rows that the table has or gets.
+Rows rows_of(const Options& options, const Study& study, const std::filesystem::path& table_path, Table& table) {
+  tell_stale(table_path, table.drop_stale(std::span<const study::WantedComparison>(wanted_of(study))));
+  return complete(options, study, table);
+}
+
+/// The first point is of the first machine's own picture.
+machines::Size base_of(const Rows& rows) { return {rows.front().point.width, rows.front().point.height}; }
+
+void run(const Options& options, const Command& command, const study::Gathered* gathered) {
+  if (options.shard) return run_shard(options, command);
+  std::optional<Study> study;
+  if (gathered == nullptr) study = study_of(options);
+  const StudyFolder folder(folder_of(options), "compare",
                            input_files({options.model.model}, study::parse_words(options.machines)));
   ReportFile report(options.report, input_files({options.model.model}, study::parse_words(options.machines)));
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "compare.csv";
   Table table(table_path, title);
-  tell_stale(table_path, table.drop_stale(std::span<const study::WantedComparison>(wanted_of(study))));
-  const Rows rows = complete(options, study, table);
+  const Rows rows = study ? rows_of(options, *study, table_path, table) : put_rows(*gathered, table_path, table);
   const std::string points = study::points_json(title, rows);
   write_file(folder.path() / "compare.json", points);
   options.ideal ? print_ideal_rows(rows) : print_rows(rows);
   print_compare_words(rows);
   const bool plots = !options.no_plots && !options.ideal;
-  if (plots) study::draw_comparison(rows, study.base, stem, folder.path());
+  if (plots) study::draw_comparison(rows, base_of(rows), study::plot_stem(options.model.model), folder.path());
   if (report.asked()) report.write(page_of(options, points));
   refuse_differences(rows);
   fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
              !plots ? "" : ", and plots (.png, .svg) of the machines and of the time against half-spaces and pixels");
 }
 
-}  // namespace
-
-void add_compare(CommandLine& line) {
+void add(CommandLine& line, const study::Gathered* gathered) {
   const auto options = std::make_shared<Options>();
   Command command = line.add(
       "compare", "Draw a model on several machines: clocks, time, memory, utilisation, growth",
@@ -265,10 +298,16 @@ void add_compare(CommandLine& line) {
       "What each idealisation is worth: every figure of a machine that may be ideal is, one after the other and "
       "all at once; no other sizes or fragments, and no plots");
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  add_shard(command, options->shard);
   options->report.add_to(command);
   add_progress(command, options->progress);
   command.prints_summary();
-  command.runs([options, command] { run(*options, command); });
+  command.runs([options, command, gathered] { run(*options, command, gathered); });
 }
+
+}  // namespace
+
+void add_compare(CommandLine& line) { add(line, nullptr); }
+void gather_compare(CommandLine& line, const study::Gathered& gathered) { add(line, &gathered); }
 
 }  // namespace csgsim::app

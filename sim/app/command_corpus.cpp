@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,10 @@
 #include "sim/app/commands.h"
 #include "sim/app/corpus_options.h"
 #include "sim/app/numbers.h"
+#include "sim/app/options.h"
 #include "sim/app/paths.h"
+#include "sim/app/shard_run.h"
+#include "sim/app/studies.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_progress.h"
 #include "sim/study/parallel.h"
@@ -32,6 +36,18 @@ using study::CorpusRow;
 using Rows = std::vector<CorpusRow>;
 using Table = study::Table<CorpusRow>;
 
+/// Measures jobs at the same time.
+void measure_jobs(const CorpusOptions& options, const std::vector<const study::CorpusJob*>& jobs,
+                  const std::function<void(CorpusRow)>& finished) {
+  try {
+    study::measure_each(
+        jobs.size(), options.threads, [&](std::size_t i) { return study::measure(*jobs[i]); }, finished);
+  } catch (const std::bad_alloc&) {
+    throw InputError(
+        fmt::format("there is not enough memory for {} points at once; take fewer --threads", options.threads));
+  }
+}
+
 /// Measures the points that the table has not, and returns all in their order: so they are in the file at the end,
 /// before what it has of other points.
 Rows complete(const CorpusOptions& options, const std::vector<study::CorpusJob>& jobs, Table& table) {
@@ -39,18 +55,11 @@ Rows complete(const CorpusOptions& options, const std::vector<study::CorpusJob>&
   for (const study::CorpusJob& job : jobs) {
     if (table.find(job.wanted) == nullptr) missing.push_back(&job);
   }
-  SweepProgress progress(jobs.size(), jobs.size() - missing.size(), options.progress == "auto");
-  try {
-    study::measure_each(
-        missing.size(), options.threads, [&](std::size_t i) { return study::measure(*missing[i]); },
-        [&](CorpusRow row) {
-          table.add(std::move(row));
-          progress.done();
-        });
-  } catch (const std::bad_alloc&) {
-    throw InputError(
-        fmt::format("there is not enough memory for {} points at once; take fewer --threads", options.threads));
-  }
+  SweepProgress progress(jobs.size(), jobs.size() - missing.size(), shows_progress(options.progress), options.threads);
+  measure_jobs(options, missing, [&](CorpusRow row) {
+    table.add(std::move(row));
+    progress.done();
+  });
   Rows rows;
   for (const study::CorpusJob& job : jobs) rows.push_back(*table.find(job.wanted));
   Rows all = rows;
@@ -136,20 +145,46 @@ void refuse_failures(const Rows& rows) {
   if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "corpus.csv"));
 }
 
-report::Page page_of(const CorpusOptions& options, const std::vector<study::CorpusJob>& jobs, const Rows& rows,
-                     const std::string& points) {
+report::Page page_of(const CorpusOptions& options, const Rows& rows, const std::string& points) {
+  ModelOptions model = options.view;
   std::vector<machines::Machine> machines;
-  for (const study::CorpusJob& job : jobs) {
-    if (job.wanted.point.model == jobs.front().wanted.point.model) machines.push_back(job.machine);
+  for (const std::string& name : study::parse_words(options.machines)) {
+    model.machine = name;
+    machines.push_back(machine_of(model));
   }
-  report::StudyContext context = plain_study_context(options.report, options.models.front(), machines);
-  const std::size_t models = jobs.size() / machines.size();
+  report::StudyContext context = plain_study_context(options.report, rows.front().point.model, machines);
+  const std::size_t models = by_model(rows).size();
   if (models > 1) context.model = counted(models, "model");
   return report::corpus_page(report::Json::parse(points), study::plots_of_corpus(rows), context);
 }
 
-void run(const CorpusOptions& options, const Command& command) {
+std::vector<study::WantedCorpusPoint> wanted_of(const std::vector<study::CorpusJob>& jobs) {
+  std::vector<study::WantedCorpusPoint> wanted;
+  wanted.reserve(jobs.size());
+  for (const study::CorpusJob& job : jobs) wanted.push_back(job.wanted);
+  return wanted;
+}
+
+void run_shard(const CorpusOptions& options, const Command& command) {
   const std::vector<study::CorpusJob> jobs = corpus_jobs(options);
+  measure_shard<CorpusRow>(command, options.folder, *options.shard, wanted_of(jobs), options.progress,
+                           [&](const std::vector<std::size_t>& points, const auto& finished) {
+                             std::vector<const study::CorpusJob*> missing;
+                             missing.reserve(points.size());
+                             for (const std::size_t i : points) missing.push_back(&jobs[i]);
+                             measure_jobs(options, missing, finished);
+                           });
+}
+
+/// Rows that the table has or gets.
+Rows rows_of(const CorpusOptions& options, const std::filesystem::path& table_path, Table& table) {
+  const std::vector<study::CorpusJob> jobs = corpus_jobs(options);
+  tell_stale(table_path, table.drop_stale(std::span<const study::WantedCorpusPoint>(wanted_of(jobs))));
+  return complete(options, jobs, table);
+}
+
+void run(const CorpusOptions& options, const Command& command, const study::Gathered* gathered) {
+  if (options.shard) return run_shard(options, command);
   const std::vector<std::filesystem::path> inputs =
       input_files(corpus_files(options.models), study::parse_words(options.machines));
   const StudyFolder folder(options.folder, "corpus", inputs);
@@ -157,24 +192,19 @@ void run(const CorpusOptions& options, const Command& command) {
   const std::string title = study_title(command, {"machines"});
   const std::filesystem::path table_path = folder.path() / "corpus.csv";
   Table table(table_path, title);
-  std::vector<study::WantedCorpusPoint> wanted;
-  for (const study::CorpusJob& job : jobs) wanted.push_back(job.wanted);
-  tell_stale(table_path, table.drop_stale(std::span<const study::WantedCorpusPoint>(wanted)));
-  const Rows rows = complete(options, jobs, table);
+  const Rows rows = gathered != nullptr ? put_rows(*gathered, table_path, table) : rows_of(options, table_path, table);
   const std::string points = study::corpus_json(title, rows);
   write_file(folder.path() / "corpus.json", points);
   print_rows(rows);
   print_distributions(rows);
   if (!options.no_plots) study::draw_corpus(rows, folder.path());
-  if (report.asked()) report.write(page_of(options, jobs, rows, points));
+  if (report.asked()) report.write(page_of(options, rows, points));
   fmt::print("\n{}: corpus.csv, corpus.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) of clocks and frames a second");
   refuse_failures(rows);
 }
 
-}  // namespace
-
-void add_corpus(CommandLine& line) {
+void add(CommandLine& line, const study::Gathered* gathered) {
   const auto options = std::make_shared<CorpusOptions>();
   Command command = line.add(
       "corpus", "Count what many models take on many machines: totals, distributions, plots",
@@ -184,7 +214,12 @@ void add_corpus(CommandLine& line) {
       "machine draws some model. What has been measured is in corpus.csv at once; the same command goes on after an\n"
       "interruption, and with other models or machines measures what is new.");
   options->add_to(command);
-  command.runs([options, command] { run(*options, command); });
+  command.runs([options, command, gathered] { run(*options, command, gathered); });
 }
+
+}  // namespace
+
+void add_corpus(CommandLine& line) { add(line, nullptr); }
+void gather_corpus(CommandLine& line, const study::Gathered& gathered) { add(line, &gathered); }
 
 }  // namespace csgsim::app

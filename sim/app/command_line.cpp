@@ -169,6 +169,48 @@ std::vector<GivenOption> Command::given() const {
 
 namespace {
 
+/// A value that begins with a dash would be taken for an option.
+void add_option_words(const std::string& name, const std::string& value, std::vector<std::string>& words) {
+  if (value.starts_with('-')) {
+    words.push_back("--" + name + "=" + value);
+  } else {
+    words.insert(words.end(), {"--" + name, value});
+  }
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& then) {
+  first.insert(first.end(), then.begin(), then.end());
+  return first;
+}
+
+}  // namespace
+
+std::vector<std::string> Command::words(std::span<const std::string_view> but) const {
+  std::vector<std::string> operands;
+  std::vector<std::string> options;
+  for (const CLI::Option* option : std::as_const(*command_).get_options()) {
+    if (option->count() == 0) continue;
+    if (option->get_positional()) {
+      operands = joined(std::move(operands), option->results());
+      continue;
+    }
+    if (settable(*option).name.empty()) continue;  // what a settings file says has been given
+    const std::string& name = option->get_lnames().front();
+    if (std::find(but.begin(), but.end(), name) != but.end()) continue;
+    const bool is_flag = option->get_expected_max() == 0;
+    if (is_flag) options.push_back("--" + name);
+    for (const std::string& value : option->results())
+      if (!is_flag) add_option_words(name, value, options);
+  }
+  const auto is_like_option = [](const std::string& operand) { return operand.starts_with('-'); };
+  if (std::none_of(operands.begin(), operands.end(), is_like_option))
+    return joined({name()}, joined(std::move(operands), options));
+  options.emplace_back("--");
+  return joined({name()}, joined(std::move(options), operands));
+}
+
+namespace {
+
 std::vector<KnownCommand> known_commands(const CLI::App& app) {
   std::vector<KnownCommand> known;
   for (const CLI::App* command : app.get_subcommands({})) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/app/settings_file.h"
@@ -130,6 +131,10 @@ class Command {
   [[nodiscard]] const std::vector<std::string>& arguments() const;
 
   [[nodiscard]] RunWatch& watch() const;
+
+  /// The command line as it was read: the command's name, its operands, and each option, but for those named, by its
+  /// long name. Read again, it says the same.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but) const;
 
  private:
   CLI::App* command_;

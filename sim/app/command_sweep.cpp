@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <new>
@@ -17,6 +18,8 @@
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/report_option.h"
+#include "sim/app/shard_run.h"
+#include "sim/app/studies.h"
 #include "sim/app/study_files.h"
 #include "sim/app/sweep_options.h"
 #include "sim/app/sweep_progress.h"
@@ -44,6 +47,17 @@ study::WantedPoint wanted(const SweepOptions& options, const study::SweepJob& jo
   return {job.point, job.inputs, !options.no_draw};
 }
 
+/// Jobs in parallel.
+void measure_jobs(const SweepOptions& options, const std::vector<study::SweepJob>& jobs,
+                  const std::function<void(SweepRow)>& finished) {
+  try {
+    study::measure_all(jobs, !options.no_draw, options.threads, finished);
+  } catch (const std::bad_alloc&) {
+    throw InputError(
+        fmt::format("there is not enough memory for {} points at once; take fewer --threads", options.threads));
+  }
+}
+
 /// Measures the points that the table has not, and returns all in their order. So they are in the file at the end,
 /// before what it has of other points.
 Rows complete(const SweepOptions& options, const std::vector<study::SweepJob>& jobs, Table& table) {
@@ -52,15 +66,10 @@ Rows complete(const SweepOptions& options, const std::vector<study::SweepJob>& j
     if (table.find(wanted(options, job)) == nullptr) missing.push_back(job);
   }
   SweepProgress progress(jobs.size(), jobs.size() - missing.size(), shows_progress(options.progress), options.threads);
-  try {
-    study::measure_all(missing, !options.no_draw, options.threads, [&](SweepRow row) {
-      table.add(std::move(row));
-      progress.done();
-    });
-  } catch (const std::bad_alloc&) {
-    throw InputError(
-        fmt::format("there is not enough memory for {} points at once; take fewer --threads", options.threads));
-  }
+  measure_jobs(options, missing, [&](SweepRow row) {
+    table.add(std::move(row));
+    progress.done();
+  });
   Rows rows;
   for (const study::SweepJob& job : jobs) rows.push_back(*table.find(wanted(options, job)));
   Rows all = rows;
@@ -142,15 +151,35 @@ report::Page page_of(const SweepOptions& options, const std::string& points) {
   return report::sweep_page(report::Json::parse(points), context);
 }
 
-void run(const SweepOptions& options, const Command& command) {
+void run_shard(const SweepOptions& options, const Command& command) {
   const std::vector<study::SweepJob> jobs = jobs_of(options);
+  measure_shard<SweepRow>(command, options.folder, *options.shard, wanted_of(options, jobs), options.progress,
+                          [&](const std::vector<std::size_t>& points, const auto& finished) {
+                            std::vector<study::SweepJob> missing;
+                            missing.reserve(points.size());
+                            for (const std::size_t i : points) missing.push_back(jobs[i]);
+                            measure_jobs(options, missing, finished);
+                          });
+}
+
+/// Rows that the table has or gets.
+Rows rows_of(const SweepOptions& options, const std::vector<study::SweepJob>& jobs,
+             const std::filesystem::path& table_path, Table& table) {
+  tell_stale(table_path, table.drop_stale(std::span<const study::WantedPoint>(wanted_of(options, jobs))));
+  return complete(options, jobs, table);
+}
+
+void run(const SweepOptions& options, const Command& command, const study::Gathered* gathered) {
+  if (options.shard) return run_shard(options, command);
+  std::vector<study::SweepJob> jobs;
+  if (gathered == nullptr) jobs = jobs_of(options);
   const StudyFolder folder(options.folder, "sweep", input_files(options.models, study::parse_words(options.machines)));
   ReportFile report(options.report, input_files(options.models, study::parse_words(options.machines)));
   const std::string title = title_of(command);
   const std::filesystem::path table_path = folder.path() / "sweep.csv";
   Table table(table_path, title);
-  tell_stale(table_path, table.drop_stale(std::span<const study::WantedPoint>(wanted_of(options, jobs))));
-  const Rows rows = complete(options, jobs, table);
+  const Rows rows =
+      gathered != nullptr ? put_rows(*gathered, table_path, table) : rows_of(options, jobs, table_path, table);
   const std::string points = study::points_json(title, rows);
   write_file(folder.path() / "sweep.json", points);
   for (const auto& [name, of_model] : by_model(rows)) {
@@ -165,9 +194,7 @@ void run(const SweepOptions& options, const Command& command) {
   refuse_failures(options, rows);
 }
 
-}  // namespace
-
-void add_sweep(CommandLine& line) {
+void add(CommandLine& line, const study::Gathered* gathered) {
   const auto options = std::make_shared<SweepOptions>();
   Command command = line.add(
       "sweep", "Show what memory bits buy: every strategy with every number of bits, in parallel",
@@ -179,7 +206,12 @@ void add_sweep(CommandLine& line) {
       "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is new.");
   options->add_to(command);
   command.prints_summary();
-  command.runs([options, command] { run(*options, command); });
+  command.runs([options, command, gathered] { run(*options, command, gathered); });
 }
+
+}  // namespace
+
+void add_sweep(CommandLine& line) { add(line, nullptr); }
+void gather_sweep(CommandLine& line, const study::Gathered& gathered) { add(line, &gathered); }
 
 }  // namespace csgsim::app

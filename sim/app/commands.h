@@ -20,6 +20,7 @@ namespace csgsim::app {
   COMMAND(sweep)                 \
   COMMAND(corpus)                \
   COMMAND(compare)               \
+  COMMAND(gather)                \
   COMMAND(subdivide)             \
   COMMAND(effects)               \
   COMMAND(levels)                \

@@ -27,19 +27,24 @@ Rows own_pictures(std::span<const ComparisonRow> rows) {
   return own;
 }
 
+/// Columns below a machine's name.
+std::size_t column_width(const ComparisonRow& row) { return std::max<std::size_t>(17, row.point.machine.size() + 2); }
+
 void print_bounds(const Rows& own) {
-  fmt::print("\n{:<18}{:<34}{:>9}{:>11}\n", "what bounds it", "", "share", "frames/s");
+  std::size_t width = 16;
+  for (const ComparisonRow* row : own) width = std::max(width, row->point.machine.size() + 1);
+  fmt::print("\n{:<{}}{:<34}{:>9}{:>11}\n", "what bounds it", width + 2, "", "share", "frames/s");
   for (const ComparisonRow* row : own) {
     if (row->bound_by.empty()) continue;
-    fmt::print("  {:<16}{:<34}{:>7.1f} %{:>11.4g}\n", row->point.machine, row->bound_by, 100.0 * row->bound_share,
-               row->frames_per_second);
+    fmt::print("  {:<{}}{:<34}{:>7.1f} %{:>11.4g}\n", row->point.machine, width, row->bound_by,
+               100.0 * row->bound_share, row->frames_per_second);
   }
 }
 
 /// The primitives of the first machine that are dearest, with their share on each.
 void print_dearest(const Rows& own) {
   fmt::print("\n{:<28}", "dearest primitives");
-  for (const ComparisonRow* row : own) fmt::print("{:>17}", row->point.machine);
+  for (const ComparisonRow* row : own) fmt::print("{:>{}}", row->point.machine, column_width(*row));
   fmt::print("\n");
   std::vector<std::uint64_t> rest;
   for (const ComparisonRow* row : own) rest.push_back(row->instruction_clocks);
@@ -48,18 +53,20 @@ void print_dearest(const Rows& own) {
     for (std::size_t i = 0; i < own.size(); ++i) {
       const auto found = std::ranges::find(own[i]->dearest, one.name, &study::DearPrimitive::name);
       if (found == own[i]->dearest.end()) {
-        fmt::print("{:>17}", "less");
+        fmt::print("{:>{}}", "less", column_width(*own[i]));
         continue;
       }
       rest[i] -= found->clocks;
-      fmt::print("{:>15.1f} %",
-                 100.0 * static_cast<double>(found->clocks) / static_cast<double>(own[i]->instruction_clocks));
+      fmt::print("{:>{}.1f} %",
+                 100.0 * static_cast<double>(found->clocks) / static_cast<double>(own[i]->instruction_clocks),
+                 column_width(*own[i]) - 2);
     }
     fmt::print("\n");
   }
   fmt::print("  {:<26}", "all else");
   for (std::size_t i = 0; i < own.size(); ++i)
-    fmt::print("{:>15.1f} %", 100.0 * static_cast<double>(rest[i]) / static_cast<double>(own[i]->instruction_clocks));
+    fmt::print("{:>{}.1f} %", 100.0 * static_cast<double>(rest[i]) / static_cast<double>(own[i]->instruction_clocks),
+               column_width(*own[i]) - 2);
   fmt::print("\n");
 }
 

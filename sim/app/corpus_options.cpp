@@ -13,6 +13,7 @@
 #include "sim/app/paths.h"
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
+#include "sim/app/shard_run.h"
 #include "sim/app/subjects.h"
 #include "sim/app/version.h"
 #include "sim/study/ranges.h"
@@ -117,6 +118,7 @@ void CorpusOptions::add_to(Command& command) {
   command.option("--threads", threads, "Points that are measured at the same time").between(1U, most_threads);
   report.add_to(command);
   command.flag("--no-plots", no_plots, "Do without plots (gnuplot)");
+  add_shard(command, shard);
   add_progress(command, progress);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "sim/app/model_options.h"
 #include "sim/app/report_option.h"
 #include "sim/study/corpus.h"
+#include "sim/study/shard.h"
 
 namespace csgsim::app {
 
@@ -20,6 +22,7 @@ struct CorpusOptions {
   std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5,multi-processor";
   std::string folder;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::optional<study::Shard> shard;
   bool no_plots = false;
   std::string progress = "auto";
   ReportOption report;

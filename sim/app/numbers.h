@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/base/text.h"
 #include "sim/app/usage.h"
 
 namespace csgsim::app {
@@ -31,13 +32,6 @@ std::vector<Number> numbers(const std::string& text, char separator, std::size_t
     at = last ? next : next + 1;
   }
   return values;
-}
-
-/// 1234567 as 1,234,567.
-inline std::string grouped(std::uint64_t value) {
-  std::string digits = std::to_string(value);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
 }
 
 /// `1 bit`, `1,234 bits`.

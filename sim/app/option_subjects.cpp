@@ -16,11 +16,12 @@ constexpr std::string_view varied = "What is varied or asked";
 constexpr std::string_view run = "The run";
 constexpr std::string_view outputs = "Outputs";
 constexpr std::string_view further = "Further options";
+constexpr std::string_view settings = "Settings files";
 constexpr std::string_view messages = "Messages";
 
 /// In the order of help.
 constexpr auto subjects = std::to_array<std::string_view>(
-    {varied, drawn, view, machine, algorithm, accuracy, run, outputs, further, messages});
+    {varied, drawn, view, machine, algorithm, accuracy, run, outputs, settings, further, messages});
 
 constexpr auto options = std::to_array<OptionSubject>({
     {drawn, "scene", "FILE"},
@@ -58,6 +59,11 @@ constexpr auto options = std::to_array<OptionSubject>({
     {accuracy, "edge-on", "PART"},
     {accuracy, "check", ""},
     {accuracy, "max-wrong-pixels", ""},
+    {varied, "max-bits", ""},
+    {varied, "min-fps", ""},
+    {varied, "min-colour-bits", ""},
+    {varied, "alu-bits", "LIST"},
+    {varied, "advice", ""},
     {varied, "pixel", "X,Y"},
     {varied, "probe", "X,Y|TREE"},
     {varied, "point", "X,Y,Z"},
@@ -82,6 +88,9 @@ constexpr auto options = std::to_array<OptionSubject>({
     {run, "checkpoint-every", ""},
     {run, "resume", "FILE"},
     {run, "no-draw", ""},
+    {run, "shard", "K/N"},
+    {run, "from", "FOLDER"},
+    {run, "anyway", ""},
     {outputs, "output", "FILE"},
     {outputs, "depth", "FILE"},
     {outputs, "owner", "FILE"},
@@ -89,6 +98,9 @@ constexpr auto options = std::to_array<OptionSubject>({
     {outputs, "json", "FILE"},
     {outputs, "report", "FILE"},
     {outputs, "no-plots", ""},
+    {outputs, "missing", ""},
+    {settings, "config", "FILE"},
+    {settings, "dump-config", ""},
     {messages, "progress", ""},
     {messages, "timing", ""},
     {messages, "no-stories", ""},
@@ -110,24 +122,11 @@ constexpr std::string_view studies = "Studies";
 constexpr std::string_view manuals = "Manuals";
 
 constexpr auto commands = std::to_array<CommandSubject>({
-    {drawing, "render"},
-    {drawing, "compile"},
-    {drawing, "run"},
-    {drawing, "disasm"},
-    {looking, "debug"},
-    {looking, "diff"},
-    {looking, "explain"},
-    {looking, "wave"},
-    {studies, "accuracy"},
-    {studies, "sweep"},
-    {studies, "compare"},
-    {studies, "effects"},
-    {studies, "levels"},
-    {studies, "subdivide"},
-    {studies, "bench"},
-    {manuals, "machines"},
-    {manuals, "isa"},
-    {manuals, "scene"},
+    {drawing, "render"},  {drawing, "compile"}, {drawing, "run"},       {drawing, "rerun"},  {drawing, "disasm"},
+    {looking, "debug"},   {looking, "diff"},    {looking, "explain"},   {looking, "wave"},   {studies, "accuracy"},
+    {studies, "sweep"},   {studies, "advise"},  {studies, "compare"},   {studies, "corpus"}, {studies, "gather"},
+    {studies, "effects"}, {studies, "levels"},  {studies, "subdivide"}, {studies, "bench"},  {manuals, "machines"},
+    {manuals, "isa"},     {manuals, "scene"},
 });
 
 }  // namespace

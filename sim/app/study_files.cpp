@@ -46,7 +46,7 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
 }
 
 constexpr auto without_effect =
-    std::to_array<std::string_view>({"output", "threads", "progress", "no-plots", "report", "quiet"});
+    std::to_array<std::string_view>({"output", "threads", "progress", "no-plots", "report", "quiet", "shard"});
 
 }  // namespace
 
@@ -65,6 +65,8 @@ std::string study_title(const Command& command, const std::set<std::string>& but
   }
   return title;
 }
+
+std::vector<std::string> study_words(const Command& command) { return command.words(without_effect); }
 
 std::string told_of(const std::string& model, const std::string& reason) {
   return reason.starts_with(model) ? reason : model + ": " + reason;

@@ -4,6 +4,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "hw/base/folder_lock.h"
 #include "sim/app/command_line.h"
@@ -28,6 +29,9 @@ class StudyFolder {
 /// `csgsim STUDY` with the options that are not as they are by default, but for those named and those that change no
 /// result (the output, threads, progress, plots): tells what a table is of.
 std::string study_title(const Command& command, const std::set<std::string>& but);
+
+/// The same as words that the command line reads again, operands included.
+std::vector<std::string> study_words(const Command& command);
 
 /// The reason, behind the model's name if it does not begin with that.
 std::string told_of(const std::string& model, const std::string& reason);

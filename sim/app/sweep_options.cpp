@@ -17,6 +17,7 @@
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
 #include "sim/app/sets.h"
+#include "sim/app/shard_run.h"
 #include "sim/app/subjects.h"
 #include "sim/app/version.h"
 #include "sim/study/ranges.h"
@@ -134,6 +135,7 @@ void SweepOptions::add_to(Command& command) {
   command.option("--threads", threads, "Points that are measured at the same time").between(1U, most_threads);
   command.flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
   command.flag("--no-plots", no_plots, "Do without plots (gnuplot)");
+  add_shard(command, shard);
   report.add_to(command);
   add_progress(command, progress);
 }

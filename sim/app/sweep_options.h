@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
 #include "sim/app/report_option.h"
+#include "sim/study/shard.h"
 #include "sim/study/sweep_run.h"
 
 namespace csgsim::app {
@@ -25,6 +27,7 @@ struct SweepOptions {
   std::string prunings = "all";
   std::string folder;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::optional<study::Shard> shard;
   bool no_draw = false;
   bool no_plots = false;
   ReportOption report;

@@ -183,7 +183,8 @@ std::uint64_t DenseLoop::execute(const isa::Instruction& instruction) {
   std::uint64_t steps = 0;
   for (sequencer_.begin(instruction); sequencer_.busy(); ++steps) {
     const array::BitStep step = sequencer_.issue();
-    if (step.root.token.active()) tree_bit(columns, static_cast<unsigned>(step.root.token.bit));
+    if (columns.columns != nullptr && step.root.token.active())
+      tree_bit(columns, static_cast<unsigned>(step.root.token.bit));
     alu_step(step.pixels);
   }
   return steps;

@@ -23,8 +23,8 @@ constexpr long double same_part = 1e-9L;
 constexpr long double nudge_right = 1e-9L;
 constexpr long double nudge_down = 1e-10L;
 
-/// Sine of the angle to the vertical below which +x is to the right.
-constexpr long double vertical = 1e-12L;
+/// Sine of the angle to the camera's upward direction below which +y is upwards.
+constexpr long double along_up = 1e-12L;
 
 class LongCamera {
  public:
@@ -35,8 +35,9 @@ class LongCamera {
         middle_y_((static_cast<long double>(height) - 1) / 2) {
     const LongVector view = LongVector(camera.centre) - eye_;
     forward_ = glm::normalize(view);
-    const LongVector across(forward_.y, -forward_.x, 0);
-    right_ = glm::length(across) > vertical ? glm::normalize(across) : LongVector(1, 0, 0);
+    const LongVector across = glm::cross(forward_, LongVector(camera.up));
+    const bool is_along = glm::length(across) <= along_up;
+    right_ = glm::normalize(is_along ? glm::cross(forward_, LongVector(0, 1, 0)) : across);
     up_ = glm::cross(right_, forward_);
     const long double tangent = std::tan(std::numbers::pi_v<long double> / 16);
     pixel_ = 2 * tangent / height * (perspective_ ? 1 : glm::length(view));

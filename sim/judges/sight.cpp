@@ -13,8 +13,8 @@ Real tangent_of_half_field() {
   return sqrt(4 + 2 * root) - root - 1;
 }
 
-/// Nearer to the vertical than this (sine of the angle) a view has +x to the right.
-constexpr double vertical = 1e-12;
+/// Nearer to the camera's upward direction than this (sine of the angle) a view has +y upwards.
+constexpr double along_up = 1e-12;
 
 /// Rounding of three coefficients, two products and two sums stays below this part of the sum of their sizes.
 constexpr double filter_part = 0x1p-49;
@@ -35,8 +35,8 @@ Sight::Sight(const facet::PlaneTable& planes, const view::Camera& camera, std::u
       forward_(exactly(camera.centre) - exactly(camera.eye)),
       near_(perspective_ ? depth.near : 1.0) {
   const Real length = sqrt(dot(forward_, forward_).to_real());
-  right_ = {forward_[1], -forward_[0], Dyadic()};
-  if (sqrt(dot(right_, right_).to_real()) <= vertical * length) right_ = exactly({1, 0, 0});
+  right_ = cross(forward_, exactly(camera.up));
+  if (sqrt(dot(right_, right_).to_real()) <= along_up * length) right_ = cross(forward_, exactly({0, 1, 0}));
   up_ = cross(right_, forward_);
   const Real half_pixel = tangent_of_half_field() * length / height;
   right_step_ = Dyadic(Real(half_pixel / sqrt(dot(right_, right_).to_real())));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hw/base/text.h"
 #include "hw/machines/kind.h"
 
 namespace csgsim::sim {
@@ -35,7 +36,7 @@ std::optional<Bound> bound_of(const RunResult& result, const machines::Machine& 
   const double rate = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
   std::string sentence = fmt::format(
       "{} bounds the frame: it {} in {:.1f} % of the {} clocks from one frame to the next, {:.4g} frames a second",
-      with_article(most.part), most.does, 100.0 * share_of(most, result), result.interval_clocks, rate);
+      with_article(most.part), most.does, 100.0 * share_of(most, result), grouped(result.interval_clocks), rate);
   if (loads.size() > 1 && loads[1].clocks > 0)
     sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], result));
   return Bound{most.part, share_of(most, result), sentence};

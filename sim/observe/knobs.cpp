@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "hw/base/error.h"
+#include "hw/base/text.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
 
@@ -114,8 +115,8 @@ std::string option_of(const std::string& word, const Change& change) {
 
 std::string worth(const Knob& knob) {
   const double saved = 1.0 - static_cast<double>(knob.clocks_after) / static_cast<double>(knob.clocks_before);
-  return fmt::format("{} clocks from one frame to the next instead of {}, {:.1f} % fewer", knob.clocks_after,
-                     knob.clocks_before, 100.0 * saved);
+  return fmt::format("{} clocks from one frame to the next instead of {}, {:.1f} % fewer", grouped(knob.clocks_after),
+                     grouped(knob.clocks_before), 100.0 * saved);
 }
 
 std::vector<Knob> that_help(std::vector<Knob> knobs) {

@@ -17,7 +17,7 @@ constexpr double between_panels = 24;
 constexpr double mark_size = 9;
 constexpr double small_mark_size = 5;
 constexpr std::size_t many_points = 60;  ///< of a series, whose marks are small
-constexpr double longest_label = 150;
+constexpr double longest_label = 220;
 constexpr std::size_t numbers_in_key = 24;
 
 double panel_height(std::size_t panels) { return panels == 1 ? 360 : panels == 2 ? 230 : 170; }

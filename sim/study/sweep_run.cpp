@@ -8,7 +8,6 @@
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/machines/area.h"
-#include "hw/machines/regions.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
@@ -53,8 +52,7 @@ void count(const isa::Program& program, const machines::Machine& machine, SweepR
   row.tree_depth = program.facts.compile.tree_depth;
   row.classification_bits = program.facts.compile.stack_bits;
   row.used_bits = sim::used_memory_bits(program);
-  const std::uint32_t shown = machines::second_buffer(isa::frame_header(program).colour.width, machine).width;
-  row.pixel_transistors = machines::pixel_transistors(machine, row.used_bits + shown);
+  row.pixel_transistors = machines::pixel_transistors(machine, row.used_bits);
   row.memory_map = memory_map(program);
 }
 

@@ -1,5 +1,6 @@
 #include "sim/waves/record.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -58,7 +59,7 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
                      " have no waves; take another --machine");
   }
   const std::uint64_t first = hardware->skip_to(program, {request.windows.front().begin, request.windows.back().end});
-  const auto picoseconds = static_cast<std::uint64_t>(period.to_seconds() * 1e12 + 0.5);
+  const auto picoseconds = static_cast<std::uint64_t>(std::llround(period.to_seconds() * 1e12));
   recorder.arm(wave::VcdWriter(recording.top, recording.taps, picoseconds, request.write), request.windows, first,
                true);
   Nobody nobody;

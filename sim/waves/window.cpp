@@ -84,6 +84,7 @@ Belongs belongs_to(const WindowRequest& request, const isa::Program& program) {
   }
   if (request.kind == WindowRequest::Kind::purpose) {
     std::vector<std::string_view> names;
+    names.reserve(std::size(isa::purpose_table));
     for (const isa::PurposeInfo& row : isa::purpose_table) names.push_back(row.name);
     return [index = index_of("purpose", request.name, names)](const isa::Instruction& one) {
       return static_cast<std::size_t>(one.origin.purpose) == index;

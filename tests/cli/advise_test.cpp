@@ -179,7 +179,7 @@ TEST_CASE("wishes and ranges of advise that make no sense are refused before any
   misused(ask + "--min-fps fast", "not a number");
   misused(ask + "--min-fps=-2", "not a number");
   misused(ask + "--min-colour-bits 25", "24");
-  misused(ask + "--strategy auto", "there is no 'auto'");
+  misused(ask + "--strategy auto", "there is no strategy 'auto'");
   misused(ask + "--strategy lst", "did you mean list?");
   misused(ask + "--z-bits 3", "4 to 30");
   misused(ask + "--alu-bits 0", "1 to 32");

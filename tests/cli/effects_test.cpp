@@ -78,10 +78,10 @@ TEST_CASE("a scene that is wrong ends with its place and exit code 1, what is se
   const Outcome wrong = run(render + "--scene " + (folder / "scene.toml"));
   CHECK(wrong.code == 1);
   CHECK(wrong.err.find("scene.toml:1:") != std::string::npos);
-  CHECK(wrong.err.find("'effects.shadows'") != std::string::npos);
+  CHECK(wrong.err.find("there is no effect 'shadow'; did you mean shadows?") != std::string::npos);
   CHECK(one_line(wrong.err));
   CHECK(run(render + "--scene " + (folder / "none.toml")).code == 1);
-  misused(render + "--set effects.shadow.on=true", "effects.shadows");
+  misused(render + "--set effects.shadow.on=true", "did you mean shadows?");
   misused(render + "--set ambient.intensity=7", "ambient.intensity");
 }
 

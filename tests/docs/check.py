@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary"""
+"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary|tasks"""
 
 import collections
 import pathlib
@@ -12,6 +12,8 @@ import markdown
 import pages
 from runs import ROOT
 
+TASKS = "docs/tasks.md"
+MOST_COMMANDS = 3
 MOST_WORDS = 25
 MOST_WORDS_OF_A_TERM = 3  # longer ones are titles of books
 MOST_NOT_COVERED = 60  # numbers that look measured and whose reason is 'not covered'; it may only fall
@@ -29,6 +31,15 @@ def links():
                 yield f"{path}:{number}: there is no {target}"
             elif anchor and place.suffix == ".md" and anchor not in markdown.anchors(place.read_text(encoding="utf-8")):
                 yield f"{path}:{number}: {target} has no such heading"
+
+
+def tasks():
+    """No task takes more than three commands."""
+    for part in (ROOT / TASKS).read_text(encoding="utf-8").split("\n## ")[1:]:
+        title, _, body = part.partition("\n")
+        commands = re.findall(r"^    csgsim .*", body, re.MULTILINE)
+        if not 1 <= len(commands) <= MOST_COMMANDS:
+            yield f"{TASKS}: '{title}' takes {len(commands)} commands"
 
 
 def cells():
@@ -90,7 +101,7 @@ def glossary():
             yield f"docs/glossary.md: {line[:40]}... links to no page"
 
 
-CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary)}
+CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary, tasks)}
 
 
 def main():

@@ -69,7 +69,7 @@ judges::Errors errors_of(const Compiled& compiled) {
 /// Moved by a little that no pixel is a simple part of, so that nothing that is symmetric lies on pixel centres.
 view::Camera aside(const view::Camera& camera) {
   const glm::dvec3 by = glm::length(camera.eye - camera.centre) * glm::dvec3(0.00137, 0.00291, -0.00173);
-  return {camera.eye + by, camera.centre + by, camera.projection};
+  return {camera.eye + by, camera.centre + by, camera.projection, camera.up};
 }
 
 Verdict look_from(const std::string& csg, const std::vector<glm::dvec3>& directions, const Look& how) {

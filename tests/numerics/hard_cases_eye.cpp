@@ -101,3 +101,13 @@ TEST_CASE("straight down and straight up the picture is turned as documented, an
     CHECK(look(skew, {{1, 2 + 1e-9, 70}, {1, 2, 0}, projection}).wrong == 0);
   }
 }
+TEST_CASE("a camera that is rolled about its view sees the model turned, and right") {
+  const std::string skew = placed(rotation(12, 34), room);
+  for (const glm::dvec3 degrees : {glm::dvec3(55, 20, 25), glm::dvec3(90, 90, 0), glm::dvec3(180, 0, 33)}) {
+    for (const Projection projection : {orthographic, perspective}) {
+      csgsim::view::Camera camera = csgsim::view::gimbal_camera({1, 2, 0}, degrees, 70);
+      camera.projection = projection;
+      CHECK(look(skew, camera).wrong == 0);
+    }
+  }
+}

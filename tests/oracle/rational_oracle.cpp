@@ -36,10 +36,9 @@ class Eye {
       : perspective_(camera.projection == view::Projection::perspective), eye_(exactly(camera.eye)) {
     const Vector view = combine(exactly(camera.centre), -1, eye_);
     const Rational length = root(dot(view, view));
-    Vector across{view[1], -view[0], 0};
-    if (dot(across, across) == 0) across = {1, 0, 0};
-    const Vector upward{across[1] * view[2] - across[2] * view[1], across[2] * view[0] - across[0] * view[2],
-                        across[0] * view[1] - across[1] * view[0]};
+    Vector across = normal_of(view, exactly(camera.up));
+    if (dot(across, across) == 0) across = normal_of(view, {0, 1, 0});
+    const Vector upward = normal_of(across, view);
     const Real angle = boost::math::constants::pi<Real>() / 16;
     const Rational pixel = Rational(Real(2 * tan(angle) / height)) * (perspective_ ? Rational(1) : length);
     forward_ = combine({0, 0, 0}, 1 / length, view);
@@ -59,6 +58,11 @@ class Eye {
   [[nodiscard]] const Vector& down() const { return down_; }
 
  private:
+  /// At right angles to both, right of the first where the second is up.
+  static Vector normal_of(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
   static Rational root(const Rational& square) { return Rational(Real(sqrt(Real(square)))); }
 
   bool perspective_;

@@ -230,6 +230,16 @@ TEST_CASE("points measured in parallel are those measured one by one, with the s
   CHECK(study::measure(all.front(), false).picture.empty());
 }
 
+TEST_CASE("the colour of a second buffer takes its bits' transistors, once") {
+  study::SweepJob job = jobs().front();
+  const study::SweepRow one = study::measure(job, false);
+  job.machine = kinds::load("pixel-planes-4+scan_out.buffers=2+array.memory_bits=128");
+  job.machine.array.width = job.machine.array.height = 40;
+  const study::SweepRow two = study::measure(job, false);
+  CHECK(two.used_bits == one.used_bits + 24);
+  CHECK(two.pixel_transistors == machines::pixel_transistors(job.machine, one.used_bits + 24));
+}
+
 TEST_CASE("a point that does not fit says why, and its neighbours are measured") {
   std::vector<study::SweepJob> all = jobs();
   all[1].machine.array.memory_bits = 40;

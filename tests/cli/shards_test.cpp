@@ -1,0 +1,427 @@
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+const std::string two_cubes =
+    "difference() { cube(size = [8, 6, 4], center = true); multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,2],[0,0,0,1]]) { "
+    "sphere(r = 2, $fn = 8); } }\n";
+
+Words study(const std::string& command) {
+  if (command == "sweep") return {"sweep", "a.csg", "b.csg", "--size=24x20", "--z-bits", "16,20", "--threads", "2"};
+  if (command == "accuracy") return {"accuracy", "a.csg", "--size", "8x8", "--views", "1", "--without", "hidden,near"};
+  return {"compare", "a.csg", "--camera", "-20,-30,25,0,0,0", "--sides", "16,24", "--fragments", "5,8"};
+}
+
+Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+Words shard(unsigned number, unsigned count) {
+  return {"--shard", std::to_string(number) + "/" + std::to_string(count)};
+}
+
+void write_models(const Folder& folder) {
+  write(folder / "a.csg", two_cubes);
+  write(folder / "b.csg", two_cubes + two_cubes);
+}
+
+/// Everything in a study's folder but its shards, by name.
+std::map<std::string, std::string> results(const std::string& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != "shards") files[entry.path().filename()] = content(entry.path());
+  return files;
+}
+
+Words shard_files(const std::string& folder) {
+  Words files;
+  for (const auto& entry : fs::directory_iterator(folder + "/shards")) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+std::size_t rows_in(const std::string& file) {
+  const std::string text = content(file);
+  const auto lines = std::ranges::count(text, '\n');
+  return lines < 2 ? 0 : static_cast<std::size_t>(lines) - 2;
+}
+
+std::size_t rows(const std::string& folder) {
+  std::size_t sum = 0;
+  for (const std::string& file : shard_files(folder)) sum += rows_in(file);
+  return sum;
+}
+
+/// A process that runs csgsim meanwhile.
+pid_t start(const Words& words, const fs::path& where) {
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child > 0) return child;
+  const Outcome outcome = run_words(words, where);
+  std::_Exit(outcome.code);
+}
+
+int code_of(pid_t process) {
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void run_shards(const Words& words, unsigned count, const fs::path& where) {
+  for (unsigned number = 1; number <= count; ++number) {
+    const Outcome outcome = run_words(words + shard(number, count), where);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.empty());
+  }
+}
+
+void refuses_to_gather(const Words& words, const fs::path& where, const Words& texts) {
+  const Outcome outcome = run_words(Words{"gather"} + words, where);
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.out.empty());
+  CHECK(one_line(outcome.err));
+  for (const std::string& text : texts) {
+    CAPTURE(text);
+    CHECK(outcome.err.find(text) != std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("shards that are gathered are what one process makes, byte for byte, without models and machines at hand") {
+  for (const std::string command : {"sweep", "accuracy", "compare"}) {
+    CAPTURE(command);
+    const Folder folder;
+    write_models(folder);
+    const Outcome one = run_words(study(command) + Words{"--no-plots", "-o", "out"}, folder.path());
+    REQUIRE(one.code == 0);
+    const std::map<std::string, std::string> wanted = results(folder / "out");
+    REQUIRE(wanted.size() == 2);
+    for (const unsigned count : {1U, 2U, 3U, 7U}) {
+      CAPTURE(count);
+      fs::remove_all(folder / "out");
+      write_models(folder);
+      run_shards(study(command) + Words{"-o", "out"}, count, folder.path());
+      CHECK(results(folder / "out").empty());
+      fs::remove(folder / "a.csg");
+      fs::remove(folder / "b.csg");
+      const Outcome gathered = run_words({"gather", "out", "--no-plots"}, folder.path());
+      CHECK(gathered.code == 0);
+      CHECK(gathered.err.empty());
+      CHECK(gathered.out == one.out);
+      CHECK(results(folder / "out") == wanted);
+      // Once more, over what is there.
+      CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+      CHECK(results(folder / "out") == wanted);
+    }
+  }
+}
+
+TEST_CASE("plots of shards that are gathered are those of one process") {
+  for (const std::string command : {"sweep", "compare"}) {
+    CAPTURE(command);
+    const Folder folder;
+    write_models(folder);
+    REQUIRE(run_words(study(command) + Words{"-o", "one"}, folder.path()).code == 0);
+    run_shards(study(command) + Words{"-o", "out"}, 2, folder.path());
+    REQUIRE(run_words({"gather", "out"}, folder.path()).code == 0);
+    CHECK(results(folder / "one").size() > 4);
+    CHECK(results(folder / "out") == results(folder / "one"));
+  }
+}
+
+TEST_CASE("shards in folders of their own are gathered into another, from which the study goes on by itself") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep = study("sweep") + Words{"--no-plots"};
+  REQUIRE(run_words(sweep + Words{"-o", "one"}, folder.path()).code == 0);
+  REQUIRE(run_words(sweep + Words{"-o", "here"} + shard(1, 2), folder.path()).code == 0);
+  REQUIRE(run_words(sweep + Words{"-o", "there"} + shard(2, 2), folder.path()).code == 0);
+  refuses_to_gather({"here", "--no-plots"}, folder.path(), {"shard 2 of 2 is not done"});
+  CHECK(run_words({"gather", "here", "there"}, folder.path()).code == 2);
+  REQUIRE(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()).code == 0);
+  CHECK(results(folder / "out") == results(folder / "one"));
+  // As one process that finds all points in its table.
+  CHECK(run_words(sweep + Words{"-o", "out"}, folder.path()).code == 0);
+  CHECK(results(folder / "out") == results(folder / "one"));
+}
+
+TEST_CASE("shards that are missing are named with the commands that make them") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep = study("sweep") + Words{"-o", "out"};
+  REQUIRE(run_words(sweep + Words{"--no-plots"}, folder.path()).code == 0);
+  const std::map<std::string, std::string> wanted = results(folder / "out");
+  fs::remove_all(folder / "out");
+  for (const unsigned number : {2U, 5U}) REQUIRE(run_words(sweep + shard(number, 6), folder.path()).code == 0);
+  refuses_to_gather(
+      {"out"}, folder.path(),
+      {"out: ", "shards 1,3-4,6 of 6 are not done", "csgsim sweep --shard 1/6 -o out a.csg b.csg --z-bits"});
+  const Outcome missing = run_words({"gather", "out", "--missing"}, folder.path());
+  CHECK(missing.code == 0);
+  std::istringstream commands(missing.out);
+  std::size_t count = 0;
+  for (std::string command; std::getline(commands, command); ++count) {
+    REQUIRE(command.starts_with("csgsim "));
+    const Outcome outcome =
+        run_program("/bin/sh", {"-c", std::string(CSGSIM_BINARY_DIR) + "/" + command}, folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+  }
+  CHECK(count == 4);
+  CHECK(run_words({"gather", "out", "--missing"}, folder.path()).out.empty());
+  REQUIRE(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  CHECK(results(folder / "out") == wanted);
+}
+
+TEST_CASE("a shard's command is the same again whatever its words are") {
+  const Folder folder;
+  const std::string name = "- it's,\"odd\" \xff.csg";
+  write(folder / name, two_cubes);
+  const Words compare{"compare",     "--camera=-20,-30,25,0,0,0",
+                      "--sides",     "",
+                      "--fragments", "5",
+                      "--without",   "near",
+                      "--set",       "background.colour=1,0,0",
+                      "--set",       "lights.0.direction=0,0,-1",
+                      "--machines",  "scan-line"};
+  const Words operand{"--", name};
+  REQUIRE(run_words(compare + Words{"-o", "one", "--no-plots"} + operand, folder.path()).code == 0);
+  REQUIRE(run_words(compare + Words{"-o", "out"} + shard(1, 2) + operand, folder.path()).code == 0);
+  const Outcome missing = run_words({"gather", "out", "--missing"}, folder.path());
+  REQUIRE(missing.out.starts_with("csgsim compare --shard 2/2 -o out "));
+  // $'...' is of shells that are more than the standard asks for.
+  const Outcome other =
+      run_program("/bin/bash", {"-c", std::string(CSGSIM_BINARY_DIR) + "/" + missing.out}, folder.path());
+  CAPTURE(other.err);
+  REQUIRE(other.code == 0);
+  REQUIRE(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  CHECK(results(folder / "out") == results(folder / "one"));
+}
+
+TEST_CASE("shards of several studies, or twice the same shard, are not gathered") {
+  const Folder folder;
+  write_models(folder);
+  const Words accuracy = study("accuracy");
+  run_shards(accuracy + Words{"-o", "out"}, 2, folder.path());
+  const Words whole = shard_files(folder / "out");
+  REQUIRE(whole.size() == 2);
+  const auto add_shard = [&](const Words& words, const std::string& name) {
+    fs::remove_all(folder / "other");
+    REQUIRE(run_words(words + Words{"-o", "other"}, folder.path()).code == 0);
+    fs::copy_file(shard_files(folder / "other").front(), folder / ("out/shards/" + name));
+  };
+  const auto refused = [&](const Words& texts) {
+    refuses_to_gather({"out", "--no-plots"}, folder.path(), texts);
+    for (const std::string& file : shard_files(folder / "out"))
+      if (std::ranges::find(whole, file) == whole.end()) fs::remove(file);
+    CHECK(results(folder / "out").empty());
+  };
+
+  add_shard(accuracy + shard(3, 4), "x.csv");
+  refused({"shard 3/4", "shard 1/2", "of 4 and of 2 shards"});
+  add_shard(accuracy + Words{"--z-bits", "16"} + shard(1, 2), "x.csv");
+  refused({"of different commands", "--z-bits 16", "one study at a time"});
+  add_shard(study("sweep") + shard(1, 2), "x.csv");
+  refused({"of different commands"});
+  write(folder / "a.csg", two_cubes + two_cubes);
+  add_shard(accuracy + shard(2, 2), "x.csv");
+  refused({"the model changed between them", "x.csv"});
+  write_models(folder);
+
+  // Another build of csgsim.
+  std::string older = content(whole[1]);
+  const std::size_t version = older.find(",0.1.0 ");
+  REQUIRE(version < older.find('\n'));
+  write(folder / "out/shards/x.csv", older.replace(version, 7, ",0.0.9 "));
+  refused({"csgsim changed between them"});
+
+  // What two processes of one shard both measured has to be equal.
+  fs::copy_file(whole[1], folder / "out/shards/x.csv");
+  CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  fs::remove(folder / "out/accuracy.csv");
+  fs::remove(folder / "out/accuracy.json");
+  std::string wrong = content(whole[1]);
+  wrong.replace(wrong.rfind(',') + 1, 1, "7");
+  write(folder / "out/shards/x.csv", wrong);
+  refused({"different results for point"});
+
+  // Each shard is in one place.
+  fs::copy(folder / "out", folder / "copy", fs::copy_options::recursive);
+  refuses_to_gather({"out", "copy", "-o", "both"}, folder.path(), {"shard 1/2 is in out and in copy", "leave one"});
+
+  // A shard has no points of another.
+  const std::string other = content(whole[0]);
+  const std::size_t row = other.find('\n', other.find('\n') + 1) + 1;
+  write(folder / "out/shards/x.csv", content(whole[1]) + other.substr(row, other.find('\n', row) + 1 - row));
+  refused({"is of shard 1/2", "x.csv"});
+  write(folder / "out/shards/x.csv", "knob,value\n");
+  refused({"x.csv:1:1: this is no shard"});
+  refuses_to_gather({"nowhere"}, folder.path(), {"nowhere: no shards of a study are there"});
+}
+
+TEST_CASE("gather does not write over points that the shards do not have") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep{"sweep", "a.csg", "--size", "24x20", "--no-plots", "-o", "out", "--strategy"};
+  REQUIRE(run_words(sweep + Words{"parallel"}, folder.path()).code == 0);
+  const std::string before = content(folder / "out/sweep.csv");
+  REQUIRE(run_words(sweep + Words{"stack,list"} + shard(1, 1), folder.path()).code == 0);
+  refuses_to_gather({"out"}, folder.path(), {"sweep.csv: has points that the shards do not have", "-o"});
+  CHECK(content(folder / "out/sweep.csv") == before);
+}
+
+TEST_CASE("a shard of a model that has changed since is told and measured anew; another study is refused") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep = study("sweep") + Words{"-o", "out"};
+  run_shards(sweep, 2, folder.path());
+  write(folder / "a.csg", two_cubes + two_cubes);
+  for (const unsigned number : {1U, 2U}) {
+    const Outcome outcome = run_words(sweep + shard(number, 2), folder.path());
+    CHECK(outcome.code == 0);
+    CHECK(one_line(outcome.err));
+    CHECK(outcome.err.find("the model has changed") != std::string::npos);
+  }
+  REQUIRE(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  REQUIRE(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()).code == 0);
+  CHECK(results(folder / "out") == results(folder / "one"));
+  const Outcome other = run_words(sweep + Words{"--no-draw"} + shard(1, 2), folder.path());
+  CHECK(other.code == 1);
+  CHECK(other.err.find("holds a shard of another study, sweep a.csg b.csg") != std::string::npos);
+}
+
+TEST_CASE("a shard that was killed goes on where it stopped, and nothing is measured twice") {
+  const Folder folder;
+  const Words sweep{"sweep", model("carburettor"), "--size", "300x300",    "--strategy", "bits", "--stack-bits",
+                    "3..14", "--threads",          "1",      "--no-plots", "-o",         "out"};
+  const fs::path where = folder.path();
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    REQUIRE(::chdir(where.c_str()) == 0);
+    Words all = Words{std::string(CSGSIM_BINARY_DIR) + "/csgsim"} + sweep + shard(1, 1);
+    std::vector<char*> arguments;
+    for (std::string& word : all) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    ::execv(arguments.front(), arguments.data());
+    std::_Exit(127);
+  }
+  const auto measured = [&] { return fs::exists(folder / "out/shards") ? rows(folder / "out") : 0; };
+  for (int wait = 0; wait < 6000 && measured() < 3; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ::kill(child, SIGKILL);
+  CHECK(code_of(child) == -1);
+  const Words left = shard_files(folder / "out");
+  REQUIRE(left.size() == 1);
+  CHECK(rows_in(left.front()) >= 3);
+  CHECK(rows_in(left.front()) < 12);
+  // Half a line, as of a machine that lost its power.
+  std::string text = content(left.front());
+  write(left.front(), text + text.substr(text.rfind('\n', text.size() - 2) + 1, 30));
+  REQUIRE(run_words(sweep + shard(1, 1), where).code == 0);
+  CHECK(shard_files(folder / "out").size() == 2);
+  CHECK(rows(folder / "out") == 12);
+  REQUIRE(run_words({"gather", "out", "--no-plots"}, where).code == 0);
+  REQUIRE(run_words(Words(sweep.begin(), sweep.end() - 1) + Words{"one"}, where).code == 0);
+  CHECK(results(folder / "out") == results(folder / "one"));
+}
+
+TEST_CASE("the same shard in several processes at the same time does no harm") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep = study("sweep") + Words{"-o", "out"};
+  REQUIRE(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()).code == 0);
+  std::vector<pid_t> processes;
+  for (int i = 0; i < 4; ++i) processes.push_back(start(sweep + shard(1, 1), folder.path()));
+  for (const pid_t process : processes) CHECK(code_of(process) == 0);
+  CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  CHECK(results(folder / "out") == results(folder / "one"));
+}
+
+TEST_CASE("a shard without points does nothing, and gather misses none") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack", "-o", "out"};
+  std::size_t empty = 0;
+  for (const unsigned number : {1U, 2U}) {
+    const Outcome outcome = run_words(sweep + shard(number, 2), folder.path());
+    CHECK(outcome.code == 0);
+    if (outcome.out.find(": 0 of the 1 points") != std::string::npos) ++empty;
+  }
+  CHECK(empty == 1);
+  CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+}
+
+TEST_CASE("a point that does not fit is a row of its shard, and gather ends as one process does") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep{"sweep", "a.csg", "--size", "24x20", "--memory-bits", "30", "-o", "out", "--no-plots"};
+  const Outcome one = run_words(sweep, folder.path());
+  CHECK(one.code == 1);
+  fs::remove_all(folder / "out");
+  run_shards(sweep, 2, folder.path());
+  const Outcome gathered = run_words({"gather", "out", "--no-plots"}, folder.path());
+  CHECK(gathered.code == 1);
+  CHECK(gathered.err == one.err);
+  CHECK(gathered.out == one.out);
+}
+
+TEST_CASE("shards that there are not are refused with the mend") {
+  const Folder folder;
+  for (const std::string command : {"sweep", "accuracy", "compare"}) {
+    const std::string words = command + " " + model("old_example011") + " -o " + (folder / "s") + " --shard ";
+    misused(words + "0/4", "no shard 0 of 4; they are 1/4 to 4/4");
+    misused(words + "5/4", "no shard 5 of 4; they are 1/4 to 4/4");
+    misused(words + "a/b", "'a/b' is no shard; take k/n, as 3/16");
+    misused(words + "3", "take k/n");
+    misused(words + "1/0", "0 shards are not within 1 to");
+    misused(words + "-1/4", "take k/n");
+    misused(words + "1/2/3", "take k/n");
+  }
+  misused("gather", "FOLDER");
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("the scripts of docs/cluster take the shard that their launcher means") {
+  const Folder folder;
+  write_models(folder);
+  const std::string scripts = std::string(CSGSIM_SOURCE_DIR) + "/docs/cluster/";
+  const std::string path = "PATH=" + std::string(CSGSIM_BINARY_DIR) + ":$PATH ";
+  const std::string words = " sweep a.csg --size 24x20 -o out";
+  const auto runs = [&](const std::string& command) {
+    fs::remove_all(folder / "out");
+    return run_program("/bin/sh", {"-c", "unset OMPI_COMM_WORLD_RANK PMI_RANK SLURM_PROCID; " + path + command},
+                       folder.path());
+  };
+  CHECK(runs("SLURM_ARRAY_TASK_ID=3 SLURM_ARRAY_TASK_COUNT=2 " + scripts + "array.sh 4" + words)
+            .out.starts_with("shard 3/4: "));
+  CHECK(runs("OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=5 " + scripts + "rank.sh" + words)
+            .out.starts_with("shard 1/5: "));
+  CHECK(runs("PMI_RANK=4 PMI_SIZE=5 " + scripts + "rank.sh" + words).out.starts_with("shard 5/5: "));
+  CHECK(runs("SLURM_PROCID=1 SLURM_STEP_NUM_TASKS=2 " + scripts + "rank.sh" + words).out.starts_with("shard 2/2: "));
+  // A batch script has a SLURM_PROCID without srun.
+  const Outcome alone = runs("SLURM_PROCID=0 " + scripts + "rank.sh" + words);
+  CHECK(alone.code == 2);
+  CHECK(alone.err.find("start it with mpirun or srun") != std::string::npos);
+}

@@ -1,0 +1,48 @@
+"""Pages that are typed: all of their commands are run, one after the other, as they stand there; what they print is
+shown."""
+
+from runs import ROOT
+
+NOT_RUN = ("./setup.sh", "export PATH")  # of whoever reads it; a test has a build already
+MOST_LINES = 12
+VARIES = ("simulated in",)
+
+
+class Steps:
+    """The indented code of a page, a text for each stretch of lines, in a folder where `links` of the repository are."""
+
+    def __init__(self, page, links, not_run=()):
+        self.page = page
+        self.links = links
+        self.not_run = NOT_RUN + tuple(not_run)
+
+    def texts(self):
+        found, lines, is_printed = [], [], False
+        for line in (ROOT / self.page).read_text(encoding="utf-8").splitlines() + [""]:
+            is_printed ^= line.startswith("```")
+            if line.startswith("    ") and not is_printed:
+                lines.append(line[4:])
+            elif lines:
+                found.append("\n".join(each for each in lines if not each.startswith(self.not_run)))
+                lines = []
+        return [text for text in found if text]
+
+    def script(self):
+        """A command for bash: what step N prints goes to $OUT/N.txt."""
+        links = "".join(f"ln -s {ROOT}/{link} {link}\n" for link in self.links)
+        return f"cd $OUT; {links}" + "\n".join(f"{{\n{text}\n}} > {n}.txt" for n, text in enumerate(self.texts()))
+
+    def printed(self, figures, number, most=MOST_LINES):
+        """What a step prints: its first lines, without what depends on the machine's speed."""
+        return self.lines(figures, number, 0, most)
+
+    def lines(self, figures, number, first, most=MOST_LINES):
+        """So many lines of what a step prints, from a line on, counted from 0, or from the one that begins so."""
+        text = (self.folder(figures) / f"{number}.txt").read_text(encoding="utf-8")
+        lines = [line.rstrip() for line in text.splitlines() if not line.startswith(VARIES)]
+        begin = int(first) if str(first).isdigit() else next(i for i, line in enumerate(lines) if line.startswith(first))
+        return "\n".join(["```", *"\n".join(lines[begin : begin + int(most)]).rstrip().splitlines(), "```"])
+
+    def folder(self, figures):
+        """Where the files are that the commands make."""
+        return figures.runs.run(self.script()).folder

@@ -1,0 +1,93 @@
+/// Fails the n-th write, fsync, rename, ... of a shard, one at a time: it goes on from what is left.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hw/base/address_sanitizer.h"
+#include "tests/cli/cli.h"
+#include "tests/faults/child.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using csgsim::testing::cli::content;
+using csgsim::testing::cli::Folder;
+using csgsim::testing::faults::Conditions;
+using csgsim::testing::faults::Ended;
+using csgsim::testing::faults::run_csgsim;
+
+std::vector<std::string> sweep(const std::string& out, const std::vector<std::string>& more) {
+  std::vector<std::string> words{
+      "sweep", csgsim::testing::cli::model("old_example011"), "--size", "8x8", "--threads", "1", "--no-plots", "-o",
+      out};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+Ended run_with(const std::vector<std::string>& words, const std::string& fault, const std::string& report) {
+  Conditions conditions;
+  conditions.environment = {{"LD_PRELOAD", CSGSIM_FAULT_LIBRARY}, {"CSGSIM_FAULT_REPORT", report}};
+  if (!fault.empty()) conditions.environment["CSGSIM_FAULT"] = fault;
+#if CSGSIM_ADDRESS_SANITIZER
+  conditions.environment["ASAN_OPTIONS"] = "verify_asan_link_order=0";
+#endif
+  return run_csgsim(words, conditions);
+}
+
+std::map<std::string, std::size_t> calls(const std::string& report) {
+  std::map<std::string, std::size_t> counts;
+  std::ifstream file(report);
+  std::string word;
+  std::string kind;
+  for (std::size_t count = 0; file >> word >> kind >> count;) counts[kind] = count;
+  return counts;
+}
+
+/// Half-written files would have such names.
+std::size_t partial_files(const fs::path& folder) {
+  std::size_t count = 0;
+  if (!fs::exists(folder)) return 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().filename().native().starts_with(".csgsim-")) ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a shard leaves whole rows, and goes on from them, whichever call fails") {
+  const Folder folder;
+  const std::string report = folder / "report";
+  const std::string out = folder / "out";
+  REQUIRE(run_csgsim(sweep(folder / "one", {}), {}).code == 0);
+  const std::string wanted = content(folder / "one/sweep.csv");
+  REQUIRE(run_with(sweep(folder / "counted", {"--shard", "1/1"}), "", report).code == 0);
+  std::map<std::string, std::size_t> counts = calls(report);
+  REQUIRE(counts["write"] >= 3);
+  REQUIRE(counts["fsync"] >= 3);
+  for (const std::string trial :
+       {"write ENOSPC", "write SHORT", "fsync EIO", "rename EIO", "open EMFILE", "mkdir ENOSPC", "close EIO"}) {
+    const std::string kind = trial.substr(0, trial.find(' '));
+    // The last ones of `write` are of what is printed.
+    for (std::size_t n = 1; n <= std::min<std::size_t>(counts[kind], 5); ++n) {
+      const std::string fault = kind + ":" + std::to_string(n) + ":" + trial.substr(kind.size() + 1);
+      CAPTURE(fault);
+      fs::remove_all(out);
+      fs::remove(report);
+      const Ended ended = run_with(sweep(out, {"--shard", "1/1"}), fault, report);
+      CAPTURE(ended.err);
+      CHECK(content(report).starts_with("failed "));
+      CHECK(ended.code == 1);
+      CHECK(csgsim::testing::cli::one_line(ended.err));
+      CHECK(partial_files(out) == 0);
+      REQUIRE(run_csgsim(sweep(out, {"--shard", "1/1"}), {}).code == 0);
+      REQUIRE(run_csgsim({"gather", out, "--no-plots"}, {}).code == 0);
+      CHECK(content(out + "/sweep.csv") == wanted);
+    }
+  }
+}
