@@ -98,7 +98,8 @@ std::string trace_path(plots::Trace trace, const std::vector<Place>& places, con
   for (std::size_t i = 1; i < places.size(); ++i)
     path += is_steps ? fmt::format("H{:.1f}V{:.1f}", places[i].x, places[i].y)
                      : fmt::format("L{:.1f} {:.1f}", places[i].x, places[i].y);
-  if (is_steps) path += fmt::format("H{:.1f}", frame.right);
+  const bool goes_left = places.back().x < places.front().x;
+  if (is_steps) path += fmt::format("H{:.1f}", goes_left ? frame.left : frame.right);
   return path;
 }
 

@@ -18,13 +18,15 @@ std::string html_of(const report::Section& section) {
   return report::to_html({"t", "c", report::Json::object(), {section}});
 }
 
-plots::Chart chart(plots::Trace trace) {
-  return {"title", {"x"}, {{"y"}}, {{"one", 0, trace, {{0, 0}, {5, 10}, {10, 20}}}}, "t.csv"};
-}
+const std::vector<plots::Point> points{{0, 0}, {5, 10}, {10, 20}};
+
+plots::Chart chart(plots::Trace trace) { return {"title", {"x"}, {{"y"}}, {{"one", 0, trace, points}}, "t.csv"}; }
 
 /// The path that joins the points of the wide picture.
-std::string path_of(plots::Trace trace) {
-  const plots::Plot plot{"name", chart(trace)};
+std::string path_of(plots::Trace trace, bool is_backward = false) {
+  plots::Chart shown = chart(trace);
+  if (is_backward) std::ranges::reverse(shown.series.front().points);
+  const plots::Plot plot{"name", shown};
   const std::string html = html_of(report::plots_section({&plot, 1}));
   const std::string begin = "<path class=line d=\"";
   const std::size_t at = html.find(begin);
@@ -42,6 +44,11 @@ TEST_CASE(
   const std::string steps = path_of(plots::Trace::steps);
   CHECK(count(steps, 'V') == 2);
   CHECK(count(steps, 'H') == 3);
+  // To the right where x grows, to the left where it falls.
+  const std::string backward = path_of(plots::Trace::steps, true);
+  const auto end = [](const std::string& path) { return std::stod(path.substr(path.rfind('H') + 1)); };
+  CHECK(end(steps) > 500);
+  CHECK(end(backward) < 100);
   CHECK(path_of(plots::Trace::marks) == "");
   const std::string level = path_of(plots::Trace::level);
   CHECK(level.substr(0, 1) == "M");
