@@ -148,7 +148,7 @@ std::string given_words(const AdviseOptions& options, const Command& command) {
 std::vector<std::string> own_options() {
   return {"max-bits",    "max-wrong-pixels", "min-fps",    "min-colour-bits", "z-bits",   "fraction-bits",
           "colour-bits", "strategy",         "stack-bits", "colouring",       "alu-bits", "machine",
-          "output",      "threads",          "no-plots",   "progress",        "set"};
+          "output",      "threads",          "no-plots",   "progress",        "set",      "report"};
 }
 
 AdviceQuestion question_of(const AdviseOptions& options) {
@@ -174,6 +174,20 @@ std::string render_command(const AdviseOptions& options, const Command& command,
                       point.strategy);
   if (point.stack_bits > 0) text += fmt::format(" --stack-bits {}", point.stack_bits);
   return text + " --check" + words_of("output", picture);
+}
+
+report::Picture picture_of(const AdviseOptions& options, const study::AdviceRow& row, const std::string& caption) {
+  const study::AdvicePoint& point = row.point;
+  ModelOptions model = options.model;
+  model.machine = machine_name(options, point.alu_bits);
+  model.memory_bits = row.memory_bits;
+  model.z_bits = point.z_bits;
+  model.fraction_bits = point.fraction_bits;
+  model.colour_bits = point.colour_bits;
+  model.colouring = point.colouring;
+  model.strategy = point.strategy;
+  if (point.stack_bits > 0) model.stack_bits = point.stack_bits;
+  return picture_of(model, machine_of(model), caption);
 }
 
 void AdviseOptions::add_to(Command& command) {
@@ -212,6 +226,7 @@ void AdviseOptions::add_to(Command& command) {
            "Searched: numbers, bits that a pixel's ALU works on in a clock; the machine's own if not given");
   command.option("-o,--output", folder, "Folder for advise.csv, advise.json and the plot; nothing is kept if not given")
       .check(not_empty);
+  report.add_to(command);
   command.option("--threads", threads, "Choices that are measured at the same time").between(1U, most_threads);
   command.flag("--no-plots", no_plots, "Do without the plot (gnuplot)");
   add_progress(command, progress);

@@ -9,6 +9,7 @@
 
 #include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
+#include "sim/app/report_option.h"
 #include "sim/study/advice_run.h"
 
 namespace csgsim::app {
@@ -31,6 +32,7 @@ struct AdviseOptions {
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool no_plots = false;
   std::string progress = "auto";
+  ReportOption report;
 
   void add_to(Command& command);
 };
@@ -48,6 +50,9 @@ struct AdviceQuestion {
 
 /// Reads the model and the machine. Throws InputError, or UsageError for an ALU that the machine has not.
 AdviceQuestion question_of(const AdviseOptions& options);
+
+/// The model as the choice draws it.
+report::Picture picture_of(const AdviseOptions& options, const study::AdviceRow& row, const std::string& caption);
 
 /// `csgsim render` with all options that draw the choice, on a machine with just its memory, and judge it; its picture
 /// is called `picture`.

@@ -149,7 +149,7 @@ report::Page page_of(const Options& options, const std::string& points, const st
   std::vector<std::string> front;
   for (const study::Measurement& row : study::pareto_front(of_both(rows))) front.push_back(row.value);
   return report::accuracy_page(report::Json::parse(points), front,
-                               study_context(options.report, options.model, machine_of(options.model)));
+                               study_context(options.report, options.model, {{machine_of(options.model)}}));
 }
 
 void run_shard(const Options& options, const Command& command) {

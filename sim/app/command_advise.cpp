@@ -6,11 +6,13 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
@@ -138,6 +140,24 @@ study::Advice advice_of(const AdviseOptions& options, const Command& command, co
   return advice;
 }
 
+/// A picture of each choice that is recommended, which may be the best by several wishes.
+std::vector<report::Picture> pictures_of(const AdviseOptions& options, const study::Advice& advice) {
+  std::vector<std::pair<AdviceRow, std::string>> choices;
+  const auto add = [&](const AdviceRow& row, const std::string& name) {
+    const auto known = std::ranges::find(choices, row, &std::pair<AdviceRow, std::string>::first);
+    if (known == choices.end()) {
+      choices.emplace_back(row, name);
+    } else {
+      known->second += ", " + name;
+    }
+  };
+  for (const study::Recommendation& one : advice.recommendations) add(one.row, study::recommendation_name(one.wish));
+  if (advice.nearest) add(*advice.nearest, "nearest to all wishes");
+  std::vector<report::Picture> pictures;
+  for (const auto& [row, name] : choices) pictures.push_back(picture_of(options, row, name));
+  return pictures;
+}
+
 void refuse_failures(const Rows& rows, const study::Advice& advice, const study::Wishes& wishes) {
   if (std::any_of(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.unexplained > 0; }))
     throw InputError(
@@ -148,6 +168,7 @@ void refuse_failures(const Rows& rows, const study::Advice& advice, const study:
 
 void run(const AdviseOptions& options, const Command& command) {
   const AdviceQuestion question = question_of(options);
+  ReportFile report(options.report, options.model.inputs());
   std::optional<StudyFolder> folder;
   std::optional<Table> table;
   const std::string title = title_of(options, command);
@@ -168,8 +189,15 @@ void run(const AdviseOptions& options, const Command& command) {
                  rows, question.wishes);
   print_front(rows, question.wishes);
   print_advice(advice, question.wishes);
+  const std::string json = folder || report.asked() ? study::advice_json(title, question.wishes, rows, advice) : "";
+  if (report.asked())
+    report.write(report::advise_page(
+        report::Json::parse(json),
+        study::plot_of_advice(rows, question.wishes, advice.recommendations, study::plot_stem(options.model.model)),
+        pictures_of(options, advice),
+        plain_study_context(options.report, options.model.model, {{machine_of(options.model)}})));
   if (folder) {
-    write_file(folder->path() / "advise.json", study::advice_json(title, question.wishes, rows, advice));
+    write_file(folder->path() / "advise.json", json);
     if (!options.no_plots)
       study::draw_advice_plot(rows, question.wishes, advice.recommendations, study::plot_stem(options.model.model),
                               folder->path());

@@ -220,8 +220,10 @@ void refuse_differences(const Rows& rows) {
 
 /// With a picture of the model on the first machine.
 report::Page page_of(const Options& options, const std::string& points) {
-  const machines::Machine first = machine_named(options, study::parse_words(options.machines).front());
-  return report::compare_page(report::Json::parse(points), study_context(options.report, options.model, first));
+  std::vector<machines::Machine> machines;
+  for (const std::string& name : with_figures(study::parse_words(options.machines), options.model.sets))
+    machines.push_back(machine_named(options, name));
+  return report::compare_page(report::Json::parse(points), study_context(options.report, options.model, machines));
 }
 
 std::filesystem::path folder_of(const Options& options) {

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
@@ -142,6 +145,19 @@ void refuse_failures(const Rows& rows) {
   if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "corpus.csv"));
 }
 
+report::Page page_of(const CorpusOptions& options, const Rows& rows, const std::string& points) {
+  ModelOptions model = options.view;
+  std::vector<machines::Machine> machines;
+  for (const std::string& name : study::parse_words(options.machines)) {
+    model.machine = name;
+    machines.push_back(machine_of(model));
+  }
+  report::StudyContext context = plain_study_context(options.report, rows.front().point.model, machines);
+  const std::size_t models = by_model(rows).size();
+  if (models > 1) context.model = counted(models, "model");
+  return report::corpus_page(report::Json::parse(points), study::plots_of_corpus(rows), context);
+}
+
 std::vector<study::WantedCorpusPoint> wanted_of(const std::vector<study::CorpusJob>& jobs) {
   std::vector<study::WantedCorpusPoint> wanted;
   wanted.reserve(jobs.size());
@@ -169,16 +185,20 @@ Rows rows_of(const CorpusOptions& options, const std::filesystem::path& table_pa
 
 void run(const CorpusOptions& options, const Command& command, const study::Gathered* gathered) {
   if (options.shard) return run_shard(options, command);
-  const StudyFolder folder(options.folder, "corpus",
-                           input_files(corpus_files(options.models), study::parse_words(options.machines)));
+  const std::vector<std::filesystem::path> inputs =
+      input_files(corpus_files(options.models), study::parse_words(options.machines));
+  const StudyFolder folder(options.folder, "corpus", inputs);
+  ReportFile report(options.report, inputs);
   const std::string title = study_title(command, {"machines"});
   const std::filesystem::path table_path = folder.path() / "corpus.csv";
   Table table(table_path, title);
   const Rows rows = gathered != nullptr ? put_rows(*gathered, table_path, table) : rows_of(options, table_path, table);
-  write_file(folder.path() / "corpus.json", study::corpus_json(title, rows));
+  const std::string points = study::corpus_json(title, rows);
+  write_file(folder.path() / "corpus.json", points);
   print_rows(rows);
   print_distributions(rows);
   if (!options.no_plots) study::draw_corpus(rows, folder.path());
+  if (report.asked()) report.write(page_of(options, rows, points));
   fmt::print("\n{}: corpus.csv, corpus.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) of clocks and frames a second");
   refuse_failures(rows);

@@ -208,7 +208,8 @@ report::Page page_of(const Options& options, const Bill& bill) {
                                         picture(bill.none, "without any effect")};
   for (std::size_t i = 0; i < bill.without.size(); ++i)
     pictures.push_back(picture(bill.without[i], "without " + bill.rows[i + 1].name));
-  return report::effects_page(to_json(bill), std::move(pictures), study_context(options.report, options.model.model));
+  return report::effects_page(to_json(bill), std::move(pictures),
+                              plain_study_context(options.report, options.model.model, {{machine_of(options.model)}}));
 }
 
 void run(const Options& options) {

@@ -162,35 +162,6 @@ std::vector<GivenOption> Command::given() const {
   return given;
 }
 
-std::vector<GivenOption> Command::settings() const {
-  std::vector<GivenOption> settings;
-  for (const CLI::Option* option : std::as_const(*command_).get_options()) {
-    if (option->get_positional() || option->get_lnames().empty() || option == command_->get_help_ptr()) continue;
-    const std::string given = fmt::format("{}", fmt::join(option->results(), ","));
-    const std::string value = option->count() > 0 ? given : option->get_default_str();
-    if (!value.empty()) settings.push_back({option->get_lnames().front(), value, option->count() == 0});
-  }
-  return settings;
-}
-
-std::string Command::typed() const {
-  std::string operands;
-  std::string options;
-  for (const CLI::Option* option : std::as_const(*command_).get_options()) {
-    const bool is_flag = option->get_items_expected_max() == 0;
-    if (option->count() > 0 && is_flag) options += " --" + option->get_lnames().front();
-    if (is_flag) continue;
-    for (const std::string& value : option->results()) {
-      if (option->get_positional()) {
-        operands += " " + shell_word(value.size() > 1 && value.front() == '-' ? "./" + value : value);
-      } else {
-        options += fmt::format(" --{} {}", option->get_lnames().front(), shell_word(value));
-      }
-    }
-  }
-  return "csgsim " + name() + operands + options;
-}
-
 namespace {
 
 /// A value that begins with a dash would be taken for an option.

@@ -132,11 +132,6 @@ class Command {
 
   [[nodiscard]] RunWatch& watch() const;
 
-  /// The same with those that were not given but have a value by default.
-  [[nodiscard]] std::vector<GivenOption> settings() const;
-
-  /// The command with all that was given, operands first and long names, for a POSIX shell.
-  [[nodiscard]] std::string typed() const;
   /// The command line as it was read: the command's name, its operands, and each option, but for those named, by its
   /// long name. Read again, it says the same.
   [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but) const;

@@ -141,8 +141,12 @@ std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std
 report::Page page_of(const SweepOptions& options, const std::string& points) {
   ModelOptions model = options.view;
   model.model = options.models.front();
-  model.machine = study::parse_words(options.machines).front();
-  report::StudyContext context = study_context(options.report, model, machine_of(model));
+  std::vector<machines::Machine> machines;
+  for (const std::string& name : study::parse_words(options.machines)) {
+    model.machine = name;
+    machines.push_back(machine_of(model));
+  }
+  report::StudyContext context = study_context(options.report, model, machines);
   if (options.models.size() > 1) context.model = counted(options.models.size(), "model");
   return report::sweep_page(report::Json::parse(points), context);
 }

@@ -67,18 +67,6 @@ std::string value_of(const machines::Figure& figure, const machines::Machine& ma
   return is_number ? fmt::format("{}", row->load(machine)) : figure.value;
 }
 
-Json machine_json(const machines::Machine& machine) {
-  Json figures = Json::object();
-  for (const machines::Figure& figure : machine.figures) {
-    const std::string value = value_of(figure, machine);
-    Json entry{{"value", number_json<std::int64_t>(value)}};
-    if (!figure.unit.empty()) entry["unit"] = figure.unit;
-    entry["provenance"] = value == figure.value ? figure.provenance : "assumed";
-    figures[figure.key] = std::move(entry);
-  }
-  return {{"name", machine.name}, {"hash", study::hash_of(machine)}, {"figures", std::move(figures)}};
-}
-
 Json vector_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json camera_json(const RunSubject& subject) {
@@ -145,6 +133,18 @@ Json inputs_json(std::span<const std::filesystem::path> files) {
 }
 
 }  // namespace
+
+Json machine_json(const machines::Machine& machine) {
+  Json figures = Json::object();
+  for (const machines::Figure& figure : machine.figures) {
+    const std::string value = value_of(figure, machine);
+    Json entry{{"value", number_json<std::int64_t>(value)}};
+    if (!figure.unit.empty()) entry["unit"] = figure.unit;
+    entry["provenance"] = value == figure.value ? figure.provenance : "assumed";
+    figures[figure.key] = std::move(entry);
+  }
+  return {{"name", machine.name}, {"hash", study::hash_of(machine)}, {"figures", std::move(figures)}};
+}
 
 Json bytes_json(const std::string& bytes) {
   if (printable(bytes) == bytes) return bytes;

@@ -25,6 +25,9 @@ struct RunSubject {
 
 nlohmann::ordered_json configuration_of(const Command& command, const RunSubject& subject);
 
+/// The machine as it was used: `name`, `hash`, and `figures` with value, unit and provenance.
+nlohmann::ordered_json machine_json(const machines::Machine& machine);
+
 /// Of the bytes of a file; null of what can be read only once, as a pipe is. Throws InputError.
 nlohmann::ordered_json hash_of_file(const std::filesystem::path& file);
 

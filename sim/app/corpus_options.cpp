@@ -116,6 +116,7 @@ void CorpusOptions::add_to(Command& command) {
   view.add_view_to(command);
   command.option("--z-bits", view.z_bits, "Bits of depth");
   command.option("--threads", threads, "Points that are measured at the same time").between(1U, most_threads);
+  report.add_to(command);
   command.flag("--no-plots", no_plots, "Do without plots (gnuplot)");
   add_shard(command, shard);
   add_progress(command, progress);

@@ -9,6 +9,7 @@
 
 #include "sim/app/command_line.h"
 #include "sim/app/model_options.h"
+#include "sim/app/report_option.h"
 #include "sim/study/corpus.h"
 #include "sim/study/shard.h"
 
@@ -24,6 +25,7 @@ struct CorpusOptions {
   std::optional<study::Shard> shard;
   bool no_plots = false;
   std::string progress = "auto";
+  ReportOption report;
 
   void add_to(Command& command);
 };

@@ -1,13 +1,21 @@
 #include "sim/app/report_option.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/app/configuration.h"
 #include "sim/app/memory.h"
 #include "sim/app/paths.h"
 #include "sim/app/run_options.h"
+#include "sim/app/version.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/report/pictures.h"
@@ -22,16 +30,11 @@ std::string html_name(const std::string& name) {
   return ends_in(name, ".html") ? "" : "'" + name + "' has to end in .html";
 }
 
-/// As the model is drawn whatever a study varies.
-report::Picture picture_of(const ModelOptions& model, const machines::Machine& machine) {
-  const isa::Program program = compile_model(model, machine).program;
-  sim::FrameObserver frame(program);
-  sim::Observer* const observer = &frame;
-  const sim::RunResult result = with_memory_for_run({&program, 1}, machine.array, [&] {
-    return sim::make_functional_engine(machine)->run(program, {&observer, 1});
-  });
-  refuse_overflow(result);
-  return report::picture_of(frame.frame(), program, "The model as " + machine.name + " draws it", "The model");
+/// As words of a POSIX shell.
+std::string typed(const std::vector<std::string>& arguments) {
+  std::string line = "csgsim";
+  for (std::size_t i = 1; i < arguments.size(); ++i) line += " " + shell_word(arguments[i]);
+  return line;
 }
 
 }  // namespace
@@ -42,10 +45,13 @@ void ReportOption::add_to(Command& command) {
   command_ = command;
 }
 
-report::Context ReportOption::context() const {
-  report::Context context{command_->typed(), {}};
-  for (GivenOption& option : command_->settings())
-    context.options.emplace_back("--" + option.name, std::move(option.value));
+report::Context ReportOption::context(std::span<const machines::Machine> machines) const {
+  report::Context context{typed(command_->arguments()), {{"version", version_and_build()}}};
+  for (const OptionValue& option : command_->values()) {
+    if (option.is_operand || option.values.empty()) continue;
+    context.options.emplace_back("--" + option.name, fmt::format("{}", fmt::join(option.values, ",")));
+  }
+  for (const machines::Machine& machine : machines) context.machines.push_back(machine_json(machine));
   return context;
 }
 
@@ -61,15 +67,29 @@ void ReportFile::write(const report::Page& page) {
   file_->commit();
 }
 
-report::StudyContext study_context(const ReportOption& option, const std::string& model) {
-  return {option.context(), std::filesystem::path(model).filename().native(), std::nullopt, ""};
+report::Picture picture_of(const ModelOptions& model, const machines::Machine& machine, const std::string& caption) {
+  const isa::Program program = compile_model(model, machine).program;
+  sim::FrameObserver frame(program);
+  sim::Observer* const observer = &frame;
+  const sim::RunResult result = with_memory_for_run({&program, 1}, machine.array, [&] {
+    return sim::make_functional_engine(machine)->run(program, {&observer, 1});
+  });
+  refuse_overflow(result);
+  return report::picture_of(frame.frame(), program, caption, "The model: " + caption);
 }
 
-report::StudyContext study_context(const ReportOption& option, const ModelOptions& model, machines::Machine machine) {
-  report::StudyContext context = study_context(option, model.model);
+report::StudyContext plain_study_context(const ReportOption& option, const std::string& model,
+                                         std::span<const machines::Machine> machines) {
+  return {option.context(machines), std::filesystem::path(model).filename().native(), std::nullopt, ""};
+}
+
+report::StudyContext study_context(const ReportOption& option, const ModelOptions& model,
+                                   std::span<const machines::Machine> machines) {
+  report::StudyContext context = plain_study_context(option, model.model, machines);
+  machines::Machine machine = machines.front();
   machine.array.memory_bits = std::max(machine.array.memory_bits, study::ample_memory_bits);
   try {
-    context.picture = picture_of(model, machine);
+    context.picture = picture_of(model, machine, "The model as " + machine.name + " draws it");
   } catch (const InputError& error) {
     context.no_picture = error.what();
   }

@@ -21,7 +21,7 @@ struct ReportOption {
   [[nodiscard]] bool asked() const { return !file.empty(); }
 
   /// What the command was told: nothing before the command line has been read.
-  [[nodiscard]] report::Context context() const;
+  [[nodiscard]] report::Context context(std::span<const machines::Machine> machines = {}) const;
 
  private:
   std::optional<Command> command_;
@@ -41,10 +41,16 @@ class ReportFile {
   std::optional<OutputFile> file_;
 };
 
-/// What a study's page tells beside its points, with a picture of the model, which is drawn for it.
-report::StudyContext study_context(const ReportOption& option, const ModelOptions& model, machines::Machine machine);
+/// The model as the machine draws it.
+report::Picture picture_of(const ModelOptions& model, const machines::Machine& machine, const std::string& caption);
+
+/// What a study's page tells beside its points, with a picture of the model on the first machine, which is drawn for
+/// it.
+report::StudyContext study_context(const ReportOption& option, const ModelOptions& model,
+                                   std::span<const machines::Machine> machines);
 
 /// The same without a picture.
-report::StudyContext study_context(const ReportOption& option, const std::string& model);
+report::StudyContext plain_study_context(const ReportOption& option, const std::string& model,
+                                         std::span<const machines::Machine> machines);
 
 }  // namespace csgsim::app

@@ -35,6 +35,11 @@ inline constexpr std::array looks{
 };
 inline constexpr std::size_t most_series = looks.size();
 
+/// The same on a dark page: each near the hue of its look, with black as white.
+inline constexpr auto colours_on_dark = std::to_array<std::string_view>(
+    {"#4477b7", "#ffcf47", "#ea5f45", "#7bcdf9", "#057455", "#ffffff", "#e19fbe", "#ad8ef4"});
+static_assert(colours_on_dark.size() == looks.size());
+
 /// Of series that are not in the key, and of those behind the others.
 inline constexpr Look background{"#9a9a9a", "", Mark::disc};
 

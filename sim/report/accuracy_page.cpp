@@ -55,7 +55,7 @@ Plot front_plot(const std::vector<Json>& together, const std::vector<std::string
     return Point{point["clocks"].get<double>(), point["wrong"].get<double>(), point["value"].get<std::string>()};
   };
   Series best{"Pareto front", {}};
-  Series others{"other choices of z bits / fraction bits", {}, false};
+  Series others{"other choices of z bits / fraction bits", {}, plots::Trace::marks};
   for (const std::string& value : front) {
     const auto found =
         std::find_if(together.begin(), together.end(), [&](const Json& point) { return point["value"] == value; });

@@ -8,12 +8,6 @@ namespace {
 
 constexpr std::size_t most_elements = 16;
 
-std::string pointer_part(std::string key) {
-  for (std::size_t at = 0; (at = key.find_first_of("~/", at)) != std::string::npos; at += 2)
-    key.replace(at, 1, key[at] == '~' ? "~0" : "~1");
-  return key;
-}
-
 bool is_list_of_leaves(const Json& value) {
   if (!value.is_array() || value.size() > most_elements) return false;
   for (const Json& one : value)
@@ -22,9 +16,10 @@ bool is_list_of_leaves(const Json& value) {
 }
 
 void add_leaves(const Json& value, const std::string& at, const std::string& name, Table& table) {
+  if (value.is_null()) return;
   if (value.is_object() && !value.empty()) {
     for (const auto& [key, one] : value.items())
-      add_leaves(one, at + "/" + pointer_part(key), name.empty() ? key : name + "." + key, table);
+      add_leaves(one, child(at, key), name.empty() ? key : name + "." + key, table);
   } else if (value.is_array() && value.size() <= most_elements && !is_list_of_leaves(value)) {
     for (std::size_t i = 0; i < value.size(); ++i)
       add_leaves(value[i], at + "/" + std::to_string(i), name + "[" + std::to_string(i) + "]", table);
@@ -44,6 +39,18 @@ Table leaves(const Json& data, const std::string& at, const std::string& caption
   return table;
 }
 
+namespace {
+
+/// Its figures, with their units and where they are from.
+Table machine_table(const Json& machine) {
+  Table table{"Figures of " + machine.at("name").get<std::string>(), {"figure", "value", "unit", "from"}, {}, true};
+  for (const auto& [key, figure] : machine.at("figures").items())
+    table.rows.push_back({{key}, {figure.at("value")}, {figure.value("unit", "")}, {figure.at("provenance")}});
+  return table;
+}
+
+}  // namespace
+
 Section configuration_section(const Json& data, const Context& context) {
   Section section{"Configuration", {}};
   if (data.contains("configuration")) {
@@ -53,8 +60,7 @@ Section configuration_section(const Json& data, const Context& context) {
   Table options{"Options, given or by default", {"option", "value"}, {}, true};
   for (const auto& [name, value] : context.options) options.rows.push_back({{name}, {value}});
   section.parts.emplace_back(std::move(options));
-  if (data.contains("machine") && data["machine"].is_object())
-    section.parts.emplace_back(leaves(data, "/machine", "The machine, as it was used"));
+  for (const Json& machine : context.machines) section.parts.emplace_back(machine_table(machine));
   return section;
 }
 

@@ -12,9 +12,11 @@ namespace csgsim::report {
 struct Context {
   std::string command;                                       ///< with all that it was told, for a POSIX shell
   std::vector<std::pair<std::string, std::string>> options;  ///< names and values, given or by default
+  std::vector<Json> machines{};                              ///< as the `machine` of a stats file's configuration
 };
 
-/// The leaves of a part of the data as rows, named by their keys, `array.width`; long lists are told by their length.
+/// The leaves of a part of the data as rows, named by their keys, `array.width`, but for nulls; long lists are told by
+/// their length.
 Table leaves(const Json& data, const std::string& at, const std::string& caption);
 
 /// How the data came to be: `configuration` of the data where they hold it, else what the command was told.

@@ -35,7 +35,7 @@ Plot bill_plot(const std::vector<Json>& effects) {
       {"clocks", "billed"}, {"alone_clocks", "added alone"}, {"together_clocks", "spared without it"}};
   Plot plot{"Clocks of each effect", {"effect", false, words}, {"clocks"}, {}};
   for (const auto& [key, name] : bars) {
-    Series series{name, {}, false};
+    Series series{name, {}, plots::Trace::marks};
     for (const Json& effect : effects) {
       if (effect.contains(key))
         series.points.push_back({place_in(words, "effect")(effect), effect[key].get<double>(), ""});

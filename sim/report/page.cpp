@@ -4,6 +4,18 @@
 
 namespace csgsim::report {
 
+namespace {
+
+std::string pointer_part(std::string key) {
+  for (std::size_t at = 0; (at = key.find_first_of("~/", at)) != std::string::npos; at += 2)
+    key.replace(at, 1, key[at] == '~' ? "~0" : "~1");
+  return key;
+}
+
+}  // namespace
+
+std::string child(const std::string& at, const std::string& key) { return at + "/" + pointer_part(key); }
+
 Cell cell(const Json& data, const std::string& at, Show show) {
   const Json::json_pointer pointer(at);
   return data.contains(pointer) ? Cell{data.at(pointer), at, show} : Cell{};

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/plots/plot.h"
 #include "sim/report/drawing.h"
 
 namespace csgsim::report {
@@ -27,6 +28,9 @@ struct Cell {
 
 /// The value at a pointer of the data, or an empty cell where there is none.
 Cell cell(const Json& data, const std::string& at, Show show = Show::plain);
+
+/// The JSON pointer of a member of what stands at another.
+std::string child(const std::string& at, const std::string& key);
 
 /// Two whole numbers as a share; nothing of nothing is 0.
 Cell share(const Json& part, double whole);
@@ -60,7 +64,7 @@ struct Point {
 struct Series {
   std::string name;
   std::vector<Point> points;
-  bool line = true;  ///< the points are joined, in their order
+  plots::Trace trace = plots::Trace::line;  ///< points are in the order of the line
 };
 
 struct Plot {

@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstddef>
+#include <ranges>
+#include <string_view>
 
+#include "sim/plots/palette.h"
 #include "sim/report/drawing_html.h"
 #include "sim/report/html.h"
 #include "sim/report/page.h"
@@ -14,12 +18,55 @@ namespace csgsim::report {
 
 namespace {
 
-/// The marks of plots' points, about 10 pixels wide.
-constexpr const char* marks = R"(<svg width="0" height="0" aria-hidden="true"><defs>
-<circle id="m0" r="4.5"/><rect id="m1" x="-4.5" y="-4.5" width="9" height="9"/><path id="m2" d="M0-6L5.5 4H-5.5Z"/>
-<path id="m3" d="M0-6L6 0 0 6-6 0Z"/><path id="m4" d="M-5-2h3v-3h4v3h3v4h-3v3h-4v-3h-3Z"/><path id="m5" d="M0 6L-5.5-4H5.5Z"/>
-</defs></svg>
-)";
+using plots::palette::looks;
+
+/// A mark of plots' points, about 10 pixels wide.
+std::string_view shape_of(plots::palette::Mark mark) {
+  using enum plots::palette::Mark;
+  switch (mark) {
+    case disc: return R"(<circle r="4.5"/>)";
+    case square: return R"(<path d="M-4.5-4.5h9v9h-9Z"/>)";
+    case up: return R"(<path d="M0-6L5.5 4H-5.5Z"/>)";
+    case down: return R"(<path d="M0 6L-5.5-4H5.5Z"/>)";
+    case diamond: return R"(<path d="M0-6L6 0 0 6-6 0Z"/>)";
+    case pentagon: return R"(<path d="M0-5.5L5.2-1.7 3.2 4.5H-3.2L-5.2-1.7Z"/>)";
+    case ring: return R"(<circle class="hollow" r="4"/>)";
+    case box: return R"(<path class="hollow" d="M-4-4h8v8h-8Z"/>)";
+  }
+  return {};
+}
+
+std::string marks_html() {
+  std::string html = "<svg width=0 height=0 aria-hidden=true><defs>\n";
+  for (std::size_t i = 0; i < looks.size(); ++i) html += fmt::format("<g id=m{}>{}</g>", i, shape_of(looks[i].mark));
+  return html + "\n</defs></svg>\n";
+}
+
+/// A look's dash, which is in half pixels, as a style has it.
+std::string dash_in_pixels(std::string_view dash) {
+  if (dash.empty()) return "none";
+  std::string pixels;
+  for (const auto part : std::views::split(dash, ',')) {
+    unsigned halves = 0;
+    std::from_chars(part.data(), part.data() + part.size(), halves);
+    pixels += fmt::format("{}{:g}", pixels.empty() ? "" : " ", halves / 2.0);
+  }
+  return pixels;
+}
+
+/// Colours and dashes of series, of which page.css speaks as --s and --dash.
+std::string series_style() {
+  std::string light;
+  std::string dark;
+  std::string classes;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    light += fmt::format("--s{}:{};", i, looks[i].colour);
+    dark += fmt::format("--s{}:{};", i, plots::palette::colours_on_dark[i]);
+    classes +=
+        fmt::format(".s{0}{{--s:var(--s{0})}}.d{0} .line{{stroke-dasharray:{1}}}\n", i, dash_in_pixels(looks[i].dash));
+  }
+  return fmt::format(":root{{{}}}\n@media (prefers-color-scheme:dark){{:root{{{}}}}}\n{}", light, dark, classes);
+}
 
 /// The page asks for nothing from elsewhere, whatever the texts in it say.
 constexpr const char* policy =
@@ -68,9 +115,9 @@ std::string to_html(const Page& page) {
       "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta http-equiv=Content-Security-Policy "
       "content=\"{}\">\n<meta name=viewport content=\"width=device-width, initial-scale=1\">\n<meta name=color-scheme "
       "content=\"light dark\">\n<title>{}</title>\n<link rel=icon "
-      "href=\"data:,\">\n<style>\n{}</style>\n</head>\n<body>\n",
-      policy, html_text(page.title), page_style);
-  html += marks;
+      "href=\"data:,\">\n<style>\n{}{}</style>\n</head>\n<body>\n",
+      policy, html_text(page.title), page_style, series_style());
+  html += marks_html();
   html += fmt::format(
       "<header><h1>{}</h1>\n<pre class=command id=command tabindex=0 aria-label=\"The "
       "command\">{}</pre>\n{}</header>\n<main>\n",

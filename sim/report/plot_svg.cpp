@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim/plots/palette.h"
 #include "sim/report/html.h"
 #include "sim/report/number_text.h"
 #include "sim/report/scale.h"
@@ -14,11 +15,6 @@
 namespace csgsim::report {
 
 namespace {
-
-// page.css has as many of each; together they differ in all series of a plot.
-constexpr std::size_t colours = 5;
-constexpr std::size_t dashes = 4;
-constexpr std::size_t marks = 6;
 
 /// A picture's pixels, where a window is at least so wide.
 struct Layout {
@@ -32,6 +28,11 @@ constexpr Layout layouts[] = {{"wide", 620, 340, 8}, {"narrow", 350, 300, 6}};
 constexpr unsigned y_ticks = 6;
 constexpr double character = 7.4;  ///< pixels, of text of 13 pixels
 constexpr double line = 18;        ///< pixels
+
+struct Place {
+  double x;
+  double y;
+};
 
 struct Frame {
   double left;
@@ -78,7 +79,29 @@ std::string tip_of(const Plot& plot, const Series& series, const Point& point) {
                      value_text(plot.y, point.y));
 }
 
-std::string style_of(std::size_t index) { return fmt::format("s{} d{}", index % colours, index % dashes); }
+/// Colours come round again with other dashes and marks.
+std::size_t form_of(std::size_t index) {
+  return (index + index / plots::palette::most_series) % plots::palette::most_series;
+}
+
+std::string style_of(std::size_t index) {
+  return fmt::format("s{} d{}", index % plots::palette::most_series, form_of(index));
+}
+
+/// What joins points at these places of the picture.
+std::string trace_path(plots::Trace trace, const std::vector<Place>& places, const Frame& frame) {
+  if (trace == plots::Trace::marks) return "";
+  if (trace == plots::Trace::level)
+    return fmt::format("M{:.1f} {:.1f}H{:.1f}", frame.left, places.front().y, frame.right);
+  std::string path = fmt::format("M{:.1f} {:.1f}", places.front().x, places.front().y);
+  const bool is_steps = trace == plots::Trace::steps;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    path += is_steps ? fmt::format("H{:.1f}V{:.1f}", places[i].x, places[i].y)
+                     : fmt::format("L{:.1f} {:.1f}", places[i].x, places[i].y);
+  const bool goes_left = places.back().x < places.front().x;
+  if (is_steps) path += fmt::format("H{:.1f}", goes_left ? frame.left : frame.right);
+  return path;
+}
 
 /// The title below an axis, in two lines where one is too long.
 std::string title_svg(const std::string& title, const Frame& frame) {
@@ -117,17 +140,17 @@ std::string grid_svg(const Plot& plot, const Scale& x, const Scale& y, const Fra
 
 std::string series_svg(const Plot& plot, std::size_t index, const Scale& x, const Scale& y, const Frame& frame) {
   const Series& series = plot.series[index];
-  std::string path;
+  std::vector<Place> places;
   std::string points;
   for (const Point& point : series.points) {
     const double px = frame.left + x.at(point.x) * (frame.right - frame.left);
     const double py = frame.bottom - y.at(point.y) * (frame.bottom - frame.top);
-    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", px, py);
+    places.push_back({px, py});
     points += fmt::format("<g class=pt><title>{}</title><use href=\"#m{}\" x={:.1f} y={:.1f} /></g>",
-                          html_text(tip_of(plot, series, point)), index % marks, px, py);
+                          html_text(tip_of(plot, series, point)), form_of(index), px, py);
   }
-  const std::string joined =
-      series.line && series.points.size() > 1 ? fmt::format("<path class=line d=\"{}\"/>", path) : "";
+  const std::string path = places.empty() ? "" : trace_path(series.trace, places, frame);
+  const std::string joined = path.empty() ? "" : fmt::format("<path class=line d=\"{}\"/>", path);
   return fmt::format("<g class=\"series {}\">{}{}</g>", style_of(index), joined, points);
 }
 
@@ -152,11 +175,11 @@ std::string legend_html(const Plot& plot) {
   if (plot.series.size() < 2) return "";
   std::string html = "<ul class=legend>";
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    const char* const stroke = plot.series[i].line ? "<path class=line d=\"M2 8H38\"/>" : "";
+    const char* const stroke = plot.series[i].trace != plots::Trace::marks ? "<path class=line d=\"M2 8H38\"/>" : "";
     html += fmt::format(
         "<li><svg width=40 height=16 aria-hidden=true><g class=\"series {}\">{}<use href=\"#m{}\" x=20 y=8 "
         "/></g></svg>{}</li>",
-        style_of(i), stroke, i % marks, html_text(plot.series[i].name));
+        style_of(i), stroke, form_of(i), html_text(plot.series[i].name));
   }
   return html + "</ul>\n";
 }

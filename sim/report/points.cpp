@@ -10,6 +10,16 @@
 
 namespace csgsim::report {
 
+namespace {
+
+/// Anything but nothing, or no words.
+bool holds_something(const Json& point, const std::string& key) {
+  if (!point.contains(key) || point[key].is_null()) return false;
+  return !point[key].is_string() || !point[key].get_ref<const std::string&>().empty();
+}
+
+}  // namespace
+
 std::string word_of(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   return value.is_number() ? number_text(value.get<double>())
@@ -28,10 +38,7 @@ Table points_table(const Json& data, const std::string& at, const std::string& c
   Table table{caption, {}, {}};
   std::vector<PointColumn> shown;
   for (const PointColumn& column : columns) {
-    if (!any([&](const Json& point) {
-          return point.contains(column.key) && !point[column.key].is_null() && point[column.key] != "";
-        }))
-      continue;
+    if (!any([&](const Json& point) { return holds_something(point, column.key); })) continue;
     shown.push_back(column);
     table.columns.emplace_back(column.title);
   }

@@ -25,8 +25,6 @@ double whole_clocks(const Json& data) {
   return whole;
 }
 
-std::string pointer(const std::string& at, const std::string& key) { return at + "/" + key; }
-
 /// Whole counts of keys of the data that are there, a row each.
 Table summary(const Json& data) {
   constexpr std::pair<const char*, const char*> rows[] = {
@@ -61,7 +59,7 @@ Table account_of(const Json& data, const std::string& at, const char* caption, c
   Table table{caption, {what, "clocks", "share", "instructions", "pixel operations", "of these enabled"}, {}};
   const Json& account = data.at(Json::json_pointer(at));
   for (const auto& [name, cost] : account.items()) {
-    const std::string here = pointer(at, name);
+    const std::string here = child(at, name);
     table.rows.push_back({{name},
                           cell(data, here + "/clocks"),
                           share(cost["clocks"], whole),
@@ -83,7 +81,7 @@ Table parts_of_machine(const Json& data) {
       std::string words = activity;
       std::replace(words.begin(), words.end(), '_', ' ');
       table.rows.push_back(
-          {{part}, {words}, cell(data, "/account/parts/" + part + "/" + activity), share(clocks, whole)});
+          {{part}, {words}, cell(data, child(child("/account/parts", part), activity)), share(clocks, whole)});
     }
   }
   return table;

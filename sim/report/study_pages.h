@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "sim/plots/plot.h"
 #include "sim/report/configuration.h"
 #include "sim/report/page.h"
 
@@ -26,6 +28,13 @@ void end_page(Page& page, const StudyContext& study);
 Page accuracy_page(const Json& file, const std::vector<std::string>& front, const StudyContext& study);
 Page sweep_page(const Json& file, const StudyContext& study);
 Page compare_page(const Json& file, const StudyContext& study);
+
+/// The page of advise.json, without the points that it searched, which are thousands. The pictures are those of what is
+/// recommended.
+Page advise_page(const Json& file, const plots::Plot& front, std::vector<Picture> pictures, const StudyContext& study);
+
+/// The page of corpus.json, with its plots.
+Page corpus_page(const Json& file, std::span<const plots::Plot> plots, const StudyContext& study);
 
 /// The page of effects.json. The pictures are with all effects, with none, and without each.
 Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyContext& study);

@@ -95,14 +95,17 @@ Page sweep_page(const Json& file, const StudyContext& study) {
   Page page = begun_page("What memory bits buy: " + study.model, file, study);
   std::vector<Json> all(page.data["points"].begin(), page.data["points"].end());
   Section plots{"Plots", {}};
-  for (const std::string& model : words_of(all, "model")) {
+  const std::vector<std::string> models = words_of(all, "model");
+  for (const std::string& model : models) {
     std::vector<Json> points;
     for (const Json& point : all)
       if (word_of(point["model"]) == model) points.push_back(point);
     add_plots(std::filesystem::path(model).filename().native(), points, plots.parts);
   }
   page.sections.push_back(std::move(plots));
-  page.sections.push_back({"Points", {points_table(page.data, "/points", "All that was measured", columns)}});
+  // The name of the only model is the page's title.
+  const std::span shown = std::span(columns).first(std::size(columns) - (models.size() == 1 ? 1 : 0));
+  page.sections.push_back({"Points", {points_table(page.data, "/points", "All that was measured", shown)}});
   end_page(page, study);
   return page;
 }

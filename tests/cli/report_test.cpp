@@ -102,6 +102,7 @@ TEST_CASE("the page of each study has the numbers of its file") {
       {"sweep" + of + "--strategy stack,bits --stack-bits 3,4 --pruning all,none --no-plots", "sweep.json"},
       {"compare" + of + "--machines pixel-planes-4,scan-line --sides 16 --fragments 3 --no-plots", "compare.json"},
       {"compare" + of + "--machines pixel-planes-4 --ideal", "compare.json"},
+      {"corpus" + of + model("thesis_fig_2_3") + " --machines pixel-planes-4,scan-line --no-plots", "corpus.json"},
       {"effects" + of + "--scene " + std::string(CSGSIM_SOURCE_DIR) + "/tests/scenes/depth_cue.toml --memory-bits 128",
        "effects.json"}};
   for (std::size_t i = 0; i < studies.size(); ++i) {
@@ -116,7 +117,33 @@ TEST_CASE("the page of each study has the numbers of its file") {
     const auto expected = json(out + "/" + file);
     CHECK(data_of(html) == without_wall_times(expected));
     CHECK(hold_cells(html, expected) > 8);
+    CHECK((html.find("src=\"data:image/png;base64,") != std::string::npos) == !command.starts_with("corpus"));
+    CHECK(html.find("<th scope=row>clock.frequency</th>") != std::string::npos);
+    asks_for_nothing(html);
+  }
+}
+
+TEST_CASE("the page of advice has the front, what is recommended and its commands, and not all that was searched") {
+  const Folder folder;
+  const std::string of =
+      "advise " + model("old_example011") + " --size 32x32 --z-bits 12,14 --fraction-bits 2,6 --no-plots ";
+  for (const std::string wishes : {"--min-colour-bits 15", "--max-bits 20 --max-wrong-pixels 0"}) {
+    const Outcome outcome = run(of + wishes + " -o " + (folder / "a") + " --report " + (folder / "a.html"));
+    const std::string html = content(folder / "a.html");
+    const auto expected = json(folder / "a/advise.json");
+    CHECK(outcome.code == (expected["meets_all"] == true ? 0 : 1));
+    CHECK(expected.contains("nearest") == (outcome.code == 1));
+    Json kept = without_wall_times(expected);
+    kept.erase("points");
+    CHECK(data_of(html) == kept);
+    CHECK(hold_cells(html, expected) > 10 * expected["front"].size());
+    for (const Json& one : expected["recommendations"]) {
+      const std::string command = one["command"];
+      CHECK(command.find("--report") == std::string::npos);
+      CHECK(html.find(command.substr(0, command.find('\''))) != std::string::npos);
+    }
     CHECK(html.find("src=\"data:image/png;base64,") != std::string::npos);
+    CHECK(html.find(std::to_string(expected["points"].size()) + " choices were searched") != std::string::npos);
     asks_for_nothing(html);
   }
 }

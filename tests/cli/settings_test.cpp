@@ -87,6 +87,8 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"stack-bits", "5"},
                                                  {"colour-bits", "15"},
                                                  {"z-bits", "16"},
+                                                 {"fraction-bits", "7"},
+                                                 {"alu-bits", "2"},
                                                  {"memory-bits", "96"},
                                                  {"parts", "\"speed\""}};
 
@@ -96,7 +98,7 @@ const std::set<std::string> alone{"point", "tolerances", "without-a", "without-b
 std::string sample(const std::string& command, const Key& key) {
   const auto found = samples.find(key.name);
   const bool is_text = key.value.starts_with('"');
-  if (command == "bench" && key.name == "levels") return "\"cycle\"";
+  if ((command == "bench" || command == "levels") && key.name == "levels") return "\"cycle\"";
   if (found != samples.end()) {
     const bool needs_quotes = is_text && !found->second.starts_with('"');
     return needs_quotes ? "\"" + found->second + "\"" : found->second;

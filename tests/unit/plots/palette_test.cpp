@@ -82,6 +82,10 @@ std::vector<std::string_view> line_colours() {
   return colours;
 }
 
+std::vector<std::string_view> dark_page_colours() {
+  return {palette::colours_on_dark.begin(), palette::colours_on_dark.end()};
+}
+
 std::vector<std::string_view> fills_and_white() {
   std::vector<std::string_view> colours(palette::fills.begin(), palette::fills.end());
   colours.push_back("#ffffff");
@@ -103,10 +107,12 @@ TEST_CASE(
         doctest::Approx(between("#ffffff", "#808080", all_cones)).epsilon(0.01));
 }
 
-TEST_CASE("lines are told apart by everybody by their colours, and in grey by their lightness") {
-  for (const Matrix& sight : {all_cones, no_green_cone, no_red_cone})
-    CHECK(least_difference(line_colours(), sight) > 18);
-  CHECK(least_lightness_difference(line_colours()) > 6);
+TEST_CASE(
+    "lines are told apart by everybody by their colours, and in grey by their lightness, on paper and in the dark") {
+  for (const std::vector<std::string_view>& colours : {line_colours(), dark_page_colours()}) {
+    for (const Matrix& sight : {all_cones, no_green_cone, no_red_cone}) CHECK(least_difference(colours, sight) > 18);
+    CHECK(least_lightness_difference(colours) > 6);
+  }
 }
 
 TEST_CASE("lines are told apart without colours at all: each has a dash and a mark of its own") {
@@ -120,6 +126,7 @@ TEST_CASE("lines are told apart without colours at all: each has a dash and a ma
 
 TEST_CASE("lines stand out from the paper") {
   for (const std::string_view colour : line_colours()) CHECK(palette::contrast(colour, "#ffffff") > 2.25);
+  for (const std::string_view colour : dark_page_colours()) CHECK(palette::contrast(colour, "#15181c") > 3);
 }
 
 TEST_CASE("parts of bars are told apart by everybody, in grey, and from what is free") {

@@ -95,7 +95,7 @@ TEST_CASE("a sweep's page has a line a strategy, joins those that are alike, and
 
 TEST_CASE("sentences and tables that other versions of the stats tell are shown where they are there") {
   const Json data{{"knobs", {{{"sentence", "Turn this."}}, {{"sentence", "Or that."}}}},
-                  {"configuration", {{"model", {{"file", "m.csg"}}}, {"bits", {1, 2}}}}};
+                  {"configuration", {{"model", {{"file", "m.csg"}}}, {"bits", {1, 2}}, {"unsaid", nullptr}}}};
   const std::vector<report::Part> parts = report::sentences(data, "/knobs");
   REQUIRE(parts.size() == 2);
   CHECK(std::get<report::Paragraph>(parts[1]).text == "Or that.");
@@ -103,4 +103,16 @@ TEST_CASE("sentences and tables that other versions of the stats tell are shown 
   const std::string html = report::table_html(std::get<report::Table>(section.parts.front()));
   CHECK(html.find("data-at=\"/configuration/model/file\">m.csg<") != std::string::npos);
   CHECK(html.find(">1, 2<") != std::string::npos);
+  CHECK(html.find("unsaid") == std::string::npos);
+}
+
+TEST_CASE("a study's configuration is its options and the figures of its machines, with what they are from") {
+  const Json machine{{"name", "m"},
+                     {"figures", {{"clock.hz", {{"value", 5}, {"unit", "Hz"}, {"provenance", "assumed"}}}}}};
+  const report::Section section = report::configuration_section(Json::object(), {"c", {{"--size", "8x8"}}, {machine}});
+  REQUIRE(section.parts.size() == 2);
+  const std::string html = report::table_html(std::get<report::Table>(section.parts[1]));
+  for (const std::string part : {"Figures of m", ">clock.hz<", ">5<", ">Hz<", ">assumed<"})
+    CHECK(html.find(part) != std::string::npos);
+  CHECK(report::table_html(std::get<report::Table>(section.parts[0])).find(">8x8<") != std::string::npos);
 }

@@ -1,0 +1,50 @@
+#include "sim/report/run_page.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+
+#include "sim/engine/engine.h"
+#include "sim/observe/stats.h"
+#include "sim/observe/stats_json.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+using report::Json;
+
+TEST_CASE("a run's page shows what the stats say in words, and the prices of its dearest primitives") {
+  testing::Setup setup;
+  setup.camera.eye = {20, -30, 25};
+  setup.camera.centre = {0, 0, 0};
+  setup.sampling.width = 16;
+  setup.sampling.height = 12;
+  const isa::Program program = testing::compile_text("cube(size = [8, 8, 8], center = true);", setup).program;
+  const machines::Machine machine = testing::machine_of(program.shape);
+  sim::FrameObserver frame(program);
+  sim::StatsObserver stats(program);
+  const std::array<sim::Observer*, 2> observers{&frame, &stats};
+  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  Json file = sim::to_json({program, machine, "functional", result, stats.stats(), 1.2345678});
+  const auto page = [&] {
+    return report::to_html(report::run_page(file, frame.frame(), program, machine, {"csgsim render m.csg", {}}));
+  };
+  const std::string plain = page();
+  CHECK(plain.find("1.2345678") == std::string::npos);
+  CHECK(plain.find("data-at=\"/by_primitive/0/clocks\"") != std::string::npos);
+  file["bound_by"] = {{"part", "controller"}, {"share", 0.9}, {"sentence", "The controller <bounds> it."}};
+  file["knobs"] = {{{"sentence", "Turn this."}}};
+  file["dearest_primitives"] = {{{"primitive", 0},
+                                 {"name", "cube@1:1"},
+                                 {"source", "1:1"},
+                                 {"clocks", 77},
+                                 {"share", 0.5},
+                                 {"pieces", 1},
+                                 {"half_spaces", 6}}};
+  file["configuration"] = {{"view", {{"camera", "a b"}}}};
+  const std::string told = page();
+  for (const std::string part :
+       {"The controller &lt;bounds&gt; it.", "Turn this.", "data-at=\"/dearest_primitives/0/half_spaces\">6<",
+        "data-at=\"/configuration/view/camera\">a b<"})
+    CHECK(told.find(part) != std::string::npos);
+}
