@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/app/settings_file.h"
+#include "sim/app/settings/settings_file.h"
 
 // The library that reads the command line takes seconds to compile; only command_line.cpp and settings_app.cpp include
 // it.

@@ -9,7 +9,7 @@
 #include "hw/base/messages.h"
 #include "hw/base/partial_files.h"
 #include "hw/base/standard_streams.h"
-#include "sim/app/commands.h"
+#include "sim/app/commands/commands.h"
 #include "sim/app/usage.h"
 
 namespace {

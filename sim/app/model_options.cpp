@@ -27,7 +27,7 @@
 #include "sim/app/paths.h"
 #include "sim/app/prunings.h"
 #include "sim/app/scad.h"
-#include "sim/app/sets.h"
+#include "sim/app/settings/sets.h"
 #include "sim/app/usage.h"
 #include "sim/functional/clocks.h"
 #include "sim/study/hash.h"

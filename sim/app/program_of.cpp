@@ -2,7 +2,7 @@
 
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
-#include "sim/app/sets.h"
+#include "sim/app/settings/sets.h"
 #include "sim/app/usage.h"
 
 namespace csgsim::app {

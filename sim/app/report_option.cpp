@@ -11,10 +11,10 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/app/configuration.h"
 #include "sim/app/memory.h"
 #include "sim/app/paths.h"
 #include "sim/app/run_options.h"
+#include "sim/app/settings/configuration.h"
 #include "sim/app/version.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"

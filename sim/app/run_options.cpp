@@ -11,11 +11,11 @@
 
 #include "hw/base/error.h"
 #include "sim/app/advice.h"
-#include "sim/app/configuration.h"
 #include "sim/app/memory.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/run_outputs.h"
+#include "sim/app/settings/configuration.h"
 #include "sim/app/summary.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "hw/base/text.h"
 #include "sim/report/chart.h"
 #include "sim/report/number_text.h"
 #include "sim/report/points.h"

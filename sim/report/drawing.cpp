@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
+
+#include "hw/base/text.h"
 
 namespace csgsim::report {
-
-std::string grouped(std::uint64_t value) {
-  std::string digits = std::to_string(value);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
-}
 
 std::string number_text(double value) {
   constexpr double most_whole = 9007199254740992.0;  // doubles up to 2^53 tell all whole numbers apart

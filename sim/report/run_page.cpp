@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "hw/base/text.h"
 #include "hw/isa/pieces.h"
 #include "sim/observe/pictures.h"
 #include "sim/report/number_text.h"

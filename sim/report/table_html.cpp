@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "hw/base/text.h"
 #include "sim/report/html.h"
 #include "sim/report/number_text.h"
 

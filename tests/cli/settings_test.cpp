@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/commands.h"
-#include "sim/app/file_options.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/settings/file_options.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;

@@ -109,7 +109,7 @@ def lists():
         if linked[path] != 1:
             yield f"README.md: its tables have {path} {linked[path]} times"
     named = collections.Counter(name for row in rows for name in re.findall(r"`([a-z]+)`", row[0]))
-    for name in re.findall(r"COMMAND\((\w+)\)", (ROOT / "sim/app/commands.h").read_text(encoding="utf-8")):
+    for name in re.findall(r"COMMAND\((\w+)\)", (ROOT / "sim/app/commands/commands.h").read_text(encoding="utf-8")):
         if named[name] != 1:
             yield f"README.md: its table of commands has {name} {named[name]} times"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/settings_dump.h"
-#include "sim/app/settings_file.h"
+#include "sim/app/settings/settings_dump.h"
+#include "sim/app/settings/settings_file.h"
 #include "tests/fuzz/property.h"
 
 namespace app = csgsim::app;

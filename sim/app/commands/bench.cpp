@@ -1,0 +1,131 @@
+#include "sim/bench/bench.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/numbers.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
+#include "sim/app/run_options.h"
+#include "sim/app/studies/study_files.h"
+#include "sim/bench/report.h"
+#include "sim/study/ranges.h"
+
+namespace csgsim::app {
+
+namespace {
+
+constexpr unsigned most_rounds = 1000;
+
+struct Options {
+  std::vector<std::string> models;
+  std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5,multi-processor";
+  std::string levels = "functional,cycle";
+  std::string parts = "speed,dense,rivals,growth";
+  std::string size = "512x512";
+  std::uint32_t rounds = 5;
+  double seconds = 3;
+  std::string folder = "csgsim-bench";
+  bool no_plots = false;
+};
+
+/// A part of the measurement, and where its results go.
+struct Part {
+  std::string_view name;
+  void (*measure)(const bench::Settings& settings, bench::Results& results);
+};
+
+constexpr std::array parts{
+    Part{"speed", [](const auto& settings, auto& results) { results.speeds = bench::measure_speeds(settings); }},
+    Part{"dense", [](const auto& settings, auto& results) { results.dense = bench::measure_dense(settings); }},
+    Part{"rivals", [](const auto& settings, auto& results) { results.rivals = bench::measure_rivals(settings); }},
+    Part{"growth", [](const auto& settings, auto& results) { results.growths = bench::measure_growths(settings); }},
+};
+
+std::vector<std::string> levels_of(const std::string& text) { return study::parse_names(text, "level", level_names()); }
+
+std::vector<std::string> part_names() {
+  std::vector<std::string> known;
+  known.reserve(parts.size());
+  for (const Part& part : parts) known.emplace_back(part.name);
+  return known;
+}
+
+std::vector<std::string> parts_of(const std::string& text) { return study::parse_names(text, "part", part_names()); }
+
+void check_size(const std::string& text) { numbers<std::uint32_t>(text, 'x', 2, "--size", "WxH, as in 512x512"); }
+
+bench::Settings settings_of(const Options& options, const std::filesystem::path& folder) {
+  return {.csgsim = std::filesystem::read_symlink("/proc/self/exe"),
+          .folder = folder,
+          .models = {options.models.begin(), options.models.end()},
+          .machines = study::parse_words(options.machines),
+          .levels = levels_of(options.levels),
+          .size = options.size,
+          .rounds = {options.rounds, options.seconds}};
+}
+
+bench::Results measure(const bench::Settings& settings, const std::string& asked) {
+  bench::Results results{bench::this_build(), settings, {}, {}, {}, {}};
+  for (const std::string& name : parts_of(asked))
+    std::ranges::find(parts, name, &Part::name)->measure(settings, results);
+  return results;
+}
+
+void run(const Options& options) {
+  check_size(options.size);
+  const std::vector<std::filesystem::path> inputs =
+      input_files({options.models.begin(), options.models.end()}, study::parse_words(options.machines));
+  const StudyFolder folder(options.folder, "bench", inputs);
+  const bench::Results results = measure(settings_of(options, folder.path()), options.parts);
+  const std::string tables = bench::to_tables(results);
+  write_file(folder.path() / "bench.json", bench::to_json(results).dump(2) + "\n");
+  write_file(folder.path() / "bench.md", tables);
+  if (!options.no_plots) bench::draw_growths(results);
+  fmt::print("{}{}: bench.json, bench.md{}\n", tables, printable(folder.path().native()),
+             options.no_plots || results.growths.empty() ? "" : ", and plots (.png, .svg) of the growth");
+}
+
+}  // namespace
+
+void add_bench(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command =
+      line.add("bench", "Measure the simulator's own speed, in ratios: on this computer, of this build",
+               "Example:\n  csgsim bench carburettor.csg -o figures\n"
+               "  csgsim bench --machines pixel-planes-4 --parts speed,dense --rounds 9\n"
+               "  xvfb-run -a csgsim bench carburettor.csg --parts rivals\n"
+               "Beside the models that are named it draws a grid of 64 cubes and a drilled sphere of 482 half-spaces.");
+  command.option("MODEL", options->models, "Models, OpenSCAD .csg files (not sources); none: the generated ones only");
+  command.option("--machines", options->machines, "List of machines, by name or .toml file");
+  command.option("--levels", options->levels, "List of the levels that are measured").list_of(level_names(), "level");
+  command
+      .option(
+          "--parts", options->parts,
+          "List of what is measured: speed (simulated against wall time), dense (the clocked engine against a plain "
+          "loop), rivals (OpenSCAD, POV-Ray, if installed), growth (against sizes and threads)")
+      .list_of(part_names(), "part");
+  command.option("--size", options->size, "Pixels of the pictures, WxH");
+  command.option("--rounds", options->rounds, "Rounds of each comparison, of which the medians are taken")
+      .between(1U, most_rounds);
+  command.option("--seconds", options->seconds, "No further round of a comparison begins when it has taken so long");
+  command
+      .option("-o,--output", options->folder,
+              "Folder for bench.json, bench.md (the tables), the plots, and what is drawn meanwhile")
+      .check(not_empty);
+  command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
+  command.prints_summary();
+  command.runs([options] { run(*options); });
+}
+
+}  // namespace csgsim::app

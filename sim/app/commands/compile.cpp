@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "hw/isa/binary.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/model_options.h"
+#include "sim/app/near_faces_warning.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
+
+namespace csgsim::app {
+
+void add_compile(CommandLine& line) {
+  struct Options {
+    ModelOptions model;
+    std::string output;
+  };
+  const auto options = std::make_shared<Options>();
+  Command command = line.add(
+      "compile", "Compile a CSG model into a Program file, to be run without the model",
+      "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt --view-all\n  csgsim run carburettor.csgt -o "
+      "carburettor.png");
+  options->model.add_to(command);
+  command.option("-o,--output", options->output, "The Program file, .csgt").required().check(not_empty);
+  command.prints_summary();
+  command.runs([options] {
+    refuse_clashes(options->model.inputs(), std::to_array<std::filesystem::path>({options->output}));
+    refuse_terminal("--output", options->output);
+    OutputFile file(options->output);
+    const CompiledModel model = compile_model(options->model, machine_of(options->model));
+    warn_of_near_faces(model, options->model);
+    const isa::Program& program = model.program;
+    const std::vector<std::byte> bytes = isa::encode(program);
+    file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    file.commit();
+    std::size_t instructions = 0;
+    for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();
+    fmt::print("{}: {} instructions for {} x {} pixels\n", printable(options->output), instructions,
+               program.shape.width, program.shape.height);
+  });
+}
+
+}  // namespace csgsim::app

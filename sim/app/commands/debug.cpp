@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/messages.h"
+#include "hw/base/standard_streams.h"
+#include "hw/base/text.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/memory.h"
+#include "sim/app/model_options.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
+#include "sim/app/program_of.h"
+#include "sim/app/run_options.h"
+#include "sim/app/terminal.h"
+#include "sim/app/usage.h"
+#include "sim/debug/session.h"
+
+namespace csgsim::app {
+
+namespace {
+
+struct Options {
+  ModelOptions model;
+  std::string commands;
+  unsigned threads = 1;
+};
+
+constexpr InputKind command_file{"name a file of commands", std::size_t{1} << 20U, "divide it"};
+
+/// Carries out a line and prints what it tells. Throws InputError with the line's place in front.
+void carry_out(const std::string& text, const std::string& name, std::size_t line, const isa::Program& program,
+               debug::Session& session) {
+  const debug::Command command = debug::parse_command(text, name, line, program);
+  try {
+    fmt::print("{}", session.carry_out(command));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}: {}", name, line, error.what()));
+  }
+}
+
+/// Lines of a file or a pipe, each shown before what it tells. The first that cannot be carried out ends it.
+void read_script(std::istream& lines, const std::string& name, const isa::Program& program, debug::Session& session) {
+  std::string text;
+  for (std::size_t line = 1; !session.is_over() && std::getline(lines, text); ++line) {
+    if (text.ends_with('\r')) text.pop_back();
+    if (!text.empty()) fmt::print("> {}\n", printable(text));
+    std::fflush(stdout);  // before what an error says
+    carry_out(text, name, line, program, session);
+  }
+  std::fflush(stdout);
+}
+
+void read_terminal(const isa::Program& program, debug::Session& session) {
+  Terminal terminal("> ", session.words());
+  std::size_t line = 0;
+  while (!session.is_over()) {
+    const std::optional<std::string> text = terminal.line();
+    if (!text) return static_cast<void>(fmt::print("\n"));
+    try {
+      carry_out(*text, "debug", ++line, program, session);
+    } catch (const InputError& error) {
+      std::fflush(stdout);
+      tell_line(error.what());
+    }
+    std::fflush(stdout);
+  }
+}
+
+void look_into(const Options& options, const isa::Program& program, const machines::Machine& machine) {
+  debug::Session session(program, machine, options.threads);
+  if (!options.commands.empty()) {
+    std::istringstream lines(read_file(options.commands, command_file));
+    read_script(lines, options.commands, program, session);
+  } else if (::isatty(STDIN_FILENO) != 0) {
+    fmt::print("{}: {} instructions on {}; help lists the commands\n", printable(shown_name(options.model.model)),
+               sim::Numbers(program).count(), machine.name);
+    read_terminal(program, session);
+  } else {
+    read_script(std::cin, "standard input", program, session);
+  }
+}
+
+}  // namespace
+
+void add_debug(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command =
+      line.add("debug", "Step through a Program: stop, look at pixels, go back",
+               "Commands come from a file, from standard input, or from the keyboard; `help` lists them.\n"
+               "Example:\n  csgsim debug traces/thesis_fig_2_3.csgt -x commands.txt\n  echo 'until Z2[200,200] < "
+               "1000000' | csgsim debug traces/thesis_fig_2_3.csgt");
+  options->model.add_to(command, "The model, .csg or its source, .scad; or a Program, .csgt");
+  command.option("-x,--commands", options->commands, "A file of commands, a line each").check(not_empty);
+  command.option("--threads", options->threads, "Threads that it works on; the states are the same")
+      .between(1U, most_threads);
+  command.runs([options, command] {
+    if (options->model.model == standard_stream && options->commands.empty())
+      throw UsageError("MODEL", "standard input is for the commands then; name a file of commands, -x FILE");
+    if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "set", "commands", "threads"});
+    machines::Machine machine = machine_of(options->model);
+    const isa::Program program = program_of(options->model, machine);
+    with_memory_for_run({&program, 1}, program.shape, [&] { look_into(*options, program, machine); });
+  });
+}
+
+}  // namespace csgsim::app

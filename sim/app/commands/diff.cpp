@@ -1,0 +1,260 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/isa/text.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/memory.h"
+#include "sim/app/model_options.h"
+#include "sim/app/numbers.h"
+#include "sim/app/paths.h"
+#include "sim/app/program_of.h"
+#include "sim/app/prunings.h"
+#include "sim/app/run_options.h"
+#include "sim/app/settings/sets.h"
+#include "sim/app/usage.h"
+#include "sim/lockstep/comparison.h"
+#include "sim/story/phrases.h"
+#include "sim/story/story.h"
+#include "sim/story/story_text.h"
+
+namespace csgsim::app {
+
+namespace {
+
+/// What one side has for itself.
+struct SideOptions {
+  std::string subject;
+  std::string machine;
+  std::string level = "functional";
+  std::string strategy;
+  std::string pruning;
+  std::vector<std::string> without;  ///< in place of `pruning`
+  std::vector<std::string> sets;
+};
+
+struct Options {
+  ModelOptions both;
+  SideOptions a;
+  SideOptions b;
+  bool no_stories = false;
+};
+
+/// A side that is ready to run.
+struct Subject {
+  std::string name;
+  std::string level;
+  machines::Machine machine;
+  isa::Program program;
+};
+
+ModelOptions options_of(const ModelOptions& both, const SideOptions& side) {
+  ModelOptions options = both;
+  options.model = side.subject;
+  if (!side.machine.empty()) options.machine = side.machine;
+  if (!side.strategy.empty()) options.strategy = side.strategy;
+  if (!side.pruning.empty() || !side.without.empty()) {
+    options.pruning = side.without.empty() ? side.pruning : pruning_without(side.without);
+    options.without.clear();
+  }
+  options.sets.insert(options.sets.end(), side.sets.begin(), side.sets.end());
+  return options;
+}
+
+Subject subject_of(const ModelOptions& both, const SideOptions& side) {
+  const ModelOptions options = options_of(both, side);
+  Subject subject{printable(side.subject), side.level, machine_of(options), {}};
+  subject.program = program_of(options, subject.machine);
+  return subject;
+}
+
+/// Of a side that is a Program, options that say how to compile have no meaning.
+void refuse_misuse(const Options& options, const Command& command) {
+  const bool is_model_a = is_model(options.a.subject);
+  const bool is_model_b = is_model(options.b.subject);
+  for (const auto& [side, is_one, letter] : {std::tuple(&options.a, is_model_a, "a"), {&options.b, is_model_b, "b"}}) {
+    if (is_one) continue;
+    for (const auto& [name, is_given] : {std::pair("strategy", !side->strategy.empty()),
+                                         {"pruning", !side->pruning.empty()},
+                                         {"without", !side->without.empty()}}) {
+      if (is_given)
+        throw UsageError(fmt::format("--{}-{}", name, letter), "is for models; a Program has been compiled already");
+    }
+    refuse_scene_sets(side->sets, fmt::format("--set-{}", letter));
+  }
+  if (!is_model_a && !is_model_b)
+    refuse_model_options(
+        command, {"machine", "machine-a", "machine-b", "level-a", "level-b", "no-stories", "set", "set-a", "set-b"});
+  if (options.a.level == "cycle" && options.b.level == "cycle") {
+    throw UsageError("--level-b",
+                     "SystemC clocks one machine a process; hold each side against the functional level, whose bits "
+                     "and clocks are the same");
+  }
+}
+
+void print_side(char letter, const Subject& subject, const sim::RunResult& result) {
+  fmt::print("{}  {}: {}, {} level, {}, {}\n", letter, subject.name, subject.machine.name, subject.level,
+             counted(sim::Numbers(subject.program).count(), "instruction"), counted(result.clocks, "clock"));
+}
+
+std::string instruction_text(const isa::Program& program, std::uint64_t number) {
+  const sim::Numbers numbers(program);
+  if (number >= numbers.count()) return "nothing more";
+  const auto [segment, index] = numbers.place(number);
+  const isa::Segment& part = program.segments[segment];
+  std::string text = isa::text_of(part.instructions[index], program.facts.fields);
+  if (program.segments.size() == 1) return text;
+  return fmt::format("{}  (segment {}, {} x {} at {},{})", text, segment, part.region.width, part.region.height,
+                     part.region.x, part.region.y);
+}
+
+void print_values(const sim::TwoValues& values, bool is_field) {
+  fmt::print("  {:<16} A {}, B {}", printable(values.name), values.a, values.b);
+  const std::uint64_t bits = values.a ^ values.b;
+  if (is_field && std::bit_width(values.a | values.b) > 1)
+    fmt::print(" ({:#x}, {:#x}: from bit {} on)", values.a, values.b, std::countr_zero(bits));
+  fmt::print("\n");
+}
+
+void print_divergence(const sim::Divergence& found, const isa::Program& program) {
+  const std::uint64_t number = sim::Numbers(program).of(found.place);
+  fmt::print("after i{}, {}\n", number, instruction_text(program, number));
+  if (!found.pixel) return print_values(found.otherwise.value(), false);
+  fmt::print("{} differ, first {},{}:\n", counted(found.pixel->pixels, "pixel"), found.pixel->x, found.pixel->y);
+  for (const sim::TwoValues& values : found.pixel->fields) print_values(values, true);
+}
+
+void print_picture(const sim::Comparison& comparison, const Subject& a, const Subject& b) {
+  if (!comparison.picture) return fmt::print("the pictures are equal\n");
+  const sim::PictureDifference& found = *comparison.picture;
+  fmt::print("the pictures differ at {}, first {},{}:\n", counted(found.pixels, "pixel"), found.x, found.y);
+  const std::size_t at = std::size_t{found.y} * a.program.shape.width + found.x;
+  const auto print_both = [&](const char* what, const std::vector<std::uint32_t> sim::Frame::*values, auto text) {
+    fmt::print("  {:<16} A {}, B {}\n", what, text(a.program, (comparison.a.frame.*values)[at]),
+               text(b.program, (comparison.b.frame.*values)[at]));
+  };
+  print_both("owner", &sim::Frame::owner, story::primitive_text);
+  print_both("depth", &sim::Frame::depth, story::depth_text);
+  print_both("colour", &sim::Frame::colour, story::colour_text);
+}
+
+void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint32_t y) {
+  const story::Story told = story::Teller(subject.program, subject.machine).story_of(x, y);
+  fmt::print("\n{}  {}", letter, story::text_of({subject.program}, told));
+}
+
+void print_stories(const sim::Comparison& comparison, const Subject& a, const Subject& b) {
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> pixel;
+  if (comparison.divergence && comparison.divergence->pixel)
+    pixel = {comparison.divergence->pixel->x, comparison.divergence->pixel->y};
+  if (comparison.picture) pixel = {comparison.picture->x, comparison.picture->y};
+  if (!pixel) return;
+  print_story('A', a, pixel->first, pixel->second);
+  print_story('B', b, pixel->first, pixel->second);
+}
+
+/// As if A and B had changed places.
+sim::Comparison swapped(sim::Comparison comparison) {
+  std::swap(comparison.a, comparison.b);
+  if (!comparison.divergence) return comparison;
+  if (comparison.divergence->otherwise)
+    std::swap(comparison.divergence->otherwise->a, comparison.divergence->otherwise->b);
+  if (comparison.divergence->pixel)
+    for (sim::TwoValues& values : comparison.divergence->pixel->fields) std::swap(values.a, values.b);
+  return comparison;
+}
+
+sim::Comparison compare(const Subject& a, const Subject& b) {
+  const std::unique_ptr<sim::Engine> a_engine = make_engine(a.machine, a.level, 1);
+  const std::unique_ptr<sim::Engine> b_engine = make_engine(b.machine, b.level, 1);
+  const sim::Side a_side{a.program, a.machine, *a_engine};
+  const sim::Side b_side{b.program, b.machine, *b_engine};
+  if (b.level == "cycle") return swapped(sim::compare(b_side, a_side));  // the other level has to stop at each turn
+  return sim::compare(a_side, b_side);
+}
+
+void print_comparison(const sim::Comparison& comparison, const Subject& a, const Subject& b) {
+  print_side('A', a, comparison.a.result);
+  print_side('B', b, comparison.b.result);
+  if (comparison.other_instruction) {
+    const std::uint64_t number = *comparison.other_instruction;
+    fmt::print("i{} is another instruction:\n  A  {}\n  B  {}\n", number, instruction_text(a.program, number),
+               instruction_text(b.program, number));
+  }
+  fmt::print("the states are equal after {}\n", counted(comparison.compared, "instruction"));
+  if (comparison.divergence) print_divergence(*comparison.divergence, a.program);
+  print_picture(comparison, a, b);
+}
+
+void diff(const Options& options, const Command& command) {
+  refuse_misuse(options, command);
+  const Subject a = subject_of(options.both, options.a);
+  const Subject b = subject_of(options.both, options.b);
+  if (a.program.shape.width != b.program.shape.width || a.program.shape.height != b.program.shape.height) {
+    throw InputError(fmt::format("A draws {} x {} pixels and B {} x {}; give models the same --size",
+                                 a.program.shape.width, a.program.shape.height, b.program.shape.width,
+                                 b.program.shape.height));
+  }
+  const sim::Comparison comparison =
+      with_memory_for_run({&a.program, 1}, a.program.shape, [&] { return compare(a, b); });
+  refuse_overflow(comparison.a.result);
+  refuse_overflow(comparison.b.result);
+  print_comparison(comparison, a, b);
+  const bool same_clocks = comparison.a.result.clocks == comparison.b.result.clocks;
+  const bool has_other_clocks =
+      !same_clocks && !comparison.other_instruction && machines::same_hardware(a.machine, b.machine);
+  if (!comparison.divergence && !comparison.picture && !has_other_clocks) return;
+  if (!options.no_stories) print_stories(comparison, a, b);
+  throw InputError("A and B differ");
+}
+
+void add_side(Command& command, SideOptions& side, const std::string& letter) {
+  const std::string name = letter == "a" ? "A" : "B";
+  command.option("--machine-" + letter, side.machine, "The machine of " + name + ", if it is another");
+  command.option("--level-" + letter, side.level, "The level of " + name).one_of(level_names(), "level");
+  command.option("--strategy-" + letter, side.strategy, "The strategy of " + name + ", if it is another")
+      .one_of(strategy_names(), "strategy");
+  command.option("--pruning-" + letter, side.pruning, "Prunings that are done for " + name + ", if they are others")
+      .words(pruning_words(), check_pruning);
+  command.option("--without-" + letter, side.without, "Prunings left out for " + name)
+      .comma_list()
+      .one_of(left_out_words(), "pruning")
+      .excludes("--pruning-" + letter)
+      .hidden();
+  command.option("--set-" + letter, side.sets,
+                 "A figure of the machine of " + name + ", or a key of its scene; once for each");
+}
+
+}  // namespace
+
+void add_diff(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command = line.add(
+      "diff", "Run two Programs, machines, levels or settings side by side and tell where they first differ",
+      "Example:\n  csgsim diff old.csgt new.csgt\n  csgsim diff tests/models/carburettor.csg --size 64x64 --level-b "
+      "cycle\n  csgsim diff part.csg --view-all --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
+      "differ.");
+  command.option("A", options->a.subject, "A model, .csg or .scad, or a Program").required();
+  command.option("B", options->b.subject, "Another; A again if not given");
+  options->both.add_to(command);
+  command.remove("MODEL");
+  add_side(command, options->a, "a");
+  add_side(command, options->b, "b");
+  command.flag("--no-stories", options->no_stories, "Leave out what happened at the pixel on both sides");
+  command.prints_summary();
+  command.runs([options, command] {
+    if (options->b.subject.empty()) options->b.subject = options->a.subject;
+    diff(*options, command);
+  });
+}
+
+}  // namespace csgsim::app

@@ -1,0 +1,244 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/memory.h"
+#include "sim/app/model_options.h"
+#include "sim/app/numbers.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
+#include "sim/app/report_option.h"
+#include "sim/app/run_options.h"
+#include "sim/app/studies/study_files.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/pictures.h"
+#include "sim/observe/stats.h"
+#include "sim/observe/stats_json.h"
+#include "sim/report/pictures.h"
+
+namespace csgsim::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  ModelOptions model;
+  std::string folder;
+  ReportOption report;
+};
+
+/// The picture with some of the effects.
+struct Variant {
+  isa::Program program;
+  sim::RunResult result;
+  sim::Stats stats;
+  sim::Frame frame;
+  double compile_seconds = 0;  ///< wall time
+  double run_seconds = 0;      ///< wall time
+
+  [[nodiscard]] double seconds() const { return compile_seconds + run_seconds; }
+};
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Without those effects, whatever the scene or the model calls for.
+Variant draw_without(const ModelOptions& all, const std::vector<std::string>& without,
+                     const machines::Machine& machine) {
+  const ModelOptions options = all.without_effects(without);
+  Variant variant;
+  const auto begin = std::chrono::steady_clock::now();
+  variant.program = compile_model(options, machine).program;
+  variant.compile_seconds = seconds_since(begin);
+  sim::FrameObserver frame(variant.program);
+  sim::StatsObserver stats(variant.program);
+  const std::array<sim::Observer*, 2> observers{&frame, &stats};
+  const auto engine = sim::make_functional_engine(machine);
+  const auto run = std::chrono::steady_clock::now();
+  variant.result = with_memory_for_run({&variant.program, 1}, variant.program.shape,
+                                       [&] { return engine->run(variant.program, observers); });
+  variant.run_seconds = seconds_since(run);
+  refuse_overflow(variant.result);
+  variant.stats = stats.stats();
+  variant.frame = std::move(frame).frame();
+  return variant;
+}
+
+/// What an effect costs: what is billed to it in the frame, and the frame's clocks with it and without, where the
+/// others are there and where they are not.
+struct Row {
+  std::string name;
+  sim::Cost billed;
+  std::int64_t alone = 0;     ///< clocks that it adds to a frame without effects
+  std::int64_t together = 0;  ///< clocks that the frame is shorter without it
+  std::int64_t bits = 0;      ///< a pixel, that the frame needs fewer without it
+  double seconds = 0;         ///< wall time that the frame is compiled and simulated in, less that without it
+};
+
+struct Bill {
+  Variant all;
+  Variant none;
+  std::vector<Row> rows;         ///< flat shading first
+  std::vector<Variant> without;  ///< one a row but the first
+};
+
+std::vector<std::string> others(const std::vector<std::string>& names, const std::string& one) {
+  std::vector<std::string> rest;
+  for (const std::string& name : names)
+    if (name != one) rest.push_back(name);
+  return rest;
+}
+
+std::int64_t difference(std::uint64_t with, std::uint64_t without) {
+  return static_cast<std::int64_t>(with) - static_cast<std::int64_t>(without);
+}
+
+Bill make_bill(const ModelOptions& options, const machines::Machine& machine) {
+  Bill bill;
+  bill.all = draw_without(options, {}, machine);
+  const std::vector<std::string>& all = bill.all.program.facts.compile.effects;
+  const std::vector<std::string> called(all.begin() + 1, all.end());
+  bill.none = draw_without(options, called, machine);
+  bill.rows.push_back({all.front(), bill.all.stats.by_effect.front()});
+  for (std::size_t i = 0; i < called.size(); ++i) {
+    const Variant alone = draw_without(options, others(called, called[i]), machine);
+    Variant without = draw_without(options, {called[i]}, machine);
+    bill.rows.push_back({called[i], bill.all.stats.by_effect[i + 1],
+                         difference(alone.result.clocks, bill.none.result.clocks),
+                         difference(bill.all.result.clocks, without.result.clocks),
+                         difference(sim::used_memory_bits(bill.all.program), sim::used_memory_bits(without.program)),
+                         bill.all.seconds() - without.seconds()});
+    bill.without.push_back(std::move(without));
+  }
+  return bill;
+}
+
+std::string signed_text(std::int64_t number) {
+  return (number < 0 ? "-" : "") + grouped(static_cast<std::uint64_t>(number < 0 ? -number : number));
+}
+
+void print_line(const std::string& name, const sim::Cost& cost, const std::string& rest = "") {
+  fmt::print("  {:<16}{:>14}{:>14}{:>20}{}\n", name, grouped(cost.clocks), grouped(cost.instructions),
+             grouped(cost.pixel_operations), rest);
+}
+
+void print_bill(const Bill& bill) {
+  fmt::print("  {:<16}{:>14}{:>14}{:>20}{:>14}{:>14}{:>7}{:>10}\n", "", "clocks", "instructions", "pixel operations",
+             "alone", "together", "bits", "wall s");
+  print_line("solids", bill.all.stats.by_effect.back());
+  for (const Row& row : bill.rows) {
+    const bool is_flat = &row == &bill.rows.front();
+    print_line(row.name, row.billed,
+               is_flat ? ""
+                       : fmt::format("{:>14}{:>14}{:>7}{:>10.3f}", signed_text(row.alone), signed_text(row.together),
+                                     row.bits, row.seconds));
+  }
+  print_line("all instructions", bill.all.stats.total);
+  fmt::print("  {:<16}{:>14}  with the link, the controller and what the machine does besides\n", "frame",
+             grouped(bill.all.result.clocks));
+  fmt::print("  {:<16}{:>14}  {} of {} bits a pixel\n", "without any", grouped(bill.none.result.clocks),
+             sim::used_memory_bits(bill.none.program), sim::used_memory_bits(bill.all.program));
+  fmt::print(
+      "clocks, instructions and pixel operations are those billed in the frame; alone: what the frame without effects\n"
+      "takes more with this one; together: what the frame takes less without it\n");
+}
+
+nlohmann::ordered_json cost_json(const sim::Cost& cost) {
+  return {{"clocks", cost.clocks}, {"instructions", cost.instructions}, {"pixel_operations", cost.pixel_operations}};
+}
+
+nlohmann::ordered_json to_json(const Bill& bill) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Row& row : bill.rows) {
+    nlohmann::ordered_json one{{"effect", row.name}};
+    one.update(cost_json(row.billed));
+    if (&row != &bill.rows.front()) {
+      one["alone_clocks"] = row.alone;
+      one["together_clocks"] = row.together;
+      one["bits"] = row.bits;
+      one["wall_seconds"] = row.seconds;
+    }
+    rows.push_back(std::move(one));
+  }
+  return {{"solids", cost_json(bill.all.stats.by_effect.back())},
+          {"effects", rows},
+          {"total", cost_json(bill.all.stats.total)},
+          {"clocks", bill.all.result.clocks},
+          {"clocks_without_effects", bill.none.result.clocks},
+          {"bits", sim::used_memory_bits(bill.all.program)},
+          {"bits_without_effects", sim::used_memory_bits(bill.none.program)},
+          {"wall_seconds", bill.all.seconds()},
+          {"wall_seconds_without_effects", bill.none.seconds()}};
+}
+
+void write(const fs::path& path, const Variant& variant) {
+  OutputFile file(path);
+  sim::write_picture(file, variant.frame, variant.program);
+  file.commit();
+}
+
+void write_all(const Bill& bill, const StudyFolder& folder) {
+  write(folder.path() / "all.png", bill.all);
+  write(folder.path() / "none.png", bill.none);
+  for (std::size_t i = 0; i < bill.without.size(); ++i)
+    write(folder.path() / ("without_" + bill.rows[i + 1].name + ".png"), bill.without[i]);
+  write_file(folder.path() / "effects.json", to_json(bill).dump(2) + "\n");
+}
+
+report::Page page_of(const Options& options, const Bill& bill) {
+  const auto picture = [](const Variant& variant, const std::string& what) {
+    return report::picture_of(variant.frame, variant.program, what, "The model " + what);
+  };
+  std::vector<report::Picture> pictures{picture(bill.all, "with all effects"),
+                                        picture(bill.none, "without any effect")};
+  for (std::size_t i = 0; i < bill.without.size(); ++i)
+    pictures.push_back(picture(bill.without[i], "without " + bill.rows[i + 1].name));
+  return report::effects_page(to_json(bill), std::move(pictures),
+                              plain_study_context(options.report, options.model.model, {{machine_of(options.model)}}));
+}
+
+void run(const Options& options) {
+  std::optional<StudyFolder> folder;
+  if (!options.folder.empty()) folder.emplace(options.folder, "effects", options.model.inputs());
+  ReportFile report(options.report, options.model.inputs());
+  const machines::Machine machine = machine_of(options.model);
+  const Bill bill = make_bill(options.model, machine);
+  fmt::print("{} on {}: what its effects cost\n", printable(shown_name(options.model.model)), machine.name);
+  print_bill(bill);
+  if (report.asked()) report.write(page_of(options, bill));
+  if (!folder) return;
+  write_all(bill, *folder);
+  fmt::print("{}: all.png, none.png, a picture without each effect, effects.json\n", printable(options.folder));
+}
+
+}  // namespace
+
+void add_effects(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command =
+      line.add("effects", "Show what each effect of a scene costs, alone and together, and the picture without it",
+               "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
+               "The effects that there are, and their settings: docs/effects.md.");
+  options->model.add_to(command);
+  command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").check(not_empty);
+  options->report.add_to(command);
+  command.prints_summary();
+  command.runs([options] { run(*options); });
+}
+
+}  // namespace csgsim::app

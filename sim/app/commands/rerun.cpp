@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/options.h"
+#include "sim/app/paths.h"
+#include "sim/app/settings/recorded_run.h"
+
+namespace csgsim::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string file;
+  std::string picture;
+  std::string depth;
+  std::string owner;
+  std::string stats;
+  std::string from;
+  std::string progress = "auto";
+  bool anyway = false;
+};
+
+void refuse(const RecordedRun& run, const std::vector<std::string>& changes, bool anyway) {
+  if (changes.empty()) return;
+  const std::string text = fmt::format("{}: {}", run.file, fmt::join(changes, "; "));
+  if (!anyway) throw InputError(text + "; --anyway goes on");
+  tell_line("warning: " + text);
+}
+
+/// The words with which the run is asked for again.
+std::vector<std::string> again(const RecordedRun& run, const Options& options) {
+  std::vector<std::string> words = words_of(run);
+  const auto add = [&](const std::string& name, const std::string& file) {
+    if (!file.empty()) words.insert(words.end() - 3, fmt::format("--{}={}", name, fs::absolute(file).native()));
+  };
+  add("output", options.picture);
+  add("depth", options.depth);
+  add("owner", options.owner);
+  add("stats", options.stats);
+  words.insert(words.begin(), "csgsim");
+  return words;
+}
+
+void go_to(const std::string& folder) {
+  std::error_code error;
+  fs::current_path(folder, error);
+  if (error) throw InputError(printable(folder) + ": it is no folder that can be gone to (" + error.message() + ")");
+}
+
+void run_words(CommandLine& line, std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  line.run(arguments);
+}
+
+void rerun(CommandLine& line, const Command& command, const Options& options) {
+  const RecordedRun run = read_recorded_run(options.file);
+  refuse_clashes(std::vector<fs::path>{options.file},
+                 std::vector<fs::path>{options.picture, options.depth, options.owner, options.stats});
+  std::vector<std::string> words = again(run, options);
+  *(words.end() - 3) = "--progress=" + options.progress;
+  if (!options.from.empty()) go_to(options.from);
+  refuse(run, changes_since(run), options.anyway);
+  std::vector<std::string> differing;
+  command.watch() = {[&](const nlohmann::ordered_json& configuration) {
+                       refuse(run, changes_between(run, configuration), options.anyway);
+                     },
+                     [&](const nlohmann::ordered_json& stats) { differing = differences(run, stats); }};
+  run_words(line, std::move(words));
+  command.watch() = {};
+  if (!differing.empty()) {
+    throw InputError(fmt::format("{}: the run differs from it: {}", run.file, fmt::join(differing, "; ")));
+  }
+  fmt::print("{:<18}the picture and all counts are those of {}\n", "rerun", run.file);
+}
+
+}  // namespace
+
+void add_rerun(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command = line.add(
+      "rerun", "Run again what a stats file tells of, and see that picture and counts are the same",
+      "Example:\n  csgsim render carburettor.csg -o carburettor.png --stats carburettor.json\n  csgsim rerun "
+      "carburettor.json -o again.png\nWhat was written then is not written again, but where an option here says so.");
+  command.option("FILE", options->file, "The stats file, .json, of csgsim render or run").required();
+  command.option("-o,--output", options->picture, "The picture; the format is the name's ending").check(not_empty);
+  command.option("--depth", options->depth, "Depth picture, .exr").check(not_empty);
+  command.option("--owner", options->owner, "Which primitive is seen: .png, and a legend beside it; or .exr")
+      .check(not_empty);
+  command.option("--stats", options->stats, "All counts of this run, .json").check(not_empty);
+  command.option("--from", options->from, "The folder in which the run was asked for, if it is not the current one")
+      .check(not_empty);
+  command.flag("--anyway", options->anyway, "Go on where csgsim or a file that was read is not as it was");
+  add_progress(command, options->progress);
+  command.runs([&line, options, command] { rerun(line, command, *options); });
+}
+
+}  // namespace csgsim::app

@@ -1,0 +1,70 @@
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/app/advice.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/paths.h"
+#include "sim/app/program_input.h"
+#include "sim/app/run_options.h"
+#include "sim/app/run_outputs.h"
+#include "sim/app/settings/configuration.h"
+#include "sim/app/settings/sets.h"
+
+namespace csgsim::app {
+
+namespace {
+
+struct Options {
+  std::string program;
+  std::string machine = "pixel-planes-4";
+  std::vector<std::string> sets;  ///< KEY=VALUE of a figure
+  RunOptions run;
+  CheckpointOptions checkpoints;
+};
+
+/// Files that a checkpoint may not take the place of. The one that is resumed may be written again.
+std::vector<std::filesystem::path> others(const Options& options) {
+  std::vector<std::filesystem::path> files = input_files({options.program}, {options.machine});
+  for (const std::string& file : {options.run.picture, options.run.depth, options.run.owner, options.run.stats})
+    if (!file.empty()) files.emplace_back(file);
+  return files;
+}
+
+}  // namespace
+
+void add_run(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command =
+      line.add("run", "Run a Program file; the picture and the counts are those of its render",
+               "Example:\n  csgsim run traces/carburettor.csgt -o carburettor.png --stats carburettor.json\n"
+               "  csgsim run traces/carburettor.csgt -o carburettor.png --checkpoint run.csgs --checkpoint-every 500\n"
+               "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
+  command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
+  command.option("--machine", options->machine,
+                 "A machine's name or its .toml file; it gets the array the Program is for");
+  add_figure_sets(command, options->sets, "the machine");
+  options->run.add_to(command);
+  options->checkpoints.add_to(command);
+  command.prints_summary();
+  command.runs([options, command] {
+    if (is_model(options->program))
+      throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));
+    refuse_scene_sets(options->sets);
+    std::vector<std::filesystem::path> files = input_files({options->program}, {options->machine});
+    if (!options->checkpoints.resume.empty()) files.emplace_back(options->checkpoints.resume);
+    RunOutputs outputs(options->run, files);
+    options->checkpoints.check(options->run.level, others(*options));
+    const isa::Program program = read_program(options->program);
+    machines::Machine machine = load_machine(options->machine, options->sets);
+    machines::adopt(machine, program);
+    const Advice advice{options->machine, options->run.advice,
+                        "csgsim run --advice tries the machine's figures, csgsim render --advice settings too"};
+    run_program(command, {machine, program, input_files({options->program}, {options->machine}), {}}, options->run,
+                outputs, advice, {}, options->checkpoints);
+  });
+}
+
+}  // namespace csgsim::app

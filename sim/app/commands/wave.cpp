@@ -1,0 +1,225 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "sim/app/commands/commands.h"
+#include "sim/app/memory.h"
+#include "sim/app/model_options.h"
+#include "sim/app/numbers.h"
+#include "sim/app/paths.h"
+#include "sim/app/primitive_name.h"
+#include "sim/app/program_of.h"
+#include "sim/app/run_options.h"
+#include "sim/app/usage.h"
+#include "sim/waves/foreknowledge.h"
+#include "sim/waves/gtkwave_view.h"
+#include "sim/waves/record.h"
+#include "sim/waves/wave_file.h"
+#include "sim/waves/window.h"
+
+namespace csgsim::app {
+
+namespace {
+
+struct Options {
+  ModelOptions model;
+  std::vector<std::string> pixels;
+  std::vector<std::string> probes;
+  std::string window = "0:2000";
+  std::string at;
+  bool whole = false;
+  bool timing = false;
+  std::string output;
+};
+
+wave::Pixel pixel_of(const std::string& text, const std::string& option, const isa::Program& program) {
+  const auto place = numbers<std::uint32_t>(text, ',', 2, option, "x,y");
+  if (place[0] < program.shape.width && place[1] < program.shape.height) return {place[0], place[1]};
+  throw UsageError(option, fmt::format("there is no pixel {} in a picture of {} x {}", text, program.shape.width,
+                                       program.shape.height));
+}
+
+/// `tree.x:LEVEL` or `tree.y:LEVEL`.
+wave::TreeLevel tree_level_of(const std::string& text) {
+  using Axis = wave::TreeLevel::Axis;
+  const bool is_x = text.rfind("tree.x:", 0) == 0;
+  if (!is_x && text.rfind("tree.y:", 0) != 0)
+    throw UsageError("--probe", fmt::format("'{}' is neither a pixel x,y nor a level of a tree, tree.x:3", text));
+  const auto level = numbers<unsigned>(text.substr(text.find(':') + 1), ',', 1, "--probe", "tree.x:LEVEL");
+  return {is_x ? Axis::x : Axis::y, level.front()};
+}
+
+/// Without its windows and its file.
+wave::Request request_of(const Options& options, const isa::Program& program) {
+  wave::Request request;
+  for (const std::string& text : options.pixels) request.pixels.push_back(pixel_of(text, "--pixel", program));
+  for (const std::string& text : options.probes) {
+    if (text.find(',') != std::string::npos) {
+      request.pixels.push_back(pixel_of(text, "--probe", program));
+    } else {
+      request.tree_levels.push_back(tree_level_of(text));
+    }
+  }
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+  std::erase_if(request.pixels, [&](wave::Pixel pixel) { return !seen.insert({pixel.x, pixel.y}).second; });
+  if (request.pixels.empty()) throw UsageError("--pixel", "say which pixel to look into, as in --pixel 100,20");
+  return request;
+}
+
+/// Where to look, and the clock that the marker stands at.
+struct Windows {
+  std::vector<wave::Window> windows;
+  std::uint64_t marked = 0;
+  std::string shown;  ///< what they are, for people
+};
+
+waves::WindowRequest window_request(const std::string& text) {
+  try {
+    return waves::parse_window(text);
+  } catch (const InputError& error) {
+    throw UsageError("--window", error.what());
+  }
+}
+
+Windows windows_of(const Options& options, const std::optional<waves::WindowRequest>& asked,
+                   const isa::Program& program, const machines::Machine& machine, const waves::Foreknowledge& known,
+                   std::span<const wave::Pixel> pixels) {
+  if (asked) {
+    waves::WindowRequest request = *asked;
+    if (request.kind == waves::WindowRequest::Kind::primitive)
+      request.begin = primitive_named(program, request.name, "--window");
+    const auto windows = waves::windows_of(request, program, machine, known, pixels);
+    return {windows, windows.front().begin, fmt::format("{}", options.window)};
+  }
+  const waves::LastWrite last = waves::last_write(options.at, program, machine, known, pixels.front());
+  return {last.windows, last.at_pixel.end - 1,
+          fmt::format("i{}, which wrote the {} of pixel {},{} last, at clocks {}:{}", last.number, options.at,
+                      pixels.front().x, pixels.front().y, last.at_pixel.begin, last.at_pixel.end)};
+}
+
+bool is_given(const Command& command, std::string_view name) {
+  const std::vector<GivenOption> given = command.given();
+  return std::any_of(given.begin(), given.end(), [&](const GivenOption& one) { return one.name == name; });
+}
+
+/// Wall time of the parts of a recording.
+class Stopwatch {
+ public:
+  void lap(double& seconds) {
+    const auto now = std::chrono::steady_clock::now();
+    seconds += std::chrono::duration<double>(now - begin_).count();
+    begin_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+struct Seconds {
+  double functional = 0;  ///< the run at that level
+  double recording = 0;   ///< finding the window, and stepping it; with the writing
+  double writing = 0;     ///< sampling and writing the file
+};
+
+void print_timing(const Seconds& seconds) {
+  const double all = seconds.functional + seconds.recording - seconds.writing;
+  fmt::print("functional run {:.1f} ms, with the window {:.1f} ms = {:.2f} x, and {:.1f} ms to write the file\n",
+             seconds.functional * 1e3, all * 1e3, all / seconds.functional, seconds.writing * 1e3);
+}
+
+void record(const Options& options, const Command& command) {
+  const bool is_stream = is_unnamed_stream(options.output);
+  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && !is_stream)
+    throw UsageError("--output", "the waveform's name has to end in .vcd or .fst");
+  if (!is_model(options.model.model))
+    refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "at", "whole", "timing", "output"});
+  if (!options.at.empty() && is_given(command, "window"))
+    throw UsageError("--at", "stands in place of --window; give one of them");
+  const auto asked = options.at.empty() ? std::optional(window_request(options.window)) : std::nullopt;
+  const std::filesystem::path view_path =
+      is_stream ? std::filesystem::path() : std::filesystem::path(options.output).replace_extension(".gtkw");
+  refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
+  OutputFile file(options.output);
+  std::optional<OutputFile> view;
+  if (!is_stream) view.emplace(view_path);
+  machines::Machine machine = machine_of(options.model);
+  const isa::Program program = program_of(options.model, machine);
+  wave::Request request = request_of(options, program);
+  Seconds seconds;
+  Stopwatch watch;
+  const waves::Foreknowledge known =
+      with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
+  watch.lap(seconds.functional);
+  refuse_overflow(known.result);
+  const Windows windows = windows_of(options, asked, program, machine, known, request.pixels);
+  request.windows = windows.windows;
+  waves::WaveFile waveform(file, ends_in(options.output, ".fst"));
+  request.write = [&](std::string_view text) { waveform.write(text); };
+  const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
+  const waves::Recording recording = with_memory_for_run(
+      {&program, 1}, machine.array, [&] { return waves::record(program, machine, known, request, fidelity); });
+  watch.lap(seconds.recording);
+  seconds.writing = recording.writing_seconds;
+  if (!recording.reached) {
+    throw InputError(
+        fmt::format("the picture is drawn after {} clocks and shown after {}, before the window {} begins; choose an "
+                    "earlier --window",
+                    known.result.clocks, known.result.shown_clocks, options.window));
+  }
+  waveform.finish();
+  if (view) view->write(gtkwave_view(recording, request.windows, windows.marked, options.output, machine));
+  commit_all(std::array{&file, view ? &*view : nullptr});
+  std::uint64_t clocks = 0;
+  for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
+  fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
+             grouped(known.result.clocks), counted(request.windows.size(), "window"),
+             counted(request.pixels.size(), "pixel"),
+             view ? "; to look at it: gtkwave " + shell_word(view_path.native()) : "");
+  if (options.timing) print_timing(seconds);
+}
+
+}  // namespace
+
+void add_wave(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command = line.add(
+      "wave", "Record what a machine's parts and some pixels do over a window of clocks",
+      "Example:\n"
+      "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o last_write.vcd\n"
+      "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --probe tree.x:3 --window i10:i14 -o trees.vcd\n"
+      "  gtkwave trees.gtkw");
+  options->model.add_to(command, "The model, .csg or its source, .scad; or a Program, .csgt");
+  command.option("--pixel", options->pixels, "A pixel to look into, x,y; may be given several times");
+  command.option("--probe", options->probes,
+                 "A pixel too, or a level of a multiplier tree on the way to the pixels: tree.x:3");
+  command.option("--window", options->window,
+                 "Clocks FIRST:END, instructions iFIRST:iEND or iN, primitive:NAME, purpose:NAME or effect:NAME; END "
+                 "is not included");
+  command.option("--at", options->at,
+                 "In place of a window: the instruction that last wrote the first pixel's owner, depth or FIELD");
+  command.flag("--whole", options->whole,
+               "Step all of the machine from the first clock on, and not the probed pixels alone near the window");
+  command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");
+  command
+      .option("-o,--output", options->output,
+              "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it")
+      .required();
+  command.prints_summary();
+  command.runs([options, command] { record(*options, command); });
+}
+
+}  // namespace csgsim::app
