@@ -31,7 +31,8 @@ void check(const Sampling& sampling) {
   if (sampling.z_bits < fewest_z_bits || sampling.z_bits > most_z_bits) {
     throw InputError("z has to have " + std::to_string(fewest_z_bits) + " to " + std::to_string(most_z_bits) + " bits");
   }
-  if (sampling.fraction_bits > 20) throw InputError("coefficients have to have 0 to 20 fraction bits");
+  if (sampling.fraction_bits > most_fraction_bits)
+    throw InputError("coefficients have to have 0 to " + std::to_string(most_fraction_bits) + " fraction bits");
   if (!(sampling.edge_on_fraction > 0.0 && sampling.edge_on_fraction <= 1.0)) {
     throw InputError("the edge-on fraction has to be above 0 and at most 1 pixel");
   }

@@ -10,6 +10,7 @@
 namespace csgsim {
 
 void tell(std::string_view text) noexcept {
+  std::fflush(stdout);  // where both go to one file, what was printed before stands before
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }

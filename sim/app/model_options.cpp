@@ -93,6 +93,7 @@ view::Camera camera_in(const std::string& text) {
   const auto v = numbers<double>(text, ',', is_gimbal ? 7 : 6, "--camera", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
   const glm::dvec3 first(v[0], v[1], v[2]);
   const glm::dvec3 second(v[3], v[4], v[5]);
+  if (is_gimbal && !(v[6] > 0)) throw UsageError("--camera", "the distance, its last number, has to be above 0");
   if (is_gimbal) return view::gimbal_camera(first, second, v[6]);
   return {first, second};
 }
@@ -156,7 +157,7 @@ void ModelOptions::add_to(Command& command, const std::string& what) {
   command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
   add_view_to(command);
-  command.option("--z-bits", z_bits, "Bits of depth");
+  command.option("--z-bits", z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
   command
       .option("--strategy", strategy,
               "How classifications are worked out; bits with --stack-bits, auto: the fewest clocks that fit")
@@ -203,7 +204,8 @@ void ModelOptions::add_view_to(Command& command) {
                "that should coincide do");
   command.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
   command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
-  command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients");
+  command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
+      .between(0U, view::most_fraction_bits);
   command.option("--edge-on", edge_on,
                  "Planes that pass the depth range within this part of a pixel become edge tests");
   command.read_option(

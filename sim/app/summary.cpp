@@ -79,8 +79,8 @@ void print_summary(const sim::Report& report) {
   print_frame(report);
   fmt::print("{:<18}{} carried out, {} skipped\n", "instructions", grouped(total.instructions),
              grouped(report.result.skipped));
-  fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {} depth tests\n", "scan-conversions",
-             grouped(compile.rendered), grouped(compile.classified), grouped(compile.depth_tests));
+  fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {}\n", "scan-conversions", grouped(compile.rendered),
+             grouped(compile.classified), counted(compile.depth_tests, "depth test"));
   fmt::print("{:<18}{} clocks at pixels, {} of them at enabled ones: the array was {:.2f} % busy\n", "pixel operations",
              grouped(total.pixel_operations), grouped(total.enabled), percent(total.enabled, total.pixel_operations));
   fmt::print("{:<18}{} of {} bits a pixel, {} of them for the classification\n", "memory",

@@ -20,7 +20,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 std::string explain_command(std::span<const KnownCommand> commands, std::string_view word) {
   std::vector<std::string> known;
   for (const KnownCommand& command : commands) known.push_back(command.name);
-  return fmt::format("there is no command '{}';{} See csgsim --help", word, did_you_mean(word, known));
+  return fmt::format("there is no command '{}';{} see csgsim --help", word, did_you_mean(word, known));
 }
 
 }  // namespace
@@ -30,6 +30,9 @@ std::string explain(std::span<const KnownCommand> commands, std::string_view rea
   const std::string_view first = arguments[1];
   const auto command =
       std::find_if(commands.begin(), commands.end(), [&](const KnownCommand& one) { return one.name == first; });
+  if (command == commands.end() && first.starts_with('-'))
+    return fmt::format("there is no option {};{} see csgsim --help", first,
+                       did_you_mean(first, {"--help", "--version"}));
   if (command == commands.end()) return explain_command(commands, first);
   const std::string help = fmt::format("see csgsim {} --help", command->name);
   const std::vector<std::string>& known = command->options;

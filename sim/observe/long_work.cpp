@@ -41,4 +41,11 @@ void LongWork::at(double done) {
                         duration_text(expected), 100 * done, mend_));
 }
 
+void LongWork::at_point(std::size_t done, std::size_t points) {
+  constexpr double some_seconds = 5;
+  constexpr double some_points = 0.05;
+  const double part = static_cast<double>(done) / static_cast<double>(points);
+  if (elapsed() >= some_seconds || part >= some_points) at(part);
+}
+
 }  // namespace csgsim::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -21,6 +22,10 @@ class LongWork {
 
   /// This part of the work is done, above 0, at most 1.
   void at(double done);
+
+  /// So many of the points of a study are done. The first read, compile and judge what the others share: nothing is
+  /// foretold before some seconds, or some of the points.
+  void at_point(std::size_t done, std::size_t points);
 
   /// Seconds in all that were warned of, if it was.
   [[nodiscard]] std::optional<double> warned() const { return warned_; }

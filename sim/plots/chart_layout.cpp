@@ -52,7 +52,7 @@ Extent x_extent(const Chart& chart) {
 Extent y_extent(const Chart& chart, std::size_t panel) {
   std::vector<double> values;
   for (const Series& series : chart.series) {
-    if (series.panel != panel) continue;
+    if (series.panel != panel || series.trace == Trace::upright) continue;
     for (const Point& point : series.points) {
       if (is_finite(point)) values.push_back(point.y);
     }
@@ -84,8 +84,9 @@ class PanelContent {
     const std::vector<Pixel> pixels = pixels_of(series, size);
     if (pixels.empty()) return;
     if (series.trace == Trace::steps) add_line(drawing, steps_of(pixels), look);
-    if (series.trace == Trace::line || series.trace == Trace::level) add_line(drawing, pixels, look);
-    if (series.trace == Trace::level) return;
+    const bool has_no_marks = series.trace == Trace::level || series.trace == Trace::upright;
+    if (series.trace == Trace::line || has_no_marks) add_line(drawing, pixels, look);
+    if (has_no_marks) return;
     for (const Pixel& at : pixels) {
       drawing.marks.push_back({at, look.mark, look.colour, size});
       surroundings_.boxes.push_back(around(at, size / 2));
@@ -126,6 +127,7 @@ class PanelContent {
       if (!is_finite(point)) continue;
       const Pixel at = panel_.at(point);
       if (series.trace == Trace::level) return {{panel_.area.left, at.y}, {panel_.area.right, at.y}};
+      if (series.trace == Trace::upright) return {{at.x, panel_.area.top}, {at.x, panel_.area.bottom}};
       pixels.push_back(at);
       if (!point.label.empty()) add_label(at, shortened(point.label, longest_label), mark);
     }

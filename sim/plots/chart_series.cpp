@@ -51,7 +51,8 @@ Sample sample_of(Trace trace) {
     case Trace::line:
     case Trace::steps: return Sample::line;
     case Trace::marks: return Sample::mark;
-    case Trace::level: return Sample::level;
+    case Trace::level:
+    case Trace::upright: return Sample::level;
   }
   return Sample::none;
 }

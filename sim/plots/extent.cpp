@@ -49,7 +49,7 @@ double Extent::along(double value) const {
 
 std::vector<Tick> Extent::ticks(unsigned most, bool is_whole) const {
   if (!is_logarithmic) return linear_ticks(low, high, most, is_whole);
-  std::vector<Tick> ticks = logarithmic_ticks(low, high, most);
+  std::vector<Tick> ticks = logarithmic_ticks(low, high, most, is_whole);
   if (has_zero) ticks.insert(ticks.begin(), {0, "0"});
   return ticks;
 }

@@ -40,10 +40,11 @@ struct Point {
 };
 
 enum class Trace : std::uint8_t {
-  line,   ///< the points joined
-  steps,  ///< each point's height holds until the next point, that of the last to the panel's edge
-  marks,  ///< the points alone
-  level,  ///< a height for all of the x axis: that of the first point
+  line,     ///< the points joined
+  steps,    ///< each point's height holds until the next point, that of the last to the panel's edge
+  marks,    ///< the points alone
+  level,    ///< a height for all of the x axis: that of the first point
+  upright,  ///< a place for all of the panel's height: that of the first point
 };
 
 /// Points that belong together. Series of one name look alike, and have one entry in the key.

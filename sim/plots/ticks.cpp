@@ -72,13 +72,14 @@ std::vector<Tick> linear_ticks(double low, double high, unsigned most, bool is_w
   return with_texts(values, number_texts(values, step.exponent));
 }
 
-std::vector<Tick> logarithmic_ticks(double low, double high, unsigned most) {
+std::vector<Tick> logarithmic_ticks(double low, double high, unsigned most, bool is_whole) {
   std::vector<Power> powers = powers_between(low, high, {1});
   if (powers.size() < 3) {
     const std::vector<Power> more = powers_between(low, high, {1, 2, 5});
     if (more.size() <= most) powers = more;
   }
-  if (powers.size() < 2) return linear_ticks(low, high, most);
+  if (is_whole) std::erase_if(powers, [](const Power& one) { return one.exponent < 0; });
+  if (powers.size() < 2) return linear_ticks(low, high, most, is_whole);
   const std::size_t every = (powers.size() + most - 1) / most;
   const bool as_powers =
       std::ranges::any_of(powers, [](const Power& one) { return one.exponent < -4 || one.exponent > 6; });

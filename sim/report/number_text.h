@@ -4,7 +4,7 @@
 
 namespace csgsim::report {
 
-/// A number for people: whole ones in groups; others to four digits, or to the unit where they are larger.
+/// A number for people: whole ones in groups; others of 1,000 or more to the unit, smaller ones to four digits.
 std::string number_text(double value);
 
 /// 0.25 as 25.0 %.

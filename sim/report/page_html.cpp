@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cstddef>
-#include <ranges>
 #include <string_view>
 
 #include "sim/plots/palette.h"
@@ -46,9 +45,10 @@ std::string marks_html() {
 std::string dash_in_pixels(std::string_view dash) {
   if (dash.empty()) return "none";
   std::string pixels;
-  for (const auto part : std::views::split(dash, ',')) {
+  const char* const end = dash.data() + dash.size();
+  for (const char* at = dash.data(); at < end; ++at) {
     unsigned halves = 0;
-    std::from_chars(part.data(), part.data() + part.size(), halves);
+    at = std::from_chars(at, end, halves).ptr;
     pixels += fmt::format("{}{:g}", pixels.empty() ? "" : " ", halves / 2.0);
   }
   return pixels;

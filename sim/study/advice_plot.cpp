@@ -77,26 +77,17 @@ void add_recommendations(std::span<const Recommendation> all, plots::Chart& char
   if (!series.points.empty()) chart.series.push_back(std::move(series));
 }
 
-/// The wish for memory is a line from the bottom to the fastest of what is shown.
 void add_wishes(const Wishes& wishes, plots::Chart& chart) {
   double most_bits = 0;
-  double fastest = wishes.min_fps;
   for (const plots::Series& series : chart.series) {
-    for (const plots::Point& point : series.points) {
-      most_bits = std::max(most_bits, point.x);
-      fastest = std::max(fastest, point.y);
-    }
+    for (const plots::Point& point : series.points) most_bits = std::max(most_bits, point.x);
   }
-  if (wishes.max_bits <= most_bits) {
-    const double bits = wishes.max_bits;
+  const plots::Point wish{static_cast<double>(wishes.max_bits), wishes.min_fps};
+  if (wish.x <= most_bits)
+    chart.series.push_back({fmt::format("wish: at most {} bits", wishes.max_bits), 0, plots::Trace::upright, {wish}});
+  if (wish.y > 0) {
     chart.series.push_back(
-        {fmt::format("wish: at most {} bits", wishes.max_bits), 0, plots::Trace::line, {{bits, 0}, {bits, fastest}}});
-  }
-  if (wishes.min_fps > 0) {
-    chart.series.push_back({fmt::format("wish: at least {:g} frames a second", wishes.min_fps),
-                            0,
-                            plots::Trace::level,
-                            {{most_bits, wishes.min_fps}}});
+        {fmt::format("wish: at least {:g} frames a second", wishes.min_fps), 0, plots::Trace::level, {wish}});
   }
 }
 

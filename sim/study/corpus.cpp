@@ -32,8 +32,8 @@ constexpr auto columns = std::to_array<CorpusColumn>({
     {"shade", "shade clocks", [](const CorpusRow& row) { return static_cast<double>(row.shade); }},
     {"pixel_operations", "pixel operations",
      [](const CorpusRow& row) { return static_cast<double>(row.pixel_operations); }},
-    {"used_bits", "memory bits", [](const CorpusRow& row) { return static_cast<double>(row.used_bits); }},
-    {"frames_per_second", "frames a second", [](const CorpusRow& row) { return row.frames_per_second; }},
+    {"used_bits", "memory bits", [](const CorpusRow& row) { return static_cast<double>(row.used_bits); }, false},
+    {"frames_per_second", "frames a second", [](const CorpusRow& row) { return row.frames_per_second; }, false},
 });
 
 void count(const isa::Program& program, CorpusRow& row) {
@@ -98,11 +98,15 @@ Json row_json(const CorpusRow& row) {
   return json;
 }
 
-Json distribution_json(const Distribution& one) {
-  return {{"count", one.count},     {"total", one.total},
-          {"minimum", one.minimum}, {"first_quartile", one.first_quartile},
-          {"median", one.median},   {"third_quartile", one.third_quartile},
-          {"maximum", one.maximum}};
+Json distribution_json(const Distribution& one, bool adds_up) {
+  Json json{{"count", one.count},
+            {"minimum", one.minimum},
+            {"first_quartile", one.first_quartile},
+            {"median", one.median},
+            {"third_quartile", one.third_quartile},
+            {"maximum", one.maximum}};
+  if (adds_up) json["total"] = one.total;
+  return json;
 }
 
 }  // namespace
@@ -148,7 +152,8 @@ std::string corpus_json(const std::string& title, std::span<const CorpusRow> row
   for (const CorpusRow& row : rows) json["points"].push_back(row_json(row));
   for (const std::string& machine : machines_of(rows)) {
     for (const CorpusColumn& column : columns)
-      json["distributions"][machine][column.name] = distribution_json(distribution_of(rows, machine, column));
+      json["distributions"][machine][column.name] =
+          distribution_json(distribution_of(rows, machine, column), column.adds_up);
   }
   return json.dump(2) + "\n";
 }

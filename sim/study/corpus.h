@@ -127,6 +127,7 @@ struct CorpusColumn {
   const char* name;     ///< as in the table
   const char* heading;  ///< for people
   double (*value)(const CorpusRow& row);
+  bool adds_up = true;  ///< a total over models means something
 };
 
 std::span<const CorpusColumn> corpus_columns();

@@ -140,7 +140,7 @@ void complete(const Options& options, const Study& study, Table& table) {
       tell(fmt::format("\r\x1b[K{} of {} points: {} {}", number, study.wanted.size(), wanted.point.knob,
                        wanted.point.value));
     table.add(measure(wanted, study, meter));
-    work.at(static_cast<double>(number - known) / static_cast<double>(study.wanted.size() - known));
+    work.at_point(number - known, study.wanted.size() - known);
   }
   if (show) tell("\r\x1b[K");
 }

@@ -221,6 +221,7 @@ void add_advise(CommandLine& line) {
       "advise.csv at once; the same command goes on after an interruption, and with other wishes measures nothing "
       "anew.");
   options->add_to(command);
+  command.prints_summary();
   command.runs([options, command] { run(*options, command); });
 }
 

@@ -130,7 +130,7 @@ void print_distributions(const Rows& rows) {
       const study::Distribution one = study::distribution_of(rows, machine, column);
       fmt::print("  {:<18}{:>16}{:>16}{:>16}{:>16}{:>16}{:>20}\n", column.heading, number(one.minimum),
                  number(one.first_quartile), number(one.median), number(one.third_quartile), number(one.maximum),
-                 number(one.total));
+                 column.adds_up ? number(one.total) : "");
     }
   }
 }
@@ -197,10 +197,10 @@ void run(const CorpusOptions& options, const Command& command, const study::Gath
   write_file(folder.path() / "corpus.json", points);
   print_rows(rows);
   print_distributions(rows);
-  if (!options.no_plots) study::draw_corpus(rows, folder.path());
+  const bool has_plots = !options.no_plots && !study::draw_corpus(rows, folder.path()).empty();
   if (report.asked()) report.write(page_of(options, rows, points));
   fmt::print("\n{}: corpus.csv, corpus.json{}\n", printable(options.folder),
-             options.no_plots ? "" : ", and plots (.png, .svg) of clocks and frames a second");
+             has_plots ? ", and plots (.png, .svg) of clocks and frames a second" : "");
   refuse_failures(rows);
 }
 
@@ -214,6 +214,7 @@ void add(CommandLine& line, const study::Gathered* gathered) {
       "machine draws some model. What has been measured is in corpus.csv at once; the same command goes on after an\n"
       "interruption, and with other models or machines measures what is new.");
   options->add_to(command);
+  command.prints_summary();
   command.runs([options, command, gathered] { run(*options, command, gathered); });
 }
 

@@ -96,6 +96,7 @@ void add_gather(CommandLine& line) {
   command.option("--report", options->page, "The study's page, for a browser").check(not_empty);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   command.flag("--missing", options->missing, "Only print the command of each shard that is not done, a line each");
+  command.prints_summary();
   command.runs([options] { run(*options); });
 }
 

@@ -104,6 +104,7 @@ void add_rerun(CommandLine& line) {
       .check(not_empty);
   command.flag("--anyway", options->anyway, "Go on where csgsim or a file that was read is not as it was");
   add_progress(command, options->progress);
+  command.prints_summary();
   command.runs([&line, options, command] { rerun(line, command, *options); });
 }
 

@@ -31,16 +31,11 @@ class SweepProgress {
     // Those that are measured at the same time are nearly done too.
     const std::size_t missing = points_ - known_;
     const std::size_t done = std::min(measured_ + threads_ - 1, missing);
-    const double part = static_cast<double>(done) / static_cast<double>(missing);
-    if (work_.elapsed() >= few_seconds || part >= small_part) work_.at(part);
+    work_.at_point(done, missing);
     show();
   }
 
  private:
-  // The first points of a study read, compile and judge what the others share.
-  static constexpr double few_seconds = 5;
-  static constexpr double small_part = 0.05;
-
   void show() const {
     if (!show_) return;
     tell(fmt::format("\r\x1b[K{} of {} points", known_ + measured_, points_));

@@ -55,7 +55,7 @@ Chart many_labels(std::size_t count) {
   return {"many labels", {"x"}, {{"y"}}, {{"marks", 0, Trace::marks, points}}, "table.csv"};
 }
 
-constexpr Trace traces[] = {Trace::line, Trace::steps, Trace::marks, Trace::line, Trace::level};
+constexpr Trace traces[] = {Trace::line, Trace::steps, Trace::marks, Trace::line, Trace::level, Trace::upright};
 
 Chart many_series(std::size_t count, const std::string& name) {
   Chart chart{"many series of " + name, {name}, {{name}, {"other"}}, {}, "table.csv"};
