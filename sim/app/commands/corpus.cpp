@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -114,7 +116,11 @@ void print_rows(const Rows& rows) {
   for (const std::span<const CorpusRow> model : by_model(rows)) print_model(model);
 }
 
-std::string number(double value) { return value < 1000 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value); }
+std::string number(double value) {
+  constexpr double least_in_groups = 999.5;
+  return value < least_in_groups ? fmt::format("{:.4g}", value)
+                                 : grouped(static_cast<std::uint64_t>(std::llround(value)));
+}
 
 void print_distributions(const Rows& rows) {
   for (const std::string& machine : study::machines_of(rows)) {
