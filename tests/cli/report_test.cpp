@@ -106,7 +106,8 @@ TEST_CASE("the page of each study has the numbers of its file") {
       {"effects" + of + "--scene " + std::string(CSGSIM_SOURCE_DIR) + "/tests/scenes/depth_cue.toml --memory-bits 128",
        "effects.json"}};
   for (std::size_t i = 0; i < studies.size(); ++i) {
-    const auto& [command, file] = studies[i];
+    const std::string command = studies[i].first;
+    const std::string file = studies[i].second;
     CAPTURE(command);
     const std::string out = folder / std::to_string(i);
     const std::string page = out + ".html";
