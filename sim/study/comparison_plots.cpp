@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "sim/plots/gnuplot.h"
 #include "sim/study/comparison.h"
+#include "sim/study/tick_names.h"
 
 namespace csgsim::study {
 
@@ -65,20 +67,44 @@ bool varies(const plots::Chart& chart) {
       chart.series, [](const plots::Series& series) { return series.points.front().x < series.points.back().x; });
 }
 
+/// What is told of each machine; where one of them has none, it is told of none.
+struct Property {
+  const char* title;
+  std::optional<double> (*value)(const ComparisonRow& row);
+};
+
+constexpr Property properties[] = {
+    {time_title, [](const ComparisonRow& row) { return std::optional(milliseconds(row)); }},
+    {"memory bits in all",
+     [](const ComparisonRow& row) { return std::optional(static_cast<double>(row.memory_bits)); }},
+    {"transistors in all", [](const ComparisonRow& row) {
+       return row.transistors ? std::optional(static_cast<double>(*row.transistors)) : std::nullopt;
+     }}};
+
+void add_property(const Property& property, std::span<const ComparisonRow> own, plots::Chart& chart) {
+  plots::Series series{"", chart.panels.size(), plots::Trace::marks};
+  for (const ComparisonRow& row : own) {
+    const std::optional<double> value = property.value(row);
+    if (!value) return;
+    series.points.push_back({static_cast<double>(series.points.size()), *value});
+  }
+  chart.panels.push_back({property.title, plots::Scale::logarithmic});
+  chart.series.push_back(std::move(series));
+}
+
 /// A picture of the first machine's size with the model's own facets, on each machine.
 plots::Chart machines_chart(std::span<const ComparisonRow> rows, const machines::Size& base, const std::string& model) {
-  plots::Chart chart{model + ": machines",
-                     {"machine", plots::Scale::linear, {}, true},
-                     {{time_title, plots::Scale::logarithmic}, {"memory bits in all", plots::Scale::logarithmic}},
-                     {{"", 0, plots::Trace::marks}, {"", 1, plots::Trace::marks}},
-                     table};
+  std::vector<ComparisonRow> own;
+  std::vector<std::string> machines;
   for (const ComparisonRow& row : rows) {
     if (!row.drawn() || row.point.fragments != 0 || !row.point.ideal.empty() || !has_size(row, base)) continue;
-    const auto place = static_cast<double>(chart.x.ticks.size());
-    chart.x.ticks.push_back({place, row.point.machine});
-    chart.series[0].points.push_back({place, milliseconds(row)});
-    chart.series[1].points.push_back({place, static_cast<double>(row.memory_bits)});
+    own.push_back(row);
+    machines.push_back(row.point.machine);
   }
+  plots::Chart chart{model + ": machines", {"machine", plots::Scale::linear, {}, true}, {}, {}, table};
+  for (const std::string& name : tick_names(machines))
+    chart.x.ticks.push_back({static_cast<double>(chart.x.ticks.size()), name});
+  for (const Property& property : properties) add_property(property, own, chart);
   return chart;
 }
 

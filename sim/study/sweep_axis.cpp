@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "sim/study/tick_names.h"
+
 namespace csgsim::study {
 
 namespace {
@@ -54,8 +56,9 @@ SweepAxis::SweepAxis(std::span<const SweepRow> rows) : dimension_(strategy) {
   }
   const bool is_number = dimensions[dimension_].is_number;
   axis_ = {dimensions[dimension_].title, plots::Scale::linear, {}, !is_number};
+  const std::vector<std::string> names = tick_names(values_);
   for (std::size_t i = 0; i < values_.size(); ++i)
-    axis_.ticks.push_back({is_number ? std::stod(values_[i]) : static_cast<double>(i), values_[i]});
+    axis_.ticks.push_back({is_number ? std::stod(values_[i]) : static_cast<double>(i), names[i]});
 }
 
 std::optional<double> SweepAxis::place(const SweepPoint& point) const {

@@ -43,6 +43,6 @@ class Steps:
         begin = int(first) if str(first).isdigit() else next(i for i, line in enumerate(lines) if line.startswith(first))
         return "\n".join(["```", *"\n".join(lines[begin : begin + int(most)]).rstrip().splitlines(), "```"])
 
-    def folder(self, figures):
-        """Where the files are that the commands make."""
-        return figures.runs.run(self.script()).folder
+    def folder(self, figures, below="."):
+        """Where the files are that the commands make, in a folder of theirs."""
+        return figures.runs.run(self.script()).folder / below

@@ -139,3 +139,18 @@ TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
   rows.back().point.width = 128;
   CHECK(names() == Words{"compare_machines", "compare_halfspaces", "compare_pixels"});
 }
+
+TEST_CASE("machines that differ by a figure are called by it, and transistors are shown where all have some") {
+  std::vector<study::ComparisonRow> rows(3);
+  const Words machines{"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+alu.bits=2+array.memory_bits=96"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].point = {machines[i], 64, 64, 0, {}};
+    rows[i].transistors = 100 + i;
+  }
+  const plots::Chart chart = chart_named(study::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines");
+  CHECK(tick_texts(chart.x) == Words{"pixel-planes-4", "+alu.bits=2", "+array.memory_bits=96"});
+  REQUIRE(chart.panels.size() == 3);
+  CHECK(chart.series[2].points[2].y == 102);
+  rows[1].transistors.reset();
+  CHECK(chart_named(study::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines").panels.size() == 2);
+}
