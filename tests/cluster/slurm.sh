@@ -8,7 +8,7 @@ set -eu
 
 csgsim=$(realpath "$1")
 here=$(realpath "$(dirname "$0")/../..")
-log=${2:-/dev/null}
+log=$(realpath -m "${2:-/dev/null}")
 : >"$log"
 shards=16
 work=$(mktemp -d)
