@@ -93,6 +93,8 @@ std::string trace_path(plots::Trace trace, const std::vector<Place>& places, con
   if (trace == plots::Trace::marks) return "";
   if (trace == plots::Trace::level)
     return fmt::format("M{:.1f} {:.1f}H{:.1f}", frame.left, places.front().y, frame.right);
+  if (trace == plots::Trace::upright)
+    return fmt::format("M{:.1f} {:.1f}V{:.1f}", places.front().x, frame.top, frame.bottom);
   std::string path = fmt::format("M{:.1f} {:.1f}", places.front().x, places.front().y);
   const bool is_steps = trace == plots::Trace::steps;
   for (std::size_t i = 1; i < places.size(); ++i)

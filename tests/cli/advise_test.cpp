@@ -56,6 +56,12 @@ TEST_CASE("the commands that advise recommends draw with the bits, clocks and wr
   }
 }
 
+TEST_CASE("advise that was asked quietly recommends commands that say what they draw") {
+  const Folder folder;
+  for (const nlohmann::json& one : advice(narrow + "--max-wrong-pixels 1000 --quiet", folder))
+    CHECK(one["command"].get<std::string>().find("--quiet") == std::string::npos);
+}
+
 TEST_CASE("the commands on advise's page draw what the page says of them") {
   const Folder folder;
   std::istringstream page(content(std::string(CSGSIM_SOURCE_DIR) + "/docs/advise.md"));

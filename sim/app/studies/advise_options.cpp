@@ -146,9 +146,9 @@ std::string given_words(const AdviseOptions& options, const Command& command) {
 }  // namespace
 
 std::vector<std::string> own_options() {
-  return {"max-bits",    "max-wrong-pixels", "min-fps",    "min-colour-bits", "z-bits",   "fraction-bits",
-          "colour-bits", "strategy",         "stack-bits", "colouring",       "alu-bits", "machine",
-          "output",      "threads",          "no-plots",   "progress",        "set",      "report"};
+  return {"max-bits", "max-wrong-pixels", "min-fps",   "min-colour-bits", "z-bits",  "fraction-bits", "colour-bits",
+          "strategy", "stack-bits",       "colouring", "alu-bits",        "machine", "output",        "threads",
+          "no-plots", "progress",         "set",       "report",          "quiet"};
 }
 
 AdviceQuestion question_of(const AdviseOptions& options) {

@@ -37,7 +37,8 @@ std::string path_of(plots::Trace trace, bool is_backward = false) {
 }  // namespace
 
 TEST_CASE(
-    "the traces of a chart are lines, steps that hold until the next point and then to the edge, levels, and marks") {
+    "the traces of a chart are lines, steps that hold until the next point and then to the edge, levels, uprights, "
+    "marks") {
   const auto count = [](const std::string& path, char what) { return std::count(path.begin(), path.end(), what); };
   const std::string line = path_of(plots::Trace::line);
   CHECK(count(line, 'L') == 2);
@@ -54,6 +55,9 @@ TEST_CASE(
   CHECK(level.substr(0, 1) == "M");
   CHECK(count(level, 'H') == 1);
   CHECK(count(level, 'V') == 0);
+  const std::string upright = path_of(plots::Trace::upright);
+  CHECK(count(upright, 'H') == 0);
+  CHECK(count(upright, 'V') == 1);
 }
 
 TEST_CASE("a chart of two panels is two plots, each of its own series; what is not finite is left out") {
