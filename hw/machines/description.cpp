@@ -214,7 +214,7 @@ std::string put_change(toml::table& root, const std::string& change, std::string
   }
   std::map<std::string, toml::table*> figures;
   collect_figures(root, "", figures);
-  const std::string key = change.substr(0, equals);
+  std::string key = change.substr(0, equals);
   const auto found = figures.find(key);
   if (found == figures.end()) {
     std::vector<std::string_view> known;

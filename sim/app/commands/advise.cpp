@@ -154,6 +154,7 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const stu
   for (const study::Recommendation& one : advice.recommendations) add(one.row, study::recommendation_name(one.wish));
   if (advice.nearest) add(*advice.nearest, "nearest to all wishes");
   std::vector<report::Picture> pictures;
+  pictures.reserve(choices.size());
   for (const auto& [row, name] : choices) pictures.push_back(picture_of(options, row, name));
   return pictures;
 }
