@@ -145,6 +145,7 @@ ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names
 
 std::vector<std::string> strategy_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(emit::strategies));
   for (const auto strategy : emit::strategies) names.emplace_back(emit::name_of(strategy));
   return names;
 }

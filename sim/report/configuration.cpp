@@ -1,5 +1,7 @@
 #include "sim/report/configuration.h"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 
 namespace csgsim::report {
@@ -19,7 +21,7 @@ void add_leaves(const Json& value, const std::string& at, const std::string& nam
   if (value.is_null()) return;
   if (value.is_object() && !value.empty()) {
     for (const auto& [key, one] : value.items())
-      add_leaves(one, child(at, key), name.empty() ? key : name + "." + key, table);
+      add_leaves(one, child(at, key), name.empty() ? key : fmt::format("{}.{}", name, key), table);
   } else if (value.is_array() && value.size() <= most_elements && !is_list_of_leaves(value)) {
     for (std::size_t i = 0; i < value.size(); ++i)
       add_leaves(value[i], at + "/" + std::to_string(i), name + "[" + std::to_string(i) + "]", table);

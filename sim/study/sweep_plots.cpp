@@ -68,7 +68,11 @@ plots::Chart varied_chart(const std::vector<SweepRow>& rows, std::string title, 
   for (const Line& line : lines_of(rows, axis)) {
     std::vector<plots::Series> series = series_of(line, axis, counts);
     const auto same = std::ranges::find_if(drawn, [&](const auto& one) { return is_same(one.first, series); });
-    same == drawn.end() ? drawn.push_back({std::move(series), {line.name}}) : same->second.push_back(line.name);
+    if (same == drawn.end()) {
+      drawn.emplace_back(std::move(series), std::vector<std::string>{line.name});
+    } else {
+      same->second.push_back(line.name);
+    }
   }
   plots::Chart chart{std::move(title), axis.axis(), std::move(panels), {}, table};
   for (auto& [series, names] : drawn) {

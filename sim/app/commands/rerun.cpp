@@ -61,6 +61,7 @@ void go_to(const std::string& folder) {
 
 void run_words(CommandLine& line, std::vector<std::string> words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words) arguments.push_back(word.data());
   line.run(arguments);
 }

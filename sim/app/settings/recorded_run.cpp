@@ -68,9 +68,15 @@ bool has_effect(std::string_view option) {
   return role_of(option) != FileRole::output && std::ranges::find(without_effect, option) == without_effect.end();
 }
 
+/// What an option holds that was not given.
+bool says_nothing(const Json& value) {
+  const auto* const text = value.get_ptr<const Json::string_t*>();
+  return value.is_null() || value == false || (text != nullptr && text->empty());
+}
+
 std::string command_of(const RecordedRun& run) {
   const Json& words = member(run, run.configuration, "command");
-  const std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
+  std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
   if (std::ranges::find(commands, name) == commands.end()) {
     throw InputError(fmt::format("{}: it is of 'csgsim {}'; only stats of render and run can be run again", run.file,
                                  printable(name)));
@@ -124,7 +130,7 @@ std::vector<std::string> words_of(const RecordedRun& run) {
   const std::string operand = command == "render" ? "model" : "program";
   for (const auto& [name, value] : options.items()) {
     if (!is_name(name)) throw InputError(fmt::format("{}: '{}' is no option", run.file, printable(name)));
-    if (name == operand || !has_effect(name) || value.is_null() || value == "" || value == false) continue;
+    if (name == operand || !has_effect(name) || says_nothing(value)) continue;
     if (value == true) {
       words.push_back("--" + name);
     } else if (value.is_array()) {
