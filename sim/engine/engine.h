@@ -69,9 +69,9 @@ struct RunResult {
   std::uint64_t interval_clocks = 0;  ///< as machines::FrameTiming
   /// Enabled pixels at which A*x + B*y + C did not fit the width, but had to (isa::cuts_sum); 0 if not checked.
   std::uint64_t overflows = 0;
-  std::uint64_t skipped = 0;  ///< instructions that a skip_if_none left out
+  std::uint64_t skipped = 0;            ///< instructions that a skip_if_none left out
   std::vector<machines::Skip> skips{};  ///< which skip_if_none left them out, in program order
-  std::vector<bool> answers;  ///< of global_or, in order
+  std::vector<bool> answers;            ///< of global_or, in order
   /// Colour of every pixel of the picture, in row order, as the machine's scan-out delivers it; empty where the engine
   /// simulates none.
   std::vector<std::uint32_t> scanned_out{};
