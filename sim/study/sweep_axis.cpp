@@ -15,7 +15,8 @@ struct Dimension {
   const char* title;
   const char* before;  ///< its value, in a line's name
   bool is_number;
-  std::string (*text)(const SweepPoint& point);  ///< empty where a point has none
+  std::string (*text)(const SweepPoint& point);                                      ///< empty where a point has none
+  std::vector<std::string> (*ticks)(std::span<const std::string> values) = nullptr;  ///< their names on the axis
 };
 
 constexpr std::array dimensions{
@@ -25,7 +26,7 @@ constexpr std::array dimensions{
     Dimension{"m, the bits that strategy bits is given", "m = ", true,
               [](const SweepPoint& p) { return p.stack_bits == 0 ? std::string() : std::to_string(p.stack_bits); }},
     Dimension{"prunings that are done", "pruning ", false, [](const SweepPoint& p) { return p.pruning; }},
-    Dimension{"machine", "", false, [](const SweepPoint& p) { return p.machine; }},
+    Dimension{"machine", "", false, [](const SweepPoint& p) { return p.machine; }, tick_names},
     Dimension{"colouring", "", false, [](const SweepPoint& p) { return p.colouring; }},
     Dimension{"strategy", "", false, [](const SweepPoint& p) { return p.strategy; }},
 };
@@ -56,7 +57,8 @@ SweepAxis::SweepAxis(std::span<const SweepRow> rows) : dimension_(strategy) {
   }
   const bool is_number = dimensions[dimension_].is_number;
   axis_ = {dimensions[dimension_].title, plots::Scale::linear, {}, !is_number};
-  const std::vector<std::string> names = tick_names(values_);
+  const auto ticks = dimensions[dimension_].ticks;
+  const std::vector<std::string> names = ticks == nullptr ? values_ : ticks(values_);
   for (std::size_t i = 0; i < values_.size(); ++i)
     axis_.ticks.push_back({is_number ? std::stod(values_[i]) : static_cast<double>(i), names[i]});
 }

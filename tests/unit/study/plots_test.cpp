@@ -71,6 +71,15 @@ TEST_CASE("machines of a sweep stand side by side, each by its name") {
   CHECK(chart.series[0].points[1].y == 50);
 }
 
+TEST_CASE("prunings are called as they were asked for, also where one begins as another does") {
+  study::SweepPoint space = point("stack", 0);
+  space.pruning = "space";
+  study::SweepPoint both = point("stack", 0);
+  both.pruning = "space+hidden";
+  const std::vector<study::SweepRow> rows{row(space, 100), row(both, 50)};
+  CHECK(tick_texts(study::SweepAxis(rows).axis()) == Words{"space", "space+hidden"});
+}
+
 TEST_CASE("a strategy without stack bits is a level, and lines that would cover each other are one") {
   const std::vector<study::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 7), row(point("bits", 4), 8),
                                           row(point("bits", 3), 9)};
