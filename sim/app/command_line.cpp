@@ -164,21 +164,17 @@ std::vector<GivenOption> Command::given() const {
 
 namespace {
 
-/// A value that begins with a dash would be taken for an option.
-void add_option_words(const std::string& name, const std::string& value, std::vector<std::string>& words) {
-  if (value.starts_with('-')) {
-    words.push_back("--" + name + "=" + value);
-  } else {
-    words.insert(words.end(), {"--" + name, value});
-  }
-}
-
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& then) {
   first.insert(first.end(), then.begin(), then.end());
   return first;
 }
 
 }  // namespace
+
+std::vector<std::string> option_words(const std::string& name, const std::string& value) {
+  if (value.starts_with('-')) return {"--" + name + "=" + value};
+  return {"--" + name, value};
+}
 
 std::vector<std::string> Command::words(std::span<const std::string_view> but) const {
   std::vector<std::string> operands;
@@ -195,7 +191,7 @@ std::vector<std::string> Command::words(std::span<const std::string_view> but) c
     const bool is_flag = option->get_expected_max() == 0;
     if (is_flag) options.push_back("--" + name);
     for (const std::string& value : option->results())
-      if (!is_flag) add_option_words(name, value, options);
+      if (!is_flag) options = joined(std::move(options), option_words(name, value));
   }
   const auto is_like_option = [](const std::string& operand) { return operand.starts_with('-'); };
   if (std::none_of(operands.begin(), operands.end(), is_like_option))

@@ -91,6 +91,9 @@ struct RunWatch {
   std::function<void(const nlohmann::ordered_json& stats)> after;           ///< when all is written
 };
 
+/// An option with its value as words of a command line: two, or one where the value would be taken for an option.
+std::vector<std::string> option_words(const std::string& name, const std::string& value);
+
 /// A command that is being described. Values are written when the command line is read, and have to live until then;
 /// what they hold before is the default, which help shows. A name without a dash is of an operand: `MODEL`.
 class Command {

@@ -48,6 +48,14 @@ auto with_memory_for_run(std::span<const isa::Program> programs, const isa::Arra
   return with_memory([&] { return short_of_memory(programs, array); }, call);
 }
 
+/// For what is measured at the same time, on so many threads: `points`, `choices`.
+template <class Call>
+auto with_memory_for_threads(unsigned threads, const char* what, Call call) {
+  return with_memory(
+      [&] { return fmt::format("there is not enough memory for {} {} at once; take fewer --threads", threads, what); },
+      call);
+}
+
 /// Memory that a run takes beside what every process does, about: what a pixel takes was measured with pictures of
 /// 4096 x 4096 pixels (docs/performance.md).
 std::uint64_t memory_estimate(const machines::Machine& machine, const isa::ArrayShape& picture, std::string_view level);

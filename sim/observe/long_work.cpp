@@ -25,9 +25,9 @@ Stopwatch wall_time() {
   return [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
 }
 
-LongWork::LongWork(std::string what, std::string mend, Stopwatch stopwatch, double warned_of)
+LongWork::LongWork(std::string what, std::string remedy, Stopwatch stopwatch, double warned_of)
     : what_(std::move(what)),
-      mend_(std::move(mend)),
+      remedy_(std::move(remedy)),
       stopwatch_(std::move(stopwatch)),
       begin_(stopwatch_()),
       warned_of_(warned_of) {}
@@ -38,7 +38,7 @@ void LongWork::at(double done) {
   if (expected < warned_of_) return;
   warned_ = expected;
   tell_line(fmt::format("warning: {} will take about {} here, to judge by the first {:.2g} %; {}", what_,
-                        duration_text(expected), 100 * done, mend_));
+                        duration_text(expected), 100 * done, remedy_));
 }
 
 void LongWork::at_point(std::size_t done, std::size_t points) {

@@ -17,8 +17,8 @@ class LongWork {
  public:
   static constexpr double few_seconds = 60;  ///< what takes less is not warned of
 
-  /// `what` will take so long; `mend` says what would take less.
-  LongWork(std::string what, std::string mend, Stopwatch stopwatch = wall_time(), double warned_of = few_seconds);
+  /// `what` will take so long; `remedy` says what would take less.
+  LongWork(std::string what, std::string remedy, Stopwatch stopwatch = wall_time(), double warned_of = few_seconds);
 
   /// This part of the work is done, above 0, at most 1.
   void at(double done);
@@ -35,7 +35,7 @@ class LongWork {
 
  private:
   std::string what_;
-  std::string mend_;
+  std::string remedy_;
   Stopwatch stopwatch_;
   double begin_;
   double warned_of_;

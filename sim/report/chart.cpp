@@ -1,28 +1,19 @@
 #include "sim/report/chart.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <variant>
 
+#include "sim/plots/extent.h"
+
 namespace csgsim::report {
 
 namespace {
 
-/// As plots::Scale says, of the values that are shown.
-bool is_logarithmic(plots::Scale scale, std::span<const double> values) {
-  if (scale != plots::Scale::by_range || values.empty()) return scale == plots::Scale::logarithmic;
-  const auto [least, most] = std::ranges::minmax(values);
-  double least_positive = most;
-  for (const double value : values)
-    if (value > 0) least_positive = std::min(least_positive, value);
-  return least >= 0 && most >= 20 * least_positive;
-}
-
 Axis axis_of(const plots::Axis& axis, std::span<const double> values) {
-  Axis shown{axis.title, is_logarithmic(axis.scale, values)};
+  Axis shown{axis.title, plots::extent_of(values, axis.scale, false).is_logarithmic};
   if (axis.is_names)
     for (const plots::Tick& tick : axis.ticks) shown.names.push_back(tick.text);
   return shown;

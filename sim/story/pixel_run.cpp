@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -41,17 +40,6 @@ isa::Field target_of(const isa::Program& program, const isa::Instruction& instru
   const bool writes = isa::operands_of(instruction.opcode)[0] == isa::OperandKind::target;
   return writes ? named_around(program, instruction.fields[0]) : isa::Field{};
 }
-
-/// Takes down where a skip_if_none found no pixel.
-class SkipObserver final : public sim::Observer {
- public:
-  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
-    if (isa::skipped_after(step.instruction, step.enabled_pixels) > 0) skips.push_back({step.segment, step.index});
-  }
-
-  std::vector<machines::Skip> skips;
-};
 
 /// Runs the segments that hold a pixel.
 class Runner {
@@ -146,10 +134,7 @@ std::vector<machines::Skip> skips_of(const isa::Program& program, const machines
                        [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
   });
   if (!asks) return {};
-  SkipObserver observer;
-  const std::array<sim::Observer*, 1> observers{&observer};
-  sim::make_functional_engine(machine)->run(program, observers);
-  return observer.skips;
+  return sim::make_functional_engine(machine)->run(program, {}).skips;
 }
 
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,

@@ -17,17 +17,6 @@ namespace csgsim::study {
 
 namespace {
 
-/// Takes down what is skipped.
-class SkipObserver final : public sim::Observer {
- public:
-  [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
-    if (isa::skipped_after(step.instruction, step.enabled_pixels) > 0) skips.push_back({step.segment, step.index});
-  }
-
-  std::vector<machines::Skip> skips;
-};
-
 bool may_skip(const isa::Segment& segment) {
   return std::any_of(segment.instructions.begin(), segment.instructions.end(), [](const isa::Instruction& instruction) {
     return instruction.opcode == isa::Opcode::skip_if_none;
@@ -86,12 +75,7 @@ machines::FrameTiming RunTimer::time(const isa::Program& program, const machines
   key.reserve(program.segments.size());
   for (const isa::Segment& segment : program.segments) key.push_back(hash_of(segment));
   const auto [known, is_new] = skips_.try_emplace(std::move(key));
-  if (is_new) {
-    SkipObserver observer;
-    const std::array<sim::Observer*, 1> observers{&observer};
-    sim::make_functional_engine(machine)->run(program, observers);
-    known->second = std::move(observer.skips);
-  }
+  if (is_new) known->second = sim::make_functional_engine(machine)->run(program, {}).skips;
   return machines::time_frame(program, machine, known->second);
 }
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -18,6 +17,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
+#include "sim/app/memory.h"
 #include "sim/app/options.h"
 #include "sim/app/studies/advise_options.h"
 #include "sim/app/studies/advise_report.h"
@@ -99,15 +99,12 @@ Rows complete(const AdviseOptions& options, const AdviceQuestion& question, Tabl
   }
   SweepProgress progress(question.points.size(), question.points.size() - missing.size(),
                          shows_progress(options.progress), options.threads);
-  try {
+  with_memory_for_threads(options.threads, "choices", [&] {
     study::measure_advice(question.job, missing, options.threads, [&](AdviceRow row) {
       kept.add(std::move(row));
       progress.done();
     });
-  } catch (const std::bad_alloc&) {
-    throw InputError(
-        fmt::format("there is not enough memory for {} choices at once; take fewer --threads", options.threads));
-  }
+  });
   kept.write();
   return kept.in_order(question.points);
 }

@@ -251,9 +251,9 @@ void run(const Options& options, const Command& command, const study::Gathered* 
   if (options.shard) return run_shard(options, command);
   std::optional<Study> study;
   if (gathered == nullptr) study = study_of(options);
-  const StudyFolder folder(folder_of(options), "compare",
-                           input_files({options.model.model}, study::parse_words(options.machines)));
-  ReportFile report(options.report, input_files({options.model.model}, study::parse_words(options.machines)));
+  const auto inputs = input_files({options.model.model}, study::parse_words(options.machines));
+  const StudyFolder folder(folder_of(options), "compare", inputs);
+  ReportFile report(options.report, inputs);
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "compare.csv";
   Table table(table_path, title);

@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <span>
@@ -18,6 +16,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
+#include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
@@ -26,6 +25,7 @@
 #include "sim/app/studies/studies.h"
 #include "sim/app/studies/study_files.h"
 #include "sim/app/studies/sweep_progress.h"
+#include "sim/report/number_text.h"
 #include "sim/study/parallel.h"
 #include "sim/study/ranges.h"
 #include "sim/study/table.h"
@@ -41,13 +41,10 @@ using Table = study::Table<CorpusRow>;
 /// Measures jobs at the same time.
 void measure_jobs(const CorpusOptions& options, const std::vector<const study::CorpusJob*>& jobs,
                   const std::function<void(CorpusRow)>& finished) {
-  try {
+  with_memory_for_threads(options.threads, "points", [&] {
     study::measure_each(
         jobs.size(), options.threads, [&](std::size_t i) { return study::measure(*jobs[i]); }, finished);
-  } catch (const std::bad_alloc&) {
-    throw InputError(
-        fmt::format("there is not enough memory for {} points at once; take fewer --threads", options.threads));
-  }
+  });
 }
 
 /// Measures the points that the table has not, and returns all in their order: so they are in the file at the end,
@@ -116,12 +113,6 @@ void print_rows(const Rows& rows) {
   for (const std::span<const CorpusRow> model : by_model(rows)) print_model(model);
 }
 
-std::string number(double value) {
-  constexpr double least_in_groups = 999.5;
-  return value < least_in_groups ? fmt::format("{:.4g}", value)
-                                 : grouped(static_cast<std::uint64_t>(std::llround(value)));
-}
-
 void print_distributions(const Rows& rows) {
   for (const std::string& machine : study::machines_of(rows)) {
     const auto of_machine = [&](const CorpusRow& row) { return row.point.machine == machine; };
@@ -132,11 +123,12 @@ void print_distributions(const Rows& rows) {
     if (drawn == 0) continue;
     fmt::print("  {:<18}{:>16}{:>16}{:>16}{:>16}{:>16}{:>20}\n", "", "minimum", "quartile", "median", "quartile",
                "maximum", "total");
+    using report::number_text;
     for (const study::CorpusColumn& column : study::corpus_columns()) {
       const study::Distribution one = study::distribution_of(rows, machine, column);
-      fmt::print("  {:<18}{:>16}{:>16}{:>16}{:>16}{:>16}{:>20}\n", column.heading, number(one.minimum),
-                 number(one.first_quartile), number(one.median), number(one.third_quartile), number(one.maximum),
-                 column.adds_up ? number(one.total) : "");
+      fmt::print("  {:<18}{:>16}{:>16}{:>16}{:>16}{:>16}{:>20}\n", column.heading, number_text(one.minimum),
+                 number_text(one.first_quartile), number_text(one.median), number_text(one.third_quartile),
+                 number_text(one.maximum), column.adds_up ? number_text(one.total) : "");
     }
   }
 }

@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
+#include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
@@ -50,12 +50,8 @@ study::WantedPoint wanted(const SweepOptions& options, const study::SweepJob& jo
 /// Jobs in parallel.
 void measure_jobs(const SweepOptions& options, const std::vector<study::SweepJob>& jobs,
                   const std::function<void(SweepRow)>& finished) {
-  try {
-    study::measure_all(jobs, !options.no_draw, options.threads, finished);
-  } catch (const std::bad_alloc&) {
-    throw InputError(
-        fmt::format("there is not enough memory for {} points at once; take fewer --threads", options.threads));
-  }
+  with_memory_for_threads(options.threads, "points",
+                          [&] { study::measure_all(jobs, !options.no_draw, options.threads, finished); });
 }
 
 /// Measures the points that the table has not, and returns all in their order. So they are in the file at the end,
@@ -173,8 +169,9 @@ void run(const SweepOptions& options, const Command& command, const study::Gathe
   if (options.shard) return run_shard(options, command);
   std::vector<study::SweepJob> jobs;
   if (gathered == nullptr) jobs = jobs_of(options);
-  const StudyFolder folder(options.folder, "sweep", input_files(options.models, study::parse_words(options.machines)));
-  ReportFile report(options.report, input_files(options.models, study::parse_words(options.machines)));
+  const auto inputs = input_files(options.models, study::parse_words(options.machines));
+  const StudyFolder folder(options.folder, "sweep", inputs);
+  ReportFile report(options.report, inputs);
   const std::string title = title_of(command);
   const std::filesystem::path table_path = folder.path() / "sweep.csv";
   Table table(table_path, title);

@@ -66,13 +66,13 @@ void give(CLI::Option& option, const Setting& setting) {
   at_place_of(setting, [&] { option.run_callback(); });
 }
 
-bool is_outdone(const CLI::Option& option) {
+bool is_overridden(const CLI::Option& option) {
   const std::set<CLI::Option*> others = option.get_excludes();
   return option.count() > 0 || std::ranges::any_of(others, [](const CLI::Option* one) { return one->count() > 0; });
 }
 
 /// What the command line says stays, but what the settings say has to be right all the same.
-void check_outdone(CLI::Option& option, const Setting& setting) {
+void check_overridden(CLI::Option& option, const Setting& setting) {
   const std::vector<std::string> said = option.results();
   put(option, setting.values);
   at_place_of(setting, [&] { static_cast<void>(option.reduced_results()); });
@@ -122,14 +122,14 @@ void SettingsApp::take_settings(CLI::App& command) {
   std::vector<std::pair<CLI::Option*, const Setting*>> to_give;
   for (const Setting& setting : settings) {
     CLI::Option* const option = option_named(command, setting.name);
-    if (is_outdone(*option)) {
-      check_outdone(*option, setting);
+    if (is_overridden(*option)) {
+      check_overridden(*option, setting);
     } else {
       to_give.emplace_back(option, &setting);
     }
   }
   for (const auto& [option, setting] : to_give) {
-    if (option->count() == 0 && is_outdone(*option))
+    if (option->count() == 0 && is_overridden(*option))
       throw InputError(fmt::format("{}: {} stands in place of another option that is set; leave one out",
                                    setting->place, setting->name));
     give(*option, *setting);

@@ -46,7 +46,7 @@ class Reader {
     std::ranges::sort(found_, {}, [](const Found& one) { return std::pair(one.place.line, one.place.column); });
     std::vector<Setting> settings;
     for (Found& one : found_) {
-      if (!is_outdone(one)) settings.push_back(std::move(one.setting));
+      if (!is_overridden(one)) settings.push_back(std::move(one.setting));
     }
     return settings;
   }
@@ -73,7 +73,7 @@ class Reader {
   }
 
   /// Does the command's table say it too?
-  [[nodiscard]] bool is_outdone(const Found& one) const {
+  [[nodiscard]] bool is_overridden(const Found& one) const {
     return !one.is_own && std::ranges::any_of(found_, [&](const Found& other) {
       return other.is_own && other.setting.name == one.setting.name;
     });

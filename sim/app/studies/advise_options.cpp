@@ -124,10 +124,11 @@ study::AdviceJob job_of(const AdviseOptions& options, const machines::Machine& m
   return job;
 }
 
-/// An option and its value as words of a shell.
+/// An option and its value for a shell, behind a blank.
 std::string words_of(const std::string& name, const std::string& value) {
-  // What begins with a dash would be taken for an option.
-  return value.starts_with('-') ? " " + shell_word("--" + name + "=" + value) : " --" + name + " " + shell_word(value);
+  std::string text;
+  for (const std::string& word : option_words(name, value)) text += " " + shell_word(word);
+  return text;
 }
 
 /// Those that were given, and that render has too.
