@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host/facet/quadrics.h"
+#include "host/view/fixed_point.h"
+
+namespace csgsim::view {
+
+/// A*x^2 + B*x*y + C*y^2 + linear, with as many fraction bits as its owner says.
+struct FixedQuadratic {
+  std::int64_t xx = 0;
+  std::int64_t xy = 0;
+  std::int64_t yy = 0;
+  FixedLinear linear;
+};
+
+/// Bounds of a quadratic function over a rectangle of pixels: never narrower than its values there.
+Range range_over(const FixedQuadratic& quadratic, const PixelRect& rect);
+
+enum class ScreenQuadricKind : std::uint8_t {
+  roots,  ///< two depths on every ray, where the discriminant is not negative
+  edge,   ///< seen along its axis, or from its apex: whole rays are in it or are not
+  unfit,  ///< none of both within the machine's numbers: its solids have to be faceted
+};
+
+/// A canonical quadric in the picture: the same integers for every solid that it bounds.
+///
+/// Roots: on a ray D = (discriminant >> discriminant_shift), floor. Where D < 0 the ray does not meet the quadric;
+/// else, with q = floor(sqrt(D)) and M = middle >> fraction_bits, floor, its depths are
+///
+///     near = M - (q << unit),    far = M + ((q + 1) << unit)    (depth steps)
+///
+/// Edge: the ray is in the quadric where the discriminant is not negative.
+struct ScreenQuadric {
+  ScreenQuadricKind kind = ScreenQuadricKind::roots;
+  FixedLinear middle;           ///< with Sampling::fraction_bits
+  FixedQuadratic discriminant;  ///< below 2^61 everywhere in the picture
+  unsigned discriminant_shift = 0;
+  unsigned unit = 0;              ///< depth is right to 2^unit steps; more than 0 only where the surface is steep
+  bool eye_inside = false;        ///< the coefficient of depth squared is negative: between its depths a ray is outside
+  double middle_error = 0;        ///< bounds of what rounding does before the floor, over `pixels`: of the middle,
+  double discriminant_error = 0;  ///< and of D, in its own units
+  PixelRect pixels;               ///< that solids which it bounds can touch
+};
+
+/// What a quadric is to a solid that it bounds.
+enum class QuadricRole : std::uint8_t {
+  between,  ///< in is near <= z < far, where D >= 0; else nothing
+  until,    ///< in is z < near: of a ray that begins inside; where D < 0, everything
+  from,     ///< in is z >= far: the other nappe, seen through the eye's own; where D < 0, nothing
+  edge,     ///< in is where the discriminant is not negative
+};
+
+}  // namespace csgsim::view
