@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/facet/coincidence.h"
 #include "host/facet/solid.h"
 
 namespace csgsim::facet {
@@ -15,10 +16,6 @@ struct Halfspace {
 
   bool operator==(const Halfspace&) const = default;
 };
-
-/// Planes closer than this to each other are one plane: components of the normals, and offsets relative to the model's
-/// diagonal. Chains of transforms in double precision err by some 1e-15; walls thinner than this vanish.
-inline constexpr double coincidence_tolerance = 1e-11;
 
 /// The planes of a model without repetition: planes that coincide share an entry, whichever primitive or orientation
 /// they come from, so that whatever is computed from them is equal exactly. The first plane seen of a kind stands for

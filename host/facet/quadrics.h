@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
-#include "host/model/tree.h"
+#include "host/facet/coincidence.h"
 
 namespace csgsim::facet {
 
@@ -16,21 +17,29 @@ enum class QuadricKind : std::uint8_t {
   cone,       ///< both nappes, about its apex
 };
 
-/// The quadric (p - origin)^T form (p - origin) + level() <= 0.
+/// The quadric u.x^2 + u.y^2 + signs()[2] u.z^2 + level() <= 0 of u = to_unit (p - origin): the unit ball, the unit
+/// cylinder or the unit cone. As one symmetric matrix, whose entries may lose what is thin against what is long, it is
+/// (p - origin)^T form (p - origin) + level() <= 0.
 struct Quadric {
   QuadricKind kind = QuadricKind::ellipsoid;
-  glm::dvec3 origin{0};          ///< centre; the point of the axis nearest to QuadricTable::centre(); apex. Relative to
-                                 ///< QuadricTable::centre()
-  glm::dvec3 axis{0, 0, 1};      ///< of cylinders and cones, of length 1; its first component that is not 0 is positive
+  glm::dvec3 origin{0};      ///< centre; the point of the axis nearest to QuadricTable::centre(); apex. Relative to
+                             ///< QuadricTable::centre()
+  glm::dvec3 axis{0, 0, 1};  ///< of cylinders and cones, of length 1; its first component that is not 0 is positive.
+                             ///< Of cones: the principal axis in them, whatever they were made from
   std::array<double, 6> form{};  ///< xx, yy, zz, xy, xz, yz of a symmetric matrix; of a cone the greatest has size 1
+  std::array<glm::dvec3, 3> to_unit{};  ///< rows of a matrix; the last is 0 of a cylinder
 
   [[nodiscard]] double level() const { return kind == QuadricKind::cone ? 0.0 : -1.0; }
+  [[nodiscard]] std::array<double, 3> signs() const {
+    if (kind == QuadricKind::cone) return {1, 1, -1};
+    return {1, 1, kind == QuadricKind::cylinder ? 0.0 : 1.0};
+  }
 };
 
 /// A canonical quadric that bounds a solid, which is in the quadric and between the planes of its half-spaces.
 struct QuadricSide {
   std::uint32_t quadric = 0;  ///< index into QuadricTable::quadrics()
-  bool along_axis = true;     ///< of a cone: the solid is on the nappe that its axis points into
+  bool along_axis = true;     ///< of a cone: the solid is on the nappe that its axis points into; else true
 
   bool operator==(const QuadricSide&) const = default;
 };
@@ -44,17 +53,25 @@ class QuadricTable {
   /// `centre` and `diagonal` as those of the PlaneTable.
   QuadricTable(const glm::dvec3& centre, double diagonal);
 
-  /// The canonical quadric of one in model space, whose origin is relative to the model's.
-  QuadricSide add(Quadric quadric, bool along_axis);
+  /// The canonical quadric of one whose kind, `to_unit` and origin, relative to the model's, are given: of a cylinder
+  /// any point of the axis. `inward`: of a cone, a direction in model space from the apex into the nappe that is meant.
+  QuadricSide add(const Quadric& quadric, const glm::dvec3& inward);
 
   /// Canonical quadrics, their origins relative to `centre()`.
   [[nodiscard]] const std::vector<Quadric>& quadrics() const { return quadrics_; }
   [[nodiscard]] const glm::dvec3& centre() const { return centre_; }
 
  private:
+  using Known = Key<13>;
+
+  [[nodiscard]] Known key_of(const Quadric& canonical) const;
+  [[nodiscard]] std::optional<std::uint32_t> find(const Known& key, QuadricKind kind) const;
+
   glm::dvec3 centre_{0};
   double diagonal_ = 1;
   std::vector<Quadric> quadrics_;
+  std::vector<Known> keys_;                                           ///< one a quadric
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> at_;  ///< quadrics by the hash of their keys' cells
 };
 
 }  // namespace csgsim::facet

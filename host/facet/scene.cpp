@@ -33,10 +33,14 @@ Box box_of(const std::vector<glm::dvec3>& points) {
   return box;
 }
 
+Box box_of(const Solid& solid) {
+  return solid.curved ? Box{solid.curved->low, solid.curved->high} : box_of(solid.vertices);
+}
+
 /// Turns solids into convexes one after another.
 class Maker {
  public:
-  explicit Maker(PlaneTable& planes) : planes_(planes) {}
+  Maker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
 
   Convex make(Solid solid) {
     Convex convex;
@@ -47,8 +51,9 @@ class Maker {
       if (is_new(halfspace)) convex.halfspaces.push_back(halfspace);
     }
     convex.edges = edges_of(solid);
+    convex.box = box_of(solid);
     convex.vertices = std::move(solid.vertices);
-    convex.box = box_of(convex.vertices);
+    if (solid.curved) convex.quadrics.push_back(quadrics_.add(solid.curved->quadric, solid.curved->inward));
     return convex;
   }
 
@@ -59,6 +64,7 @@ class Maker {
   }
 
   PlaneTable& planes_;
+  QuadricTable& quadrics_;
   std::uint32_t count_ = 0;                            ///< solids so far
   std::vector<std::array<std::uint32_t, 2>> last_of_;  ///< by plane and side: the number of the last solid that has it
 };
@@ -109,25 +115,29 @@ Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes) {
   return folded[tree.root];
 }
 
-Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
+Scene make_scene(const model::Tree& tree, const Faceting& faceting, const std::vector<bool>& in_facets) {
   if (faceting.tolerance && !(*faceting.tolerance > 0.0 && std::isfinite(*faceting.tolerance))) {
     throw InputError("the faceting tolerance has to be a finite length above 0");
   }
+  Faceting in_all_facets = faceting;
+  in_all_facets.exact_curves = false;
   std::vector<Solid> solids;
   std::vector<Box> boxes;
   Box all;
   solids.reserve(tree.primitives.size());
   boxes.reserve(tree.primitives.size());
   for (const model::Primitive& primitive : tree.primitives) {
-    solids.push_back(make_solid_at(tree, primitive, faceting));
-    boxes.push_back(box_of(solids.back().vertices));
+    const bool is_faceted = solids.size() < in_facets.size() && in_facets[solids.size()];
+    solids.push_back(make_solid_at(tree, primitive, is_faceted ? in_all_facets : faceting));
+    boxes.push_back(box_of(solids.back()));
     all = hull(all, boxes.back());
   }
   Scene scene{
       {},
       PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : glm::length(all.high - all.low)),
       {}};
-  Maker maker(scene.planes);
+  scene.quadrics = QuadricTable(scene.planes.centre(), scene.planes.diagonal());
+  Maker maker(scene.planes, scene.quadrics);
   scene.solids.reserve(solids.size());
   for (Solid& solid : solids) scene.solids.push_back(maker.make(std::exchange(solid, {})));
   scene.box = fold_boxes(tree, boxes);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/facet/planes.h"
+#include "host/facet/quadrics.h"
 #include "host/facet/solid.h"
 #include "host/model/tree.h"
 
@@ -24,12 +25,13 @@ Box hull(const Box& a, const Box& b);
 Box hull(const Box& box, const glm::dvec3& point);
 Box common(const Box& a, const Box& b);
 
-/// A primitive as an intersection of canonical half-spaces.
+/// A primitive as an intersection of canonical half-spaces, and of a quadric if it is curved.
 struct Convex {
   std::vector<Halfspace> halfspaces;                ///< in the order of the faces, none twice
-  std::vector<glm::dvec3> vertices;                 ///< model space
+  std::vector<glm::dvec3> vertices;                 ///< model space; of a curved solid, of a polytope that holds it
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< pairs of vertices, each edge once
-  Box box;                                          ///< of the vertices
+  Box box;                                          ///< of the vertices; of a curved solid, its own
+  std::vector<QuadricSide> quadrics;
 };
 
 /// A model ready for any view.
@@ -37,10 +39,13 @@ struct Scene {
   std::vector<Convex> solids;  ///< one a primitive of the tree
   PlaneTable planes;
   Box box;  ///< holds what the tree leaves of its primitives
+  QuadricTable quadrics{};
 };
 
-/// Facets every primitive. Throws InputError, naming the primitive's place in the file, where one cannot be faceted.
-Scene make_scene(const model::Tree& tree, const Faceting& faceting = {});
+/// Facets every primitive, but for those that stay curved; `in_facets`, by primitive, says which do not though they
+/// might: none if it is empty. Throws InputError, naming the primitive's place in the file, where one cannot be
+/// faceted.
+Scene make_scene(const model::Tree& tree, const Faceting& faceting = {}, const std::vector<bool>& in_facets = {});
 
 /// Folds boxes of the primitives over the tree: unions span, intersections clip, differences keep their first operand.
 Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/facet/covered_ball.h"
+#include "host/facet/curved.h"
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
 #include "hw/base/error.h"
@@ -151,10 +152,13 @@ Solid polyhedron(const model::Polyhedron& shape) {
 
 struct Maker {
   Local local;
+  bool is_curved;
 
   Solid operator()(const model::Cube& shape) const { return box(shape); }
-  Solid operator()(const model::Sphere& shape) const { return ball(shape, local); }
-  Solid operator()(const model::Cylinder& shape) const { return frustum(shape, local); }
+  Solid operator()(const model::Sphere& shape) const { return is_curved ? curved_hull(shape) : ball(shape, local); }
+  Solid operator()(const model::Cylinder& shape) const {
+    return is_curved ? curved_hull(shape) : frustum(shape, local);
+  }
   Solid operator()(const model::Polyhedron& shape) const { return polyhedron(shape); }
 };
 
@@ -185,7 +189,8 @@ Solid make_solid(const model::Primitive& primitive, const Faceting& faceting) {
   const glm::dmat3 linear(primitive.transform);
   Local local{std::nullopt, faceting.fragments};
   if (faceting.tolerance) local.tolerance = *faceting.tolerance / stretch(linear);
-  Solid solid = std::visit(Maker{local}, primitive.shape);
+  const bool is_curved = stays_curved(primitive, faceting);
+  Solid solid = std::visit(Maker{local, is_curved}, primitive.shape);
   require_size(solid, linear);
   const glm::dvec3 shift(primitive.transform[3]);
   const glm::dmat3 normals = glm::transpose(glm::inverse(linear));
@@ -196,6 +201,7 @@ Solid make_solid(const model::Primitive& primitive, const Faceting& faceting) {
     const double offset = face.plane.offset - glm::dot(normal, shift);
     face.plane = {normal / length, offset / length};
   }
+  if (is_curved) solid.curved = curved_surface(primitive);
   return solid;
 }
 

@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "host/facet/faceting.h"
+#include "host/facet/quadrics.h"
 #include "host/model/tree.h"
 
 namespace csgsim::facet {
@@ -22,11 +24,21 @@ struct Face {
   std::vector<std::uint32_t> corners;  ///< indices into Solid::vertices; none if the vertices are only a hull's
 };
 
-/// A faceted primitive in model space. Planes are computed from the shape's parameters, not from the rounded vertices.
+/// The curved surface of a solid, in model space.
+struct CurvedSurface {
+  Quadric quadric;       ///< its kind, origin and to_unit
+  glm::dvec3 inward{0};  ///< of a cone: a direction from the apex into the solid's nappe
+  glm::dvec3 low{1};     ///< of a box around the solid
+  glm::dvec3 high{0};
+};
+
+/// A primitive in model space, faceted or curved. Planes are computed from the shape's parameters, not from the rounded
+/// vertices.
 struct Solid {
   std::vector<glm::dvec3> vertices;  ///< of the solid, or of a hull that holds it
   std::vector<Face> faces;
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of such a hull that no face's corners give
+  std::optional<CurvedSurface> curved;
 };
 
 /// Facets a primitive. The transform must be invertible. Throws InputError if it would take too many facets.

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace csgsim::facet {
+
+/// Surfaces closer than this to each other are one surface: components of normals and axes, and lengths relative to the
+/// model's diagonal. Chains of transforms in double precision err by some 1e-15; walls thinner than this vanish.
+inline constexpr double coincidence_tolerance = 1e-11;
+
+/// Whether the first component that is not 0 is negative.
+inline bool points_backward(const glm::dvec3& direction) {
+  constexpr double zero_component = 4.0 * coincidence_tolerance;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) > zero_component) return direction[axis] < 0.0;
+  }
+  return false;
+}
+
+/// What a surface is known by: surfaces whose keys differ by no more than the tolerance in any component coincide.
+template <std::size_t size>
+using Key = std::array<double, size>;
+
+/// The number of the cell of a grid in which a component is. Cells are wide against the tolerance, so that what is near
+/// a surface is seldom in another cell than the surface. A power of two to the unit, and cells are centred on its
+/// multiples: components such as 0, 1/2 and 1 are far from their sides.
+inline double cell_at(double component) {
+  constexpr double cells_per_unit = 0x1p31;
+  return std::floor(component * cells_per_unit + 0.5);
+}
+
+template <std::size_t size>
+Key<size> cell_of(const Key<size>& key) {
+  Key<size> cell;
+  for (std::size_t i = 0; i < size; ++i) cell[i] = cell_at(key[i]);
+  return cell;
+}
+
+template <std::size_t size>
+std::uint64_t hash_of(const Key<size>& cell) {
+  std::uint64_t sum = 0;
+  for (const double one : cell) {
+    // Past 2^53 cells are as wide as doubles are apart, and their numbers only have to differ.
+    sum = (sum ^ std::bit_cast<std::uint64_t>(one + 0.0)) * 0x9e3779b97f4a7c15U;
+    sum ^= sum >> 32U;
+  }
+  return sum;
+}
+
+template <std::size_t size>
+bool are_near(const Key<size>& one, const Key<size>& other) {
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool is_near = other[i] >= one[i] - coincidence_tolerance && other[i] <= one[i] + coincidence_tolerance;
+    if (!is_near) return false;
+  }
+  return true;
+}
+
+/// Calls visit(cell) for each cell that what is near the key may be in.
+template <std::size_t size, class Visit>
+void for_cells_near(const Key<size>& key, const Visit& visit) {
+  Key<size> cell;
+  std::array<std::size_t, size> split;  // components that may be in either of two cells
+  std::array<double, size> others;      // of these
+  std::size_t splits = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    cell[i] = cell_at(key[i] - coincidence_tolerance);
+    const double high = cell_at(key[i] + coincidence_tolerance);
+    if (high == cell[i]) continue;
+    split[splits] = i;
+    others[splits++] = high;
+  }
+  for (std::size_t corner = 0; corner < std::size_t{1} << splits; ++corner) {
+    Key<size> near = cell;
+    for (std::size_t i = 0; i < splits; ++i) {
+      if ((corner >> i & 1U) != 0) near[split[i]] = others[i];
+    }
+    visit(near);
+  }
+}
+
+}  // namespace csgsim::facet
