@@ -39,6 +39,10 @@ bool keeps_enable(isa::Opcode opcode) {
     case Opcode::bit_not:
     case Opcode::global_or:
     case Opcode::xor_constant:
+    case Opcode::squares:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus:
+    case Opcode::root:
     case Opcode::add: return true;
     case Opcode::enable_all:
     case Opcode::enable_invert:

@@ -41,6 +41,10 @@ bool acts_where_disabled(isa::Opcode opcode) {
     case isa::Opcode::xor_constant:
     case isa::Opcode::skip_if_none:
     case isa::Opcode::add:
+    case isa::Opcode::squares:
+    case isa::Opcode::linear_plus:
+    case isa::Opcode::linear_minus:
+    case isa::Opcode::root:
     case isa::Opcode::stripe: break;
   }
   return false;

@@ -1,6 +1,7 @@
 #include "hw/array/sequencer.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "hw/array/plane.h"
 #include "hw/isa/opcodes.h"
@@ -60,6 +61,10 @@ BitStep Sequencer::issue() {
     case Opcode::skip_if_none: return once({.function = answer});
     case Opcode::xor_constant: return field_bits(change_step(store_xor_constant));
     case Opcode::add: return two_operand_bits(sum_step());
+    case Opcode::squares:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus:
+    case Opcode::root: throw std::logic_error("no bit steps for the instruction");
   }
   busy_ = false;
   return {};

@@ -73,6 +73,10 @@ void write_operand(ByteWriter& out, const Instruction& instruction, std::size_t 
       out.varint(linear.width);
       out.varint(linear.shift);
       break;
+    case OperandKind::squares:
+      for (const std::int64_t coefficient : {linear.a, linear.b, linear.c}) out.varint(zigzag(coefficient));
+      out.varint(linear.width);
+      break;
     case OperandKind::constant:
     case OperandKind::count: out.varint(instruction.constant); break;
   }
@@ -91,6 +95,10 @@ void read_operand(ByteReader& in, Instruction& instruction, std::size_t operand)
       for (std::int64_t* coefficient : {&linear.a, &linear.b, &linear.c}) *coefficient = unzigzag(in.varint());
       linear.width = read_short(in);
       linear.shift = read_short(in);
+      break;
+    case OperandKind::squares:
+      for (std::int64_t* coefficient : {&linear.a, &linear.b, &linear.c}) *coefficient = unzigzag(in.varint());
+      linear.width = read_short(in);
       break;
     case OperandKind::constant:
     case OperandKind::count: instruction.constant = in.varint(); break;

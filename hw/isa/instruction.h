@@ -9,6 +9,7 @@
 namespace csgsim::isa {
 
 inline constexpr unsigned max_field_width = 32;        ///< bits
+inline constexpr unsigned max_wide_field_width = 62;   ///< bits, where takes_wide_field says so
 inline constexpr unsigned max_linear_width = 62;       ///< bits streamed by the linear expression evaluator
 inline constexpr unsigned max_memory_bits = 4096;      ///< bits a pixel
 inline constexpr unsigned max_count = 0xffffffffU;     ///< instructions that one skips
@@ -81,7 +82,8 @@ struct Origin {
 };
 
 /// One broadcast instruction. Operand i of the opcode's row is fields[i] if it is a target or source, `linear` if it is
-/// linear, `constant` if it is a constant or a count; members that the row does not name are zero.
+/// linear, `constant` if it is a constant or a count; members that the row does not name are zero. Squares are in
+/// `linear`: its a, b and c are the factors of x*x, x*y and y*y, its shift is 0.
 struct Instruction {
   Opcode opcode{};  ///< enable_all
   std::array<Field, max_operands> fields{};

@@ -61,6 +61,28 @@ Example: `keep_max Z1, 12*x - 7*y + 991 (w35 >> 12)` streams 35 bits of 12x - 7y
 Where E is 1 and the 23 bits of F that remain exceed Z1, it writes them to Z1. The host asks for 35 bits because
 nothing in the segment needs more.
 
+## Quadratic expressions
+
+`squares` carries three more coefficients, those of x\*x, x\*y and y\*y. They are streamed together with those of the
+instruction right after it, which has a linear expression of the same width: its sum, and with it its F, is
+A\*x\*x + B\*x\*y + C\*y\*y of the squares, and A\*x + B\*y + C of its own. Width, shift and overflow mean what they mean
+of a linear expression. No skip may end between the two. Not every machine's evaluator has squares.
+
+Example: `squares 3*x*x - 2*x*y + 5*y*y (w35)`, then `edge_not_negative 40*x - 3*y - 812 (w35)` disables the pixels
+where 3xx - 2xy + 5yy + 40x - 3y - 812 is negative.
+
+## Roots
+
+`root` takes the square root of a field where it stands. Of a field of 2w + 1 bits all but the top bit are D, an unsigned
+number. The upper w bits become q, the root of D rounded down. The lower w + 1 become the low bits of what is left of D,
+as the steps leave it: D - q\*q if q is odd, D - (q + 1)\*(q + 1) if it is even. The steps are those of non-restoring
+division: each takes two more bits of D to the remainder R, subtracts 4q + 1 from it, or adds 4q + 3 where R was
+negative, and the next bit of q is 1 where R is not negative then. q grows downwards from the top bit of the field, in
+bits that R no longer needs, so that a pixel needs no other memory for it.
+
+Fields of `load_linear`, `linear_plus`, `linear_minus` and `root` may be wider than those of other instructions, since
+what a root is taken of has twice the root's bits.
+
 )";
 
 constexpr std::string_view clocks_text = R"(## How clocks are counted
@@ -86,6 +108,8 @@ std::string_view clocks_of(ClockClass clock_class) {
     case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
     case ClockClass::two_fields:
       return "twice as many for the width of the wider field; once on machines that read twice a clock";
+    case ClockClass::root:
+      return "w\\*w + 2w for a root of w bits; (w\\*w + 5w) / 2 on machines that read twice a clock";
     case ClockClass::answer: return "1 + latency of the trees + levels of the global OR";
   }
   return {};
@@ -99,6 +123,7 @@ std::string_view operand_name(OperandKind kind) {
     case OperandKind::linear: return "linear";
     case OperandKind::constant: return "constant";
     case OperandKind::count: return "count";
+    case OperandKind::squares: return "squares";
   }
   return {};
 }
@@ -111,6 +136,8 @@ std::string_view widths_of(const OpcodeInfo& row) {
     case FieldWidths::elementwise: return "equal";
     case FieldWidths::one: return "1 bit";
     case FieldWidths::narrower: return "s no wider than t";
+    case FieldWidths::wide: return "any, also wide";
+    case FieldWidths::odd: return "odd, also wide";
   }
   return {};
 }
@@ -142,7 +169,7 @@ void put_opcodes(std::string& page) {
       "E is the enable bit, t a target field, s and r source fields in the order of the operands, k a constant or a\n"
       "count, F the value of the linear expression. On a link an instruction takes so many bits; w is the width of "
       "its\n"
-      "linear expression, n that of its target.\n\n"
+      "linear expression or squares, n that of its target.\n\n"
       "| number | instruction | operands | fields | bits on a link | meaning |\n|---|---|---|---|---|---|\n");
   for (const OpcodeInfo& row : opcode_table)
     put(page, "| {} | `{}` | {} | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
@@ -163,10 +190,11 @@ void put_link(std::string& page) {
       "| operand | bits on a link |\n|---|---|\n"
       "| target, source | base {}, width {} |\n"
       "| linear | width {}, shift {}, then A, B and C in `width` bits each |\n"
+      "| squares | width {}, then A, B and C in `width` bits each |\n"
       "| constant | as many as its target has |\n"
       "| count | {} |\n\n",
       LinkWord::most_bits, opcode_bits, wire_base_bits, wire_field_width_bits, wire_linear_width_bits, wire_shift_bits,
-      wire_count_bits);
+      wire_linear_width_bits, wire_count_bits);
   put(page,
       "A, B and C travel as two's complement numbers modulo 2^width: more of them has no part in F. Origins do not "
       "travel.\n\n"
@@ -188,8 +216,9 @@ void put_link(std::string& page) {
 
 void put_clocks(std::string& page) {
   page += clocks_text;
-  for (const ClockClass clock_class : {ClockClass::one, ClockClass::linear_once, ClockClass::linear_twice,
-                                       ClockClass::field, ClockClass::two_fields, ClockClass::answer}) {
+  for (const ClockClass clock_class :
+       {ClockClass::one, ClockClass::linear_once, ClockClass::linear_twice, ClockClass::field, ClockClass::two_fields,
+        ClockClass::root, ClockClass::answer}) {
     std::string names;
     for (const OpcodeInfo& row : opcode_table)
       if (row.clock_class == clock_class) put(names, "{}`{}`", names.empty() ? "" : " ", row.name);
@@ -217,14 +246,17 @@ void put_limits(std::string& page) {
   put(page,
       "\n## Limits\n\n| what | most |\n|---|---|\n"
       "| width of a field | {} bits |\n"
+      "| width of a field of `load_linear`, `linear_plus`, `linear_minus`, `root` | {} bits |\n"
       "| width of a linear expression | {} bits |\n"
       "| instructions that one skips | {} |\n"
       "| \\|A\\| \\* segment width + \\|B\\| \\* segment height + \\|C\\| | below 2^62 |\n"
+      "| the same with \\|A\\| \\* width^2 + \\|B\\| \\* width \\* height + \\|C\\| \\* height^2 of squares | below "
+      "2^62 |\n"
       "| memory of a pixel | {} bits |\n"
       "| side of the array | {} pixels |\n\n"
       "A Program that breaks a rule of this page is refused when it is built and again when it is loaded, with the "
       "segment\nand instruction, or the line and column.\n",
-      max_field_width, max_linear_width, max_count, max_memory_bits, max_array_side);
+      max_field_width, max_wide_field_width, max_linear_width, max_count, max_memory_bits, max_array_side);
 }
 
 constexpr std::string_view sample = R"(.array width=512 height=512 memory_bits=72
@@ -268,6 +300,7 @@ void put_text_form(std::string& page) {
       "- A field is a name that `.field` gave it, `[bit]`, or `[base+:width]`.\n"
       "- A linear expression is a sum of A\\*x, B\\*y and C, each at most once, then `(wWIDTH)` or `(wWIDTH >> "
       "SHIFT)`.\n"
+      "- Squares are a sum of A\\*x\\*x, B\\*x\\*y and C\\*y\\*y, each at most once, then `(wWIDTH)`.\n"
       "- A constant or a count is decimal, or hexadecimal after `0x`.\n"
       "- After `;` stands the origin: the purpose, `pN` for a primitive, `against pN` for the one it is compared "
       "with,\n  `for eN` for the effect that it serves, counted from 0 in the order of `.compile`'s `effects`.\n"

@@ -22,6 +22,7 @@ enum class OperandKind : std::uint8_t {
   linear,    ///< A, B, C, width, shift of a linear expression
   constant,  ///< an unsigned constant as wide as the target field
   count,     ///< a number of instructions, 1 at least
+  squares,   ///< A, B, C, width of what the next instruction's linear expression has besides
 };
 
 inline constexpr std::size_t max_operands = 3;
@@ -38,6 +39,12 @@ bool is_question(Opcode opcode);
 
 /// Does what it writes to its target depend on what is there?
 bool reads_target(Opcode opcode);
+
+/// May its field have up to max_wide_field_width bits?
+bool takes_wide_field(Opcode opcode);
+
+/// Does the validity of an instruction depend on those that follow it?
+bool looks_ahead(Opcode opcode);
 
 /// Is A*x + B*y + C meant to have more bits than the width, so that it is no overflow where it has?
 bool cuts_sum(Opcode opcode);

@@ -15,8 +15,15 @@ bool is_question(Opcode opcode) { return info(opcode).clock_class == ClockClass:
 
 bool reads_target(Opcode opcode) {
   return opcode == Opcode::keep_max || opcode == Opcode::keep_min || opcode == Opcode::xor_constant ||
-         opcode == Opcode::add;
+         opcode == Opcode::add || opcode == Opcode::linear_plus || opcode == Opcode::linear_minus ||
+         opcode == Opcode::root;
 }
+
+bool takes_wide_field(Opcode opcode) {
+  return info(opcode).widths == FieldWidths::wide || info(opcode).widths == FieldWidths::odd;
+}
+
+bool looks_ahead(Opcode opcode) { return opcode == Opcode::skip_if_none || opcode == Opcode::squares; }
 
 bool cuts_sum(Opcode opcode) { return opcode == Opcode::stripe; }
 

@@ -16,6 +16,8 @@ enum class FieldWidths : std::uint8_t {
   elementwise,  ///< all equally wide; these alone may coincide, but overlap in whole only
   one,          ///< one bit each
   narrower,     ///< the second no wider than the first
+  wide,         ///< any width up to max_wide_field_width
+  odd,          ///< an odd width from 3 up to max_wide_field_width
 };
 
 /// How many clocks an instruction takes (see hw/machines/clocks.h for the figures).
@@ -26,6 +28,7 @@ enum class ClockClass : std::uint8_t {
   field,         ///< one bit step a bit of the target field, or for as many as the ALU is wide
   two_fields,    ///< as `field`, with two memory reads of the source fields
   answer,        ///< one bit step, then the controller waits for the answer
+  root,          ///< a bit of the root after the other, each against all that are there
 };
 
 /// The broadcast instruction set. Columns: number, name, operands (at most three), widths of the fields, clock class,
@@ -33,7 +36,8 @@ enum class ClockClass : std::uint8_t {
 ///
 /// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant or a count, and
 /// F the pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number,
-/// shifted right by `shift` with floor; x and y are the pixel's column and row in its segment. Fields are unsigned.
+/// shifted right by `shift` with floor; x and y are the pixel's column and row in its segment. Where `squares` is the
+/// instruction before, its A*x*x + B*x*y + C*y*y is a part of that sum. Fields are unsigned.
 /// Memory is written only where E is 1, but for enable_store.
 // clang-format off
 #define CSGSIM_OPCODES(OP)                                                                                             \
@@ -53,7 +57,7 @@ enum class ClockClass : std::uint8_t {
   OP(12, linear_le,         source, linear,   none,   free,        linear_once,  "E := E and F <= s")                  \
   OP(13, linear_lt,         source, linear,   none,   free,        linear_once,  "E := E and F < s")                   \
   OP(14, linear_eq,         source, linear,   none,   free,        linear_once,  "E := E and F = s")                   \
-  OP(15, load_linear,       target, linear,   none,   free,        linear_once,                                        \
+  OP(15, load_linear,       target, linear,   none,   wide,        linear_once,                                        \
      "where E: t := the low bits of F, and E := 0 if F does not fit t")                                                \
   OP(16, keep_max,          target, linear,   none,   free,        linear_twice,                                       \
      "where E and F > t: t := the low bits of F, and E := 0 if F does not fit t")                                      \
@@ -78,7 +82,16 @@ enum class ClockClass : std::uint8_t {
   OP(31, add,               target, source,   none,   narrower,    two_fields,                                         \
      "where E: t := the low bits of t + s; the carry out of the top bit is lost")                                      \
   OP(32, stripe,            linear, none,     none,   free,        linear_once,                                        \
-     "E := E and the top bit of F; bits of the sum above it are cut off on purpose, which is no overflow")
+     "E := E and the top bit of F; bits of the sum above it are cut off on purpose, which is no overflow")             \
+  OP(33, squares,           squares, none,    none,   free,        one,                                                \
+     "the sum of the next instruction has A x^2 + B xy + C y^2 besides")                                               \
+  OP(34, linear_plus,       target, linear,   none,   wide,        linear_once,                                        \
+     "where E: t := the low bits of F + t")                                                                            \
+  OP(35, linear_minus,      target, linear,   none,   wide,        linear_once,                                        \
+     "where E: t := the low bits of F - t")                                                                            \
+  OP(36, root,              target, none,     none,   odd,         root,                                               \
+     "where E: of the 2w + 1 bits of t the upper w := q, the root of all but the top bit, D, rounded down; the lower " \
+     "w + 1 := the low bits of D - (q or 1) squared")
 // clang-format on
 
 enum class Opcode : std::uint8_t {

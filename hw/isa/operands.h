@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hw/isa/instruction.h"
+#include "hw/isa/program.h"
 
 namespace csgsim::isa {
 
@@ -18,6 +18,14 @@ constexpr bool has_operand(const Operands& operands, OperandKind kind) {
 inline std::uint64_t skipped_after(const Instruction& instruction, std::uint64_t enabled_pixels) {
   return enabled_pixels == 0 && has_operand(operands_of(instruction.opcode), OperandKind::count) ? instruction.constant
                                                                                                  : 0;
+}
+
+/// The squares right before the instruction of that number in its segment, if there are any: a run that begins with
+/// that instruction has to carry them out first.
+inline const Instruction* pending_squares(const Segment& segment, std::size_t index) {
+  if (index == 0) return nullptr;
+  const Instruction& before = segment.instructions[index - 1];
+  return has_operand(operands_of(before.opcode), OperandKind::squares) ? &before : nullptr;
 }
 
 /// Is there a row for it? A value read from a file need not have one.

@@ -37,6 +37,7 @@ namespace csgsim::isa {
 /// - A field is the name of a `.field`, `[bit]`, or `[base+:width]`: width bits of pixel memory, the least significant
 ///   at base.
 /// - A linear expression is a sum of A*x, B*y and C, each once at most, then `(wWIDTH)` or `(wWIDTH >> SHIFT)`.
+/// - Squares are a sum of A*x*x, B*x*y and C*y*y, each once at most, then `(wWIDTH)`.
 /// - A constant or a count is decimal, or hexadecimal after `0x`.
 /// - After `;` stands the origin: a purpose, `pN` for the primitive with index N, counted from 0 in the order of the
 ///   `.primitive` lines, and `against pN` for the one it is compared with. Without `;` it is `setup`.

@@ -46,6 +46,13 @@ struct linear_bits : if_must<seq<one<'('>, gap, one<'w'>>, linear_width,
                              opt<if_must<seq<gap, string<'>', '>'>>, gap, linear_shift>>, linear_end> {};
 struct linear_operand : seq<opt<sign, gap>, must<term>, star<gap, sign, gap, must<term>>, gap, must<linear_bits>> {};
 
+struct square : sor<seq<one<'x'>, gap, one<'*'>, gap, one<'x', 'y'>>, seq<one<'y'>, gap, one<'*'>, gap, one<'y'>>> {};
+struct square_variable : seq<square, not_at<word_part>> {};
+struct square_term : sor<square_variable, seq<magnitude, gap, one<'*'>, gap, square_variable>> {};
+struct squares_bits : if_must<seq<one<'('>, gap, one<'w'>>, linear_width, linear_end> {};
+struct squares_operand
+    : seq<opt<sign, gap>, must<square_term>, star<gap, sign, gap, must<square_term>>, gap, must<squares_bits>> {};
+
 struct hexadecimal : plus<xdigit> {};
 struct decimal : number {};
 struct constant_operand : sor<if_must<string<'0', 'x'>, hexadecimal>, decimal> {};
@@ -57,7 +64,8 @@ struct comma : seq<gap, one<','>> {};
 /// The operands that the instruction's row in the opcode table asks for.
 struct operands {
   using rule_t = operands;
-  using subs_t = type_list<comma, gap, field_operand, linear_operand, constant_operand, instruction_count>;
+  using subs_t =
+      type_list<comma, gap, field_operand, linear_operand, squares_operand, constant_operand, instruction_count>;
 
   template <apply_mode A, rewind_mode M, template <typename...> class Action, template <typename...> class Control,
             typename ParseInput>
@@ -76,6 +84,7 @@ struct operands {
           reading.instruction.fields[i] = reading.field;
           break;
         case OperandKind::linear: demand(std::type_identity<linear_operand>{}); break;
+        case OperandKind::squares: demand(std::type_identity<squares_operand>{}); break;
         case OperandKind::constant: demand(std::type_identity<constant_operand>{}); break;
         case OperandKind::count: demand(std::type_identity<instruction_count>{}); break;
       }
@@ -179,6 +188,13 @@ inline constexpr const char* message<linear_end> = "expected ) at the end of the
 template <>
 inline constexpr const char* message<linear_operand> =
     "expected a linear expression, as in 12*x - 7*y + 991 (w35 >> 12)";
+template <>
+inline constexpr const char* message<square_term> = "expected a term of A*x*x + B*x*y + C*y*y";
+template <>
+inline constexpr const char* message<squares_bits> =
+    "expected the width of the next instruction's expression, as in (w35)";
+template <>
+inline constexpr const char* message<squares_operand> = "expected squares, as in 3*x*x - 2*x*y + 5*y*y (w35)";
 template <>
 inline constexpr const char* message<hexadecimal> = "expected hexadecimal digits after 0x";
 template <>

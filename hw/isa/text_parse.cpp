@@ -44,6 +44,8 @@ CSGSIM_WHEN(minus_sign) { reading.set_negative(); }
 CSGSIM_WHEN(magnitude) { reading.set_magnitude(Reading::number<std::uint64_t>(matched)); }
 CSGSIM_WHEN(variable) { reading.set_variable(matched.front()); }
 CSGSIM_WHEN(term) { reading.end_term(); }
+CSGSIM_WHEN(square_variable) { reading.set_square(matched.front(), matched.back()); }
+CSGSIM_WHEN(square_term) { reading.end_square_term(); }
 CSGSIM_WHEN(linear_width) { reading.instruction.linear.width = Reading::number<std::uint16_t>(matched); }
 CSGSIM_WHEN(linear_shift) { reading.instruction.linear.shift = Reading::number<std::uint16_t>(matched); }
 

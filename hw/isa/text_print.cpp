@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -82,7 +83,9 @@ class FieldNames {
   std::map<Key, std::string_view> names_;
 };
 
-void put_linear(Buffer& out, const Linear& linear) {
+/// A, B and C, each before its variables.
+void put_sum(Buffer& out, const Linear& linear, const std::array<std::string_view, 3>& variables,
+             std::string_view if_zero) {
   bool first = true;
   const auto put_term = [&](std::int64_t coefficient, std::string_view variable) {
     if (coefficient == 0) return;
@@ -99,13 +102,16 @@ void put_linear(Buffer& out, const Linear& linear) {
     }
     first = false;
   };
-  put_term(linear.a, "x");
-  put_term(linear.b, "y");
-  put_term(linear.c, "");
-  put(out, "{} (w{}", first ? "0" : "", linear.width);
+  put_term(linear.a, variables[0]);
+  put_term(linear.b, variables[1]);
+  put_term(linear.c, variables[2]);
+  put(out, "{} (w{}", first ? if_zero : "", linear.width);
   if (linear.shift > 0) put(out, " >> {}", linear.shift);
   put(out, ")");
 }
+
+void put_linear(Buffer& out, const Linear& linear) { put_sum(out, linear, {"x", "y", ""}, "0"); }
+void put_squares(Buffer& out, const Linear& squares) { put_sum(out, squares, {"x*x", "x*y", "y*y"}, "0*x*x"); }
 
 void put_operand(Buffer& out, const Instruction& instruction, std::size_t operand, const FieldNames& names) {
   const OperandKind kind = operands_of(instruction.opcode)[operand];
@@ -115,6 +121,7 @@ void put_operand(Buffer& out, const Instruction& instruction, std::size_t operan
     case OperandKind::target:
     case OperandKind::source: names.put(out, instruction.fields[operand]); break;
     case OperandKind::linear: put_linear(out, instruction.linear); break;
+    case OperandKind::squares: put_squares(out, instruction.linear); break;
     case OperandKind::constant:
     case OperandKind::count: put(out, "{}", instruction.constant); break;
   }

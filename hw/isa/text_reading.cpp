@@ -234,18 +234,23 @@ void Reading::set_effect(std::string_view number) {
   instruction.origin.effect = static_cast<std::uint8_t>(named);
 }
 
-void Reading::end_term() {
+void Reading::end_term() { add_term("xy1", "A*x + B*y + C"); }
+
+void Reading::end_square_term() { add_term("xby", "A*x*x + B*x*y + C*y*y"); }
+
+/// Of the sum that has these variables, the first before a.
+void Reading::add_term(std::string_view variables, std::string_view sum) {
   const Term term = std::exchange(term_, Term{});
   if (terms_seen_.find(term.variable) != std::string::npos)
-    refuse("two terms of one kind; add their coefficients, A*x + B*y + C has each once");
+    refuse("two terms of one kind; add their coefficients, {} has each once", sum);
   terms_seen_ += term.variable;
   constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (term.magnitude > most) refuse("coefficient {} is out of range; keep it below 2^62", term.magnitude);
   const auto magnitude = static_cast<std::int64_t>(term.magnitude);
   Linear& linear = instruction.linear;
-  (term.variable == 'x'   ? linear.a
-   : term.variable == 'y' ? linear.b
-                          : linear.c) = term.negative ? -magnitude : magnitude;
+  (term.variable == variables[0]   ? linear.a
+   : term.variable == variables[1] ? linear.b
+                                   : linear.c) = term.negative ? -magnitude : magnitude;
 }
 
 void Reading::end_instruction() {
@@ -256,20 +261,19 @@ void Reading::end_instruction() {
 
 void Reading::place_instruction(std::size_t line, std::size_t column) {
   const std::vector<Instruction>& instructions = program_.segments.back().instructions;
-  if (has_operand(operands_of(instructions.back().opcode), OperandKind::count))
-    skips_.push_back({program_.segments.size() - 1, instructions.size() - 1, line, column});
+  if (looks_ahead(instructions.back().opcode))
+    look_ahead_.push_back({program_.segments.size() - 1, instructions.size() - 1, line, column});
 }
 
 Program Reading::finish(std::string_view name) {
   if (records_seen_.empty())
     refuse("{}: there is no .array; begin with .array width=... height=... memory_bits=...", name);
   if (directive == Directive::primitive) set_pieces();
-  for (const Skip& skip : skips_) {
-    const std::vector<Instruction>& instructions = program_.segments[skip.segment].instructions;
+  for (const Placed& placed : look_ahead_) {
     try {
-      validate_reach(instructions[skip.index], instructions.size() - 1 - skip.index);
+      validate_ahead(program_.segments[placed.segment], placed.index);
     } catch (const InputError& error) {
-      refuse("{}:{}:{}: {}", name, skip.line, skip.column, error.what());
+      refuse("{}:{}:{}: {}", name, placed.line, placed.column, error.what());
     }
   }
   return std::move(program_);

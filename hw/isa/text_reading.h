@@ -52,11 +52,13 @@ class Reading {
   /// Where the instruction stands that has just ended.
   void place_instruction(std::size_t line, std::size_t column);
 
-  /// The terms of the linear expression: sign, magnitude and variable, then the end of the term.
+  /// The terms of the linear expression or of the squares: sign, magnitude and variables, then the end of the term.
   void set_negative() { term_.negative = true; }
   void set_magnitude(std::uint64_t magnitude) { term_.magnitude = magnitude; }
   void set_variable(char variable) { term_.variable = variable; }
   void end_term();
+  void set_square(char first, char second) { term_.variable = first == second ? first : 'b'; }
+  void end_square_term();
 
   /// A decimal or hexadecimal number that Unsigned holds.
   template <class Unsigned>
@@ -77,16 +79,17 @@ class Reading {
  private:
   [[noreturn]] static void refuse_number(std::string_view digits);
   static std::uint32_t index(std::string_view digits);
+  void add_term(std::string_view variables, std::string_view sum);
   void set_pieces();
 
   struct Term {
     bool negative = false;
     std::uint64_t magnitude = 1;
-    char variable = '1';
+    char variable = '1';  ///< also of a square; `b` of both variables' product
   };
 
-  /// An instruction that says how many others follow it.
-  struct Skip {
+  /// An instruction that looks ahead.
+  struct Placed {
     std::size_t segment = 0;
     std::size_t index = 0;  ///< within the segment
     std::size_t line = 0;
@@ -95,14 +98,14 @@ class Reading {
 
   Program program_;
   std::map<std::string, Field, std::less<>> fields_;  ///< of the Program, by name
-  std::vector<Skip> skips_;
+  std::vector<Placed> look_ahead_;
   std::set<std::string> records_seen_;
   std::string name_;                 ///< of the directive
   std::set<std::string> keys_seen_;  ///< of the directive
   NamedField named_;
   Term term_;
   std::vector<std::uint32_t> piece_counts_;  ///< of the primitives so far
-  std::string terms_seen_;                   ///< the variables of the linear expression
+  std::string terms_seen_;                   ///< the variables of the expression
 };
 
 }  // namespace csgsim::isa

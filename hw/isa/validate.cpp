@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -27,11 +28,18 @@ void require(bool holds, fmt::format_string<Args...> message, Args&&... args) {
 
 std::string show(Field field) { return fmt::format("[{}+:{}]", field.base, field.width); }
 
-void check_field(Field field, std::uint32_t memory_bits) {
-  require(field.width >= 1 && field.width <= max_field_width, "field {} is {} bits wide; a field has 1 to {} bits",
-          show(field), field.width, max_field_width);
+void check_field(Field field, std::uint32_t memory_bits, unsigned most = max_field_width) {
+  require(field.width >= 1 && field.width <= most, "field {} is {} bits wide; a field has 1 to {} bits", show(field),
+          field.width, most);
   require(field.end() <= memory_bits, "field {} ends outside the {} memory bits of a pixel; place it below bit {}",
           show(field), memory_bits, memory_bits);
+}
+
+void check_operand(Field field, const OpcodeInfo& row, std::uint32_t memory_bits) {
+  check_field(field, memory_bits, takes_wide_field(row.opcode) ? max_wide_field_width : max_field_width);
+  require(row.widths != FieldWidths::odd || (field.width % 2 == 1 && field.width >= 3),
+          "{}: field {} is {} bits wide; give it an odd number of bits, 3 at least: twice the root's and one more",
+          row.name, show(field), field.width);
 }
 
 void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::uint32_t memory_bits) {
@@ -42,7 +50,7 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
       require(field == Field{}, "{}: operand {} is not a field; leave fields[{}] zero", row.name, i + 1, i);
       continue;
     }
-    check_field(field, memory_bits);
+    check_operand(field, row, memory_bits);
     require(widths != FieldWidths::one || field.width == 1, "{}: field {} is {} bits wide; give a single bit", row.name,
             show(field), field.width);
     for (std::size_t j = 0; j < i; ++j) {
@@ -75,12 +83,15 @@ std::optional<unsigned> met_width(const Instruction& instruction, const OpcodeIn
 
 void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
   const Linear& linear = instruction.linear;
-  if (!has_operand(row.operands, OperandKind::linear)) {
+  const bool has_squares = has_operand(row.operands, OperandKind::squares);
+  if (!has_operand(row.operands, OperandKind::linear) && !has_squares) {
     require(linear == Linear{}, "{} has no linear expression; leave it zero", row.name);
     return;
   }
-  require(linear.width >= 1 && linear.width <= max_linear_width,
-          "{}: the linear expression is {} bits wide; give it 1 to {} bits", row.name, linear.width, max_linear_width);
+  require(linear.width >= 1 && linear.width <= max_linear_width, "{}: the {} {} bits wide; give {} 1 to {} bits",
+          row.name, has_squares ? "squares are" : "linear expression is", linear.width, has_squares ? "them" : "it",
+          max_linear_width);
+  require(!has_squares || linear.shift == 0, "{}: squares have no shift; leave it zero", row.name);
   require(linear.shift < linear.width, "{}: shift {} leaves nothing of the {} bits; shift by less", row.name,
           linear.shift, linear.width);
   const unsigned kept = static_cast<unsigned>(linear.width) - linear.shift;
@@ -109,11 +120,40 @@ void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
 Wide magnitude(std::int64_t value) { return value < 0 ? -static_cast<Wide>(value) : static_cast<Wide>(value); }
 
 void check_range(const Instruction& instruction, const Region& region) {
+  if (!has_operand(operands_of(instruction.opcode), OperandKind::linear)) return;
   const Linear& linear = instruction.linear;
   const Wide bound = magnitude(linear.a) * region.width + magnitude(linear.b) * region.height + magnitude(linear.c);
   require(bound < static_cast<Wide>(1) << 62U,
           "{}: |A| * {} + |B| * {} + |C| reaches 2^62; use smaller coefficients or fewer fraction bits",
           name_of(instruction.opcode), region.width, region.height);
+}
+
+/// Of squares, and of the linear expression that comes after them.
+void check_sum(const Linear& squares, const Linear& linear, const Region& region) {
+  const Wide width = region.width;
+  const Wide height = region.height;
+  const Wide bound = magnitude(squares.a) * width * width + magnitude(squares.b) * width * height +
+                     magnitude(squares.c) * height * height + magnitude(linear.a) * width +
+                     magnitude(linear.b) * height + magnitude(linear.c);
+  require(bound < static_cast<Wide>(1) << 62U,
+          "squares: over {}x{} pixels the sum of |coefficient| * side * side, with the next instruction's, reaches "
+          "2^62; use smaller coefficients or fewer fraction bits",
+          region.width, region.height);
+}
+
+/// `following`: the instructions after the squares.
+void check_squares(const Instruction& squares, std::span<const Instruction> following, const Region& region) {
+  require(!following.empty(),
+          "squares are the last instruction of the segment; put one with a linear expression "
+          "after them");
+  const Instruction& next = following.front();
+  require(has_operand(operands_of(next.opcode), OperandKind::linear),
+          "squares come before {}, which has no linear expression; put one that has right after them",
+          name_of(next.opcode));
+  require(next.linear.width == squares.linear.width,
+          "squares of {} bits come before a linear expression of {}; give them the same width", squares.linear.width,
+          next.linear.width);
+  check_sum(squares.linear, next.linear, region);
 }
 
 void check_index(std::uint32_t index, std::uint32_t none, const Program& program, std::string_view what) {
@@ -156,11 +196,17 @@ void validate_placed(const Instruction& instruction, const Region& region, const
           effects);
 }
 
-void validate_reach(const Instruction& instruction, std::size_t following) {
+void validate_ahead(const Segment& segment, std::size_t index) {
+  const Instruction& instruction = segment.instructions[index];
+  const auto following = std::span(segment.instructions).subspan(index + 1);
   const OpcodeInfo& row = info(instruction.opcode);
-  require(!has_operand(row.operands, OperandKind::count) || instruction.constant <= following,
+  if (has_operand(row.operands, OperandKind::squares)) check_squares(instruction, following, segment.region);
+  if (!has_operand(row.operands, OperandKind::count)) return;
+  require(instruction.constant <= following.size(),
           "{} {} leaves the segment, which has {} more instructions; skip no more than these", row.name,
-          instruction.constant, following);
+          instruction.constant, following.size());
+  require(!has_operand(operands_of(following[instruction.constant - 1].opcode), OperandKind::squares),
+          "{} {} ends between squares and their instruction; skip both or neither", row.name, instruction.constant);
 }
 
 void validate_field(const NamedField& named, const ArrayShape& shape) {
@@ -210,11 +256,12 @@ void validate(const Program& program) {
     require(!program.display_model.empty() || segment.facts.division == DivisionFacts{},
             "segment {} says what its division takes, but there is no display model", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
-      const auto check = [&] {
-        validate_placed(segment.instructions[i], segment.region, program);
-        validate_reach(segment.instructions[i], segment.instructions.size() - 1 - i);
-      };
+      const auto check = [&] { validate_placed(segment.instructions[i], segment.region, program); };
       at(check, "segment {}, instruction {}", s, i);
+    }
+    for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
+      if (!looks_ahead(segment.instructions[i].opcode)) continue;
+      at([&] { validate_ahead(segment, i); }, "segment {}, instruction {}", s, i);
     }
   }
 }

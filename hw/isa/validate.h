@@ -20,7 +20,8 @@ void validate_region(const Region& region, const ArrayShape& shape);
 /// An instruction where it stands: also the primitives of its origin and the range of its linear expression.
 void validate_placed(const Instruction& instruction, const Region& region, const Program& program);
 
-/// An instruction that so many of its segment follow.
-void validate_reach(const Instruction& instruction, std::size_t following);
+/// What the instruction of that number in its segment asks of those that follow it: that a skip stays in the segment
+/// and does not end behind squares; that a linear expression of the same width and a sum in range follow on squares.
+void validate_ahead(const Segment& segment, std::size_t index);
 
 }  // namespace csgsim::isa

@@ -17,7 +17,7 @@ namespace csgsim::isa {
 namespace {
 
 static_assert(max_memory_bits <= 1U << wire_base_bits);
-static_assert(max_field_width < 1U << wire_field_width_bits);
+static_assert(max_wide_field_width < 1U << wire_field_width_bits);
 static_assert(max_linear_width < 1U << wire_linear_width_bits && max_linear_width <= 1U << wire_shift_bits);
 static_assert(max_count < 1ULL << wire_count_bits);
 static_assert(max_array_side < 1U << wire_region_bits);
@@ -53,6 +53,14 @@ constexpr void pass(Stream& stream, T& linear) {
   stream(linear.width, linear.c);
 }
 
+template <class Stream, Any<Linear> T>
+constexpr void pass_squares(Stream& stream, T& squares) {
+  stream(wire_linear_width_bits, squares.width);
+  stream(squares.width, squares.a);
+  stream(squares.width, squares.b);
+  stream(squares.width, squares.c);
+}
+
 template <class Stream, Any<Instruction> T>
 constexpr void pass(Stream& stream, T& instruction) {
   const Operands& operands = info(instruction.opcode).operands;
@@ -62,6 +70,7 @@ constexpr void pass(Stream& stream, T& instruction) {
       case OperandKind::target:
       case OperandKind::source: pass(stream, instruction.fields[i]); break;
       case OperandKind::linear: pass(stream, instruction.linear); break;
+      case OperandKind::squares: pass_squares(stream, instruction.linear); break;
       case OperandKind::constant: stream(instruction.fields[0].width, instruction.constant); break;
       case OperandKind::count: stream(wire_count_bits, instruction.constant); break;
     }
@@ -99,7 +108,7 @@ constexpr unsigned bits_of(const auto& command) {
   return measure.bits;
 }
 
-constexpr Field widest_field{0, max_field_width};
+constexpr Field widest_field{0, max_wide_field_width};
 static_assert(std::ranges::all_of(opcode_table,
                                   [](const OpcodeInfo& row) {
                                     const Instruction longest{row.opcode,

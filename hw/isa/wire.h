@@ -18,10 +18,11 @@ namespace csgsim::isa {
 // Widths on the link, in bits; that of a command's number is opcode_bits.
 inline constexpr unsigned wire_base_bits = 12;         ///< base of a field
 inline constexpr unsigned wire_field_width_bits = 6;   ///< width of a field
-inline constexpr unsigned wire_linear_width_bits = 6;  ///< width of a linear expression
-inline constexpr unsigned wire_shift_bits = 6;         ///< its shift; then come A, B and C, each in `width` bits
-inline constexpr unsigned wire_count_bits = 32;        ///< a count; a constant is as wide as its target
-inline constexpr unsigned wire_region_bits = 16;       ///< x, y, width and height of a segment, each
+inline constexpr unsigned wire_linear_width_bits = 6;  ///< width of a linear expression or of squares
+inline constexpr unsigned wire_shift_bits =
+    6;  ///< its shift; then come A, B and C, each in `width` bits; squares have none
+inline constexpr unsigned wire_count_bits = 32;   ///< a count; a constant is as wide as its target
+inline constexpr unsigned wire_region_bits = 16;  ///< x, y, width and height of a segment, each
 
 // Commands other than instructions; their numbers are no opcodes.
 
@@ -55,7 +56,7 @@ using Command = std::variant<SegmentStart, Instruction, SegmentEnd, FrameEnd>;
 /// not, can change if a coefficient did not fit.
 Linear reduced(const Linear& linear);
 
-/// What arrives of a valid instruction: no origin, and its linear expression reduced.
+/// What arrives of a valid instruction: no origin, and its linear expression or squares reduced.
 Instruction as_received(const Instruction& instruction);
 
 /// Bits of a command, and words that it takes on a link of that many bits.

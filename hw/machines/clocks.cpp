@@ -19,6 +19,12 @@ std::uint64_t field_clocks(const isa::Instruction& instruction, const Machine& m
   return quotient_up(field_width(instruction), machine.alu_bits);
 }
 
+/// The bit of number k of the root takes 3 clocks, and for each of the k before it one, or two where the root's bits
+/// and the remainder's are read through one port.
+std::uint64_t root_clocks(std::uint64_t bits, const Machine& machine) {
+  return machine.memory_reads >= 2 ? (bits * bits + 5 * bits) / 2 : bits * bits + 2 * bits;
+}
+
 }  // namespace
 
 std::uint32_t evaluator_latency(const isa::ArrayShape& array) {
@@ -38,6 +44,7 @@ std::uint64_t bit_serial_clocks(const isa::Instruction& instruction, const Machi
     case isa::ClockClass::linear_twice: return 2ULL * instruction.linear.width;
     case isa::ClockClass::field: return field_clocks(instruction, machine);
     case isa::ClockClass::two_fields: return field_clocks(instruction, machine) * (machine.memory_reads >= 2 ? 1 : 2);
+    case isa::ClockClass::root: return root_clocks(instruction.fields[0].width / 2, machine);
     case isa::ClockClass::answer: return 1ULL + evaluator_latency(machine.array);
   }
   return 0;

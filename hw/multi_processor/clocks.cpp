@@ -1,6 +1,7 @@
 #include "hw/multi_processor/clocks.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
@@ -64,6 +65,10 @@ Work work_of(const isa::Instruction& instruction, const Figures& figures) {
       return {.reads = field + words_of(instruction.fields[1].width, figures), .writes = field, .adds = field};
     case Opcode::global_or:
     case Opcode::skip_if_none: return {};
+    case Opcode::squares:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus:
+    case Opcode::root: throw std::logic_error("no clocks for the instruction");
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "hw/isa/opcodes.h"
 
@@ -125,6 +126,10 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
     case Opcode::add: add_words(first.width); return put(take(first) + take(second));
     case Opcode::global_or:
     case Opcode::skip_if_none: return;
+    case Opcode::squares:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus:
+    case Opcode::root: throw std::logic_error("no work of a processor for the instruction");
   }
 }
 

@@ -162,6 +162,10 @@ Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instr
     case Opcode::add: return write(first + second);
     case Opcode::global_or:
     case Opcode::skip_if_none: return enable(e);
+    case Opcode::squares:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus:
+    case Opcode::root: throw std::logic_error("no work of a cell for the instruction");
   }
   return enable(e);
 }

@@ -9,6 +9,7 @@
 #include <bit>
 
 #include "sim/functional/block_lanes-inl.h"
+#include "sim/functional/linear_test-inl.h"
 #include "sim/functional/mask_bits-inl.h"
 #include "sim/functional/plane_sum.h"
 
@@ -18,29 +19,6 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr bool is_sign(LinearKind kind) { return kind == LinearKind::not_negative || kind == LinearKind::negative; }
-constexpr bool writes(LinearKind kind) {
-  return kind == LinearKind::load || kind == LinearKind::keep_max || kind == LinearKind::keep_min;
-}
-
-/// Where the test of the kind holds; a load writes everywhere. z is 0 for signs.
-template <LinearKind kind, class Vector>
-HWY_INLINE auto test(Vector f, Vector z) {
-  using enum LinearKind;
-  if constexpr (kind == not_negative || kind == greater_or_equal)
-    return hn::Not(hn::Lt(f, z));
-  else if constexpr (kind == negative || kind == less || kind == keep_min)
-    return hn::Lt(f, z);
-  else if constexpr (kind == greater || kind == keep_max)
-    return hn::Gt(f, z);
-  else if constexpr (kind == less_or_equal)
-    return hn::Not(hn::Gt(f, z));
-  else if constexpr (kind == equal)
-    return hn::Eq(f, z);
-  else
-    return hn::Eq(f, f);
-}
 
 // What is decided for whole blocks: F's least and greatest value against z's.
 
@@ -500,6 +478,8 @@ LinearResult run_any(const Enabled& pixels, const LinearTask& task, std::uint32_
     case load: return run<load>(pixels, task, enabled);
     case keep_max: return run<keep_max>(pixels, task, enabled);
     case keep_min: return run<keep_min>(pixels, task, enabled);
+    case plus:
+    case minus: break;  // run_quadratic's
   }
   return {};
 }

@@ -19,6 +19,8 @@ enum class LinearKind : std::uint8_t {
   load,              ///< z := F
   keep_max,          ///< where F > z: z := F
   keep_min,          ///< where F < z: z := F
+  plus,              ///< z := the low bits of F + z; only of run_quadratic
+  minus,             ///< z := the low bits of F - z; only of run_quadratic
 };
 
 struct LinearTask {

@@ -89,6 +89,8 @@ void FunctionalRun::restore(const RunState& state) {
   if (program_.segments.empty()) return;
   tiles_.begin(program_.segments[place_.segment].region);
   tiles_.load(state.planes);
+  if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[place_.segment], place_.index))
+    tiles_.execute(Stretch({squares, 1}, {}));
 }
 
 RunResult FunctionalRun::result() const {

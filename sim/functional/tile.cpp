@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "sim/functional/linear_kernels.h"
+#include "sim/functional/quadratic_kernels.h"
+#include "sim/functional/root_kernels.h"
 
 namespace csgsim::sim {
 
@@ -30,6 +33,8 @@ LinearKind kind_of(Opcode opcode) {
     case Opcode::load_linear: return LinearKind::load;
     case Opcode::keep_max: return LinearKind::keep_max;
     case Opcode::keep_min: return LinearKind::keep_min;
+    case Opcode::linear_plus: return LinearKind::plus;
+    case Opcode::linear_minus: return LinearKind::minus;
     case Opcode::edge_not_negative:
     case Opcode::enable_all:
     case Opcode::enable_invert:
@@ -52,9 +57,18 @@ LinearKind kind_of(Opcode opcode) {
     case Opcode::global_or:
     case Opcode::xor_constant:
     case Opcode::skip_if_none:
-    case Opcode::add: break;
+    case Opcode::add:
+    case Opcode::squares:
+    case Opcode::root: break;
   }
   return LinearKind::not_negative;
+}
+
+using WidePlanes = std::array<TileBits*, isa::max_wide_field_width>;
+
+std::span<TileBits* const> planes_of(Field field, Memory& memory, WidePlanes& planes) {
+  for (unsigned bit = 0; bit < field.width; ++bit) planes.at(bit) = &memory.plane(field.base + bit);
+  return std::span(planes).first(field.width);
 }
 
 Comparison comparison_of(Opcode opcode) {
@@ -71,6 +85,7 @@ Tile::Tile(std::uint32_t x, std::uint32_t y, TileShape shape, std::uint32_t memo
 void Tile::clear() {
   memory_.clear();
   enable_.clear();
+  squares_ = {};
   enabled_ = 0;
 }
 
@@ -108,7 +123,9 @@ std::uint64_t Tile::execute(const Instruction& instruction) {
     case Opcode::linear_eq:
     case Opcode::load_linear:
     case Opcode::keep_max:
-    case Opcode::keep_min: return execute_linear(instruction);
+    case Opcode::keep_min:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus: return execute_linear(instruction);
     case Opcode::set_constant: set_constant(fields[0], instruction.constant); return 0;
     case Opcode::copy: copy(fields[0], fields[1]); return 0;
     case Opcode::field_lt:
@@ -123,6 +140,8 @@ std::uint64_t Tile::execute(const Instruction& instruction) {
     case Opcode::skip_if_none: return 0;
     case Opcode::xor_constant: xor_constant(fields[0], instruction.constant); return 0;
     case Opcode::add: add(fields[0], fields[1]); return 0;
+    case Opcode::squares: squares_ = instruction.linear; return 0;
+    case Opcode::root: root(fields[0]); return 0;
   }
   enabled_ = count_ones(enable_, shape_);
   return 0;
@@ -164,15 +183,44 @@ void Tile::combine_enable(Opcode opcode, unsigned bit) {
 }
 
 std::uint64_t Tile::execute_linear(const Instruction& instruction) {
+  const isa::Linear squares = std::exchange(squares_, {});
   if (enabled_ == 0) return 0;
   LinearTask task;
   task.kind = kind_of(instruction.opcode);
-  const auto& [a, b, c, width, shift] = instruction.linear;
-  task.linear = {a, b, c + a * x_ + b * y_, width, shift};
-  if (const Field field = instruction.fields[0]; field.width > 0) task.lanes = &memory_.lanes(field);
-  const LinearResult result = run_linear(pixels(), task, enabled_);
+  const Field field = instruction.fields[0];
+  const bool is_linear = squares.width == 0 && field.width <= isa::max_field_width && task.kind != LinearKind::plus &&
+                         task.kind != LinearKind::minus;
+  LinearResult result;
+  if (is_linear) {
+    const auto& [a, b, c, width, shift] = instruction.linear;
+    task.linear = {a, b, c + a * x_ + b * y_, width, shift};
+    if (field.width > 0) task.lanes = &memory_.lanes(field);
+    result = run_linear(pixels(), task, enabled_);
+  } else {
+    result = execute_quadratic(instruction, squares);
+  }
   enabled_ = result.enabled;
   return isa::cuts_sum(instruction.opcode) ? 0 : result.overflows;
+}
+
+LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::Linear& squares) {
+  const isa::Linear& linear = instruction.linear;
+  QuadraticTask task{
+      kind_of(instruction.opcode), QuadraticSum(squares, linear).from(x_, y_), linear.width, linear.shift, nullptr, {}};
+  const Field field = instruction.fields[0];
+  WidePlanes planes{};
+  if (field.width > isa::max_field_width) {
+    task.planes = planes_of(field, memory_, planes);
+  } else if (field.width > 0) {
+    task.lanes = &memory_.lanes(field);
+  }
+  return run_quadratic(pixels(), task);
+}
+
+void Tile::root(Field target) {
+  if (enabled_ == 0) return;
+  WidePlanes planes{};
+  take_root(pixels(), planes_of(target, memory_, planes));
 }
 
 bool Tile::as_bits(Field first, Field second) const {

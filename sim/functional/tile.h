@@ -7,6 +7,7 @@
 #include "hw/isa/instruction.h"
 #include "sim/engine/work.h"
 #include "sim/functional/lane_kernels.h"
+#include "sim/functional/linear_kernels.h"
 #include "sim/functional/memory.h"
 #include "sim/functional/tile_bits.h"
 
@@ -22,8 +23,8 @@ class alignas(64) Tile {
   /// Memory and enable 0, as a segment begins.
   void clear();
 
-  /// Carries out one valid instruction. Returns the number of enabled pixels at which A*x + B*y + C did not fit its
-  /// width, but had to.
+  /// Carries out one valid instruction. Returns the number of enabled pixels at which the sum did not fit its width,
+  /// but had to.
   std::uint64_t execute(const isa::Instruction& instruction);
 
   [[nodiscard]] std::uint32_t x() const { return x_; }
@@ -58,6 +59,8 @@ class alignas(64) Tile {
   void invert_enable();
   void combine_enable(isa::Opcode opcode, unsigned bit);
   std::uint64_t execute_linear(const isa::Instruction& instruction);
+  LinearResult execute_quadratic(const isa::Instruction& instruction, const isa::Linear& squares);
+  void root(isa::Field target);
 
   void set_constant(isa::Field target, std::uint64_t constant);
   void copy(isa::Field target, isa::Field source);
@@ -78,6 +81,7 @@ class alignas(64) Tile {
   Memory memory_;
   TileBits enable_;
   std::uint32_t enabled_ = 0;
+  isa::Linear squares_;  ///< that the next instruction's sum has besides
   Work work_;
   TileBits first_copy_;   ///< bits read from lanes
   TileBits second_copy_;  ///< bits read from lanes

@@ -24,7 +24,7 @@ class Tiles final : public PixelState {
 
   struct Tally {
     std::vector<std::uint64_t> enabled;  ///< pixels whose E was 1 when each instruction began
-    std::uint64_t overflows = 0;         ///< enabled pixels at which A*x + B*y + C did not fit its width
+    std::uint64_t overflows = 0;         ///< enabled pixels at which the sum did not fit its width
   };
 
   /// Carries out the instructions at one tile after the other, on all threads, and shows observers the enable bits.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 
 namespace csgsim::sim {
 
@@ -13,6 +14,32 @@ __extension__ using Wide = __int128;
 /// A*x + B*y + C, exactly.
 Wide exact_sum(const isa::Linear& linear, std::uint32_t x, std::uint32_t y) {
   return static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
+}
+
+/// A*x*x + B*x*y + C*y*y, exactly.
+Wide exact_squares(const isa::Linear& squares, std::uint32_t x, std::uint32_t y) {
+  return static_cast<Wide>(squares.a) * x * x + static_cast<Wide>(squares.b) * x * y +
+         static_cast<Wide>(squares.c) * y * y;
+}
+
+/// The greatest number whose square is no more than that, which is below 2^60.
+std::uint64_t root_of(std::uint64_t square) {
+  std::uint64_t least = 0;
+  std::uint64_t beyond = std::uint64_t{1} << 30U;
+  while (beyond - least > 1) {
+    const std::uint64_t middle = (least + beyond) / 2;
+    (middle * middle <= square ? least : beyond) = middle;
+  }
+  return least;
+}
+
+/// What `root` makes of a field of 2w + 1 bits.
+std::uint64_t with_root(std::uint64_t field, unsigned w) {
+  const std::uint64_t square = field & ((std::uint64_t{1} << 2 * w) - 1);
+  const std::uint64_t root = root_of(square);
+  const std::uint64_t odd = root | 1U;
+  const std::uint64_t low_bits = (std::uint64_t{2} << w) - 1;
+  return root << (w + 1) | ((square - odd * odd) & low_bits);
 }
 
 /// Does the number fit `width` bits of two's complement?
@@ -67,8 +94,9 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
   const auto set_enable = [&](bool one) { write_enable(x, y, one); };
   const auto bits = [&](isa::Field field) { return static_cast<std::uint64_t>(get(pixel, field)); };
 
-  const bool streams = e && linear.width > 0;  // where E is 0 no instruction looks at F
-  const Wide sum = streams ? exact_sum(linear, x, y) : 0;
+  const bool has_sum = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
+  const bool streams = e && has_sum;  // where E is 0 no instruction looks at F
+  const Wide sum = streams ? exact_sum(linear, x, y) + exact_squares(squares_, x, y) : 0;
   const bool must_fit = streams && !isa::cuts_sum(instruction.opcode);
   if (must_fit && !fits_signed(sum, linear.width)) ++overflows_;
   const std::int64_t f = streams ? value_of_f(sum, linear) : 0;
@@ -130,6 +158,16 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
     case Opcode::add:
       if (e) put(pixel, first, bits(first) + bits(second));
       break;
+    case Opcode::squares: break;
+    case Opcode::linear_plus:
+      if (e) put(pixel, first, static_cast<std::uint64_t>(f) + bits(first));
+      break;
+    case Opcode::linear_minus:
+      if (e) put(pixel, first, static_cast<std::uint64_t>(f) - bits(first));
+      break;
+    case Opcode::root:
+      if (e) put(pixel, first, with_root(bits(first), first.width / 2U));
+      break;
     case Opcode::stripe: set_enable(streams && (sum >> (linear.width - 1U) & 1) != 0); break;
   }
 }
@@ -137,6 +175,7 @@ void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Ins
 void ReferenceArray::execute(const isa::Instruction& instruction) {
   for (std::uint32_t y = 0; y < region_.height; ++y)
     for (std::uint32_t x = 0; x < region_.width; ++x) execute_at(x, y, instruction);
+  squares_ = instruction.opcode == isa::Opcode::squares ? instruction.linear : isa::Linear{};
 }
 
 std::uint64_t ReferenceArray::enabled_pixels() const {

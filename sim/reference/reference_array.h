@@ -16,13 +16,13 @@ class ReferenceArray final : public PixelState {
   explicit ReferenceArray(isa::ArrayShape shape)
       : ReferenceArray(isa::Region{0, 0, shape.width, shape.height}, shape.memory_bits) {}
 
-  /// Carries out one valid instruction at every pixel.
+  /// Carries out one valid instruction at every pixel; what squares say is for the one after them.
   void execute(const isa::Instruction& instruction);
 
   /// Pixels whose E is 1.
   [[nodiscard]] std::uint64_t enabled_pixels() const;
 
-  /// Over all instructions so far: enabled pixels at which A*x + B*y + C did not fit the width, but had to.
+  /// Over all instructions so far: enabled pixels at which the sum did not fit the width, but had to.
   [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
 
   [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const { return enable_[pixel_at(x, y)] != 0; }
@@ -48,6 +48,7 @@ class ReferenceArray final : public PixelState {
   using Bit = std::uint8_t;  ///< 0 or 1
   std::vector<Bit> memory_;  ///< bit b of pixel p at p * memory_bits_ + b
   std::vector<Bit> enable_;
+  isa::Linear squares_;  ///< that the next instruction's sum has besides
   std::uint64_t overflows_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 
@@ -104,6 +105,8 @@ void ReferenceRun::restore(const RunState& state) {
   if (program_.segments.empty()) return;
   begin_segment(state.place.segment);
   place_ = state.place;
+  if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[place_.segment], place_.index))
+    array_.execute(*squares);
   told_end_ = state.told_end;
   so_far_.overflows = state.overflows;
   so_far_.skipped = state.skipped;

@@ -18,16 +18,27 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// An instruction as the one pixel of an array meets it: of the sum the bits that are streamed, as a constant.
+bool has_linear(const isa::Instruction& instruction) {
+  return isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
+}
+
+/// An instruction as the one pixel of an array meets it: of the sum, with the squares before it, the bits that are
+/// streamed, as a constant.
 struct AtPixel {
   isa::Instruction instruction;
   bool fits = true;
 };
 
-AtPixel at_pixel(const isa::Instruction& instruction, std::uint32_t x, std::uint32_t y) {
+AtPixel at_pixel(const isa::Segment& segment, std::size_t index, std::uint32_t x, std::uint32_t y) {
+  const isa::Instruction& instruction = segment.instructions[index];
+  if (!has_linear(instruction)) return {instruction};
   const isa::Linear& linear = instruction.linear;
-  if (linear.width == 0) return {instruction};
-  const Wide sum = static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
+  Wide sum = static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
+  if (const isa::Instruction* const before = isa::pending_squares(segment, index)) {
+    const isa::Linear& squares = before->linear;
+    sum += static_cast<Wide>(squares.a) * x * x + static_cast<Wide>(squares.b) * x * y +
+           static_cast<Wide>(squares.c) * y * y;
+  }
   const unsigned unused = 64U - linear.width;
   const auto low_bits = static_cast<std::uint64_t>(sum) << unused;
   const std::int64_t streamed = static_cast<std::int64_t>(low_bits) >> unused;
@@ -80,14 +91,14 @@ class Runner {
   PixelStep carry_out(std::uint32_t number, std::uint32_t index, sim::ReferenceArray& pixel) {
     const isa::Segment& segment = program_.segments[number];
     const isa::Instruction& instruction = segment.instructions[index];
-    const AtPixel here = at_pixel(instruction, x_ - segment.region.x, y_ - segment.region.y);
+    const AtPixel here = at_pixel(segment, index, x_ - segment.region.x, y_ - segment.region.y);
     const isa::Linear& linear = here.instruction.linear;
     const auto value_of = [&](isa::Field field) { return field.width > 0 ? pixel.read(field, 0, 0) : 0U; };
     PixelStep step;
     step.segment = number;
     step.index = index;
     step.fits = here.fits;
-    step.value = linear.width > 0 ? linear.c >> linear.shift : 0;
+    step.value = has_linear(instruction) ? linear.c >> linear.shift : 0;
     step.enabled_before = pixel.enabled(0, 0);
     step.met = value_of(instruction.fields[0]);
     step.met_too = value_of(instruction.fields[1]);

@@ -38,7 +38,7 @@ std::string difference(const Program& program) {
 
 void require_lockstep(const ArrayShape& shape, std::size_t instructions) {
   CHECK(rc::check(fmt::format("{}x{} of {} bits", shape.width, shape.height, shape.memory_bits), [&] {
-    const Program program = *test::arbitrary_program(shape, instructions);
+    const Program program = *test::arbitrary_program(shape, instructions, 2);
     const std::string found = difference(program);
     if (!found.empty()) RC_FAIL(found);
   }));

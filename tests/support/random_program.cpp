@@ -56,6 +56,7 @@ unsigned fields_of(const OpcodeInfo& row) {
 /// Can the opcode's fields be placed in that memory?
 bool fits(const OpcodeInfo& row, std::uint32_t memory_bits) {
   const FieldWidths widths = row.widths;
+  if (widths == FieldWidths::odd) return memory_bits >= 3;
   return widths == FieldWidths::one || widths == FieldWidths::elementwise || fields_of(row) <= memory_bits;
 }
 
@@ -69,6 +70,20 @@ void pick_narrower(Field& second) {
   second = {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)};
 }
 
+unsigned pick_width(FieldWidths widths, unsigned room) {
+  constexpr unsigned most = isa::max_linear_width - 1;  // F needs one more
+  switch (widths) {
+    case FieldWidths::one: return 1;
+    case FieldWidths::odd: return 1 + 2 * pick_near({1, 2, 15, 16, 30}, 1, (std::min(most, room) - 1) / 2);
+    case FieldWidths::wide: return pick_near({1, 8, 20, 31, 32, 33, 41, most}, 1, std::min(most, room));
+    case FieldWidths::free:
+    case FieldWidths::equal:
+    case FieldWidths::elementwise:
+    case FieldWidths::narrower: break;
+  }
+  return pick_near({1, 2, 4, 8, 20, 31, 32}, 1, std::min(isa::max_field_width, room));
+}
+
 /// Disjoint fields, equally wide unless one may be narrower, in any order; where they may coincide, also fewer of them
 /// than operands.
 void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
@@ -78,8 +93,7 @@ void pick_fields(Instruction& instruction, std::uint32_t memory_bits) {
   const FieldWidths widths = row.widths;
   const bool coincide = widths == FieldWidths::elementwise;
   const unsigned places = coincide ? pick(1U, std::min(count, memory_bits)) : count;
-  const unsigned widest = widths == FieldWidths::one ? 1 : std::min(isa::max_field_width, memory_bits / places);
-  const unsigned width = pick_near({1, 2, 4, 8, 20, 31, 32}, 1, widest);
+  const unsigned width = pick_width(widths, memory_bits / places);
   unsigned room = memory_bits - places * width;
   unsigned base = 0;
   std::array<Field, isa::max_operands> placed;
@@ -137,6 +151,31 @@ void pick_linear(Instruction& instruction, isa::ArrayShape region) {
   pick_coefficients(linear, reaches_of(instruction).at(std::min(2U, pick(0U, 9U) / 4U)), region);
 }
 
+/// |A|, |B| and |C| are such that squares stay below `most`.
+void pick_squares(Linear& squares, std::int64_t most, const isa::ArrayShape& region) {
+  const std::int64_t share = most / 3;
+  squares.a = pick_coefficient(share / region.width / region.width);
+  squares.b = pick_coefficient(share / region.width / region.height);
+  squares.c = pick_coefficient(share / region.height / region.height);
+}
+
+/// Squares for a linear instruction, which is changed so that the sum stays in range, and at some pixel is about what
+/// it was.
+Instruction pick_squares_before(Instruction& instruction, const isa::ArrayShape& region) {
+  Linear& linear = instruction.linear;
+  for (std::int64_t* const coefficient : {&linear.a, &linear.b, &linear.c}) *coefficient /= 2;
+  Instruction squares{Opcode::squares, {}, {}, 0, instruction.origin};
+  squares.linear.width = linear.width;
+  const unsigned bits = std::min(
+      59U, pick_near({linear.width - 1U, instruction.fields[0].width + linear.shift + 0U}, 0, linear.width - 1U));
+  pick_squares(squares.linear, std::int64_t{1} << bits, region);
+  const std::int64_t x = pick(0U, region.width - 1);
+  const std::int64_t y = pick(0U, region.height - 1);
+  const Linear& s = squares.linear;
+  linear.c -= s.a * x * x + s.b * x * y + s.c * y * y;
+  return squares;
+}
+
 std::uint64_t pick_constant(unsigned width) {
   const std::uint64_t ones = (std::uint64_t{1} << width) - 1;
   switch (pick(0, 3)) {
@@ -160,7 +199,7 @@ isa::Origin pick_origin(std::uint32_t primitives) {
 }
 
 /// Every opcode, with those that enable pixels, make patterns of enabled pixels, or skip, more often.
-Opcode pick_opcode(std::uint32_t memory_bits) {
+Opcode pick_opcode(std::uint32_t memory_bits, unsigned degree) {
   switch (pick(0, 19)) {
     case 0: return Opcode::enable_all;
     case 1: return Opcode::enable_invert;
@@ -172,7 +211,7 @@ Opcode pick_opcode(std::uint32_t memory_bits) {
   }
   std::vector<Opcode> opcodes;
   for (const OpcodeInfo& row : isa::opcode_table)
-    if (fits(row, memory_bits)) opcodes.push_back(row.opcode);
+    if (fits(row, memory_bits) && (degree > 1 || row.opcode != Opcode::squares)) opcodes.push_back(row.opcode);
   return *rc::gen::elementOf(opcodes);
 }
 
@@ -208,7 +247,20 @@ std::vector<Instruction> revived(const std::vector<Instruction>& instructions) {
   return out;
 }
 
-/// Skips reach no farther than the segment; one that nothing follows only asks.
+/// Puts squares before a third of the instructions that can have them.
+std::vector<Instruction> with_squares(std::vector<Instruction> instructions, const isa::ArrayShape& region) {
+  std::vector<Instruction> out;
+  for (Instruction& instruction : instructions) {
+    if (isa::has_operand(operands_of(instruction.opcode), OperandKind::linear) && pick(0, 2) == 0)
+      out.push_back(pick_squares_before(instruction, region));
+    out.push_back(instruction);
+  }
+  return out;
+}
+
+bool is_squares(const Instruction& instruction) { return instruction.opcode == Opcode::squares; }
+
+/// Skips reach no farther than the segment, and end at no squares; one that nothing follows only asks.
 void fit_skips(std::vector<Instruction>& instructions) {
   for (std::size_t i = 0; i < instructions.size(); ++i) {
     Instruction& instruction = instructions[i];
@@ -216,27 +268,30 @@ void fit_skips(std::vector<Instruction>& instructions) {
     const std::size_t following = instructions.size() - 1 - i;
     if (following == 0) instruction = {Opcode::global_or, {}, {}, 0, instruction.origin};
     instruction.constant = std::min<std::uint64_t>(instruction.constant, following);
+    if (following > 0 && is_squares(instructions[i + instruction.constant])) ++instruction.constant;
   }
 }
 
 std::vector<Instruction> pick_instructions(const isa::Region& region, std::uint32_t memory_bits,
-                                           std::size_t max_instructions, std::uint32_t primitives) {
+                                           std::size_t max_instructions, std::uint32_t primitives, unsigned degree) {
   const isa::ArrayShape shape{region.width, region.height, memory_bits};
   std::vector<Instruction> instructions = revived(*rc::gen::resize(
       static_cast<int>(max_instructions),
       rc::gen::container<std::vector<Instruction>>(arbitrary_instruction(shape, memory_bits, primitives))));
+  if (degree > 1) instructions = with_squares(std::move(instructions), shape);
   instructions.resize(std::min(instructions.size(), max_instructions));
+  if (!instructions.empty() && is_squares(instructions.back())) instructions.pop_back();
   fit_skips(instructions);
   return instructions;
 }
 
 isa::Segment pick_segment(const isa::Region& region, std::uint32_t memory_bits, std::size_t max_instructions,
-                          std::uint32_t primitives) {
+                          std::uint32_t primitives, unsigned degree) {
   isa::Segment segment;
   segment.region = region;
   segment.facts.primitives = pick(0U, primitives);
   segment.facts.halfspaces = segment.facts.primitives * 6;
-  segment.instructions = pick_instructions(region, memory_bits, max_instructions, primitives);
+  segment.instructions = pick_instructions(region, memory_bits, max_instructions, primitives, degree);
   return segment;
 }
 
@@ -281,14 +336,18 @@ void pick_names(isa::Program& program) {
 }  // namespace
 
 rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uint32_t memory_bits,
-                                                std::uint32_t primitives) {
+                                                std::uint32_t primitives, unsigned degree) {
   return rc::gen::exec([=] {
     Instruction instruction;
-    instruction.opcode = pick_opcode(memory_bits);
+    instruction.opcode = pick_opcode(memory_bits, degree);
     instruction.origin = pick_origin(primitives);
     pick_fields(instruction, memory_bits);
     const OpcodeInfo& row = info(instruction.opcode);
     if (isa::has_operand(row.operands, OperandKind::linear)) pick_linear(instruction, region);
+    if (isa::has_operand(row.operands, OperandKind::squares)) {
+      instruction.linear.width = static_cast<std::uint16_t>(pick(1U, isa::max_linear_width));
+      pick_squares(instruction.linear, std::int64_t{1} << instruction.linear.width, region);
+    }
     if (isa::has_operand(row.operands, OperandKind::constant))
       instruction.constant = pick_constant(instruction.fields[0].width);
     if (isa::has_operand(row.operands, OperandKind::count))
@@ -311,7 +370,7 @@ void pick_division(isa::Program& program) {
 
 }  // namespace
 
-rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions) {
+rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions, unsigned degree) {
   return rc::gen::exec([=] {
     isa::Program program;
     program.shape = shape;
@@ -320,14 +379,16 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
     const int segments = pick(1, 3);
     const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
     for (int i = 0; i < segments; ++i) {
-      program.segments.push_back(pick_segment(pick_region(shape), shape.memory_bits, max_instructions, primitives));
+      program.segments.push_back(
+          pick_segment(pick_region(shape), shape.memory_bits, max_instructions, primitives, degree));
     }
     pick_division(program);
     return program;
   });
 }
 
-rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions) {
+rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions,
+                                                 unsigned degree) {
   return rc::gen::exec([=] {
     isa::Program program;
     program.shape = {machine.picture.width, machine.picture.height, machine.array.memory_bits};
@@ -340,7 +401,7 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
     const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
     const unsigned without = std::min(pick(0U, 12U), 10U);  // of ten segments
     for (const isa::Region& region : machines::regions(machine)) {
-      program.segments.push_back(pick_segment(region, program.shape.memory_bits, max_instructions, primitives));
+      program.segments.push_back(pick_segment(region, program.shape.memory_bits, max_instructions, primitives, degree));
       std::vector<Instruction>& instructions = program.segments.back().instructions;
       std::erase_if(instructions, [](const Instruction& instruction) { return isa::is_question(instruction.opcode); });
       if (pick(0U, 9U) < without) instructions.clear();

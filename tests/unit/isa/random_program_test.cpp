@@ -14,7 +14,7 @@ namespace {
 std::set<isa::Opcode> opcodes_of_valid_programs(isa::ArrayShape shape) {
   std::set<isa::Opcode> opcodes;
   CHECK(rc::check("valid", [&] {
-    const auto program = *arbitrary_program(shape, 100);
+    const auto program = *arbitrary_program(shape, 100, 2);
     isa::validate(program);
     for (const isa::Segment& segment : program.segments)
       for (const isa::Instruction& instruction : segment.instructions) opcodes.insert(instruction.opcode);

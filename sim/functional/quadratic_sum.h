@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "hw/isa/instruction.h"
+#include "sim/functional/tile_bits.h"
+
+namespace csgsim::sim {
+
+/// The sum A*x*x + B*x*y + C*y*y + a*x + b*y + c from a pixel on, of which x and y are counted: as seen from another
+/// pixel A, B and C are the same. Numbers are modulo 2^64, as whose two's complement they are read; at pixels of a
+/// valid segment the sum and its first differences are exact so.
+class QuadraticSum {
+ public:
+  QuadraticSum(const isa::Linear& squares, const isa::Linear& linear)
+      : xx_(bits(squares.a)),
+        xy_(bits(squares.b)),
+        yy_(bits(squares.c)),
+        a_(bits(linear.a)),
+        b_(bits(linear.b)),
+        c_(bits(linear.c)) {}
+
+  /// The same, x and y counted from there.
+  [[nodiscard]] QuadraticSum from(std::uint32_t x, std::uint32_t y) const {
+    QuadraticSum moved = *this;
+    moved.a_ += 2 * xx_ * x + xy_ * y;
+    moved.b_ += 2 * yy_ * y + xy_ * x;
+    moved.c_ += (xx_ * x + xy_ * y + a_) * x + (yy_ * y + b_) * y;
+    return moved;
+  }
+
+  [[nodiscard]] std::uint64_t xx() const { return xx_; }
+  [[nodiscard]] std::uint64_t xy() const { return xy_; }
+  [[nodiscard]] std::uint64_t yy() const { return yy_; }
+  [[nodiscard]] std::uint64_t a() const { return a_; }
+  [[nodiscard]] std::uint64_t b() const { return b_; }
+  [[nodiscard]] std::uint64_t c() const { return c_; }
+
+  /// Whether no number of range(), up to a tile's side each way, leaves 64 bits.
+  [[nodiscard]] bool may_bound() const {
+    return is_below(xx_, 46) && is_below(xy_, 46) && is_below(yy_, 46) && is_below(a_, 52) && is_below(b_, 52) &&
+           is_below(c_, 61);
+  }
+
+  struct Range {
+    std::int64_t least = 0;
+    std::int64_t greatest = 0;
+  };
+
+  /// Bounds of the sum over so many pixels each way: the sum of those of its parts in x, in y and in both.
+  [[nodiscard]] Range range(std::uint32_t width, std::uint32_t height) const {
+    const Range along_x = parabola(number(xx_), number(a_), width - 1);
+    const Range along_y = parabola(number(yy_), number(b_), height - 1);
+    const std::int64_t corner = number(xy_) * (width - 1) * (height - 1);
+    return {number(c_) + along_x.least + along_y.least + std::min<std::int64_t>(corner, 0),
+            number(c_) + along_x.greatest + along_y.greatest + std::max<std::int64_t>(corner, 0)};
+  }
+
+ private:
+  static constexpr std::uint64_t bits(std::int64_t number) { return static_cast<std::uint64_t>(number); }
+  static constexpr std::int64_t number(std::uint64_t bits) { return static_cast<std::int64_t>(bits); }
+  static constexpr bool is_below(std::uint64_t value, unsigned exponent) {
+    return value + (std::uint64_t{1} << exponent) < std::uint64_t{2} << exponent;
+  }
+
+  /// Of square*i*i + slope*i for i = 0 to last.
+  static Range parabola(std::int64_t square, std::int64_t slope, std::int64_t last) {
+    const std::int64_t end = (square * last + slope) * last;
+    Range range{std::min<std::int64_t>(end, 0), std::max<std::int64_t>(end, 0)};
+    const std::int64_t first_step = square + slope;
+    const std::int64_t last_step = square * (2 * last - 1) + slope;
+    if (last == 0 || (first_step < 0) == (last_step < 0)) return range;
+    std::int64_t value = 0;
+    for (std::int64_t i = 0, step = first_step; i < last; ++i, step += 2 * square) {
+      value += step;
+      range = {std::min(range.least, value), std::max(range.greatest, value)};
+    }
+    return range;
+  }
+
+  std::uint64_t xx_;
+  std::uint64_t xy_;
+  std::uint64_t yy_;
+  std::uint64_t a_;
+  std::uint64_t b_;
+  std::uint64_t c_;
+};
+
+}  // namespace csgsim::sim
