@@ -38,22 +38,27 @@ std::span<const kernels::StreamTable> ColumnBits::of(std::span<const Stream> str
 
 /// Beyond the row's width the columns go on.
 kernels::StreamTable ColumnBits::table_of(const Stream& stream, Words& words) const {
+  if (stream.xy != 0 && places_.empty()) return {.bits = stream.bits, .crossed = &stream};
   for (std::size_t bit = 0; bit < word_bits; ++bit) {
     std::uint64_t* const row = &words[bit * stride_];
     for (std::size_t word = 0; word < row_words_; ++word) {
       const std::size_t column = word * word_bits + bit;
-      row[word] = stream.a * column + stream.c;
+      row[word] = value_at(stream, column, 0);
     }
   }
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    words[i % word_bits * stride_ + i / word_bits] = stream.a * places_[i].x + stream.b * places_[i].y + stream.c;
+    words[i % word_bits * stride_ + i / word_bits] = value_at(stream, places_[i].x, places_[i].y);
   }
   transpose(words, stride_, row_words_);
   for (std::size_t bit = 0; bit < stream.bits; ++bit) {
     std::uint64_t* const row = &words[bit * stride_];
     for (std::size_t word = row_words_; word < stride_; ++word) row[word] = row[word - row_words_];
   }
-  return {.columns = words.data(), .stride = stride_, .b = places_.empty() ? stream.b : 0, .bits = stream.bits};
+  return {.columns = words.data(),
+          .stride = stride_,
+          .b = places_.empty() ? stream.b : 0,
+          .yy = places_.empty() ? stream.yy : 0,
+          .bits = stream.bits};
 }
 
 }  // namespace csgsim::array

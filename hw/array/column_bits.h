@@ -10,13 +10,14 @@
 
 namespace csgsim::array {
 
-/// What the columns of an array share of streams: the bits of a*x + c.
+/// What the columns of an array share of streams: the bits of xx*x*x + a*x + c. Of a stream with x*y they share
+/// nothing.
 class ColumnBits {
  public:
-  /// `places`, if there are any: one row of pixels, those of another array side by side, with b*y in the sum too.
+  /// `places`, if there are any: one row of pixels, those of another array side by side, with all of the sum.
   ColumnBits(PlaneShape shape, std::span<const Place> places);
 
-  /// Works them out. The tables are valid until the next call.
+  /// Works them out. The tables are valid until the next call, and as long as the streams are there.
   std::span<const kernels::StreamTable> of(std::span<const Stream> streams);
 
  private:

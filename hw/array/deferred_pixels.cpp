@@ -32,14 +32,17 @@ void DeferredPixels::settle() {
   for (const std::uint32_t number : to_run_) {
     if (batch.carry == Touch::sets) owed_[number].carry = 0;
     if (batch.latch == Touch::sets) owed_[number].latch = 0;
+    if (batch.flag == Touch::sets) owed_[number].flag = 0;
   }
-  if (to_run_.size() < owed_.size() && (batch.carry != Touch::none || batch.latch != Touch::none)) keep(batch);
+  const bool sets_any = batch.carry != Touch::none || batch.latch != Touch::none || batch.flag != Touch::none;
+  if (to_run_.size() < owed_.size() && sets_any) keep(batch);
   log_.clear();
 }
 
 /// The block has no pixel enabled and need not carry the batch out.
 bool DeferredPixels::leaves_out(std::size_t block, const Batch& batch) const {
-  return on_[block] == 0 && !batch.acts_where_disabled && batch.carry != Touch::uses && batch.latch != Touch::uses;
+  return on_[block] == 0 && !batch.acts_where_disabled && batch.carry != Touch::uses && batch.latch != Touch::uses &&
+         batch.flag != Touch::uses;
 }
 
 /// Sorts the blocks into those that carry the batch out, some of them after what they owe, and the others.
@@ -53,9 +56,10 @@ void DeferredPixels::choose(const Batch& batch, std::uint64_t number) {
     if (leaves_out(block, batch)) {
       if (batch.carry == Touch::sets) owed.carry = number;
       if (batch.latch == Touch::sets) owed.latch = number;
+      if (batch.flag == Touch::sets) owed.flag = number;
     } else {
       to_run_.push_back(block);
-      if ((owed.carry != 0 || owed.latch != 0) && needs(batch, owed)) to_pay_.push_back(block);
+      if (owed.any() && needs(batch, owed)) to_pay_.push_back(block);
     }
   }
 }
@@ -64,7 +68,7 @@ bool DeferredPixels::needs(const Batch& batch, const Owed& owed) {
   const auto is_needed = [&](std::uint64_t number, Touch touch) {
     return number != 0 && touch != Touch::sets && (touch == Touch::uses || spoils(batch, number));
   };
-  return is_needed(owed.carry, batch.carry) || is_needed(owed.latch, batch.latch);
+  return is_needed(owed.carry, batch.carry) || is_needed(owed.latch, batch.latch) || is_needed(owed.flag, batch.flag);
 }
 
 /// The batch writes memory that what is owed depends on.
@@ -85,14 +89,15 @@ void DeferredPixels::keep(const Batch& batch) {
   const auto is_old = [&](std::uint64_t number) { return number != 0 && number <= oldest; };
   to_pay_.clear();
   for (std::uint32_t block = 0; block < owed_.size(); ++block)
-    if (is_old(owed_[block].carry) || is_old(owed_[block].latch)) to_pay_.push_back(block);
+    if (is_old(owed_[block].carry) || is_old(owed_[block].latch) || is_old(owed_[block].flag)) to_pay_.push_back(block);
   pay(to_pay_);
 }
 
 void DeferredPixels::pay(std::span<const std::uint32_t> blocks) {
   if (blocks.empty()) return;
-  pay_one(blocks, &Owed::carry, {.enabled = false, .carry = true, .latch = false});
-  pay_one(blocks, &Owed::latch, {.enabled = false, .carry = false, .latch = true});
+  pay_one(blocks, &Owed::carry, {.enabled = false, .carry = true, .latch = false, .flag = false});
+  pay_one(blocks, &Owed::latch, {.enabled = false, .carry = false, .latch = true, .flag = false});
+  pay_one(blocks, &Owed::flag, {.enabled = false, .carry = false, .latch = false, .flag = true});
 }
 
 /// A batch after another, each on all blocks that owe it.
@@ -113,6 +118,7 @@ void DeferredPixels::pay_one(std::span<const std::uint32_t> blocks, std::uint64_
 
 void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> blocks, kernels::Effects effects) {
   if (blocks.empty()) return;
+  effects.flag = effects.flag && batch.flag != Touch::none;
   kernels::run(batch.runs, columns_.of(batch.streams),
                {.bits = words_.data(),
                 .stride = bits_.count() * kernels::block_words,

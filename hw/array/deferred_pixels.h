@@ -15,8 +15,8 @@ namespace csgsim::array {
 /// clocks of a block of pixels at a time.
 ///
 /// Where no pixel of a block is enabled, steps that then change neither memory nor enable are not carried out, if what
-/// they leave in carry and latch depends on the memory alone. The block owes that, and makes up for it when somebody is
-/// to look at it, when steps need it, and before the memory that it depends on changes.
+/// they leave in carry, latch and flag depends on the memory alone. The block owes that, and makes up for it when
+/// somebody is to look at it, when steps need it, and before the memory that it depends on changes.
 class DeferredPixels {
  public:
   DeferredPixels(PlaneShape shape, std::span<const Place> places, PixelBits bits);
@@ -26,7 +26,7 @@ class DeferredPixels {
 
   /// Afterwards memory and enable are as the steps so far leave them.
   void settle();
-  /// Carry and latch too.
+  /// Carry, latch and flag too.
   void settle_registers();
   /// Afterwards that memory bit is.
   void settle_memory(unsigned address);
@@ -46,10 +46,13 @@ class DeferredPixels {
   }
 
  private:
-  /// The last batch whose carry or latch a block has left out. A number says which; 0 is none.
+  /// The last batch whose carry, latch or flag a block has left out. A number says which; 0 is none.
   struct Owed {
     std::uint64_t carry = 0;
     std::uint64_t latch = 0;
+    std::uint64_t flag = 0;
+
+    [[nodiscard]] bool any() const { return (carry | latch | flag) != 0; }
   };
 
   static constexpr std::uint64_t kept_batches = 64;

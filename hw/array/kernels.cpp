@@ -29,15 +29,15 @@ HWY_ATTR HWY_INLINE Vector select(Vector mask, Vector a, Vector b) { return hn::
 
 HWY_ATTR HWY_INLINE Vector majority(Vector a, Vector b, Vector c) { return select(hn::Xor(a, b), c, a); }
 
-/// The bits of b*y, y being the row of each word of a block, spread over its pixels. In one row all words have the
-/// same.
+/// The bits of yy*y*y + b*y, y being the row of each word of a block, spread over its pixels. In one row all words have
+/// the same.
 template <bool one_row>
 struct RowMasks {
   alignas(64) std::uint64_t masks[one_row ? most_bits : most_bits * block_words];
 
   HWY_ATTR HWY_INLINE void set(const StreamTable& table, std::size_t first_word, std::size_t row_words) {
     if (one_row) {
-      const std::uint64_t product = table.b * (first_word / row_words);
+      const std::uint64_t product = product_of(table, first_word / row_words);
       const BlockTag d;
       const Vector step = hn::Set(d, std::uint64_t{hn::Lanes(d)});
       const Vector low = hn::Set(d, std::uint64_t{1});
@@ -50,7 +50,7 @@ struct RowMasks {
       return;
     }
     for (std::size_t word = 0; word < block_words; ++word) {
-      const std::uint64_t product = table.b * ((first_word + word) / row_words);
+      const std::uint64_t product = product_of(table, (first_word + word) / row_words);
       for (unsigned bit = 0; bit < table.bits; ++bit) masks[bit * block_words + word] = 0 - (product >> bit & 1U);
     }
   }
@@ -59,18 +59,72 @@ struct RowMasks {
     if (one_row) return hn::Set(BlockTag(), masks[bit]);
     return load(masks + bit * block_words + word);
   }
+
+ private:
+  static std::uint64_t product_of(const StreamTable& table, std::uint64_t y) { return (table.yy * y + table.b) * y; }
+};
+
+/// The bits of a stream with x*y at a vector of pixels: bit j is row j.
+class CrossedBits {
+ public:
+  HWY_ATTR HWY_INLINE void set(const Stream& stream, std::size_t first_word, std::size_t row_words) {
+    const BlockTag d;
+    alignas(64) std::uint64_t values[block_words];
+    alignas(64) std::uint64_t steps[block_words];  // to the next column
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+      const std::uint64_t x = (first_word + i) % row_words * word_bits;
+      const std::uint64_t y = (first_word + i) / row_words;
+      values[i] = value_at(stream, x, y);
+      steps[i] = value_at(stream, x + 1, y) - values[i];
+    }
+    Vector value = load(values);
+    Vector step = load(steps);
+    const Vector second = hn::Set(d, 2 * stream.xx);
+    for (std::size_t column = 0; column < word_bits; ++column) {
+      store(value, at(column));
+      value = hn::Add(value, step);
+      step = hn::Add(step, second);
+    }
+    transpose();
+  }
+
+  [[nodiscard]] const std::uint64_t* rows() const { return rows_; }
+
+ private:
+  [[nodiscard]] std::uint64_t* at(std::size_t row) { return rows_ + row * block_words; }
+
+  /// As a square of bits in each lane.
+  HWY_ATTR HWY_INLINE void transpose() {
+    transpose_by<32>(0x00000000ffffffff);
+    transpose_by<16>(0x0000ffff0000ffff);
+    transpose_by<8>(0x00ff00ff00ff00ff);
+    transpose_by<4>(0x0f0f0f0f0f0f0f0f);
+    transpose_by<2>(0x3333333333333333);
+    transpose_by<1>(0x5555555555555555);
+  }
+
+  template <int distance>
+  HWY_ATTR HWY_INLINE void transpose_by(std::uint64_t low) {
+    const Vector mask = hn::Set(BlockTag(), low);
+    for (std::size_t row = 0; row < word_bits; row = (row + distance + 1) & ~std::size_t{distance}) {
+      const Vector upper = load(at(row));
+      const Vector lower = load(at(row + distance));
+      const Vector swapped = hn::And(hn::Xor(hn::ShiftRight<distance>(upper), lower), mask);
+      store(hn::Xor(lower, swapped), at(row + distance));
+      store(hn::Xor(upper, hn::ShiftLeft<distance>(swapped)), at(row));
+    }
+  }
+
+  alignas(64) std::uint64_t rows_[most_bits * block_words];
 };
 
 /// The adders of the last levels: a stream's bit at some pixels after another.
 template <bool one_row>
 class Adders {
  public:
-  HWY_ATTR HWY_INLINE Adders(const RowMasks<one_row>& rows, const StreamTable& table, std::size_t column_word,
+  HWY_ATTR HWY_INLINE Adders(const RowMasks<one_row>& rows, const std::uint64_t* columns, std::size_t stride,
                              std::size_t word)
-      : rows_(rows),
-        columns_(table.columns == nullptr ? nullptr : table.columns + column_word),
-        stride_(table.stride),
-        word_(word) {}
+      : rows_(rows), columns_(columns), stride_(stride), word_(word) {}
 
   /// The bits from that one on.
   HWY_ATTR HWY_INLINE void seek(unsigned bit, unsigned& next, Vector& carry) const {
@@ -107,6 +161,7 @@ class Adders {
 struct Registers {
   Vector enable;
   Vector carry;
+  Vector flag;
   Vector tree_carry;
   unsigned next_bit;  ///< of the stream
 };
@@ -226,6 +281,38 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
         k = hn::And(added_to, k);
       }
       break;
+    case AluFunction::root_start: r.flag = zero; [[fallthrough]];
+    case AluFunction::sum_with_1:
+      for (unsigned i = 0; i < run.count; ++i) {
+        const Vector added_to = y_at(i);
+        put(i, e, hn::Not(hn::Xor(added_to, k)));
+        k = hn::Or(added_to, k);
+      }
+      break;
+    case AluFunction::difference:
+      each_x([&](unsigned i, Vector x) CSGSIM_BODY {
+        const Vector half = hn::Not(hn::Xor(x, y_at(i)));
+        put(i, e, hn::Xor(half, k));
+        k = select(half, k, x);
+      });
+      break;
+    case AluFunction::root_bit: {
+      const Vector subtracts = hn::Not(r.flag);
+      each_x([&](unsigned i, Vector x) CSGSIM_BODY {
+        const Vector added_to = y_at(i);
+        const Vector half = hn::Xor(hn::Xor(x, subtracts), added_to);
+        put(i, e, hn::Xor(half, k));
+        k = select(half, k, added_to);
+      });
+      break;
+    }
+    case AluFunction::root_sign:
+      for (unsigned i = 0; i < run.count; ++i) {
+        const Vector not_negative = hn::Xor(hn::Xor(y_at(i), r.flag), k);
+        put(i, e, not_negative);
+        r.flag = hn::Not(not_negative);
+      }
+      break;
     case AluFunction::store_enable:
       for (unsigned i = 0; i < run.count; ++i) store(e, w + i * block_words);
       break;
@@ -235,7 +322,9 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
     case AluFunction::compare_from_1:
     case AluFunction::less_from_0:
     case AluFunction::less_from_1:
-    case AluFunction::sum_from_0: break;  // of which there is no run
+    case AluFunction::sum_from_0:
+    case AluFunction::sum_with_1_from_0:
+    case AluFunction::difference_from_1: break;  // of which there is no run
   }
   r.enable = e;
   r.carry = k;
@@ -247,6 +336,7 @@ HWY_ATTR HWY_INLINE void run_blocks(std::span<const Run> runs, std::span<const S
   const BlockTag d;
   static constexpr StreamTable no_stream;
   RowMasks<one_row> rows;
+  CrossedBits crossed;
   for (const std::uint32_t number : numbers) {
     const std::size_t first_word = number * block_words;
     const std::size_t column_word = first_word % blocks.row_words;
@@ -255,21 +345,33 @@ HWY_ATTR HWY_INLINE void run_blocks(std::span<const Run> runs, std::span<const S
       std::uint64_t* const enable = blocks.enable + first_word + word;
       Registers r{.enable = effects.enabled ? load(enable) : hn::Zero(d),
                   .carry = load(bits + PixelBits::carry * block_words),
+                  .flag = effects.flag ? load(bits + PixelBits::flag * block_words) : hn::Zero(d),
                   .tree_carry = hn::Zero(d),
                   .next_bit = 0};
       const StreamTable* table = &no_stream;
+      const std::uint64_t* columns = nullptr;
+      std::size_t stride = 0;
       for (const Run& one : runs) {
         if (one.from_tree && table != &tables[one.stream]) {
           table = &tables[one.stream];
           rows.set(*table, first_word, blocks.row_words);
+          if (table->crossed != nullptr) {
+            crossed.set(*table->crossed, first_word + word, blocks.row_words);
+            columns = crossed.rows();
+            stride = block_words;
+          } else {
+            columns = table->columns + column_word + word;
+            stride = table->stride;
+          }
           r.next_bit = 0;
           r.tree_carry = hn::Zero(d);
         }
-        run_one<one_row>(one, Adders<one_row>(rows, *table, column_word + word, word), bits,
-                         blocks.present + first_word + word, effects, r);
+        run_one<one_row>(one, Adders<one_row>(rows, columns, stride, word), bits, blocks.present + first_word + word,
+                         effects, r);
       }
       if (effects.enabled) store(r.enable, enable);
       if (effects.carry) store(r.carry, bits + PixelBits::carry * block_words);
+      if (effects.flag) store(r.flag, bits + PixelBits::flag * block_words);
     }
   }
 }

@@ -12,13 +12,16 @@ namespace csgsim::array::kernels {
 /// Pixels are worked on in blocks of so many words, a cache line of each of a pixel's bits.
 inline constexpr std::size_t block_words = 8;
 
-/// Bit j of a*x + c at every column x is row j of `columns`, `stride` words each; the words of a row of pixels are
-/// repeated there until all blocks have theirs beside each other, wherever in a row they begin.
+/// Bit j of xx*x*x + a*x + c at every column x is row j of `columns`, `stride` words each; the words of a row of pixels
+/// are repeated there until all blocks have theirs beside each other, wherever in a row they begin. A stream with x*y
+/// has other bits in each row, and no such table.
 struct StreamTable {
   const std::uint64_t* columns = nullptr;
   std::size_t stride = 0;
   std::uint64_t b = 0;
-  unsigned bits = 0;  ///< 1 to 64
+  std::uint64_t yy = 0;
+  unsigned bits = 0;                ///< 1 to 64
+  const Stream* crossed = nullptr;  ///< the stream, if it has x*y
 };
 
 /// Word i of block n is word n * block_words + i of the pixels, whose rows are `row_words` long. Of the pixel's bits
@@ -36,6 +39,7 @@ struct Effects {
   bool enabled = true;  ///< they find the enable bits that are there and change them; else all are 0
   bool carry = true;
   bool latch = true;
+  bool flag = true;
 };
 
 /// Carries out runs on those blocks. `tables`: of the streams.

@@ -6,20 +6,40 @@ namespace csgsim::array {
 
 namespace {
 
-/// The level's adder adds `multiplicand` to `stream` if the node, whose first leaf is `node`, has a right child.
-LevelProbe probe_of(const StreamBit& bit, std::uint64_t stream, std::uint64_t multiplicand, bool has_adder) {
+/// What a node has in its streams: the value at its first leaf, what it grows by from there to the next leaf but for
+/// the square's coefficient, and in the X tree the slope along the column.
+struct Node {
+  std::uint64_t value = 0;
+  std::uint64_t slope = 0;
+  std::uint64_t square = 0;
+  std::uint64_t row_slope = 0;
+  std::uint64_t cross = 0;  ///< by which the last grows from leaf to leaf
+};
+
+/// A right child is `half` leaves on; 0 if there is none.
+LevelProbe probe_of(const StreamBit& bit, const Node& node, std::uint64_t half) {
   if (!bit.token.active()) return {};
   const auto of = [&](std::uint64_t value) { return (value >> bit.token.bit & 1U) != 0; };
+  const auto carry = [&](std::uint64_t one, std::uint64_t other) { return of(one ^ other ^ (one + other)); };
+  const std::uint64_t slope = node.slope * half;
+  const std::uint64_t square = node.square * half * half;
   return {.token = bit.token,
-          .stream = of(stream),
-          .carry = has_adder && of(stream ^ multiplicand ^ (stream + multiplicand))};
+          .stream = of(node.value),
+          .carry = carry(node.value, slope + square),
+          .slope = of(node.slope),
+          .slope_carry = carry(node.slope, 2 * half * node.square),
+          .step_carry = carry(slope, square),
+          .row_slope = of(node.row_slope),
+          .row_slope_carry = carry(node.row_slope, half * node.cross)};
 }
 
 /// The first leaf of the node of a level, so many levels above the leaves, that covers that leaf.
 std::uint32_t node_of(std::uint32_t leaf, unsigned below) { return leaf >> below << below; }
 
-bool has_right_child(std::uint32_t node, unsigned below, std::uint32_t leaves) {
-  return below > 0 && node + (std::uint64_t{1} << (below - 1)) < leaves;
+/// The leaves from the node's first to its right child's; 0 if it has none.
+std::uint64_t half_of(std::uint32_t node, unsigned below, std::uint32_t leaves) {
+  const std::uint64_t half = below == 0 ? 0 : std::uint64_t{1} << (below - 1);
+  return node + half < leaves ? half : 0;
 }
 
 }  // namespace
@@ -34,6 +54,9 @@ StreamBit LinearEvaluator::entering(const RootBits& root) const {
   bit.a |= std::uint64_t{root.a} << root.token.bit;
   bit.b |= std::uint64_t{root.b} << root.token.bit;
   bit.c |= std::uint64_t{root.c} << root.token.bit;
+  bit.xx |= std::uint64_t{root.xx} << root.token.bit;
+  bit.xy |= std::uint64_t{root.xy} << root.token.bit;
+  bit.yy |= std::uint64_t{root.yy} << root.token.bit;
   return bit;
 }
 
@@ -68,16 +91,23 @@ LevelProbe LinearEvaluator::x_level(unsigned level, std::uint32_t x, const RootB
   const StreamBit bit = at(level, root);
   const unsigned below = x_levels_ - level;
   const std::uint32_t node = node_of(x, below);
-  return probe_of(bit, bit.a * node + bit.c, below == 0 ? 0 : bit.a << (below - 1),
-                  has_right_child(node, below, shape_.width));
+  return probe_of(bit,
+                  {.value = value_at(bit, node, 0),
+                   .slope = 2 * bit.xx * node + bit.a,
+                   .square = bit.xx,
+                   .row_slope = bit.xy * node + bit.b,
+                   .cross = bit.xy},
+                  half_of(node, below, shape_.width));
 }
 
 LevelProbe LinearEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
   const StreamBit bit = at(x_levels_ + level, root);
   const unsigned below = y_levels_ - level;
   const std::uint32_t node = node_of(pixel.y, below);
-  return probe_of(bit, bit.a * pixel.x + bit.b * node + bit.c, below == 0 ? 0 : bit.b << (below - 1),
-                  has_right_child(node, below, shape_.height));
+  return probe_of(
+      bit,
+      {.value = value_at(bit, pixel.x, node), .slope = bit.xy * pixel.x + 2 * bit.yy * node + bit.b, .square = bit.yy},
+      half_of(node, below, shape_.height));
 }
 
 void LinearEvaluator::clear() {

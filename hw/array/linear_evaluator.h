@@ -9,12 +9,16 @@
 
 namespace csgsim::array {
 
-/// Bit `token.bit` of the three coefficients, as the controller sends them.
+/// Bit `token.bit` of the coefficients of StreamBit, as the controller sends them; of trees of degree 1 the last three
+/// are no wires.
 struct RootBits {
   Token token;
   bool a = false;
   bool b = false;
   bool c = false;
+  bool xx = false;
+  bool xy = false;
+  bool yy = false;
 
   constexpr bool operator==(const RootBits&) const = default;
 };
@@ -31,6 +35,13 @@ struct LevelProbe {
   Token token;          ///< of the bit that enters the level
   bool stream = false;  ///< that bit
   bool carry = false;   ///< that the level's adder, if there is a right child, adds to it
+
+  // Of trees of degree 2, the same for the slopes: what the value grows by from leaf to leaf but for the squares.
+  bool slope = false;
+  bool slope_carry = false;
+  bool step_carry = false;       ///< of the adder that puts the squares to the slope
+  bool row_slope = false;        ///< in the X tree: the slope along the column, with which the Y tree begins
+  bool row_slope_carry = false;  ///< in the X tree
 };
 
 /// The Linear Expression Evaluator (thesis 7.2.1): an X tree over the columns, whose leaves A*x + C each enter a Y tree
@@ -42,6 +53,14 @@ struct LevelProbe {
 /// stream plus the multiplicand to its right child, whose leaves have coordinate bit n-1-k set. All levels share the
 /// multiplicand wire. The stream reaches level k after k clocks and the multiplicand n-1 clocks after the stream's
 /// first bit, so at level k it is worth 2^(n-1-k) times itself, and counts as 0 before.
+///
+/// Trees of degree 2 bring xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c. A node of the X tree whose first leaf is X has
+/// three streams, aligned: the value xx*X*X + a*X + c, the slope 2*xx*X + a and the row's slope xy*X + b. To its right
+/// child, h = 2^(n-1-k) leaves on, it adds h*(slope + h*xx), 2*h*xx and h*xy, by four serial adders, of which those of
+/// the value lie one behind the other in a clock. The slope is delayed n-1-k clocks at the node itself to be worth h
+/// times itself; xx and xy come on wires which all nodes of a level share, delayed so that they are worth h*h, 2*h and
+/// h times themselves. A node of the Y tree has two streams and three adders, with yy. So the first bit takes no longer
+/// than in trees of degree 1.
 ///
 /// What the registers hold follows from the coefficients' bits that have entered, which are kept instead of them.
 class LinearEvaluator {

@@ -131,6 +131,7 @@ PixelProbe PixelArray::probe(std::uint32_t x, std::uint32_t y, const StreamBit& 
   return {.tree = tree.at(places_.empty() ? Place{x, y} : places_[x]),
           .carry = is_set(PixelBits::carry),
           .enable = bit_of(pixels_.enable(), shape_, x, y),
+          .flag = is_set(PixelBits::flag),
           .latch = latch};
 }
 

@@ -18,6 +18,7 @@ struct PixelProbe {
   bool tree = false;
   bool carry = false;
   bool enable = false;
+  bool flag = false;
   std::uint32_t latch = 0;  ///< a bit a bit of the ALU
 };
 

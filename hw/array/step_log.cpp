@@ -21,7 +21,10 @@ void part_carry(AluFunction function, Run& run) {
                                    {AluFunction::compare_from_1, AluFunction::compare, CarryIn::one},
                                    {AluFunction::less_from_0, AluFunction::less, CarryIn::zero},
                                    {AluFunction::less_from_1, AluFunction::less, CarryIn::one},
-                                   {AluFunction::sum_from_0, AluFunction::sum, CarryIn::zero}};
+                                   {AluFunction::sum_from_0, AluFunction::sum, CarryIn::zero},
+                                   {AluFunction::sum_with_1_from_0, AluFunction::sum_with_1, CarryIn::zero},
+                                   {AluFunction::difference_from_1, AluFunction::difference, CarryIn::one},
+                                   {AluFunction::root_start, AluFunction::root_start, CarryIn::zero}};
   run.function = function;
   for (const Part& part : parts) {
     if (part.function != function) continue;
@@ -72,6 +75,7 @@ void Batch::clear() {
   writes.clear();
   carry = Touch::none;
   latch = Touch::none;
+  flag = Touch::none;
   acts_where_disabled = false;
 }
 
@@ -134,6 +138,7 @@ void StepLog::note(const Run& run) {
     if (touch == Touch::none) touch = sets ? Touch::sets : Touch::uses;
   };
   if (row.has_carry) first_touch(batch_.carry, run.carry_in != CarryIn::keep);
+  if (row.has_flag) first_touch(batch_.flag, run.function == AluFunction::root_start);
   if (run.function == AluFunction::latch_x || run.latches) first_touch(batch_.latch, bits_.alu_bits == 1);
   if (row.reads_x && !run.from_tree && run.x < bits_.memory(0)) batch_.latch = Touch::uses;
   batch_.acts_where_disabled = batch_.acts_where_disabled || row.acts_where_disabled;
@@ -149,15 +154,16 @@ std::uint16_t StepLog::stream_of(const StreamBit& tree) {
   if (!batch_.streams.empty()) {
     Stream& last = batch_.streams.back();
     const std::uint64_t both = low_bits(std::min(known, last.bits));
-    const bool agrees =
-        ((last.a ^ bits.a) & both) == 0 && ((last.b ^ bits.b) & both) == 0 && ((last.c ^ bits.c) & both) == 0;
+    const std::uint64_t differs = (last.a ^ bits.a) | (last.b ^ bits.b) | (last.c ^ bits.c) | (last.xx ^ bits.xx) |
+                                  (last.xy ^ bits.xy) | (last.yy ^ bits.yy);
+    const bool agrees = (differs & both) == 0;
     if (agrees && known <= last.bits) return static_cast<std::uint16_t>(batch_.streams.size() - 1);
     if (agrees) {
-      last = {bits.a, bits.b, bits.c, known};
+      last = {bits.a, bits.b, bits.c, bits.xx, bits.xy, bits.yy, known};
       return static_cast<std::uint16_t>(batch_.streams.size() - 1);
     }
   }
-  batch_.streams.push_back({bits.a, bits.b, bits.c, known});
+  batch_.streams.push_back({bits.a, bits.b, bits.c, bits.xx, bits.xy, bits.yy, known});
   return static_cast<std::uint16_t>(batch_.streams.size() - 1);
 }
 

@@ -12,22 +12,24 @@
 /// pixels by block of pixels, all steps of a block one after the other.
 namespace csgsim::array {
 
-/// Where a pixel's bits lie beside each other: the carry, the latch, the memory.
+/// Where a pixel's bits lie beside each other: the carry, the flag, the latch, the memory.
 struct PixelBits {
   unsigned alu_bits = 1;
   unsigned memory_bits = 0;
 
   static constexpr unsigned carry = 0;
-  [[nodiscard]] constexpr unsigned latch(unsigned bit) const { return 1 + bit; }
-  [[nodiscard]] constexpr unsigned memory(unsigned address) const { return 1 + alu_bits + address; }
-  [[nodiscard]] constexpr unsigned count() const { return 1 + alu_bits + memory_bits; }
+  static constexpr unsigned flag = 1;
+  [[nodiscard]] constexpr unsigned latch(unsigned bit) const { return 2 + bit; }
+  [[nodiscard]] constexpr unsigned memory(unsigned address) const { return 2 + alu_bits + address; }
+  [[nodiscard]] constexpr unsigned count() const { return 2 + alu_bits + memory_bits; }
 };
 
 /// The carry before the first of a run's steps.
 enum class CarryIn : std::uint8_t { keep, zero, one };
 
 /// One function on adjacent bits, one after the other. Functions that differ from another only in the carry before them
-/// are that other: of compare_from_0, compare_from_1, less_from_0, less_from_1 and sum_from_0 there is no run.
+/// are that other: of compare_from_0, compare_from_1, less_from_0, less_from_1, sum_from_0, sum_with_1_from_0 and
+/// difference_from_1 there is no run.
 struct Run {
   AluFunction function = AluFunction::idle;
   CarryIn carry_in = CarryIn::keep;
@@ -47,6 +49,9 @@ struct Stream {
   std::uint64_t a = 0;
   std::uint64_t b = 0;
   std::uint64_t c = 0;
+  std::uint64_t xx = 0;
+  std::uint64_t xy = 0;
+  std::uint64_t yy = 0;
   unsigned bits = 0;  ///< of the coefficients that are there
 };
 
@@ -69,6 +74,7 @@ struct Batch {
   std::vector<Stream> streams;
   Touch carry = Touch::none;
   Touch latch = Touch::none;
+  Touch flag = Touch::none;
   bool acts_where_disabled = false;  ///< on enable or memory of pixels that are not enabled
   std::vector<BitRange> reads;       ///< memory
   std::vector<BitRange> writes;      ///< memory

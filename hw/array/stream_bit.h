@@ -15,17 +15,27 @@ struct Token {
   constexpr bool operator==(const Token&) const = default;
 };
 
-/// A bit (0 to 63) of a*x + b*y + c in registers that every pixel, or every node of a tree, has one of: as all of them
-/// follow from the coefficients, these stand for the bits. Of the coefficients at least the bits up to that one are
-/// there, and it depends on no others. Without an active token the bits are 0.
+/// xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c modulo 2^64.
+template <class Coefficients>
+constexpr std::uint64_t value_at(const Coefficients& of, std::uint64_t x, std::uint64_t y) {
+  return (of.xx * x + of.xy * y + of.a) * x + (of.yy * y + of.b) * y + of.c;
+}
+
+/// A bit (0 to 63) of xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c in registers that every pixel, or every node of a tree,
+/// has one of: as all of them follow from the coefficients, these stand for the bits. Of the coefficients at least the
+/// bits up to that one are there, and it depends on no others. Without an active token the bits are 0. Below trees of
+/// degree 1 the first three are 0.
 struct StreamBit {
   Token token;
   std::uint64_t a = 0;
   std::uint64_t b = 0;
   std::uint64_t c = 0;
+  std::uint64_t xx = 0;
+  std::uint64_t xy = 0;
+  std::uint64_t yy = 0;
 
   [[nodiscard]] constexpr bool at(Place pixel) const {
-    return token.active() && ((a * pixel.x + b * pixel.y + c) >> token.bit & 1U) != 0;
+    return token.active() && (value_at(*this, pixel.x, pixel.y) >> token.bit & 1U) != 0;
   }
   constexpr bool operator==(const StreamBit&) const = default;
 };

@@ -22,6 +22,10 @@ PixelState after(AluFunction function, bool constant, PixelState p) {
     write((x != p.y) != carry_in);
     p.carry = majority(x, p.y, carry_in);
   };
+  const auto difference = [&](bool carry_in) {
+    write((p.x != !p.y) != carry_in);
+    p.carry = majority(p.x, !p.y, carry_in);
+  };
   const auto sign = [&p] { p.carry = majority(!p.x, false, p.carry); };
   switch (function) {
     case AluFunction::idle:
@@ -73,6 +77,16 @@ PixelState after(AluFunction function, bool constant, PixelState p) {
     case AluFunction::sum_from_0: sum(p.x, false); break;
     case AluFunction::sum: sum(p.x, p.carry); break;
     case AluFunction::sum_with_0: sum(false, p.carry); break;
+    case AluFunction::root_start: p.flag = false; [[fallthrough]];
+    case AluFunction::sum_with_1_from_0: sum(true, false); break;
+    case AluFunction::sum_with_1: sum(true, p.carry); break;
+    case AluFunction::difference_from_1: difference(true); break;
+    case AluFunction::difference: difference(p.carry); break;
+    case AluFunction::root_bit: sum(p.x != !p.flag, p.carry); break;
+    case AluFunction::root_sign:
+      p.flag = (p.y != !p.flag) != p.carry;
+      write(!p.flag);
+      break;
     case AluFunction::store_enable: p.memory = p.enable; break;
   }
   return p;
@@ -93,6 +107,7 @@ void PlainArray::select(std::uint32_t width, std::uint32_t height) {
     pixel.present = i % shape_.width < width && i / shape_.width < height;
     pixel.enable = false;
     pixel.carry = false;
+    pixel.flag = false;
     std::fill(pixel.latch.begin(), pixel.latch.end(), false);
   }
 }
@@ -105,7 +120,7 @@ void PlainArray::step(const array::ArrayStep& step, const array::StreamBit& tree
     for (unsigned bit = 0; bit < step.bits; ++bit) {
       const AluFunction function = array::function_of_bit(step, bit);
       const array::AluInfo& row = array::info(function);
-      PixelState state{.present = pixel.present, .enable = pixel.enable, .carry = pixel.carry};
+      PixelState state{.present = pixel.present, .enable = pixel.enable, .carry = pixel.carry, .flag = pixel.flag};
       if (row.reads_x && step.source == array::OperandSource::tree) state.x = leaf;
       if (row.reads_x && step.source == array::OperandSource::latch) state.x = pixel.latch[bit];
       if (row.reads_x && step.source == array::OperandSource::memory) state.x = pixel.memory[step.x + bit];
@@ -115,6 +130,7 @@ void PlainArray::step(const array::ArrayStep& step, const array::StreamBit& tree
       state = after(function, (step.constant >> bit & 1U) != 0, state);
       pixel.enable = state.enable;
       pixel.carry = state.carry;
+      pixel.flag = state.flag;
       pixel.latch[bit] = state.latch;
       if (row.writes) pixel.memory[step.write + bit] = state.memory;
     }

@@ -17,6 +17,7 @@ struct PixelState {
   bool enable = false;
   bool carry = false;
   bool latch = false;
+  bool flag = false;
   bool memory = false;  ///< at the address written
 
   bool operator==(const PixelState&) const = default;
@@ -34,6 +35,7 @@ class PlainArray {
     bool present = true;
     bool enable = false;
     bool carry = false;
+    bool flag = false;
     std::vector<bool> latch;
     std::vector<bool> memory;
   };

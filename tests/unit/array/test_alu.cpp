@@ -22,10 +22,19 @@ using csgsim::array::Words;
 using csgsim::test::PixelState;
 namespace kernels = csgsim::array::kernels;
 
-enum Address : std::uint16_t { x_bit, y_bit, written, always_0, memory_bits };
+enum Address : std::uint16_t { x_bit, y_bit, written, always_0, scratch, memory_bits };
 
 /// Bit of a pixel's column in which each register begins; the row says whether the pixel is present.
-enum Column : std::int16_t { column_x, column_y, column_enable, column_carry, column_latch, column_memory, registers };
+enum Column : std::int16_t {
+  column_x,
+  column_y,
+  column_enable,
+  column_carry,
+  column_latch,
+  column_memory,
+  column_flag,
+  registers
+};
 
 constexpr std::uint32_t states = 1U << registers;
 
@@ -40,6 +49,12 @@ PixelArray all_states() {
   array.step({.function = AluFunction::store_x, .write = x_bit}, column_bit(column_x));
   array.step({.function = AluFunction::store_x, .write = y_bit}, column_bit(column_y));
   array.step({.function = AluFunction::store_x, .write = written}, column_bit(column_memory));
+  array.step({.function = AluFunction::store_x, .write = scratch}, column_bit(column_flag));
+  array.step({.function = AluFunction::root_start, .y = always_0, .write = always_0}, {});
+  array.step({.function = AluFunction::store_constant, .write = always_0}, {});
+  array.step({.function = AluFunction::store_not_x, .source = OperandSource::memory, .x = scratch, .write = scratch},
+             {});
+  array.step({.function = AluFunction::root_sign, .y = scratch, .write = scratch}, {});
   array.step({.function = AluFunction::compare_from_0, .y = always_0}, column_bit(column_carry));
   array.step({.function = AluFunction::latch_x}, column_bit(column_latch));
   array.step({.function = AluFunction::enable_load}, column_bit(column_enable));
@@ -54,6 +69,7 @@ PixelState state_of(std::uint32_t x, std::uint32_t y) {
           .enable = bit(column_enable),
           .carry = bit(column_carry),
           .latch = bit(column_latch),
+          .flag = bit(column_flag),
           .memory = bit(column_memory)};
 }
 
@@ -63,6 +79,7 @@ PixelState state_in(const PixelArray& array, std::uint32_t x, std::uint32_t y, P
   before.enable = probe.enable;
   before.carry = probe.carry;
   before.latch = probe.latch != 0;
+  before.flag = probe.flag;
   before.memory = array.memory_bit(written, x, y);
   return before;
 }

@@ -47,6 +47,7 @@ void look_at_registers(const Pair& pair) {
       const PlainArray::Pixel& pixel = pair.plain.at(x, y);
       RC_ASSERT(probe.enable == pixel.enable);
       RC_ASSERT(probe.carry == pixel.carry);
+      RC_ASSERT(probe.flag == pixel.flag);
       for (unsigned bit = 0; bit < pair.alu_bits; ++bit)
         RC_ASSERT((probe.latch >> bit & 1U) == (pixel.latch[bit] ? 1U : 0U));
     }
@@ -110,18 +111,34 @@ std::uint64_t up_to(std::uint64_t value, std::int16_t bit) {
   return value & array::low_bits(static_cast<std::size_t>(bit) + 1);
 }
 
+struct Squares {
+  std::uint64_t xx = 0;
+  std::uint64_t xy = 0;
+  std::uint64_t yy = 0;
+};
+
+Squares any_squares() {
+  const auto any = [] {
+    return *rc::gen::element<std::uint64_t>(0, 1, ~std::uint64_t{0}, 12345) << *rc::gen::inRange(0U, 20U);
+  };
+  return *rc::gen::inRange(0, 3) == 0 ? Squares{any(), any(), any()} : Squares{};
+}
+
 /// An instruction's steps, at some of whose clocks somebody looks: at none, at a few, or at each.
 void carry_out(Pair& pair, const isa::Instruction& instruction, array::Sequencer& sequencer) {
   const int looks_of_8 = *rc::gen::weightedElement<int>({{6, 0}, {2, 1}, {1, 8}});
   const auto a = static_cast<std::uint64_t>(instruction.linear.a);
   const auto b = static_cast<std::uint64_t>(instruction.linear.b);
   const auto c = static_cast<std::uint64_t>(instruction.linear.c);
+  const Squares squares = any_squares();
   sequencer.begin(instruction);
   while (sequencer.busy()) {
     const array::BitStep step = sequencer.issue();
     const std::int16_t bit = step.root.token.bit;
     // As the trees bring it: no coefficient has more bits than have come.
-    if (step.root.token.active()) pair.tree = {step.root.token, up_to(a, bit), up_to(b, bit), up_to(c, bit)};
+    if (step.root.token.active())
+      pair.tree = {step.root.token,        up_to(a, bit),          up_to(b, bit),         up_to(c, bit),
+                   up_to(squares.xx, bit), up_to(squares.xy, bit), up_to(squares.yy, bit)};
     pair.step(step.pixels);
     if (looks_of_8 > 0 && *rc::gen::inRange(0, 8) < looks_of_8) look(pair);
   }

@@ -18,6 +18,9 @@ struct Expression {
   std::int64_t a = 0;
   std::int64_t b = 0;
   std::int64_t c = 0;
+  std::int64_t xx = 0;
+  std::int64_t xy = 0;
+  std::int64_t yy = 0;
   unsigned width = 1;
   unsigned idle_after = 0;  ///< clocks
 };
@@ -30,16 +33,22 @@ std::vector<RootBits> stream(const std::vector<Expression>& expressions) {
       bits.push_back({.token = {.bit = static_cast<std::int16_t>(j)},
                       .a = ((e.a >> j) & 1) != 0,
                       .b = ((e.b >> j) & 1) != 0,
-                      .c = ((e.c >> j) & 1) != 0});
+                      .c = ((e.c >> j) & 1) != 0,
+                      .xx = ((e.xx >> j) & 1) != 0,
+                      .xy = ((e.xy >> j) & 1) != 0,
+                      .yy = ((e.yy >> j) & 1) != 0});
     }
     bits.resize(bits.size() + e.idle_after);
   }
   return bits;
 }
 
-/// A*x + B*y + C modulo 2^64; its low `width` bits are F's.
+/// The sum of six products modulo 2^64; its low `width` bits are F's.
 std::uint64_t value(const Expression& e, std::uint32_t x, std::uint32_t y) {
-  return static_cast<std::uint64_t>(e.a) * x + static_cast<std::uint64_t>(e.b) * y + static_cast<std::uint64_t>(e.c);
+  const auto squares = static_cast<std::uint64_t>(e.xx) * x * x + static_cast<std::uint64_t>(e.xy) * x * y +
+                       static_cast<std::uint64_t>(e.yy) * y * y;
+  return squares + static_cast<std::uint64_t>(e.a) * x + static_cast<std::uint64_t>(e.b) * y +
+         static_cast<std::uint64_t>(e.c);
 }
 
 /// Streams the expressions and collects what arrives at every pixel: one value an expression, in pixel order.
@@ -94,6 +103,11 @@ std::vector<Expression> some_expressions() {
   std::vector<Expression> expressions(*rc::gen::inRange<std::size_t>(1, 8));
   for (Expression& e : expressions) {
     e = {.a = *coefficient(), .b = *coefficient(), .c = *coefficient(), .width = *rc::gen::inRange(1U, 63U)};
+    if (*rc::gen::inRange(0, 2) == 0) {
+      e.xx = *coefficient();
+      e.xy = *coefficient();
+      e.yy = *coefficient();
+    }
     if (*rc::gen::inRange(0, 3) == 0) e.idle_after = *rc::gen::inRange(0U, 30U);
   }
   return expressions;
@@ -105,7 +119,7 @@ constexpr PlaneShape shapes[] = {{1, 1},   {2, 1},   {1, 2},   {3, 1},  {1, 5}, 
 
 }  // namespace
 
-TEST_CASE("back-to-back streams of any width give A*x + B*y + C modulo 2^width at every pixel") {
+TEST_CASE("back-to-back streams of any width, with squares or without, give their sum modulo 2^width at every pixel") {
   for (const PlaneShape shape : shapes) {
     CAPTURE(shape.width);
     CAPTURE(shape.height);

@@ -9,6 +9,7 @@
 #include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/probed_trees.h"
+#include "tests/support/quadratic_trees.h"
 #include "tests/support/random_program.h"
 
 namespace {
@@ -25,18 +26,29 @@ std::vector<Place> any_places(array::PlaneShape shape) {
 /// A clock's bits at the roots: of streams of any width, some back to back, some with clocks between.
 class AnyStream {
  public:
+  explicit AnyStream(bool has_squares) : has_squares_(has_squares) {}
+
   array::RootBits next() {
     if (left_ == 0 && *rc::gen::weightedElement<bool>({{4, true}, {1, false}})) {
       left_ = *rc::gen::inRange(1, 30);
+      squares_ = has_squares_ && *rc::gen::arbitrary<bool>();
       bit_ = 0;
     }
     if (left_ == 0) return {};
     --left_;
-    return {{bit_++}, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+    array::RootBits bits{
+        {bit_++}, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+    if (!squares_) return bits;
+    bits.xx = *rc::gen::arbitrary<bool>();
+    bits.xy = *rc::gen::arbitrary<bool>();
+    bits.yy = *rc::gen::arbitrary<bool>();
+    return bits;
   }
 
  private:
+  bool has_squares_;
   int left_ = 0;
+  bool squares_ = false;  ///< the stream has some
   std::int16_t bit_ = 0;
 };
 
@@ -45,11 +57,17 @@ bool same(const array::LevelProbe& one, const array::LevelProbe& other) {
   return !one.token.active() || (one.stream == other.stream && one.carry == other.carry);
 }
 
+bool same_slopes(const array::LevelProbe& one, const array::LevelProbe& other) {
+  return !one.token.active() ||
+         (one.slope == other.slope && one.slope_carry == other.slope_carry && one.step_carry == other.step_carry &&
+          one.row_slope == other.row_slope && one.row_slope_carry == other.row_slope_carry);
+}
+
 }  // namespace
 
 TEST_CASE(
     "the evaluator has at every level and clock, on the way to any pixels, what adder by adder comes of the bits") {
-  rc::check([] {
+  CHECK(rc::check([] {
     const array::PlaneShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)};
     const std::vector<Place> places = any_places(shape);
     array::LinearEvaluator whole(shape);
@@ -58,7 +76,7 @@ TEST_CASE(
     RC_ASSERT(probed.y_levels() == whole.y_levels());
     array::StreamBit whole_leaves;
     array::Words probed_leaves(array::PlaneShape{static_cast<std::uint32_t>(places.size()), 1}.padded_words());
-    AnyStream stream;
+    AnyStream stream(false);
     for (int clock = 0; clock < 120; ++clock) {
       const array::RootBits root = stream.next();
       for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -74,11 +92,34 @@ TEST_CASE(
         RC_ASSERT(whole_leaves.at(places[i]) == ((probed_leaves[0] >> i & 1U) != 0));
       }
     }
-  });
+  }));
+}
+
+TEST_CASE("trees of degree 2 have at every level and clock what adder by adder comes of six streams of bits") {
+  CHECK(rc::check([] {
+    const array::PlaneShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)};
+    const Place place = any_places(shape).front();
+    array::LinearEvaluator whole(shape);
+    test::QuadraticWay way(shape, place);
+    array::StreamBit leaves;
+    AnyStream stream(true);
+    for (int clock = 0; clock < 120; ++clock) {
+      const array::RootBits root = stream.next();
+      const auto check = [](const array::LevelProbe& found, const array::LevelProbe& expected) {
+        RC_ASSERT(same(found, expected));
+        RC_ASSERT(same_slopes(found, expected));
+      };
+      for (unsigned k = 0; k <= whole.x_levels(); ++k) check(whole.x_level(k, place.x, root), way.x_level(k, root));
+      for (unsigned k = 0; k <= whole.y_levels(); ++k) check(whole.y_level(k, place, root), way.y_level(k, root));
+      if (whole.clock(root, leaves) && whole.levels() > 0)
+        RC_ASSERT(leaves.at(place) == whole.y_level(whole.y_levels(), place, {}).stream);
+      way.clock(root);
+    }
+  }));
 }
 
 TEST_CASE("pixels replayed alone have the reference's memory and enable, whatever is passed over") {
-  rc::check([] {
+  CHECK(rc::check([] {
     constexpr std::uint32_t bits = 40;
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 12U), *rc::gen::inRange(1U, 12U), bits};
     const std::vector<Place> places = any_places({shape.width, shape.height});
@@ -121,5 +162,5 @@ TEST_CASE("pixels replayed alone have the reference's memory and enable, whateve
       RC_ASSERT(found.carry == expected.carry);
       RC_ASSERT(found.latch == expected.latch);
     }
-  });
+  }));
 }
