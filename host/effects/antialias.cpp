@@ -342,6 +342,7 @@ const emit::Effect antialias{
         "pixel, which changes the constants C alone, and the colours are added up in pixel memory",
     .prepare = prepare,
     .fields = fields,
+    .takes_quadrics = true,
     .around = around};
 
 }  // namespace csgsim::effects

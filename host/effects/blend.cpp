@@ -1,22 +1,13 @@
 #include "host/effects/blend.h"
 
-#include "hw/isa/colour_format.h"
+#include <array>
+
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {
 
 using isa::Field;
 using isa::Opcode;
-
-Field part_of(Field field, unsigned from, unsigned width) {
-  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
-}
-
-std::array<Field, 3> channels_of(Field colour) {
-  const std::array<unsigned, 3> widths = isa::channel_widths(colour.width);
-  return {part_of(colour, widths[2] + widths[1], widths[0]), part_of(colour, widths[2], widths[1]),
-          part_of(colour, 0, widths[2])};
-}
 
 void add_times(emit::Broadcast& out, Field target, unsigned constant, Field source) {
   for (unsigned i = 0; i < part_bits; ++i)

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
-
 #include "host/emit/broadcast.h"
+#include "host/emit/fields.h"
 
 namespace csgsim::effects {
 
@@ -10,11 +9,8 @@ namespace csgsim::effects {
 inline constexpr unsigned part_bits = 8;
 inline constexpr unsigned whole = 1U << part_bits;
 
-/// So many bits of a field, from that one on.
-isa::Field part_of(isa::Field field, unsigned from, unsigned width);
-
-/// Red, green and blue of a colour field.
-std::array<isa::Field, 3> channels_of(isa::Field colour);
+using emit::channels_of;
+using emit::part_of;
 
 /// Where E: target += constant * source, with a constant below `whole`.
 void add_times(emit::Broadcast& out, isa::Field target, unsigned constant, isa::Field source);

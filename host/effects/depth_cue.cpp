@@ -162,6 +162,7 @@ const emit::Effect depth_cue{
         "channels are multiplied by shifting and adding, after Fuchs et al., SIGGRAPH 1985",
     .prepare = prepare,
     .fields = fields,
+    .takes_quadrics = true,
     .finish = finish};
 
 }  // namespace csgsim::effects

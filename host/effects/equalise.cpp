@@ -214,6 +214,7 @@ const emit::Effect equalise{
         "compares its own; here the levels of a lattice of pixels, asked for bit by bit by the global OR",
     .prepare = prepare,
     .fields = fields,
+    .takes_quadrics = true,
     .enhance = enhance};
 
 }  // namespace csgsim::effects

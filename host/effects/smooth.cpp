@@ -202,6 +202,7 @@ const emit::Effect smooth{
         "Gouraud, Continuous Shading of Curved Surfaces, IEEE Transactions on Computers, 1971: light is worked "
         "out at the vertices, here with the normals of the true surface; a linear expression a channel, fitted "
         "by least squares, is loaded as Fuchs et al., SIGGRAPH 1985, do",
+    .takes_quadrics = true,
     .shade = shade};
 
 }  // namespace csgsim::effects

@@ -25,6 +25,25 @@ unsigned shared_zeros(const view::FixedLinear& plane, unsigned limit) {
   return std::min(limit, static_cast<unsigned>(std::countr_zero(both)));
 }
 
+unsigned shared_zeros(const view::FixedQuadratic& quadratic, unsigned limit) {
+  const auto all = static_cast<std::uint64_t>(quadratic.xx | quadratic.xy | quadratic.yy);
+  return std::min(shared_zeros(quadratic.linear, limit), static_cast<unsigned>(std::countr_zero(all)));
+}
+
+view::FixedQuadratic without_low_bits(const view::FixedQuadratic& q, unsigned bits) {
+  return {q.xx >> bits, q.xy >> bits, q.yy >> bits, {q.linear.a >> bits, q.linear.b >> bits, q.linear.c >> bits}};
+}
+
+/// The same function of columns and rows that are counted from there.
+view::FixedQuadratic moved(const view::FixedQuadratic& q, std::int64_t x, std::int64_t y) {
+  const view::FixedLinear& linear = q.linear;
+  return {q.xx,
+          q.xy,
+          q.yy,
+          {linear.a + 2 * q.xx * x + q.xy * y, linear.b + q.xy * x + 2 * q.yy * y,
+           linear.c + (linear.a + q.xx * x + q.xy * y) * x + (linear.b + q.yy * y) * y}};
+}
+
 /// Whether E is after the instruction what it was before, whatever it meets.
 bool keeps_enable(isa::Opcode opcode) {
   using isa::Opcode;
@@ -39,11 +58,11 @@ bool keeps_enable(isa::Opcode opcode) {
     case Opcode::bit_not:
     case Opcode::global_or:
     case Opcode::xor_constant:
+    case Opcode::add:
     case Opcode::squares:
     case Opcode::linear_plus:
     case Opcode::linear_minus:
-    case Opcode::root:
-    case Opcode::add: return true;
+    case Opcode::root: return true;
     case Opcode::enable_all:
     case Opcode::enable_invert:
     case Opcode::enable_load:
@@ -125,13 +144,32 @@ void Broadcast::linear(isa::Opcode opcode, isa::Field field, view::FixedLinear p
 
 void Broadcast::surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane,
                         const view::PixelRect& pixels) {
-  const unsigned drop = shared_zeros(plane, fraction_bits_);
-  linear(opcode, field, {plane.a >> drop, plane.b >> drop, plane.c >> drop}, fraction_bits_ - drop, pixels);
+  expression(opcode, field, plane, fraction_bits_, pixels);
+}
+
+void Broadcast::expression(isa::Opcode opcode, isa::Field field, const view::FixedLinear& line, unsigned shift,
+                           const view::PixelRect& pixels) {
+  const unsigned drop = shared_zeros(line, shift);
+  linear(opcode, field, {line.a >> drop, line.b >> drop, line.c >> drop}, shift - drop, pixels);
 }
 
 void Broadcast::edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels) {
   const unsigned drop = shared_zeros(line, isa::max_linear_width);
   linear(opcode, {}, {line.a >> drop, line.b >> drop, line.c >> drop}, 0, pixels);
+}
+
+void Broadcast::quadratic(isa::Opcode opcode, isa::Field field, const view::FixedQuadratic& quadratic, unsigned shift,
+                          const view::PixelRect& pixels) {
+  const unsigned drop = shared_zeros(quadratic, shift);
+  const view::FixedQuadratic q = without_low_bits(quadratic, drop);
+  const unsigned fraction = shift - drop;
+  const unsigned needed = std::max(signed_width(view::range_over(q, pixels)), field.width > 0 ? fraction + field.width + 1 : 1);
+  if (needed > isa::max_linear_width)
+    throw std::logic_error("a quadratic expression wider than the evaluator was not caught");
+  const auto width = static_cast<std::uint16_t>(needed);
+  const view::FixedQuadratic local = moved(q, segment_.region.x, segment_.region.y);
+  append({isa::Opcode::squares, {}, {local.xx, local.xy, local.yy, width, 0}, 0, origin});
+  append({opcode, {field, {}, {}}, {local.linear.a, local.linear.b, local.linear.c, width, static_cast<std::uint16_t>(fraction)}, 0, origin});
 }
 
 void Broadcast::stripe(const view::FixedLinear& line, unsigned width) {

@@ -7,6 +7,7 @@
 
 #include "host/view/fixed_point.h"
 #include "host/view/projection.h"
+#include "host/view/quadrics.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::emit {
@@ -51,8 +52,18 @@ class Broadcast {
   /// A surface plane against a depth field, as wide as its values over `pixels` ask; E has to be 0 outside `pixels`.
   void surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane, const view::PixelRect& pixels);
 
+  /// A linear expression, of which the low `shift` bits are the fraction, against a field; E has to be 0 outside
+  /// `pixels`.
+  void expression(isa::Opcode opcode, isa::Field field, const view::FixedLinear& linear, unsigned shift,
+                  const view::PixelRect& pixels);
+
   /// E stays 1 where the line is not negative (or is negative); E has to be 0 outside `pixels`.
   void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
+
+  /// A quadratic expression, of which the low `shift` bits are the fraction, against a field or, of width 0, none, by an
+  /// instruction that takes a linear one; E has to be 0 outside `pixels`.
+  void quadratic(isa::Opcode opcode, isa::Field field, const view::FixedQuadratic& quadratic, unsigned shift,
+                 const view::PixelRect& pixels);
 
   /// E stays 1 where bit `width` - 1 of the line's value is 1: in every other of the stripes in which the value goes
   /// through 2^(width - 1) steps.

@@ -21,6 +21,7 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
                   context.linear_of(facet.halfspace), shared);
     }
   }
+  for (const QuadricBound& bound : quadric_bounds(context, primitive)) emit_comparison(context, out, bound, part);
 }
 
 std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,

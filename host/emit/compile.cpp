@@ -16,6 +16,7 @@
 #include "host/emit/drawing.h"
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
+#include "host/emit/quadrics.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/pieces.h"
@@ -63,7 +64,7 @@ void name_primitives(const std::vector<const Drawing*>& drawings, isa::Facts& fa
 isa::ModelFacts model_facts(const model::Tree& tree, const facet::Scene& scene) {
   const model::Counts counts = model::count(tree);
   isa::ModelFacts facts{tree.file, counts.primitives, counts.unions, counts.differences, counts.intersections, 0};
-  for (const facet::Convex& solid : scene.solids) facts.halfspaces += solid.halfspaces.size();
+  for (const facet::Convex& solid : scene.solids) facts.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
   return facts;
 }
 
@@ -134,6 +135,16 @@ ClassificationBits bits_of(const std::vector<const Drawing*>& drawings, const Op
   return most;
 }
 
+/// Bits for the quadrics of all drawings.
+QuadricBits bits_of_quadrics(const std::vector<const Drawing*>& drawings, unsigned colour_bits) {
+  QuadricBits most;
+  for (const Drawing* const one : drawings) {
+    const QuadricBits bits = quadric_bits(*one->scene, one->view, colour_bits);
+    most = {std::max(most.root, bits.root), std::max(most.sum, bits.sum)};
+  }
+  return most;
+}
+
 /// Bits for the number of any surface of a segment.
 unsigned owner_bits(const std::vector<const Drawing*>& drawings) {
   std::size_t most = 1;
@@ -154,7 +165,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   const Workshop workshop{input.machine, options, input.called};
   const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
                                      machines::second_buffer(options.colour_bits, input.machine),
-                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop)},
+                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), bits_of_quadrics(drawings, options.colour_bits)},
                                     memory_bits);
   isa::Program program;
   program.shape = {sampling.width, sampling.height, memory_bits};

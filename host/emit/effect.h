@@ -40,6 +40,7 @@ struct Effect {
   std::vector<FieldRequest> (*fields)(const std::any& settings, const Drawing& drawing,
                                       const Workshop& workshop) = nullptr;
   bool needs_owners = false;  ///< colours are found after all surfaces, by the number of the surface that is seen
+  bool takes_quadrics = false;  ///< works where curved surfaces are drawn without facets
   bool sees_through = false;  ///< a primitive whose opacity is below 1 hides nothing
 
   /// Before a surface's depth test, where E is 1 at the pixels that have the surface: may clear E.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "hw/base/error.h"
@@ -141,7 +142,7 @@ Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Si
 }
 
 std::uint32_t Sides::count() const {
-  return static_cast<std::uint32_t>(fronts.facets.size() + backs.facets.size()) + edges;
+  return static_cast<std::uint32_t>(fronts.facets.size() + backs.facets.size() + quadrics.size()) + edges;
 }
 
 Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
@@ -153,12 +154,34 @@ Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
     sides.edges += static_cast<std::uint32_t>(
         std::count_if(halfspaces.begin(), halfspaces.end(),
                       [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, column); }));
+    for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
+      const csg::Known known = known_of(context, bound, column);
+      sides.nothing = sides.nothing || known == csg::Known::out;
+      if (known == csg::Known::in) continue;
+      if (bound.role == view::QuadricRole::edge) {
+        ++sides.edges;
+      } else {
+        sides.quadrics.push_back(bound);
+      }
+    }
   }
   return sides;
 }
 
 isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet) {
   return {purpose, facet.primitive, planned.set.size() > 1 ? planned.primitive() : isa::no_node};
+}
+
+std::optional<Facet> seen_of(const QuadricBound& bound, bool complemented) {
+  using view::QuadricRole;
+  const auto facet = [&](At at) { return Facet{bound.primitive, {}, at, bound.side}; };
+  switch (bound.role) {
+    case QuadricRole::between: return facet(complemented ? At::quadric_far : At::quadric_near);
+    case QuadricRole::until: return complemented ? std::optional(facet(At::quadric_near)) : std::nullopt;
+    case QuadricRole::from: return complemented ? std::nullopt : std::optional(facet(At::quadric_far));
+    case QuadricRole::edge: break;
+  }
+  return std::nullopt;
 }
 
 view::FixedLinear plane_of(const Context& context, const Facet& facet) {
@@ -172,6 +195,10 @@ void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive,
     require_representable(context, primitive, halfspace);
     const bool positive = view::side_of(plane, halfspace) == Side::edge_positive;
     out.edge(positive ? isa::Opcode::edge_not_negative : isa::Opcode::edge_negative, plane.linear, block.pixels);
+  }
+  for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
+    if (bound.role == view::QuadricRole::edge && known_of(context, bound, block) != csg::Known::in)
+      emit_outline(context, out, bound, block.pixels);
   }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "host/emit/context.h"
+#include "host/emit/quadrics.h"
 
 namespace csgsim::emit {
 
@@ -12,19 +14,27 @@ enum class At : std::uint8_t {
   plane,  ///< on the plane of its half-space
   near,   ///< at depth 0, where rounding has taken it
   cap,    ///< at depth 0, where the near plane cuts the primitive open; it has no half-space
+  quadric_near,  ///< on the nearer of a quadric's depths; it has no half-space
+  quadric_far,   ///< on the farther
 };
 
-/// A half-space of a primitive, as what is seen of it.
+constexpr bool is_curved(At at) { return at == At::quadric_near || at == At::quadric_far; }
+
+/// A half-space of a primitive, or a quadric that bounds it, as what is seen of it.
 struct Facet {
   std::uint32_t primitive = model::no_index;
   facet::Halfspace halfspace;
   At at = At::plane;
+  facet::QuadricSide quadric{};  ///< if it is curved
 };
 
 /// The origin of what belongs to a facet of a surface.
 isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet);
 
-/// Where the facet is: the plane of its half-space, or depth 0.
+/// What is seen of a quadric where nothing else is before it: of a solid, or of one that is taken away.
+std::optional<Facet> seen_of(const QuadricBound& bound, bool complemented);
+
+/// Where the facet, which is not curved, is: the plane of its half-space, or depth 0.
 view::FixedLinear plane_of(const Context& context, const Facet& facet);
 
 /// The half-spaces of a convex solid on one side that have to be broadcast for a block.
@@ -48,7 +58,9 @@ struct Sides {
   csg::Block column;  ///< the pixels, all depths
   Deciding fronts;
   Deciding backs;
-  std::uint32_t edges = 0;  ///< edge tests
+  std::vector<QuadricBound> quadrics{};  ///< that are no edge tests
+  std::uint32_t edges = 0;               ///< edge tests, of quadrics too
+  bool nothing = false;                  ///< a quadric holds nothing of the column
 
   /// Half-spaces, edge tests included.
   [[nodiscard]] std::uint32_t count() const;
@@ -56,7 +68,7 @@ struct Sides {
 
 Sides deciding_sides(const Context& context, const PlannedSurface& planned);
 
-/// Edge tests of a primitive that cut the block: E stays 1 inside them.
+/// Edge tests of a primitive that cut the block, of its quadrics too: E stays 1 inside them.
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block);
 
 }  // namespace csgsim::emit

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/emit/fields.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
@@ -13,7 +14,13 @@ namespace csgsim::emit {
 namespace {
 
 constexpr std::string_view fewer_bits = "work with fewer bits by --strategy list or auto";
+constexpr std::string_view no_quadrics = "draw curved surfaces as facets by --curves facets";
 constexpr std::string_view one_buffer = "take a machine whose scan_out.buffers is 1";
+
+// Of quadrics.
+constexpr std::string_view sum_name = "sum";
+constexpr std::string_view root_name = "root";
+constexpr std::string_view kept_name = "kept";
 
 /// All that is asked for but the second buffer, which has its place. What a strategy, a colouring or an effect adds is
 /// told here and nowhere else.
@@ -30,6 +37,9 @@ std::vector<FieldRequest> requests_of(const Needs& needs) {
   for (unsigned i = 0; i < needs.classification.stack; ++i)
     all.push_back({"stack" + std::to_string(i), FieldRole::stack, 1, "stack", fewer_bits});
   all.push_back({"owner", FieldRole::owner, needs.owner_bits, "owner"});
+  all.push_back({std::string(sum_name), FieldRole::scratch, needs.quadrics.sum, "sum", no_quadrics});
+  all.push_back({std::string(root_name), FieldRole::scratch, needs.quadrics.root, "root", no_quadrics});
+  all.push_back({std::string(kept_name), FieldRole::scratch, needs.quadrics.sum > 0 ? 1U : 0U, "kept", no_quadrics});
   for (const EffectFields& effect : needs.effects)
     for (const FieldRequest& request : effect.requests) {
       if (request.is_scratch) continue;
@@ -123,6 +133,13 @@ std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
   return text + "take --memory-bits " + std::to_string(total_bits(needs));
 }
 
+/// Whose place has a member of the layout by the name of the request, if it is one of quadrics.
+isa::Field* quadric_field(Layout& layout, std::string_view name) {
+  if (name == sum_name) return &layout.sum;
+  if (name == root_name) return &layout.root;
+  return name == kept_name ? &layout.kept : nullptr;
+}
+
 void put(Layout& layout, const FieldRequest& request, isa::Field field) {
   switch (request.role) {
     case isa::FieldRole::depth: layout.depth = field; return;
@@ -136,7 +153,12 @@ void put(Layout& layout, const FieldRequest& request, isa::Field field) {
     case isa::FieldRole::owner: layout.owner = field; return;
     case isa::FieldRole::scratch:
     case isa::FieldRole::shown:
-    case isa::FieldRole::effect: layout.effects.push_back({request.name, field, request.role}); return;
+    case isa::FieldRole::effect: break;
+  }
+  if (isa::Field* const known = quadric_field(layout, request.name)) {
+    *known = field;
+  } else {
+    layout.effects.push_back({request.name, field, request.role});
   }
 }
 
@@ -168,6 +190,14 @@ Planned plan(const Needs& needs) {
   planned.without_scratch = next;
   planned.bits = places.end();
   return planned;
+}
+
+/// Names the low part of a field that is wider than others can be, and then its high part.
+void add_in_parts(std::vector<isa::NamedField>& fields, std::string_view name, isa::Field field) {
+  const unsigned low = std::min<unsigned>(field.width, isa::max_field_width);
+  if (low > 0) fields.push_back({std::string(name), part_of(field, 0, low), isa::FieldRole::scratch});
+  if (low < field.width)
+    fields.push_back({std::string(name) + "_high", part_of(field, low, field.width - low), isa::FieldRole::scratch});
 }
 
 }  // namespace
@@ -208,6 +238,9 @@ std::vector<isa::NamedField> named_fields(const Layout& layout) {
     add("stack" + std::to_string(i), layout.stack[i], isa::FieldRole::stack);
   }
   add("owner", layout.owner, isa::FieldRole::owner);
+  add_in_parts(fields, sum_name, layout.sum);
+  add(std::string(root_name), layout.root, isa::FieldRole::scratch);
+  add(std::string(kept_name), layout.kept, isa::FieldRole::scratch);
   unsigned end = 0;
   for (const isa::NamedField& named : fields) end = std::max(end, named.field.end());
   for (const isa::NamedField& named : layout.effects) {

@@ -34,6 +34,14 @@ struct EffectFields {
   std::vector<FieldRequest> requests;
 };
 
+/// Bits that the depths of quadrics are worked out in.
+struct QuadricBits {
+  unsigned root = 0;  ///< of the square root
+  unsigned sum = 0;   ///< of the depth before it is a depth, more than of the root; 0 where there is no quadric
+
+  bool operator==(const QuadricBits&) const = default;
+};
+
 /// What has to fit.
 struct Needs {
   unsigned z_bits = 0;
@@ -43,6 +51,7 @@ struct Needs {
   isa::Field shown{};  ///< the machine's second buffer, which ends where the memory does; of width 0 if it has none
   unsigned owner_bits = 0;  ///< of the number of the surface that Z2 is of; 0 where nobody asks whose it is
   std::vector<EffectFields> effects{};
+  QuadricBits quadrics{};
 };
 
 /// Which bits of pixel memory hold what. Fields that are not needed have no width.
@@ -56,6 +65,9 @@ struct Layout {
   isa::Field label;                      ///< the leaf that a pixel waits for
   std::vector<isa::Field> stack;         ///< results of the classification, one bit each
   isa::Field owner;                      ///< number of the surface that Z2 is of, 0 for none
+  isa::Field sum;   ///< a depth of a quadric, or the low part of its discriminant while the root is taken
+  isa::Field root;  ///< of a quadric, right above the sum; with that the discriminant
+  isa::Field kept;  ///< E, while some pixels of it are worked on
   isa::Field shown;                      ///< the picture before, which no instruction meets
   std::vector<isa::NamedField> effects;  ///< as `EFFECT.NAME`
 

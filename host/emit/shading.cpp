@@ -81,6 +81,16 @@ void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& f
   }
 }
 
+/// E stays 1 where the field holds the facet's depth.
+void emit_seen_at(const Context& context, Broadcast& out, const Facet& facet, isa::Field depth,
+                  const view::PixelRect& pixels) {
+  if (is_curved(facet.at)) {
+    out.plain(Opcode::field_eq, depth, emit_facet_depth(context, out, facet, pixels));
+  } else {
+    out.surface(Opcode::linear_eq, depth, plane_of(context, facet), pixels);
+  }
+}
+
 }  // namespace
 
 bool has_shaders(const Context& context) {
@@ -118,7 +128,7 @@ void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSur
     const bool is_rest = i + 1 == surface.facets.size();
     out.origin = origin_of(isa::Purpose::shade, planned, facet);
     if (i > 0) out.plain(Opcode::enable_load, mask);
-    if (!is_rest) out.surface(Opcode::linear_eq, depth, plane_of(context, facet), surface.block.pixels);
+    if (!is_rest) emit_seen_at(context, out, facet, depth, surface.block.pixels);
     const ShadowBits bits = that_matter(context, facet, surface.block.pixels, shadows.bits);
     const bool mask_first = has_shaders(context) || !bits.empty();
     if (!is_rest && mask_first) out.plain(Opcode::set_constant, mask, {}, 0);

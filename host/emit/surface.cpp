@@ -1,10 +1,12 @@
 #include "host/emit/surface.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "host/emit/effect.h"
 #include "host/emit/halfspaces.h"
 #include "host/emit/near_cap.h"
+#include "host/emit/quadrics.h"
 #include "host/emit/shading.h"
 #include "hw/isa/opcodes.h"
 
@@ -31,20 +33,27 @@ class Extreme {
         planned_(planned),
         surface_(surface),
         farthest_front_(!context.complemented(planned.primitive())),
-        first_(std::find_if(surface.facets.begin(), surface.facets.end(),
-                            [](const Facet& facet) { return facet.at != At::plane; })) {
-    if (first_ != surface.facets.end()) return;
-    first_ = std::find_if(surface.facets.begin(), surface.facets.end(),
+        curved_(std::find_if(surface.facets.begin(), surface.facets.end(),
+                             [](const Facet& facet) { return is_curved(facet.at); })),
+        first_(std::find_if(surface.facets.begin(), curved_, [](const Facet& facet) { return facet.at != At::plane; })) {
+    if (first_ != curved_) return;
+    first_ = std::find_if(surface.facets.begin(), curved_,
                           [&](const Facet& facet) { return fits(context, facet, surface.block, farthest_front_); });
   }
 
   /// Without colours.
   void emit() {
     start();
-    for (auto facet = surface_.facets.begin(); facet != surface_.facets.end(); ++facet) {
+    for (auto facet = surface_.facets.begin(); facet != curved_; ++facet) {
       if (facet == first_) continue;
       out_.surface(farthest_front_ ? Opcode::keep_max : Opcode::keep_min, context_.layout.candidate,
                    context_.linear_of(facet->halfspace), surface_.block.pixels);
+    }
+    for (auto facet = after_start(); facet != surface_.facets.end(); ++facet) {
+      const isa::Field depth = depth_of(*facet);
+      out_.plain(Opcode::enable_store, context_.layout.kept);
+      replace_by(depth);
+      out_.plain(Opcode::enable_load, context_.layout.kept);
     }
   }
 
@@ -53,19 +62,47 @@ class Extreme {
   /// backwards.
   void emit_with_colours() {
     const auto begin = surface_.facets.begin();
-    const auto end = surface_.facets.end();
     start();
     out_.plain(Opcode::enable_store, context_.layout.mask);
-    set_colour(first_ != end ? *first_ : *(end - 1));
-    for (auto facet = first_; facet != end && ++facet != end;) replace_by(*facet, false);
+    set_colour(starts_curved() ? *curved_ : first_ != curved_ ? *first_ : *(curved_ - 1));
+    for (auto facet = first_; facet != curved_ && ++facet != curved_;) replace_by(*facet, false);
     for (auto facet = first_; facet != begin;) replace_by(*--facet, true);
+    for (auto facet = after_start(); facet != surface_.facets.end(); ++facet) {
+      out_.plain(Opcode::enable_load, context_.layout.mask);
+      const isa::Field depth = depth_of(*facet);
+      out_.plain(Opcode::enable_store, context_.layout.mask);
+      replace_by(depth);
+      set_colour(*facet);
+    }
     out_.plain(Opcode::enable_load, context_.layout.mask);
   }
 
  private:
+  using Iterator = std::vector<Facet>::const_iterator;
+
+  [[nodiscard]] bool starts_curved() const { return curved_ == surface_.facets.begin() && !surface_.facets.empty(); }
+
+  /// The first of the curved ones that does not begin it.
+  [[nodiscard]] Iterator after_start() const { return starts_curved() ? curved_ + 1 : curved_; }
+
+  /// E stays 1 where the curved facet is.
+  isa::Field depth_of(const Facet& facet) {
+    return emit_facet_depth(context_, out_, facet, surface_.block.pixels);
+  }
+
+  /// Z1 := the depth where that is more extreme, to where E is left.
+  void replace_by(isa::Field depth) {
+    const isa::Field z1 = context_.layout.candidate;
+    farthest_front_ ? out_.plain(Opcode::field_lt, z1, depth) : out_.plain(Opcode::field_lt, depth, z1);
+    out_.plain(Opcode::copy, z1, depth);
+  }
+
   void start() {
     const isa::Field z1 = context_.layout.candidate;
-    if (first_ != surface_.facets.end() && first_->at == At::plane) {
+    if (starts_curved()) {
+      const isa::Field depth = emit_facet_depth(context_, out_, *curved_, surface_.block.pixels, z1);
+      if (depth != z1) out_.plain(Opcode::copy, z1, depth);
+    } else if (first_ != curved_ && first_->at == At::plane) {
       out_.surface(Opcode::load_linear, z1, context_.linear_of(first_->halfspace), surface_.block.pixels);
     } else {
       out_.plain(Opcode::set_constant, z1, {}, farthest_front_ ? 0 : static_cast<std::uint64_t>(context_.farthest()));
@@ -106,26 +143,74 @@ class Extreme {
   const PlannedSurface& planned_;
   const Surface& surface_;
   bool farthest_front_;
-  std::vector<Facet>::const_iterator first_;
+  Iterator curved_;  ///< the first that is curved; all after it are
+  Iterator first_;   ///< what Z1 begins with, if that is not curved; curved_ if none can
 };
 
 /// A subtracted solid has no back where it ends before the near plane.
 void emit_near_test(const Context& context, Broadcast& out, const Surface& surface) {
   const bool reaches = std::any_of(surface.facets.begin(), surface.facets.end(), [&](const Facet& back) {
-    return context.range_of(back.halfspace, surface.block.pixels).low <= 0;
+    return is_curved(back.at) ? surface.block.z_low <= 0
+                              : context.range_of(back.halfspace, surface.block.pixels).low <= 0;
   });
   if (reaches) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, surface.block.pixels);
 }
 
+/// Whether the surface is nothing but the quadric's: its depths are apart wherever it has any.
+bool is_own_other_side(const Surface& surface, const QuadricBound& bound) {
+  return surface.facets.size() == 1 && is_curved(surface.facets.front().at) &&
+         surface.facets.front().quadric == bound.side && bound.role == view::QuadricRole::between;
+}
+
+/// Where the other side of a quadric is before Z1, or behind it, there is nothing.
+void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
+                      const Surface& surface) {
+  const bool complemented = context.complemented(planned.primitive());
+  const isa::Field z1 = context.layout.candidate;
+  // Of the last its root may still be there.
+  bool has_root = !surface.facets.empty() && is_curved(surface.facets.back().at);
+  for (auto bound = sides.quadrics.rbegin(); bound != sides.quadrics.rend(); ++bound) {
+    const std::optional<Facet> other = seen_of(*bound, !complemented);
+    if (!other || is_own_other_side(surface, *bound)) continue;
+    const bool is_last = has_root && surface.facets.back().quadric == bound->side && bound->role == view::QuadricRole::between;
+    has_root = false;
+    if (!is_last) emit_root(context, out, *bound, planned.block.pixels);
+    const Root root = other->at == At::quadric_near ? Root::near : Root::far;
+    const isa::Field depth = emit_depth(context, out, *bound, root, planned.block.pixels);
+    complemented ? out.plain(Opcode::field_lt, depth, z1) : out.plain(Opcode::field_lt, z1, depth);
+  }
+}
+
+bool has_curved(const Surface& surface) {
+  return std::any_of(surface.facets.begin(), surface.facets.end(), [](const Facet& one) { return is_curved(one.at); });
+}
+
+/// A solid with a curved front has it at every pixel: only the near plane brings its surface to depth 0.
+bool may_be_at_near(const Context& context, const PlannedSurface& planned, const Surface& surface) {
+  return !has_curved(surface) || std::any_of(planned.set.begin(), planned.set.end(), [&](std::uint32_t primitive) {
+    return context.view.extents[primitive].cut_by_near;
+  });
+}
+
 }  // namespace
+
+isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,
+                            isa::Field into) {
+  const QuadricBound bound{facet.primitive, facet.quadric,
+                           view::role_of(context.view.quadrics[facet.quadric.quadric], facet.quadric)};
+  emit_root(context, out, bound, pixels);
+  return emit_depth(context, out, bound, facet.at == At::quadric_near ? Root::near : Root::far, pixels, into);
+}
 
 Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides) {
   const csg::Block& block = planned.block;
   const bool complemented = context.complemented(planned.primitive());
   Surface surface{false, complemented ? sides.backs.facets : sides.fronts.facets, block, 0};
-  surface.nothing = sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
+  for (const QuadricBound& bound : sides.quadrics)
+    if (const std::optional<Facet> facet = seen_of(bound, complemented)) surface.facets.push_back(*facet);
+  surface.nothing = sides.nothing || sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
   if (surface.nothing) return surface;
-  if (!complemented && may_reach_near(context, sides.fronts.facets, block))
+  if (!complemented && may_be_at_near(context, planned, surface) && may_reach_near(context, sides.fronts.facets, block))
     surface.facets.insert(surface.facets.begin(), at_near(context, planned.primitive()));
   return surface;
 }
@@ -146,6 +231,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
     out.surface(complemented ? Opcode::linear_lt : Opcode::linear_gt, context.layout.candidate,
                 context.linear_of(other.halfspace), block.pixels);
   }
+  emit_other_sides(context, out, planned, sides, surface);
   if (complemented) emit_near_test(context, out, surface);
   return surface;
 }

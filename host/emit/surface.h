@@ -17,6 +17,11 @@ struct Surface {
   std::size_t begin = 0;  ///< instructions in the segment when E was left to the block's pixels, if it was emitted
 };
 
+/// The depth of a curved facet where E is 1, in the field that it returns: `into`, if one is given that may be written,
+/// or another. E stays 1 where the ray meets the quadric.
+isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,
+                            isa::Field into = {});
+
 /// What emit_surface would draw, without drawing it.
 Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides);
 

@@ -115,7 +115,7 @@ Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes) {
   return folded[tree.root];
 }
 
-Scene make_scene(const model::Tree& tree, const Faceting& faceting, const std::vector<bool>& in_facets) {
+Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
   if (faceting.tolerance && !(*faceting.tolerance > 0.0 && std::isfinite(*faceting.tolerance))) {
     throw InputError("the faceting tolerance has to be a finite length above 0");
   }
@@ -127,7 +127,7 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting, const std::v
   solids.reserve(tree.primitives.size());
   boxes.reserve(tree.primitives.size());
   for (const model::Primitive& primitive : tree.primitives) {
-    const bool is_faceted = solids.size() < in_facets.size() && in_facets[solids.size()];
+    const bool is_faceted = solids.size() < faceting.faceted.size() && faceting.faceted[solids.size()];
     solids.push_back(make_solid_at(tree, primitive, is_faceted ? in_all_facets : faceting));
     boxes.push_back(box_of(solids.back()));
     all = hull(all, boxes.back());

@@ -42,10 +42,9 @@ struct Scene {
   QuadricTable quadrics{};
 };
 
-/// Facets every primitive, but for those that stay curved; `in_facets`, by primitive, says which do not though they
-/// might: none if it is empty. Throws InputError, naming the primitive's place in the file, where one cannot be
-/// faceted.
-Scene make_scene(const model::Tree& tree, const Faceting& faceting = {}, const std::vector<bool>& in_facets = {});
+/// Facets every primitive, but for those that stay curved. Throws InputError, naming the primitive's place in the file,
+/// where one cannot be faceted.
+Scene make_scene(const model::Tree& tree, const Faceting& faceting = {});
 
 /// Folds boxes of the primitives over the tree: unions span, intersections clip, differences keep their first operand.
 Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes);

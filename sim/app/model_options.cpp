@@ -11,6 +11,7 @@
 #include "host/csg/positive_tree.h"
 #include "host/effects/rows.h"
 #include "host/emit/compile.h"
+#include "host/emit/curves.h"
 #include "host/emit/effect.h"
 #include "host/facet/scene.h"
 #include "host/lighting/colour_schemes.h"
@@ -213,6 +214,11 @@ void ModelOptions::add_view_to(Command& command) {
       "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
       "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
       "of as OpenSCAD does");
+  command
+      .option("--curves", curves,
+              "How spheres, cylinders and cones are drawn: facets; exact (without facets, on a machine whose "
+              "evaluator.degree is 2); auto (exact where the machine and the scene's effects can)")
+      .one_of(by_name(emit::curve_choices));
   command.option("--colour-bits", colour_bits, "Bits of a colour")
       .between(isa::fewest_colour_bits, isa::most_colour_bits);
 }
@@ -240,16 +246,54 @@ emit::Options emit_options_of(const ModelOptions& options) {
   return emit;
 }
 
-facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree) {
+namespace {
+
+/// As they are asked for, but for curved surfaces.
+facet::Faceting planar_faceting_of(const ModelOptions& options, const machines::Machine& machine,
+                                   const model::Tree& tree) {
   if (!options.tolerance) return {};
-  if (!options.tolerance->in_pixels) return {options.tolerance->value, std::nullopt};
+  if (!options.tolerance->in_pixels) return {.tolerance = options.tolerance->value};
   const facet::Scene scene = facet::make_scene(tree);
   const view::Camera camera = camera_of(options, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
   const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
   fmt::print("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
              options.tolerance->value);
-  return {tolerance, std::nullopt};
+  return {.tolerance = tolerance};
+}
+
+/// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
+std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& view) {
+  std::vector<bool> unfit(scene.solids.size());
+  bool any = false;
+  for (std::size_t i = 0; i < unfit.size(); ++i) {
+    const std::vector<facet::QuadricSide>& quadrics = scene.solids[i].quadrics;
+    unfit[i] = std::ranges::any_of(quadrics, [&](const facet::QuadricSide& side) {
+      return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
+    });
+    any = any || unfit[i];
+  }
+  return any ? unfit : std::vector<bool>{};
+}
+
+}  // namespace
+
+facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree) {
+  facet::Faceting faceting = planar_faceting_of(options, machine, tree);
+  const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
+  if (curves == emit::Curves::facets) return faceting;
+  if (curves == emit::Curves::automatic && machine.evaluator_degree < 2) return faceting;
+  const emit::Options emit = emit_options_of(options);
+  const view::Camera camera = camera_of(options, machine, tree, facet::make_scene(tree));
+  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  const std::optional<std::string> reason = emit::why_no_quadrics(machine, emit, look);
+  if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or draw facets by --curves auto");
+  if (reason) return faceting;
+  faceting.exact_curves = true;
+  if (curves == emit::Curves::exact) return faceting;
+  const facet::Scene scene = facet::make_scene(tree, faceting);
+  faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling_of(options, machine)));
+  return faceting;
 }
 
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine) {
@@ -267,7 +311,11 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
   const scene::Camera& seen_by = options.scene().camera;
   const bool is_given = !options.camera.empty() || (seen_by.eye && seen_by.centre);
   const bool sees_all = options.view_all || seen_by.view_all.value_or(false);
-  const facet::Box box = is_given && !sees_all ? scene.box : convex::extent(scene, csg::make_positive(tree));
+  // The same picture, whatever curved surfaces are drawn as.
+  const bool has_quadrics = !scene.quadrics.quadrics().empty();
+  const facet::Box box = is_given && !sees_all ? scene.box
+                         : has_quadrics        ? convex::extent(facet::make_scene(tree), csg::make_positive(tree))
+                                               : convex::extent(scene, csg::make_positive(tree));
   view::Camera camera = view::default_camera(box, picture.width, picture.height);
   camera.eye = seen_by.eye.value_or(camera.eye);
   camera.centre = seen_by.centre.value_or(camera.centre);

@@ -46,6 +46,7 @@ struct ModelOptions {
   unsigned fraction_bits = 12;
   double edge_on = 1.0 / 256;
   std::optional<Tolerance> tolerance;
+  std::string curves = "auto";
   std::string strategy = "stack";
   unsigned stack_bits = emit::fewest_stack_bits;
   std::string colouring = "rebroadcast";

@@ -69,7 +69,7 @@ Column measure(const Options& options, const Subject& subject, unsigned levels,
                const std::optional<double>& tolerance) {
   const auto& [machine, tree] = subject;
   const facet::Scene scene = facet::make_scene(
-      tree, tolerance ? facet::Faceting{tolerance, std::nullopt} : faceting_of(options.model, machine, tree));
+      tree, tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_of(options.model, machine, tree));
   const view::View view =
       view::make_view(scene, tree, camera_of(options.model, machine, tree, scene), sampling_of(options.model, machine));
   const study::Subdivided subdivided{tree, scene, view, machine, emit_options_of(options.model)};

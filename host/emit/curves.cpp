@@ -1,0 +1,43 @@
+#include "host/emit/curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host/emit/effect.h"
+#include "hw/machines/regions.h"
+
+namespace csgsim::emit {
+
+std::string_view name_of(Curves curves) {
+  switch (curves) {
+    case Curves::facets: return "facets";
+    case Curves::exact: return "exact";
+    case Curves::automatic: break;
+  }
+  return "auto";
+}
+
+std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look) {
+  if (machine.evaluator_degree < 2)
+    return fmt::format(
+        "{} evaluates linear expressions alone, and a curved surface takes quadratic ones; take a machine whose "
+        "evaluator.degree is 2, as pixel-powers",
+        machine.name);
+  if (machines::division(machine))
+    return fmt::format(
+        "{} divides the model itself, and its divider knows half-spaces alone; take a machine for which the host "
+        "divides, as pixel-powers",
+        machine.name);
+  for (const CalledEffect& one : called_effects(options, look)) {
+    if (!one.effect->takes_quadrics)
+      return fmt::format("the effect {} works on facets; leave it out by --set effects.{}.on=false", one.effect->name(),
+                         one.effect->name());
+  }
+  const bool shines = std::any_of(look.finishes.begin(), look.finishes.end(),
+                                  [](const lighting::Finish& one) { return one.material.specular > 0; });
+  if (shines) return "highlights are worked out a facet at a time; leave the materials' specular out of the scene";
+  return std::nullopt;
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hw/isa/colour_format.h"
+#include "hw/isa/instruction.h"
+
+namespace csgsim::emit {
+
+/// So many bits of a field, from that one on.
+constexpr isa::Field part_of(isa::Field field, unsigned from, unsigned width) {
+  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
+}
+
+/// Red, green and blue of a colour field.
+constexpr std::array<isa::Field, 3> channels_of(isa::Field colour) {
+  const std::array<unsigned, 3> widths = isa::channel_widths(colour.width);
+  return {part_of(colour, widths[2] + widths[1], widths[0]), part_of(colour, widths[2], widths[1]),
+          part_of(colour, 0, widths[2])};
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,158 @@
+#include "host/emit/light_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <numeric>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "host/emit/facet_geometry.h"
+#include "host/view/projection.h"
+#include "hw/isa/depth_scale.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+/// Places around an axis at which a surface is looked at, and along it.
+constexpr int around = 48;
+constexpr int along = 13;
+
+/// A pivot that is smaller than this part of the greatest is none: the places lie in a plane.
+constexpr double least_pivot = 1e-12;
+
+/// A place of a surface and its normal, of length 1, in the primitive's own axes.
+struct SurfacePlace {
+  glm::dvec3 at;
+  glm::dvec3 normal;
+};
+
+struct Places {
+  std::vector<SurfacePlace> operator()(const model::Cube& /*cube*/) const { return {}; }
+  std::vector<SurfacePlace> operator()(const model::Polyhedron& /*polyhedron*/) const { return {}; }
+  std::vector<SurfacePlace> operator()(const model::Sphere& sphere) const {
+    return rings([&](const glm::dvec2& direction, double part) {
+      const double angle = std::numbers::pi * (part - 0.5);
+      const glm::dvec3 normal(direction * std::cos(angle), std::sin(angle));
+      return SurfacePlace{normal * sphere.radius, normal};
+    });
+  }
+  std::vector<SurfacePlace> operator()(const model::Cylinder& cylinder) const {
+    return rings([&](const glm::dvec2& direction, double part) {
+      const double radius = cylinder.r1 + (cylinder.r2 - cylinder.r1) * part;
+      const double z = cylinder.height * (part - (cylinder.center ? 0.5 : 0.0));
+      const glm::dvec3 normal(direction * cylinder.height, cylinder.r1 - cylinder.r2);
+      return SurfacePlace{{direction * radius, z}, glm::normalize(normal)};
+    });
+  }
+
+ private:
+  template <class Place>
+  static std::vector<SurfacePlace> rings(const Place& place) {
+    std::vector<SurfacePlace> places;
+    for (int ring = 0; ring < along; ++ring) {
+      for (int i = 0; i < around; ++i) {
+        const double angle = 2 * std::numbers::pi * i / around;
+        places.push_back(place({std::cos(angle), std::sin(angle)}, (ring + 0.5) / along));
+      }
+    }
+    return places;
+  }
+};
+
+/// 1, column and row from the middle of the picture, depth steps.
+using Coordinates = std::array<double, 4>;
+
+struct Sample {
+  Coordinates at;
+  double cosine;
+};
+
+double cosine_at(const lighting::SeenLight& light, const glm::dvec3& place, const glm::dvec3& normal) {
+  return glm::dot(light.is_point ? glm::normalize(light.where - place) : light.where, normal);
+}
+
+std::vector<Sample> samples_of(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
+  const model::Primitive& primitive = context.tree.primitives[facet.primitive];
+  const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(primitive.transform)));
+  const double sign = context.complemented(facet.primitive) ? -1.0 : 1.0;
+  const view::View& view = context.view;
+  const view::EyeSpace space = view::eye_space(view.camera, view.sampling);
+  std::vector<Sample> samples;
+  for (const SurfacePlace& own : std::visit(Places{}, primitive.shape)) {
+    const glm::dvec3 in_eye = space.to_eye(glm::dvec3(primitive.transform * glm::dvec4(own.at, 1)));
+    const glm::dvec3 normal = in_camera_axes(view.camera, sign * glm::normalize(normals * own.normal));
+    const glm::dvec3 from_eye = space.perspective ? in_eye : glm::dvec3(0, 0, 1);
+    if (glm::dot(normal, from_eye) >= 0 || (space.perspective && in_eye.z < view.depth.near)) continue;
+    const glm::dvec3 place = space.to_picture(in_eye);
+    const double depth = isa::depth_of(view.depth, view.sampling.z_bits, in_eye.z);
+    samples.push_back({{1.0, place.x - (view.sampling.width - 1.0) / 2.0, place.y - (view.sampling.height - 1.0) / 2.0, depth},
+                       cosine_at(light, in_eye, normal)});
+  }
+  return samples;
+}
+
+/// The sizes of the coordinates, so that all count alike.
+Coordinates sizes_of(const std::vector<Sample>& samples) {
+  Coordinates sizes{};
+  for (const Sample& one : samples)
+    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = std::max(sizes[i], std::abs(one.at[i]));
+  for (double& size : sizes) size = size > 0 ? size : 1.0;
+  return sizes;
+}
+
+constexpr std::size_t none = 4;
+
+/// Solves the symmetric equations of least squares; an unknown that the others leave undetermined is 0.
+Coordinates solve(std::array<std::array<double, 5>, 4> rows) {
+  std::array<bool, 4> used{};
+  std::array<std::size_t, 4> pivot_of{none, none, none, none};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 4; ++i) greatest = std::max(greatest, rows[i][i]);
+  for (std::size_t column = 0; column < 4; ++column) {
+    std::size_t best = none;
+    for (std::size_t row = 0; row < 4; ++row)
+      if (!used[row] && (best == none || std::abs(rows[row][column]) > std::abs(rows[best][column]))) best = row;
+    if (std::abs(rows[best][column]) <= least_pivot * greatest) continue;
+    used[best] = true;
+    pivot_of[column] = best;
+    for (std::size_t row = 0; row < 4; ++row) {
+      if (row == best) continue;
+      const double factor = rows[row][column] / rows[best][column];
+      for (std::size_t i = column; i < 5; ++i) rows[row][i] -= factor * rows[best][i];
+    }
+  }
+  Coordinates result{};
+  for (std::size_t column = 0; column < 4; ++column)
+    if (pivot_of[column] != none) result[column] = rows[pivot_of[column]][4] / rows[pivot_of[column]][column];
+  return result;
+}
+
+}  // namespace
+
+LightFit fit_light(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
+  const std::vector<Sample> samples = samples_of(context, facet, light);
+  const Coordinates sizes = sizes_of(samples);
+  std::array<std::array<double, 5>, 4> rows{};
+  for (const Sample& one : samples) {
+    for (std::size_t row = 0; row < 4; ++row) {
+      const double at = one.at[row] / sizes[row];
+      for (std::size_t column = 0; column < 4; ++column) rows[row][column] += at * one.at[column] / sizes[column];
+      rows[row][4] += at * one.cosine;
+    }
+  }
+  Coordinates found = solve(rows);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] /= sizes[i];
+  double greatest = 0;
+  for (const Sample& one : samples)
+    greatest = std::max(greatest, std::inner_product(found.begin(), found.end(), one.at.begin(), 0.0));
+  return {{found[1], found[2], found[0]}, found[3], greatest};
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,240 @@
+#include "host/emit/quadrics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "host/emit/curved_light.h"
+#include "host/emit/fields.h"
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+using csg::Known;
+using isa::Opcode;
+using view::QuadricRole;
+using view::RootRanges;
+
+const view::ScreenQuadric& screen(const Context& context, const QuadricBound& bound) {
+  return context.view.quadrics[bound.side.quadric];
+}
+
+RootRanges ranges_of(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels) {
+  return view::ranges_over(screen(context, bound), context.view.sampling.fraction_bits, pixels);
+}
+
+/// Bits of the root over those pixels.
+unsigned root_bits(const RootRanges& ranges) {
+  return std::max(1U, static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(ranges.most_root))));
+}
+
+bool is_depth(const view::Range& range, std::int64_t farthest) { return range.low >= 0 && range.high <= farthest; }
+
+/// Bits of a sum with these values: as many as a depth has if all are depths, else of a two's complement number.
+unsigned sum_bits(const view::Range& range, unsigned z_bits) {
+  if (is_depth(range, (std::int64_t{1} << z_bits) - 1)) return z_bits;
+  const auto width = [](std::int64_t value) {
+    return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value))) + 1;
+  };
+  return std::max({z_bits + 1, width(range.low), width(range.high)});
+}
+
+/// A constant in a field of any width.
+void set(Broadcast& out, isa::Field field, std::uint64_t constant) {
+  for (unsigned first = 0; first < field.width; first += isa::max_field_width) {
+    const unsigned width = std::min<unsigned>(field.width - first, isa::max_field_width);
+    out.plain(Opcode::set_constant, part_of(field, first, width), {}, constant >> first & ((std::uint64_t{1} << width) - 1));
+  }
+}
+
+/// Makes a depth of a two's complement number: 0 of one below, the farthest of one beyond. E is kept.
+void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const view::Range& range) {
+  const std::int64_t farthest = context.farthest();
+  const isa::Field depth = part_of(sum, 0, context.layout.candidate.width);
+  const isa::Field sign = part_of(sum, sum.width - 1U, 1);
+  if (is_depth(range, farthest)) return;
+  out.plain(Opcode::enable_store, context.layout.kept);
+  if (range.low < 0) {
+    out.plain(Opcode::enable_and, sign);
+    set(out, depth, 0);
+    out.plain(Opcode::enable_load, context.layout.kept);
+  }
+  if (range.high <= farthest) return;
+  // The bits between the depth's and the sign become one.
+  const isa::Field beyond = part_of(sum, depth.width, 1);
+  for (unsigned bit = depth.width + 1U; bit + 1U < sum.width; ++bit)
+    out.bitwise(Opcode::bit_or, beyond, beyond, part_of(sum, bit, 1));
+  out.plain(Opcode::enable_and, beyond);
+  if (range.low < 0) out.plain(Opcode::enable_and_not, sign);
+  set(out, depth, static_cast<std::uint64_t>(farthest));
+  out.plain(Opcode::enable_load, context.layout.kept);
+}
+
+/// The root, in units of 2^unit, in a field of any width.
+void emit_shifted_root(Broadcast& out, isa::Field root, isa::Field sum, unsigned unit) {
+  const unsigned low = std::min<unsigned>(unit, sum.width);
+  const unsigned width = std::min<unsigned>(root.width, sum.width - low);
+  set(out, part_of(sum, 0, low), 0);
+  if (width > 0) out.plain(Opcode::copy, part_of(sum, low, width), part_of(root, 0, width));
+  set(out, part_of(sum, low + width, sum.width - low - width), 0);
+}
+
+bool may_miss(const QuadricBound& bound, const RootRanges& ranges) {
+  return bound.role == QuadricRole::until && ranges.discriminant.low < 0;
+}
+
+/// What of a bound matters to points of a block.
+struct Matters {
+  bool outline = true;
+  bool near = true;
+  bool far = true;
+};
+
+Matters all_of(QuadricRole role) {
+  return {role != QuadricRole::until, role == QuadricRole::between || role == QuadricRole::until,
+          role == QuadricRole::between || role == QuadricRole::from};
+}
+
+Matters what_matters(const Context& context, const QuadricBound& bound, const csg::Block& block) {
+  Matters matters = all_of(bound.role);
+  if (!context.options.pruning.halfspaces) return matters;
+  const RootRanges ranges = ranges_of(context, bound, block.pixels);
+  const bool ends_at_near = bound.role == QuadricRole::until;
+  if (ends_at_near && ranges.discriminant.high < 0) return {false, false, false};
+  matters.outline = matters.outline && ranges.discriminant.low < 0;
+  matters.near = matters.near && !(ends_at_near ? ranges.near.low > block.z_high : ranges.near.high <= block.z_low);
+  matters.far = matters.far && !(bound.role == QuadricRole::from ? ranges.far.high <= block.z_low : ranges.far.low > block.z_high);
+  return matters;
+}
+
+/// Whether no point of the block is within the bound.
+bool is_out(const QuadricBound& bound, const RootRanges& ranges, const csg::Block& block) {
+  const bool never_met = ranges.discriminant.high < 0;
+  switch (bound.role) {
+    case QuadricRole::edge: return never_met;
+    case QuadricRole::between: return never_met || ranges.near.low > block.z_high || ranges.far.high <= block.z_low;
+    case QuadricRole::until: return ranges.discriminant.low >= 0 && ranges.near.high <= block.z_low;
+    case QuadricRole::from: return never_met || ranges.far.low > block.z_high;
+  }
+  return false;
+}
+
+void refuse_unfit(const Context& context, std::uint32_t primitive) {
+  const model::Location& location = context.tree.primitives[primitive].location;
+  throw InputError(fmt::format(
+      "{}:{}:{}: the surface of this primitive is seen so that its depths do not fit the machine's numbers (along a "
+      "straight line in it, or from a point on it); move the camera, or draw it in facets by --curves auto",
+      context.tree.file, location.line, location.column));
+}
+
+}  // namespace
+
+std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t primitive) {
+  std::vector<QuadricBound> bounds;
+  for (const facet::QuadricSide& side : context.scene.solids[primitive].quadrics) {
+    const view::ScreenQuadric& quadric = context.view.quadrics[side.quadric];
+    if (quadric.kind == view::ScreenQuadricKind::unfit) refuse_unfit(context, primitive);
+    bounds.push_back({primitive, side, view::role_of(quadric, side)});
+  }
+  return bounds;
+}
+
+Known known_of(const Context& context, const QuadricBound& bound, const csg::Block& block) {
+  if (!context.options.pruning.halfspaces) return Known::depends;
+  const RootRanges ranges = ranges_of(context, bound, block.pixels);
+  if (is_out(bound, ranges, block)) return Known::out;
+  if (bound.role == QuadricRole::edge) return ranges.discriminant.low >= 0 ? Known::in : Known::depends;
+  const Matters matters = what_matters(context, bound, block);
+  return matters.outline || matters.near || matters.far ? Known::depends : Known::in;
+}
+
+QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsigned colour_bits) {
+  QuadricBits bits;
+  for (std::size_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
+    const view::PixelRect& pixels = view.extents[primitive].pixels;
+    for (const facet::QuadricSide& side : scene.solids[primitive].quadrics) {
+      const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
+      if (quadric.kind != view::ScreenQuadricKind::roots || pixels.empty()) continue;
+      const RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, pixels);
+      const unsigned root = root_bits(ranges);
+      const unsigned sum = std::max(sum_bits(ranges.near, view.sampling.z_bits), sum_bits(ranges.far, view.sampling.z_bits));
+      bits.root = std::max(bits.root, root);
+      bits.sum = std::max({bits.sum, sum, root + 1, light_bits(colour_bits)});
+    }
+  }
+  return bits;
+}
+
+void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels) {
+  out.quadratic(Opcode::edge_not_negative, {}, screen(context, bound).discriminant, 0, pixels);
+}
+
+void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels) {
+  const view::ScreenQuadric& quadric = screen(context, bound);
+  const RootRanges ranges = ranges_of(context, bound, pixels);
+  const unsigned bits = root_bits(ranges);
+  const isa::Field& root = context.layout.root;
+  const isa::Field field{static_cast<std::uint16_t>(root.base - bits - 1), static_cast<std::uint16_t>(2 * bits + 1)};
+  if (may_miss(bound, ranges)) out.plain(Opcode::enable_store, context.layout.kept);
+  out.quadratic(Opcode::load_linear, field, quadric.discriminant, quadric.discriminant_shift, pixels);
+  out.plain(Opcode::root, field);
+}
+
+isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound& bound, Root root,
+                      const view::PixelRect& pixels, isa::Field into) {
+  const view::ScreenQuadric& quadric = screen(context, bound);
+  const RootRanges ranges = ranges_of(context, bound, pixels);
+  const unsigned z_bits = context.layout.candidate.width;
+  const bool is_near = root == Root::near;
+  const view::Range& range = is_near ? ranges.near : ranges.far;
+  const unsigned bits = sum_bits(range, z_bits);
+  const isa::Field sum = into.width == bits ? into : part_of(context.layout.sum, 0, bits);
+  const isa::Field depth = part_of(sum, 0, z_bits);
+  emit_shifted_root(out, part_of(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
+  view::FixedLinear middle = quadric.middle;
+  if (!is_near) middle.c += std::int64_t{1} << (context.view.sampling.fraction_bits + quadric.unit);
+  out.surface(is_near ? Opcode::linear_minus : Opcode::linear_plus, sum, middle, pixels);
+  if (may_miss(bound, ranges)) {
+    // Where the ray does not meet the quadric, all of it is inside.
+    out.plain(Opcode::enable_xor, context.layout.kept);
+    set(out, sum, static_cast<std::uint64_t>(context.farthest()));
+    out.plain(Opcode::enable_load, context.layout.kept);
+  }
+  emit_clamp(context, out, sum, range);
+  return depth;
+}
+
+void emit_comparison(const Context& context, Broadcast& out, const QuadricBound& bound, const csg::Block& block) {
+  if (bound.role == QuadricRole::edge) return;  // emit_edges has it
+  if (known_of(context, bound, block) == Known::out) {
+    out.nowhere();
+    return;
+  }
+  const Matters matters = what_matters(context, bound, block);
+  if (!matters.near && !matters.far) {
+    if (matters.outline) emit_outline(context, out, bound, block.pixels);
+    return;
+  }
+  const isa::Field z1 = context.layout.candidate;
+  emit_root(context, out, bound, block.pixels);
+  if (matters.near) {
+    const isa::Field near = emit_depth(context, out, bound, Root::near, block.pixels);
+    if (bound.role == QuadricRole::until)
+      out.plain(Opcode::field_lt, z1, near);
+    else
+      out.plain(Opcode::field_le, near, z1);
+  }
+  if (matters.far) {
+    const isa::Field far = emit_depth(context, out, bound, Root::far, block.pixels);
+    if (bound.role == QuadricRole::from)
+      out.plain(Opcode::field_le, far, z1);
+    else
+      out.plain(Opcode::field_lt, z1, far);
+  }
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "host/csg/locate.h"
+#include "host/emit/context.h"
+#include "host/view/quadrics.h"
+
+namespace csgsim::emit {
+
+/// A quadric that bounds a primitive.
+struct QuadricBound {
+  std::uint32_t primitive = model::no_index;
+  facet::QuadricSide side;
+  view::QuadricRole role = view::QuadricRole::between;
+};
+
+/// Those of a primitive. Throws InputError, naming the primitive, where one does not fit the machine.
+std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t primitive);
+
+/// Whether every point of the block, or none, is within the bound, if such pruning is asked for.
+csg::Known known_of(const Context& context, const QuadricBound& bound, const csg::Block& block);
+
+/// Bits that the quadrics of the scene take, and light on them in colours of that many bits.
+QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsigned colour_bits);
+
+enum class Root : std::uint8_t { near, far };
+
+/// E stays 1 where the ray meets the quadric, or is in it if it is an edge test: no depths.
+void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels);
+
+/// The root of the discriminant. E stays 1 where the ray meets the quadric, and for QuadricRole::until, whose
+/// emit_depth has to follow, everywhere that it needs.
+void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels);
+
+/// A depth of the quadric where E is 1, after emit_root: returns the field that it is in, as wide as Z1: `into`, if one
+/// is given that may be written, or the low part of the layout's sum. What is before
+/// the depth range becomes 0, what is behind it the farthest. Leaves the root, and E as it was before an emit_root of
+/// QuadricRole::until.
+isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound& bound, Root root,
+                      const view::PixelRect& pixels, isa::Field into = {});
+
+/// E := E and "Z1 is within the bound", by what matters in the block.
+void emit_comparison(const Context& context, Broadcast& out, const QuadricBound& bound, const csg::Block& block);
+
+}  // namespace csgsim::emit
