@@ -50,7 +50,7 @@ namespace csgsim::array {
   F(sum_with_1,         false, true,  true,  true,  false, false, "M[w] := not (y xor K) where E, K := y or K: a further 1 is added to y") \
   F(difference_from_1,  true,  true,  true,  true,  false, false, "M[w] := x xor y where E, K := maj(x, not y, 1): first bit of x - y")    \
   F(difference,         true,  true,  true,  true,  false, false, "M[w] := x xor not y xor K where E, K := maj(x, not y, K)")              \
-  F(root_start,         false, true,  true,  true,  true,  false, "G := 0, and as sum_with_1_from_0: a root begins by subtracting")        \
+  F(root_first,         false, false, true,  true,  true,  false, "G := not K; M[w] := K where E: the first bit of a root")                \
   F(root_bit,           true,  true,  true,  true,  true,  false, "z = x xor not G; M[w] := y xor z xor K where E, K := maj(y, z, K)")     \
   F(root_sign,          false, true,  true,  true,  true,  false, "G := y xor not G xor K; M[w] := not G where E: a bit of the root")      \
   F(store_enable,       false, false, true,  false, false, true,  "M[w] := E at every pixel")                                              \
@@ -152,7 +152,7 @@ constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
     case AluFunction::sum_with_1_from_0:
     case AluFunction::sum_with_1:
     case AluFunction::difference:
-    case AluFunction::root_start:
+    case AluFunction::root_first:
     case AluFunction::root_bit:
     case AluFunction::root_sign:
     case AluFunction::store_enable:

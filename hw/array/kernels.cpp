@@ -281,7 +281,6 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
         k = hn::And(added_to, k);
       }
       break;
-    case AluFunction::root_start: r.flag = zero; [[fallthrough]];
     case AluFunction::sum_with_1:
       for (unsigned i = 0; i < run.count; ++i) {
         const Vector added_to = y_at(i);
@@ -295,6 +294,10 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
         put(i, e, hn::Xor(half, k));
         k = select(half, k, x);
       });
+      break;
+    case AluFunction::root_first:
+      for (unsigned i = 0; i < run.count; ++i) put(i, e, k);
+      r.flag = hn::Not(k);
       break;
     case AluFunction::root_bit: {
       const Vector subtracts = hn::Not(r.flag);

@@ -25,7 +25,9 @@ class PixelReplay {
   void execute_where_enabled(const isa::Instruction& instruction);
 
   /// Whether what has been executed since has written all registers of which something was not known.
-  [[nodiscard]] bool knows_registers() const { return knows_tree_ && knows_carry_ && unknown_latches_ == 0; }
+  [[nodiscard]] bool knows_registers() const {
+    return knows_tree_ && knows_carry_ && knows_flag_ && unknown_latches_ == 0;
+  }
 
   [[nodiscard]] const PixelArray& pixels() const { return pixels_; }
   /// The registers between the trees and the pixels.
@@ -40,6 +42,7 @@ class PixelReplay {
   std::uint64_t all_latches_;  ///< a bit a bit of the latch
   bool knows_tree_ = true;
   bool knows_carry_ = true;
+  bool knows_flag_ = true;
   std::uint64_t unknown_latches_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "hw/array/sequencer.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "hw/array/plane.h"
 #include "hw/isa/opcodes.h"
@@ -17,10 +16,12 @@ bool coefficient_bit(std::int64_t coefficient, std::uint32_t bit) { return ((coe
 }  // namespace
 
 void Sequencer::begin(const isa::Instruction& instruction) {
+  squares_ = instruction_.opcode == Opcode::squares ? instruction_.linear : isa::Linear{};
   instruction_ = instruction;
   busy_ = true;
-  bit_ = 0;
+  bit_ = instruction.opcode == Opcode::root ? instruction.fields[0].width - 3U : 0;
   pass_ = 0;
+  trial_ = 0;
 }
 
 BitStep Sequencer::issue() {
@@ -61,10 +62,10 @@ BitStep Sequencer::issue() {
     case Opcode::skip_if_none: return once({.function = answer});
     case Opcode::xor_constant: return field_bits(change_step(store_xor_constant));
     case Opcode::add: return two_operand_bits(sum_step());
-    case Opcode::squares:
-    case Opcode::linear_plus:
-    case Opcode::linear_minus:
-    case Opcode::root: throw std::logic_error("no bit steps for the instruction");
+    case Opcode::squares: return once({});
+    case Opcode::linear_plus: return stream_bit(added_step(sum_from_0, sum), 1);
+    case Opcode::linear_minus: return stream_bit(added_step(difference_from_1, difference), 1);
+    case Opcode::root: return trial_bit();
   }
   busy_ = false;
   return {};
@@ -81,7 +82,10 @@ BitStep Sequencer::stream_bit(ArrayStep step, unsigned passes) {
   const RootBits root{.token = {.bit = static_cast<std::int16_t>(bit_)},
                       .a = coefficient_bit(linear.a, bit_),
                       .b = coefficient_bit(linear.b, bit_),
-                      .c = coefficient_bit(linear.c, bit_)};
+                      .c = coefficient_bit(linear.c, bit_),
+                      .xx = coefficient_bit(squares_.a, bit_),
+                      .xy = coefficient_bit(squares_.b, bit_),
+                      .yy = coefficient_bit(squares_.c, bit_)};
   if (++bit_ == linear.width) {
     bit_ = 0;
     ++pass_;
@@ -112,6 +116,41 @@ BitStep Sequencer::two_operand_bits(ArrayStep step) {
   if (!two_ports_) step.x = 0;
   pass_ = 0;
   return field_bits(step);
+}
+
+/// A bit of a root's trial. Trial k works on the k + 3 bits of the field from 2(w-1-k) up, the remainder: from it comes
+/// 4q + 1, or to it 4q + 3, q being the k bits of the root that lie above it. With one read port a bit of q is latched
+/// in the clock before.
+BitStep Sequencer::trial_bit() {
+  const isa::Field field = instruction_.fields[0];
+  const std::uint32_t bits = field.width / 2U;
+  const std::uint32_t first = 2 * (bits - 1 - trial_);
+  const std::uint32_t place = bit_ - first;
+  const bool ends = place == trial_ + 2;
+  ArrayStep step = trial_step(place);
+  if (step.function == AluFunction::root_bit) {
+    const auto of_root = static_cast<std::uint16_t>(field.base + 2 * bits - trial_ + place - 1);
+    pass_ = two_ports_ ? 0 : 1 - pass_;
+    if (pass_ == 1)
+      return {.root = {}, .pixels = {.function = AluFunction::latch_x, .source = OperandSource::memory, .x = of_root}};
+    step.source = two_ports_ ? OperandSource::memory : OperandSource::latch;
+    step.x = two_ports_ ? of_root : std::uint16_t{0};
+  }
+  bit_ = ends ? first - 2 : bit_ + 1;
+  if (ends) busy_ = ++trial_ < bits;
+  return {.root = {}, .pixels = step, .last = !busy_};
+}
+
+/// The lowest two bits of what is added or subtracted are known, and the top bit is 0; that of the first remainder too.
+ArrayStep Sequencer::trial_step(std::uint32_t place) const {
+  const auto step = [&](AluFunction function) {
+    return ArrayStep{.function = function, .y = field_address(0), .write = field_address(0)};
+  };
+  if (place == 0) return step(AluFunction::sum_with_1_from_0);
+  if (place == 1) return step(AluFunction::sum_with_1);
+  if (place < trial_ + 2) return step(AluFunction::root_bit);
+  if (trial_ > 0) return step(AluFunction::root_sign);
+  return {.function = AluFunction::root_first, .write = field_address(0)};
 }
 
 Sequencer::Place Sequencer::place() const {
@@ -177,6 +216,15 @@ ArrayStep Sequencer::load_step(AluFunction write, AluFunction check) const {
     case Place::sign: return {.function = check};
   }
   return {};
+}
+
+/// Adds the field to F within the field, or takes it from F there.
+ArrayStep Sequencer::added_step(AluFunction first, AluFunction rest) const {
+  if (place() != Place::field) return {};
+  return {.function = bit_ == instruction_.linear.shift ? first : rest,
+          .y = field_address(0),
+          .write = field_address(0),
+          .constant = 1};
 }
 
 /// The first pass compares, the second writes where F was chosen.

@@ -23,8 +23,7 @@ void part_carry(AluFunction function, Run& run) {
                                    {AluFunction::less_from_1, AluFunction::less, CarryIn::one},
                                    {AluFunction::sum_from_0, AluFunction::sum, CarryIn::zero},
                                    {AluFunction::sum_with_1_from_0, AluFunction::sum_with_1, CarryIn::zero},
-                                   {AluFunction::difference_from_1, AluFunction::difference, CarryIn::one},
-                                   {AluFunction::root_start, AluFunction::root_start, CarryIn::zero}};
+                                   {AluFunction::difference_from_1, AluFunction::difference, CarryIn::one}};
   run.function = function;
   for (const Part& part : parts) {
     if (part.function != function) continue;
@@ -138,7 +137,7 @@ void StepLog::note(const Run& run) {
     if (touch == Touch::none) touch = sets ? Touch::sets : Touch::uses;
   };
   if (row.has_carry) first_touch(batch_.carry, run.carry_in != CarryIn::keep);
-  if (row.has_flag) first_touch(batch_.flag, run.function == AluFunction::root_start);
+  if (row.has_flag) first_touch(batch_.flag, run.function == AluFunction::root_first);
   if (run.function == AluFunction::latch_x || run.latches) first_touch(batch_.latch, bits_.alu_bits == 1);
   if (row.reads_x && !run.from_tree && run.x < bits_.memory(0)) batch_.latch = Touch::uses;
   batch_.acts_where_disabled = batch_.acts_where_disabled || row.acts_where_disabled;

@@ -44,11 +44,12 @@ struct Link {
 struct Machine {
   std::string name;
   std::string description;
-  const Kind* kind = nullptr;      ///< what its processors are spread over at a time
-  isa::ArrayShape array;           ///< pixel processors (of one chain, of one renderer) and memory bits of each
-  Size picture;                    ///< that the machine draws
-  std::uint64_t clock_hz = 0;      ///< instruction bit steps, or packets, a second
-  std::uint32_t memory_reads = 1;  ///< reads of pixel memory a clock: 1 or 2
+  const Kind* kind = nullptr;          ///< what its processors are spread over at a time
+  isa::ArrayShape array;               ///< pixel processors (of one chain, of one renderer) and memory bits of each
+  Size picture;                        ///< that the machine draws
+  std::uint64_t clock_hz = 0;          ///< instruction bit steps, or packets, a second
+  std::uint32_t memory_reads = 1;      ///< reads of pixel memory a clock: 1 or 2
+  std::uint32_t evaluator_degree = 1;  ///< of the expressions that reach the pixels: 1 or 2
   std::uint32_t alu_bits = 1;      ///< adjacent bits of a field that the ALU works on, and a port delivers, in a clock
   std::uint32_t clear_clocks = 0;  ///< in which all memory of the pixel processors becomes 0
   Link link;

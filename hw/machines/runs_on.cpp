@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/regions.h"
@@ -25,6 +26,19 @@ void check_questions(const isa::Program& program, const Machine& machine) {
                       "the model for this machine, or take one whose global_or.present is 1",
                       s, i, isa::name_of(instructions[i].opcode), machine.name));
     }
+  }
+}
+
+void check_squares(const isa::Program& program, const Machine& machine) {
+  if (machine.evaluator_degree >= 2) return;
+  for (std::size_t s = 0; s < program.segments.size(); ++s) {
+    const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
+    const auto found = std::ranges::find(instructions, isa::Opcode::squares, &isa::Instruction::opcode);
+    if (found == instructions.end()) continue;
+    throw InputError(
+        fmt::format("segment {}, instruction {}: {} needs quadratic expressions, which the machine {} does not have; "
+                    "compile the model for this machine, or take one whose evaluator.degree is 2, as pixel-powers",
+                    s, found - instructions.begin(), isa::name_of(found->opcode), machine.name));
   }
 }
 
@@ -50,6 +64,7 @@ void check_parts(const isa::Program& program, const Machine& machine) {
 
 void check_runs_on(const isa::Program& program, const Machine& machine) {
   check_questions(program, machine);
+  check_squares(program, machine);
   if (machine.kind->check != nullptr) machine.kind->check(program, machine);
 }
 

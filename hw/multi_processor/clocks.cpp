@@ -1,7 +1,6 @@
 #include "hw/multi_processor/clocks.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
@@ -65,10 +64,15 @@ Work work_of(const isa::Instruction& instruction, const Figures& figures) {
       return {.reads = field + words_of(instruction.fields[1].width, figures), .writes = field, .adds = field};
     case Opcode::global_or:
     case Opcode::skip_if_none: return {};
-    case Opcode::squares:
     case Opcode::linear_plus:
-    case Opcode::linear_minus:
-    case Opcode::root: throw std::logic_error("no clocks for the instruction");
+    case Opcode::linear_minus: return {.reads = field, .writes = field, .adds = sum};
+    case Opcode::root: {
+      std::uint64_t trials = 0;
+      for (unsigned found = 0; found < instruction.fields[0].width / 2U; ++found)
+        trials += words_of(found + 3, figures);
+      return {.reads = field, .writes = field, .compares = trials, .combines = 2 * trials, .adds = trials};
+    }
+    case Opcode::squares: return {};  // which the kind does not take
   }
   return {};
 }

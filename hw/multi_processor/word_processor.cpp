@@ -126,11 +126,32 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
     case Opcode::add: add_words(first.width); return put(take(first) + take(second));
     case Opcode::global_or:
     case Opcode::skip_if_none: return;
-    case Opcode::squares:
-    case Opcode::linear_plus:
-    case Opcode::linear_minus:
-    case Opcode::root: throw std::logic_error("no work of a processor for the instruction");
+    case Opcode::linear_plus: add_words(linear.width); return put(static_cast<std::uint64_t>(f) + take(first));
+    case Opcode::linear_minus: add_words(linear.width); return put(static_cast<std::uint64_t>(f) - take(first));
+    case Opcode::root: return put(root_of(take(first), first.width / 2U));
+    case Opcode::squares: throw std::logic_error("squares came to a machine of degree 1");
   }
+}
+
+/// A field with the root, of so many bits, of all but its top bit, over what is left: a bit of the root after another.
+/// Each trial takes two bits more to the remainder, puts together what to subtract or to add, adds, and looks at the
+/// sign.
+std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
+  const std::uint64_t radicand = field & ((std::uint64_t{1} << (2 * bits)) - 1);
+  std::int64_t remainder = 0;
+  std::int64_t root = 0;
+  for (unsigned found = 0; found < bits; ++found) {
+    combine_words(found + 3);
+    const auto two_bits = static_cast<std::int64_t>(radicand >> (2 * (bits - 1 - found)) & 3U);
+    combine_words(found + 3);
+    const std::int64_t change = remainder < 0 ? 4 * root + 3 : -(4 * root + 1);
+    add_words(found + 3);
+    remainder = 4 * remainder + two_bits + change;
+    compare_words(found + 3);
+    root = 2 * root + (remainder < 0 ? 0 : 1);
+  }
+  const std::uint64_t left = static_cast<std::uint64_t>(remainder) & ((std::uint64_t{2} << bits) - 1);
+  return static_cast<std::uint64_t>(root) << (bits + 1) | left;
 }
 
 /// Disables a pixel that is written where the number does not fit.

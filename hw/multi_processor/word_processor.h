@@ -62,6 +62,7 @@ class WordProcessor {
   void write_enable(PixelMemory& memory, std::size_t pixel, bool value);
   void write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value, bool where);
   std::int64_t value_of(std::uint64_t sum, const isa::Linear& linear);
+  std::uint64_t root_of(std::uint64_t field, unsigned bits);
   void write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel, std::int64_t f,
                     bool where);
 

@@ -42,6 +42,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         "scan_out.buffers", "pictures", 1, 2,
         "in pixel memory; with 2, a finished one is copied, and shown while the next is drawn"),
     shared::level_latency,
+    shared::evaluator_degree,
     shared::clear_clocks,
     shared::link_width,
     shared::link_word_clocks,

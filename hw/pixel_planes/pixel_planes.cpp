@@ -233,7 +233,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   std::vector<wave::Tap> taps = host_taps();
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
   add(controller_taps(program));
-  add(root_taps("root", root_));
+  add(root_taps("root", root_, machine_.evaluator_degree));
   add(control_taps("pixels", control_at_pixels_, program,
                    [this] { return wave::Number(control_at_pixels_.read().ordinal); }));
   taps.push_back(wave::bit("answer.valid", [this] { return answer_.read().valid; }));
@@ -244,8 +244,9 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program, machine_);
     const array::Place built = foretold_ ? array::Place{foretold_place(*foretold_, place), 0} : place;
-    add(pixel_taps(request.pixels[i], {processors_, evaluator_, control_at_pixels_, place, built, nullptr}, program,
-                   request.tree_levels, machine_.alu_bits));
+    add(pixel_taps(request.pixels[i],
+                   {processors_, evaluator_, control_at_pixels_, place, built, nullptr, machine_.evaluator_degree},
+                   program, request.tree_levels, machine_.alu_bits));
   }
   return taps;
 }

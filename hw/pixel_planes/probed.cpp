@@ -44,7 +44,8 @@ std::optional<Start> start_before(const isa::Program& program, const machines::M
                          if (segment != segment_before) first += program.segments[segment_before].instructions.size();
                          segment_before = segment;
                          const std::uint64_t begin = foretold.timeline->issued[segment][index].begin;
-                         if (begin + lead <= window.begin)
+                         const bool follows_squares = isa::pending_squares(program.segments[segment], index) != nullptr;
+                         if (begin + lead <= window.begin && !follows_squares)
                            start = Start{segment, index, first + index, {}, questions, 0};
                          if (start) start->end = first + index + 2 + machine.link.fifo_depth;
                          return begin < window.end;

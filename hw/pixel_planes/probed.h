@@ -25,7 +25,7 @@ struct Start {
 };
 
 /// The last instruction from whose beginning on a machine has as many clocks before the window as its pipelines are
-/// long; none if there is no such instruction.
+/// long, and which needs no squares of the one before; none if there is no such instruction.
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
                                   const kernel::Foretold& foretold, wave::Window window);
 

@@ -67,19 +67,25 @@ class Probe {
 
 }  // namespace
 
-std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root) {
+std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root, unsigned degree) {
   const auto tap = [&](const char* name, auto read) {
     return wave::bit(part + name, [&root, read] {
       const array::RootBits& bits = root.read().bits;
       return bits.token.active() ? Number(read(bits)) : std::nullopt;
     });
   };
-  return {tap(".a", [](const array::RootBits& bits) { return bits.a; }),
-          tap(".b", [](const array::RootBits& bits) { return bits.b; }),
-          tap(".c", [](const array::RootBits& bits) { return bits.c; }), wave::number(part + ".bit", 8, [&root] {
-            const array::Token token = root.read().bits.token;
-            return token.active() ? Number(static_cast<std::uint64_t>(token.bit)) : std::nullopt;
-          })};
+  std::vector<Tap> taps{tap(".a", [](const array::RootBits& bits) { return bits.a; }),
+                        tap(".b", [](const array::RootBits& bits) { return bits.b; }),
+                        tap(".c", [](const array::RootBits& bits) { return bits.c; }),
+                        wave::number(part + ".bit", 8, [&root] {
+                          const array::Token token = root.read().bits.token;
+                          return token.active() ? Number(static_cast<std::uint64_t>(token.bit)) : std::nullopt;
+                        })};
+  if (degree < 2) return taps;
+  taps.push_back(tap(".xx", [](const array::RootBits& bits) { return bits.xx; }));
+  taps.push_back(tap(".xy", [](const array::RootBits& bits) { return bits.xy; }));
+  taps.push_back(tap(".yy", [](const array::RootBits& bits) { return bits.yy; }));
+  return taps;
 }
 
 std::vector<Tap> control_taps(const std::string& part, const sc_core::sc_signal<ControlWord>& control,
@@ -125,6 +131,7 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Prog
       throw InputError(std::string("the ") + (is_x ? "X" : "Y") + " tree has levels 0 to " + std::to_string(deepest) +
                        "; there is no tree." + (is_x ? "x:" : "y:") + std::to_string(level.level));
   }
+  const bool has_squares = point.degree > 1;
   const auto probe = std::make_shared<const Probe>(std::move(point));
   const auto shown = [probe](auto read) {
     return [probe, read]() -> Number { return probe->shows() ? Number(read(*probe)) : std::nullopt; };
@@ -144,9 +151,21 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Prog
     taps.push_back(wave::number(name + "_bit", 8, read([](const array::LevelProbe& at) -> Number {
                                   return static_cast<std::uint64_t>(at.token.bit);
                                 })));
+    if (!has_squares) continue;
+    const auto bit = [&](const char* of, bool array::LevelProbe::*member) {
+      taps.push_back(
+          wave::bit(name + of, read([member](const array::LevelProbe& at) -> Number { return at.*member; })));
+    };
+    bit("_slope", &array::LevelProbe::slope);
+    bit("_slope_carry", &array::LevelProbe::slope_carry);
+    bit("_step_carry", &array::LevelProbe::step_carry);
+    if (level.axis != wave::TreeLevel::Axis::x) continue;
+    bit("_row_slope", &array::LevelProbe::row_slope);
+    bit("_row_slope_carry", &array::LevelProbe::row_slope_carry);
   }
   taps.push_back(wave::bit(part + ".tree_bit", shown([](const Probe& one) { return one.registers().tree; })));
   taps.push_back(wave::bit(part + ".carry", shown([](const Probe& one) { return one.registers().carry; })));
+  taps.push_back(wave::bit(part + ".flag", shown([](const Probe& one) { return one.registers().flag; })));
   taps.push_back(wave::bit(part + ".enable", shown([](const Probe& one) { return one.registers().enable; })));
   taps.push_back(wave::bits(part + ".latch", alu_bits, shown([](const Probe& one) { return one.registers().latch; })));
   taps.push_back(wave::bits(part + ".mem_read_x", alu_bits, shown([](const Probe& one) { return one.read_x(); })));

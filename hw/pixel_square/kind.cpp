@@ -35,6 +35,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::memory_writes,
     shared::alu_bits,
     shared::level_latency,
+    shared::evaluator_degree,
     shared::clear_clocks,
     shared::link_width,
     shared::link_word_clocks,

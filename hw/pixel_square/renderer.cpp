@@ -14,6 +14,7 @@ array::PlaneShape plane_shape(const machines::Machine& machine) { return {machin
 /// The accounts are those of the commands that are on their way to the pixels, one a clock, and of the one before.
 Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
+      degree_(machine.evaluator_degree),
       accounts_("accounts", static_cast<int>(machines::evaluator_latency(machine.array)) + 2),
       controller_("controller", machine),
       control_delay_("control_delay", machines::evaluator_latency(machine.array)),

@@ -27,6 +27,7 @@ struct RendererParts {
   const pixel_planes::PixelProcessors& processors;
   const pixel_planes::LinearExpressionEvaluator& evaluator;
   const SquareCompletion& completion;
+  unsigned degree = 1;  ///< of the expressions
 };
 
 /// Draws one square after another, with the modules of Pixel-planes between a controller and an output port of its own:
@@ -57,10 +58,11 @@ class Renderer final : public sc_core::sc_module {
   [[nodiscard]] const array::PixelArray& pixels() const { return processors_.pixels(); }
 
   [[nodiscard]] RendererParts parts() const {
-    return {controller_, root_, control_, control_at_pixels_, processors_, evaluator_, completion_};
+    return {controller_, root_, control_, control_at_pixels_, processors_, evaluator_, completion_, degree_};
   }
 
  private:
+  const unsigned degree_;  ///< of the expressions
   sc_core::sc_signal<pixel_planes::RootWord> root_{"root_bits"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_{"control"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_at_pixels_{"control_at_pixels"};

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::uint32_t storage_bits = 64;
 
+/// The low bits of a word are 1; `bits` is below 64.
+std::uint64_t low_bits(std::uint32_t bits) { return (std::uint64_t{1} << bits) - 1; }
+
 /// The low `width` bits as a two's complement number, shifted right with floor.
 std::int64_t value_of_f(std::uint64_t sum, const isa::Linear& linear) {
   if (linear.width == 0) return 0;
@@ -29,22 +32,59 @@ Cells::Cells(std::uint32_t count, std::uint32_t memory_bits, const CellShape& sh
       memory_(count * cell_words_),
       sum_(count),
       carry_(count),
+      difference_carry_(count),
       enable_(count),
       fetched_(count),
       words_fetched_(count),
+      roots_(count),
       result_(count),
       writes_(count) {}
 
+std::uint64_t Cells::add_words(std::uint64_t one, std::uint64_t other, std::uint8_t& carry) const {
+  const std::uint64_t half = one + other;
+  const std::uint64_t whole = half + carry;
+  const bool beyond = shape_.word_bits == storage_bits ? half < one || whole < half : whole > word_mask_;
+  carry = beyond ? 1 : 0;
+  return whole & word_mask_;
+}
+
 void Cells::add(std::uint32_t cell, PacketWord& word) {
   const bool first = word.number == 0;
-  const std::uint64_t carry = first ? 0 : carry_[cell];
   const std::uint64_t place = word.f << (word.number * shape_.word_bits);
   sum_[cell] = first ? place : sum_[cell] | place;
-  const std::uint64_t half = word.f + word.a;
-  const std::uint64_t whole = half + carry;
-  const bool beyond = shape_.word_bits == storage_bits ? half < word.f || whole < half : whole > word_mask_;
-  carry_[cell] = beyond ? 1 : 0;
-  word.f = whole & word_mask_;
+  if (first) carry_[cell] = difference_carry_[cell] = 0;
+  word.f = add_words(word.f, word.a, carry_[cell]);
+  if (word.square != 0) word.a = add_words(word.a, word.aa, difference_carry_[cell]);
+}
+
+/// The root found so far takes the field's upper bits, which the remainder does not need any more; its bit k is tried
+/// against k + 3 bits of the field.
+void Cells::try_root(std::uint32_t cell, const PacketWord& beat) {
+  Root& root = roots_[cell];
+  std::uint64_t& value = fetched_[cell][0];
+  const std::uint32_t bits = beat.accesses.target.field.width / 2U;
+  if (beat.number == beat.accesses.root_from) {
+    root = {};
+    value &= low_bits(2 * bits);
+  }
+  const std::uint32_t length = root.bit + 3;
+  const std::uint32_t lowest = 2 * (bits - 1 - root.bit);
+  const std::uint32_t first = root.word * shape_.word_bits;
+  const std::uint32_t count = std::min(shape_.word_bits, length - first);
+  const std::uint64_t found = value >> (2 * bits - root.bit) >> 1U;
+  const std::uint64_t operand = root.negative ? 4 * found + 3 : ~(4 * found + 1);
+  const bool carry = root.word == 0 ? !root.negative : root.carry;
+  const std::uint64_t mask = low_bits(count);
+  const std::uint64_t sum = (value >> (lowest + first) & mask) + (operand >> first & mask) + (carry ? 1U : 0U);
+  value = (value & ~(mask << (lowest + first))) | (sum & mask) << (lowest + first);
+  root.carry = (sum >> count & 1U) != 0;
+  ++root.word;
+  if (first + count < length) return;
+  const std::uint64_t sign = std::uint64_t{1} << (lowest + length - 1);
+  root.negative = (value & sign) != 0;
+  value ^= sign;
+  ++root.bit;
+  root.word = 0;
 }
 
 void Cells::clear(std::uint32_t cell) {
@@ -93,6 +133,8 @@ void Cells::act(std::uint32_t cell, const PacketWord& beat) {
   const auto& [first, second] = beat.accesses.sources;
   if (words_fetched_[cell] < std::uint32_t{first.count} + second.count)
     throw std::logic_error("a cell acts before its ports have read the fields");
+  if (beat.instruction.opcode == isa::Opcode::root && roots_[cell].bit != beat.accesses.target.field.width / 2U)
+    throw std::logic_error("a cell acts before it has found all bits of a root");
   const Result result = result_of(cell, beat.instruction);
   enable_[cell] = result.enable ? 1 : 0;
   writes_[cell] = result.writes ? 1 : 0;
@@ -162,10 +204,10 @@ Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instr
     case Opcode::add: return write(first + second);
     case Opcode::global_or:
     case Opcode::skip_if_none: return enable(e);
-    case Opcode::squares:
-    case Opcode::linear_plus:
-    case Opcode::linear_minus:
-    case Opcode::root: throw std::logic_error("no work of a cell for the instruction");
+    case Opcode::squares: return enable(e);
+    case Opcode::linear_plus: return write(static_cast<std::uint64_t>(f) + first);
+    case Opcode::linear_minus: return write(static_cast<std::uint64_t>(f) - first);
+    case Opcode::root: return write(first);
   }
   return enable(e);
 }

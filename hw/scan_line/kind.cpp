@@ -28,6 +28,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     machines::or_ideal(own_figure<Figures, &Figures::ports>("cells.ports", "words", 1, 64,
                                                             "of a cell's memory, read or written in a clock"),
                        0),
+    shared::evaluator_degree,
     shared::clear_clocks,
     shared::picture_width,
     shared::picture_height,

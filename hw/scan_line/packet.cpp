@@ -38,6 +38,13 @@ Accesses accesses_of(const isa::Instruction& instruction, const CellShape& cell)
   return accesses;
 }
 
+/// Clocks of a root's trials.
+std::uint32_t trial_clocks(isa::Field field, const CellShape& cell) {
+  std::uint32_t clocks = 0;
+  for (std::uint32_t bit = 0; bit < field.width / 2U; ++bit) clocks += quotient_up(bit + 3, cell.word_bits);
+  return clocks;
+}
+
 /// Finds out how long the packet occupies a cell.
 void schedule(PacketWord& packet, const CellShape& cell) {
   Accesses& accesses = packet.accesses;
@@ -46,24 +53,32 @@ void schedule(PacketWord& packet, const CellShape& cell) {
   const std::uint32_t writes = cell.ports == 0 ? 0 : quotient_up(accesses.target.count, cell.ports);
   const std::uint32_t last_read = reads > 0 ? reads - 1 : 0;
   accesses.result = std::max(packet.words - 1, writes > 0 ? reads : last_read);
+  if (packet.kind == WordKind::instruction && packet.instruction.opcode == isa::Opcode::root) {
+    accesses.root_from = reads;
+    accesses.result = reads + trial_clocks(accesses.target.field, cell) - 1;
+  }
   packet.beats = accesses.result + std::max(writes, 1U);
 }
 
 void load_words(PacketWord& beat, const CellShape& cell) {
   const bool comes_in = beat.number < beat.words;
-  beat.a = comes_in ? word_of(beat.instruction.linear.a, beat.number, cell.word_bits) : 0;
-  beat.f = comes_in ? word_of(beat.instruction.linear.c, beat.number, cell.word_bits) : 0;
+  const isa::Linear& linear = beat.instruction.linear;
+  beat.f = comes_in ? word_of(linear.c, beat.number, cell.word_bits) : 0;
+  beat.a = comes_in ? word_of(linear.a + beat.square, beat.number, cell.word_bits) : 0;
+  beat.aa = comes_in ? word_of(2 * beat.square, beat.number, cell.word_bits) : 0;
 }
 
 }  // namespace
 
-PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell) {
-  std::uint32_t bits = std::max<std::uint32_t>(instruction.linear.width, 1);
-  for (const isa::Field& field : instruction.fields) bits = std::max<std::uint32_t>(bits, field.width);
+PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell, const isa::Linear& squares) {
   PacketWord packet{.kind = WordKind::instruction,
-                    .words = quotient_up(bits, cell.word_bits),
+                    .square = squares.a,
                     .accesses = accesses_of(instruction, cell),
                     .instruction = instruction};
+  if (instruction.opcode == isa::Opcode::squares) packet.instruction.linear = {};
+  std::uint32_t bits = std::max<std::uint32_t>(packet.instruction.linear.width, 1);
+  for (const isa::Field& field : instruction.fields) bits = std::max<std::uint32_t>(bits, field.width);
+  packet.words = quotient_up(bits, cell.word_bits);
   schedule(packet, cell);
   load_words(packet, cell);
   return packet;

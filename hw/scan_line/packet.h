@@ -36,18 +36,20 @@ struct FieldWords {
 
 /// What a packet asks of a cell's memory. Reads begin with the packet's first word, at each port one a clock. The clock
 /// of the result is the first in which all words of the packet are there and the last read is done, or, if something
-/// is to be written, the ports are free again; the writes begin in it.
+/// is to be written, the ports are free again; the writes begin in it. A root has clocks of trials before its result,
+/// which begin when the ports are free: its bit of number k takes as many as a sum of k + 3 bits has words.
 struct Accesses {
   std::array<FieldWords, 2> sources{};  ///< read one after the other
   FieldWords target{};                  ///< written
   std::uint32_t result = 0;             ///< clock of the result, counted from the packet's first word in the cell
+  std::uint32_t root_from = 0;          ///< of a root the clock of the first trial, which the result ends
 
   constexpr bool operator==(const Accesses&) const = default;
 };
 
 /// What moves from cell to cell, one a clock. A packet occupies each cell for `beats` clocks: in the first `words` of
-/// them a word of A and F comes in, then the cell goes on with what it has. The packet's other fields stand with each
-/// beat here.
+/// them a word of F and of its difference to the next cell comes in, and with squares one of the second difference;
+/// then the cell goes on with what it has. The packet's other fields stand with each beat here.
 struct PacketWord {
   WordKind kind = WordKind::none;
   bool begins_line = false;   ///< clears the cell's memory and enable before the cell acts
@@ -58,8 +60,10 @@ struct PacketWord {
   std::uint32_t beats = 1;
   std::uint32_t segment = 0;
   std::uint32_t index = 0;  ///< of the instruction in the segment
-  std::uint64_t a = 0;      ///< word of A
-  std::uint64_t f = 0;      ///< word of A*x + C, where x is the cell that the word is in
+  std::uint64_t f = 0;      ///< word of F in the cell that the word is in
+  std::uint64_t a = 0;      ///< word of F's difference to the next cell: without squares A
+  std::uint64_t aa = 0;     ///< word of the second difference: twice the factor of x*x
+  std::int64_t square = 0;  ///< that factor
   Accesses accesses{};
   isa::Instruction instruction{};  ///< of a mark with a background: only the constant
 
@@ -75,8 +79,10 @@ struct RefreshPixel {
   constexpr bool operator==(const RefreshPixel&) const = default;
 };
 
-/// The first beat of a packet, as it enters cell 0, where F is C.
-PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell);
+/// The first beat of a packet, as it enters cell 0, where F is C. `squares`: those of the instruction before. As a line
+/// is one row, number 0, only their factor of x*x counts. Of an instruction `squares` itself the cells get nothing.
+PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell,
+                              const isa::Linear& squares = {});
 PacketWord clear_packet(std::uint32_t clocks);
 PacketWord mark_packet(isa::Field colour, const CellShape& cell);
 /// For a line that shows the background, in a field as wide as `colour`.

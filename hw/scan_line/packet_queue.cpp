@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "hw/isa/opcodes.h"
 #include "hw/scan_line/timing.h"
 
 namespace csgsim::scan_line {
@@ -25,6 +26,7 @@ void PacketQueue::begin(const PictureLines& frame) {
   budget_ = line_budget(machine_, static_cast<std::uint32_t>(frame.lines.size()));
   line_ = chain_;
   index_ = 0;
+  squares_ = {};
   begins_line_ = false;
   beat_.reset();
   line_clocks_ = 0;
@@ -59,7 +61,8 @@ void PacketQueue::take(const isa::Command& command) {
     begins_line_ = true;
     if (machine_.clear_clocks > 0) take_packet(clear_packet(machine_.clear_clocks));
   } else if (const auto* const instruction = std::get_if<isa::Instruction>(&command)) {
-    take_packet(instruction_packet(*instruction, cell_));
+    take_packet(instruction_packet(*instruction, cell_, squares_));
+    squares_ = instruction->opcode == isa::Opcode::squares ? instruction->linear : isa::Linear{};
     beat_->keep = retirement->keeps_after(static_cast<std::uint32_t>(line_), index_);
   } else if (std::holds_alternative<isa::SegmentEnd>(command)) {
     take_packet(index_ > 0 ? mark_packet(frame_.colour, cell_)

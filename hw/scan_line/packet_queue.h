@@ -65,6 +65,7 @@ class PacketQueue final : public sc_core::sc_module {
   std::uint64_t budget_ = 0;
   std::size_t line_ = 0;
   std::uint32_t index_ = 0;         ///< of the instruction in its line
+  isa::Linear squares_;             ///< of the instruction before, if they are its operand
   bool begins_line_ = false;        ///< the next packet is the line's first, and clears
   std::optional<PacketWord> beat_;  ///< that enters next
   std::uint64_t line_clocks_ = 0;   ///< since the last mark was in cell 0, or the frame began

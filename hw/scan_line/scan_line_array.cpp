@@ -174,13 +174,13 @@ std::vector<wave::Tap> ScanLineArray::taps(const isa::Program& program, const wa
   wave::check_no_trees(request);
   std::vector<wave::Tap> taps = host_taps(host_, program);
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
-  const std::uint32_t word_bits = figures_of(machine_).word_bits;
+  const WordShape shape{figures_of(machine_).word_bits, machine_.evaluator_degree};
   std::vector<ChainParts> chains;
   for (std::size_t i = 0; i < chains_.size(); ++i) {
     chains.push_back({links_[i], words_[i], queues_[i], entry_[i], chains_[i], refresh_[i], collector_, i});
-    add(chain_taps(chains_.size() == 1 ? "" : "_" + std::to_string(i), chains.back(), program, word_bits));
+    add(chain_taps(chains_.size() == 1 ? "" : "_" + std::to_string(i), chains.back(), program, shape));
   }
-  for (const wave::Pixel pixel : request.pixels) add(cell_taps(pixel, chains, program, word_bits));
+  for (const wave::Pixel pixel : request.pixels) add(cell_taps(pixel, chains, program, shape));
   return taps;
 }
 

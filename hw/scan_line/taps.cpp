@@ -47,9 +47,9 @@ bool brings_words(const PacketWord* beat) {
          beat->number < beat->words;
 }
 
-/// The instruction of the packet that the beat belongs to, `.packet`, `.beat`, and the words that come in, `.a`, `.f`.
-std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const isa::Program& program,
-                             std::uint32_t word_bits) {
+/// The instruction of the packet that the beat belongs to, `.packet`, `.beat`, and the words that come in, `.a`, `.f`;
+/// of degree 2 also `.aa`.
+std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const isa::Program& program, WordShape shape) {
   std::vector<Tap> taps =
       wave::instruction_taps(part, program, [beat, firsts = isa::first_numbers(program)]() -> Number {
         const PacketWord* const at = beat();
@@ -62,13 +62,14 @@ std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const is
     return kind_of(at).empty() ? std::nullopt : Number(at->number);
   }));
   const auto word = [&](const char* name, auto read) {
-    taps.push_back(wave::hexadecimal(part + name, word_bits, [beat, read] {
+    taps.push_back(wave::hexadecimal(part + name, shape.bits, [beat, read] {
       const PacketWord* const at = beat();
       return brings_words(at) ? Number(read(*at)) : std::nullopt;
     }));
   };
   word(".a", [](const PacketWord& at) { return at.a; });
   word(".f", [](const PacketWord& at) { return at.f; });
+  if (shape.degree > 1) word(".aa", [](const PacketWord& at) { return at.aa; });
   return taps;
 }
 
@@ -80,7 +81,7 @@ std::vector<Tap> host_taps(const LineHost& host, const isa::Program& program) {
 }
 
 std::vector<Tap> chain_taps(const std::string& suffix, const ChainParts& parts, const isa::Program& program,
-                            std::uint32_t word_bits) {
+                            WordShape shape) {
   const std::string link = "link" + suffix;
   const std::string entry = "entry" + suffix;
   const std::string refresh = "refresh" + suffix;
@@ -99,7 +100,7 @@ std::vector<Tap> chain_taps(const std::string& suffix, const ChainParts& parts, 
         return at.kind == WordKind::none ? std::nullopt : row_of(at.segment, program);
       })};
   wave::add(packet_taps(
-                entry, [parts] { return &parts.entry.read(); }, program, word_bits),
+                entry, [parts] { return &parts.entry.read(); }, program, shape),
             taps);
   const auto shown = [parts](auto read) {
     return [parts, read]() -> Number { return parts.refresh.read().valid ? Number(read()) : std::nullopt; };
@@ -113,7 +114,7 @@ std::vector<Tap> chain_taps(const std::string& suffix, const ChainParts& parts, 
 }
 
 std::vector<Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains, const isa::Program& program,
-                           std::uint32_t word_bits) {
+                           WordShape shape) {
   const std::string part = wave::part_of(pixel);
   const std::uint32_t line = wave::segment_of(pixel, program);
   const ChainParts parts = chains[line % chains.size()];
@@ -122,7 +123,7 @@ std::vector<Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains
     const PacketWord* const at = cell == 0 ? &parts.entry.read() : parts.chain.chain().beat_in(cell);
     return at != nullptr && at->segment == line ? at : nullptr;
   };
-  std::vector<Tap> taps = packet_taps(part, beat, program, word_bits);
+  std::vector<Tap> taps = packet_taps(part, beat, program, shape);
   const auto held = [parts, cell, line](auto read) {
     return [parts, cell, line, read]() -> Number {
       const Chain& chain = parts.chain.chain();

@@ -31,17 +31,23 @@ struct ChainParts {
   std::size_t number = 0;
 };
 
+/// What the words of a packet are like.
+struct WordShape {
+  std::uint32_t bits = 1;
+  unsigned degree = 1;  ///< of the expressions
+};
+
 /// `host.activity`, `.line`: the row of the picture.
 std::vector<wave::Tap> host_taps(const LineHost& host, const isa::Program& program);
 
 /// `link.activity`, `.line`, `.fill` of the FIFO behind it; `entry.activity`, the packet at the entry; `refresh.line`,
 /// `.colour` at the port. `suffix` comes behind the names of the parts.
 std::vector<wave::Tap> chain_taps(const std::string& suffix, const ChainParts& parts, const isa::Program& program,
-                                  std::uint32_t word_bits);
+                                  WordShape shape);
 
 /// The cell of a probed pixel, while it works on the pixel's line: the packet that is in it, `.sum` of the words of F
 /// that have come in, `.enable`, and a tap a field. Throws InputError for a pixel that no line holds.
 std::vector<wave::Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains, const isa::Program& program,
-                                 std::uint32_t word_bits);
+                                 WordShape shape);
 
 }  // namespace csgsim::scan_line

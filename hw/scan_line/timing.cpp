@@ -32,6 +32,15 @@ std::uint64_t memory_words(isa::Field field, const Figures& figures) {
   return quotient_up(field.end(), word) - field.base / word;
 }
 
+/// Words of all trials of a root: each takes two bits of the field more to the remainder, which has one more than the
+/// root found so far and a sign.
+std::uint64_t trial_words(isa::Field field, const Figures& figures) {
+  std::uint64_t words = 0;
+  for (std::uint32_t found = 0; 2 * found + 1 < field.width; ++found)
+    words += quotient_up(found + 3, std::max(figures.word_bits, 1U));
+  return words;
+}
+
 /// Clocks of a packet of so many words that reads and writes so many words of memory.
 std::uint64_t occupied(std::uint64_t words, std::uint64_t read, std::uint64_t written, const Figures& figures) {
   if (figures.ports == 0) return words;
@@ -220,6 +229,7 @@ class ChainTiming {
 
 std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine) {
   const std::uint64_t word = std::max(machines::own<Figures>(machine).word_bits, 1U);
+  if (instruction.opcode == isa::Opcode::squares) return 1;
   const std::uint64_t bits = std::max<std::uint64_t>({instruction.linear.width, machines::field_width(instruction), 1});
   return quotient_up(bits, word);
 }
@@ -235,7 +245,10 @@ std::uint64_t entry_clocks(const isa::Instruction& instruction, const Machine& m
     if (row.operands.at(i) == isa::OperandKind::target) written += words;
     if (row.operands.at(i) == isa::OperandKind::source || changes) read += words;
   }
-  return occupied(packet_words(instruction, machine), read, written, figures);
+  if (instruction.opcode != isa::Opcode::root)
+    return occupied(packet_words(instruction, machine), read, written, figures);
+  const std::uint64_t reads = figures.ports == 0 ? 0 : quotient_up(read, figures.ports);
+  return occupied(reads + trial_words(instruction.fields[0], figures), read, written, figures);
 }
 
 std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <optional>
+#include <initializer_list>
+
+#include "hw/isa/operands.h"
 
 namespace csgsim::sim {
 
@@ -20,16 +22,51 @@ struct Box {
   std::uint32_t bottom = 0;
 };
 
-bool fits(const isa::Linear& linear, std::uint32_t x, std::uint32_t y) {
-  const Wide sum = static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
-  const Wide half = static_cast<Wide>(1) << (linear.width - 1U);
-  return -half <= sum && sum < half;
+struct Range {
+  Wide least = 0;
+  Wide greatest = 0;
+};
+
+Range operator+(const Range& one, const Range& other) {
+  return {one.least + other.least, one.greatest + other.greatest};
 }
 
-/// A linear expression has its extremes in the corners.
-bool fits(const isa::Linear& linear, const Box& box) {
-  return fits(linear, box.left, box.top) && fits(linear, box.right, box.top) && fits(linear, box.left, box.bottom) &&
-         fits(linear, box.right, box.bottom);
+Range range_of(std::initializer_list<Wide> values) {
+  const auto [least, greatest] = std::minmax(values);
+  return {least, greatest};
+}
+
+/// Of square*i*i + slope*i: at the ends, or beside the vertex.
+Range parabola(std::int64_t square, std::int64_t slope, std::uint32_t first, std::uint32_t last) {
+  const auto at = [&](Wide i) { return (square * i + slope) * i; };
+  const Range ends = range_of({at(first), at(last)});
+  if (square == 0) return ends;
+  const auto within = [&](Wide i) { return std::clamp<Wide>(i, first, last); };
+  const Wide vertex = -static_cast<Wide>(slope) / (2 * static_cast<Wide>(square));
+  return range_of({ends.least, ends.greatest, at(within(vertex - 1)), at(within(vertex)), at(within(vertex + 1))});
+}
+
+/// Bounds of the sum: those of its parts in x, in y and in both. They are reached without squares, and in a row.
+Range bounds(const Expression& expression, const Box& box) {
+  const auto& [linear, squares] = expression;
+  const auto cross = [&](std::uint32_t x, std::uint32_t y) { return static_cast<Wide>(squares.b) * x * y; };
+  if (box.top == box.bottom) {
+    const Wide y = box.top;
+    const auto slope = static_cast<std::int64_t>(linear.a + squares.b * y);
+    const Wide row = (squares.c * y + linear.b) * y + linear.c;
+    return parabola(squares.a, slope, box.left, box.right) + Range{row, row};
+  }
+  return parabola(squares.a, linear.a, box.left, box.right) + parabola(squares.c, linear.b, box.top, box.bottom) +
+         range_of({cross(box.left, box.top), cross(box.right, box.top), cross(box.left, box.bottom),
+                   cross(box.right, box.bottom)}) +
+         Range{linear.c, linear.c};
+}
+
+/// Surely, at all pixels of the box.
+bool fits(const Expression& expression, const Box& box) {
+  const Range range = bounds(expression, box);
+  const Wide half = static_cast<Wide>(1) << (expression.linear.width - 1U);
+  return -half <= range.least && range.greatest < half;
 }
 
 bool any(std::span<const std::uint64_t> words) {
@@ -78,12 +115,12 @@ class Bounds {
   std::uint32_t height_;
 };
 
-std::uint64_t count_in_row(const isa::Linear& linear, std::uint32_t y, std::span<const std::uint64_t> row) {
+std::uint64_t count_in_row(const Expression& expression, std::uint32_t y, std::span<const std::uint64_t> row) {
   std::uint64_t count = 0;
   for (std::uint32_t word = 0; word < row.size(); ++word) {
     for (std::uint64_t bits = row[word]; bits != 0; bits &= bits - 1) {
       const std::uint32_t x = word * word_bits + static_cast<std::uint32_t>(std::countr_zero(bits));
-      if (!fits(linear, x, y)) ++count;
+      if (!fits(expression, Box{x, x, y, y})) ++count;
     }
   }
   return count;
@@ -91,19 +128,28 @@ std::uint64_t count_in_row(const isa::Linear& linear, std::uint32_t y, std::span
 
 }  // namespace
 
-bool can_overflow(const isa::Linear& linear, const isa::Region& region) {
-  return linear.width > 0 && !fits(linear, Box{0, region.width - 1, 0, region.height - 1});
+std::optional<Expression> expression_of(const isa::Segment& segment, std::size_t index) {
+  if (index >= segment.instructions.size()) return std::nullopt;
+  const isa::Instruction& instruction = segment.instructions[index];
+  const bool has_sum = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
+  if (!has_sum || isa::cuts_sum(instruction.opcode)) return std::nullopt;
+  const isa::Instruction* const squares = isa::pending_squares(segment, index);
+  return Expression{instruction.linear, squares == nullptr ? isa::Linear{} : squares->linear};
 }
 
-std::uint64_t count_overflows(const isa::Linear& linear, const isa::Region& region,
+bool can_overflow(const Expression& expression, const isa::Region& region) {
+  return !fits(expression, Box{0, region.width - 1, 0, region.height - 1});
+}
+
+std::uint64_t count_overflows(const Expression& expression, const isa::Region& region,
                               std::span<const std::uint64_t> enable, std::size_t row_words) {
-  if (!can_overflow(linear, region)) return 0;
+  if (!can_overflow(expression, region)) return 0;
   const std::optional<Box> box = Bounds(enable, row_words, region.height).box();
-  if (!box || fits(linear, *box)) return 0;
+  if (!box || fits(expression, *box)) return 0;
   std::uint64_t count = 0;
   for (std::uint32_t y = box->top; y <= box->bottom; ++y) {
-    if (fits(linear, Box{box->left, box->right, y, y})) continue;
-    count += count_in_row(linear, y, enable.subspan(y * row_words, row_words));
+    if (fits(expression, Box{box->left, box->right, y, y})) continue;
+    count += count_in_row(expression, y, enable.subspan(y * row_words, row_words));
   }
   return count;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "hw/isa/instruction.h"
@@ -8,12 +10,21 @@
 
 namespace csgsim::sim {
 
-/// Does A*x + B*y + C leave the expression's width in two's complement at any pixel of the region?
-bool can_overflow(const isa::Linear& linear, const isa::Region& region);
+/// A linear expression, and the squares of the instruction before; zeros if there are none.
+struct Expression {
+  isa::Linear linear;
+  isa::Linear squares;
+};
 
-/// Enabled pixels of the region at which A*x + B*y + C does not fit the expression's width in two's complement.
+/// What an instruction streams, if it has a linear expression whose sum has to fit.
+std::optional<Expression> expression_of(const isa::Segment& segment, std::size_t index);
+
+/// May the sum leave the expression's width in two's complement at a pixel of the region? Without squares: does it?
+bool can_overflow(const Expression& expression, const isa::Region& region);
+
+/// Enabled pixels of the region at which the sum does not fit the expression's width in two's complement.
 /// Enable bits as in PixelState, but `row_words` words a row; none outside the region.
-std::uint64_t count_overflows(const isa::Linear& linear, const isa::Region& region,
+std::uint64_t count_overflows(const Expression& expression, const isa::Region& region,
                               std::span<const std::uint64_t> enable, std::size_t row_words);
 
 }  // namespace csgsim::sim

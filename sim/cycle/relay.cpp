@@ -1,6 +1,7 @@
 #include "sim/cycle/relay.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "sim/cycle/overflow.h"
@@ -10,9 +11,8 @@ namespace csgsim::sim {
 namespace {
 
 bool next_can_overflow(const isa::Segment& segment, std::uint32_t index) {
-  if (index + 1 >= segment.instructions.size()) return false;
-  const isa::Instruction& next = segment.instructions[index + 1];
-  return !isa::cuts_sum(next.opcode) && can_overflow(next.linear, segment.region);
+  const std::optional<Expression> next = expression_of(segment, index + 1);
+  return next && can_overflow(*next, segment.region);
 }
 
 }  // namespace
@@ -47,11 +47,12 @@ std::vector<machines::Skip> Relay::skips() const {
 /// No pixel is enabled when a segment begins, nor where instructions are skipped.
 void Relay::count_overflows_of_next(const kernel::Retired& retired, const kernel::PixelView& pixels) {
   const isa::Segment& segment = program_.segments[retired.segment];
-  if (retired.skipped > 0 || !next_can_overflow(segment, retired.index)) return;
+  const std::optional<Expression> next = expression_of(segment, retired.index + 1);
+  if (retired.skipped > 0 || !next || !can_overflow(*next, segment.region)) return;
   const std::size_t row_words = (segment.region.width + 63U) / 64U;
   enable_.resize(row_words * segment.region.height);
   pixels.read_enable(segment.region.width, segment.region.height, enable_);
-  overflows_ += count_overflows(segment.instructions[retired.index + 1].linear, segment.region, enable_, row_words);
+  overflows_ += count_overflows(*next, segment.region, enable_, row_words);
 }
 
 }  // namespace csgsim::sim

@@ -157,6 +157,7 @@ machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, 
   machine.array = shape;
   machine.clock_hz = 10'000'000;
   machine.memory_reads = memory_reads;
+  machine.evaluator_degree = 2;
   machine.alu_bits = alu_bits;
   return machine;
 }

@@ -23,7 +23,7 @@ bool agree_on_random_programs(const machines::Machine& machine, std::size_t inst
   const auto engine = sim::CSGSIM_MAKE_ENGINE(machine);
   return rc::check(
       fmt::format("{}: reference and {} agree at every instruction boundary", machine.name, engine->level()), [&] {
-        const auto program = *arbitrary_program(machine.array, instructions);
+        const auto program = *arbitrary_program(machine.array, instructions, machine.evaluator_degree);
         check_lockstep(*judge, *engine, program, machine);
       });
 }

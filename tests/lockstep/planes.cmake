@@ -4,7 +4,7 @@ add_executable(lockstep_planes planes.cpp row.cpp)
 target_link_libraries(lockstep_planes PRIVATE
   csgsim_timed_machine csgsim_random_program csgsim::reference csgsim::cycle fmt::fmt csgsim_flags)
 foreach(row IN ITEMS
-    "link=1 depth=1" "link=1 depth=300 latency=3" "link=2 depth=7 word=2" "link=7 depth=3 latency=1 word=3 clear=5"
+    "degree=1" "link=1 depth=1" "link=1 depth=300 latency=3" "link=2 depth=7 word=2" "link=7 depth=3 latency=1 word=3 clear=5"
     "link=13 depth=2 latency=9 fan_in=2" "link=16 depth=1 latency=2 fan_in=64 clear=40"
     "link=32 depth=16 latency=4 clear=72 fan_in=8" "link=32 depth=1 fan_in=3 clear=1" "link=32 depth=4 word=7 latency=1"
     "link=33 depth=5 latency=30 clear=2 fan_in=5" "link=64 depth=2 latency=2 fan_in=65536 reads=2 alu=4"

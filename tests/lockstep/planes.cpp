@@ -43,6 +43,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"bits", &machine.array.memory_bits},
                                                     {"reads", &machine.memory_reads},
                                                     {"alu", &machine.alu_bits},
+                                                    {"degree", &machine.evaluator_degree},
                                                     {"link", &machine.link.width},
                                                     {"word", &machine.link.word_clocks},
                                                     {"depth", &machine.link.fifo_depth},
@@ -95,7 +96,8 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
   const isa::ArrayShape shape = drawn_in(machine, coloured ? width : 0);
   std::vector<isa::Program> frames;
   for (int i = 0; i < 4; ++i) {
-    isa::Program& frame = frames.emplace_back(*arbitrary_program(shape, *rc::gen::inRange(0U, instructions + 1)));
+    const unsigned most = *rc::gen::inRange(0U, instructions + 1);
+    isa::Program& frame = frames.emplace_back(*arbitrary_program(shape, most, machine.evaluator_degree));
     frame.facts.fields.clear();
     const auto base = static_cast<std::uint16_t>(*rc::gen::inRange(0U, shape.memory_bits - width + 1));
     if (coloured) frame.facts.fields = {{"colour", {base, width}, isa::FieldRole::colour}};
@@ -138,7 +140,8 @@ bool agree(const Settings& settings) {
   TimedMachine hardware(machine);
   const auto cycle = sim::make_clocked_engine(machine, hardware);
   return rc::check("the clocked frame-buffer machine leaves the bits, clocks, account and timeline worked out", [&] {
-    const isa::Program program = *arbitrary_program(drawn_in(machine, isa::max_field_width), settings.instructions);
+    const isa::Program program =
+        *arbitrary_program(drawn_in(machine, isa::max_field_width), settings.instructions, machine.evaluator_degree);
     const sim::RunResult expected = reference->run(program, {});
     const sim::RunResult counted = cycle->run(program, {});
     if (counted.clocks != expected.clocks || counted.account != expected.account) {

@@ -41,6 +41,7 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
                                    .instruction_clocks = figures[15],
                                    .refresh_hz = 60,
                                    .interlaced = figures[8] != 0};
+  machine.evaluator_degree = 2;
   machine.clear_clocks = figures[6];
   machine.link = {.width = figures[9], .word_clocks = figures[10], .fifo_depth = figures[11], .latency = figures[12]};
   return machine;
@@ -77,7 +78,7 @@ int run(std::span<const std::uint32_t> figures) {
   TimedMachine hardware(machine);
   const auto engine = sim::make_clocked_engine(machine, hardware);
   const bool agree = rc::check("the clocked scan-line array agrees with the reference", [&] {
-    const auto program = *arbitrary_program_in_parts(machine, figures[17]);
+    const auto program = *arbitrary_program_in_parts(machine, figures[17], machine.evaluator_degree);
     check_lockstep(*judge, *engine, program, machine);
     hardware.check_timeline(program);
     if (*rc::gen::inRange(0, 3) == 0) hardware.check_wave(program, *judge);

@@ -3,7 +3,7 @@ add_executable(lockstep_squares squares.cpp divided_program.cpp parts.cpp row.cp
 target_link_libraries(lockstep_squares PRIVATE
   csgsim_timed_machine csgsim_random_program csgsim_oracle csgsim::read csgsim::emit csgsim::reference csgsim::functional csgsim::cycle fmt::fmt csgsim_flags)
 foreach(row IN ITEMS
-    "depth=1" "depth=1 renderers=2 port=24 link_width=17" "depth=1 renderers=3 buffers=2 port=24 move=1"
+    "degree=1" "depth=1" "depth=1 renderers=2 port=24 link_width=17" "depth=1 renderers=3 buffers=2 port=24 move=1"
     "depth=1 buffers=2 word=3 latency=11" "depth=2 renderers=2 buffers=2 port=24 port_depth=2 move=3 clear=5"
     "depth=2 order=1 port=1000 link_width=256" "depth=2 renderers=3 port=1 programs=15 link_width=1"
     "depth=3 renderers=3 buffers=2 port=1 programs=15 move=2 link_width=6" "depth=3 order=2 renderers=2 clear=1"

@@ -35,6 +35,7 @@ Settings read_settings(int count, char** arguments) {
   machine.array = {8, 8, 40};
   machine.picture = {20, 20};
   machine.clock_hz = 10'000'000;
+  machine.evaluator_degree = 2;
   machine.link = {.width = 32, .word_clocks = 1, .fifo_depth = 64, .latency = 0};
   auto& figures = machines::own<pixel_square::Figures>(machine);
   figures.model_bits = 10'000'000;
@@ -50,6 +51,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"bits", &machine.array.memory_bits},
                                                     {"reads", &machine.memory_reads},
                                                     {"clear", &machine.clear_clocks},
+                                                    {"degree", &machine.evaluator_degree},
                                                     {"link_width", &machine.link.width},
                                                     {"word", &machine.link.word_clocks},
                                                     {"depth", &machine.link.fifo_depth},
@@ -81,8 +83,9 @@ bool agree(const Settings& settings) {
   return agree_in_parts(
       "the clocked pixel-square machine leaves the bits, picture, clocks, account and timeline worked out", machine,
       [&] {
-        return machines::division(machine) ? any_divided_program(machine)
-                                           : *arbitrary_program_in_parts(machine, settings.instructions);
+        return machines::division(machine)
+                   ? any_divided_program(machine)
+                   : *arbitrary_program_in_parts(machine, settings.instructions, machine.evaluator_degree);
       },
       [](const isa::Program& program, const TimedMachine& hardware) { hardware.check_timeline(program); });
 }

@@ -7,6 +7,11 @@
 // F meets a field from its lowest bit, after `shift` bits of fraction. So that K is the comparison with the bits so far, it
 // begins as the answer for two empty numbers; beyond the field F meets zeros, and its sign decides. Instructions of the
 // table that read two fields with one port latch s first, then meet it with the other.
+//
+// A root of w bits has w turns. In turn k, from 0, the k + 3 bits of the field from 2(w - 1 - k) up are four times the
+// remainder and two bits more. From them 4q + 1 is subtracted, q being the k bits of the root so far, which lie above
+// them; or 4q + 3 is added, where the remainder was negative, which G keeps. As a sum, either begins with a bit 1 and,
+// with the carry of a subtraction, another. What comes of the top bit is the sign; its inverse is the root's next bit.
 module sequencer #(
   parameter MEMORY_READS = 1,
   parameter ALU_BITS = 1,
@@ -17,6 +22,7 @@ module sequencer #(
   input wire [COMMAND_BITS-1:0] command,
   input wire [5:0] at,    // bit of the stream or field, the first of the clock
   input wire pass,        // of two through a stream, or the read after the first
+  input wire [5:0] turn,  // of a root, in which `at` counts from 0
   output reg [CONTROL_BITS-1:0] control,
   output reg first,       // bit of a stream
   output reg a,
@@ -24,6 +30,7 @@ module sequencer #(
   output reg c,
   output reg [5:0] next_at,
   output reg next_pass,
+  output reg [5:0] next_turn,
   output reg last
 );
 `include "command.vh"
@@ -44,7 +51,8 @@ module sequencer #(
   wire [7:0] at_b = at_a + width;
   wire [7:0] at_c = at_b + width;
   wire twice = number == KEEP_MAX || number == KEEP_MIN;
-  wire stream = number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN || number == STRIPE;
+  wire stream = number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN || number == STRIPE ||
+                number == LINEAR_PLUS || number == LINEAR_MINUS;
 
   wire sign = at + 6'd1 == width;
   wire whole = at >= shift;  // not of the fraction
@@ -52,10 +60,19 @@ module sequencer #(
   wire in_field = whole && place < width_0;
   wire begins_field = whole && place == 0;
 
+  // Roots.
+  wire takes_root = number == ROOT;
+  wire [5:0] root_bits = width_0 >> 1;
+  wire of_root = takes_root && at >= 2 && at < turn + 6'd2;
+  wire ends_turn = at == turn + 6'd2;
+  wire ends_root = ends_turn && turn + 6'd1 == root_bits;
+  wire [11:0] remainder = base_0 + 12'd2 * (root_bits - 6'd1 - turn) + at;
+  wire [11:0] root = base_0 + 12'd2 * root_bits - turn - 12'd1 + at;
+
   // Fields.
   wire one_step = number <= ENABLE_STORE || number == GLOBAL_OR || number == SKIP_IF_NONE;
   wire two_fields = number >= FIELD_LT && number <= BIT_AND_NOT || number == ADD;
-  wire two_clocks = two_fields && MEMORY_READS == 1;
+  wire two_clocks = (two_fields || of_root) && MEMORY_READS == 1;
   wire latching = two_clocks && !pass;
   wire [6:0] end_of_step = at + ALU_BITS;
   wire ends_field = end_of_step >= width_0;
@@ -64,7 +81,7 @@ module sequencer #(
   reg [1:0] x_select;
   reg [1:0] carry_in;
   reg y_enable, y_zero, y_invert, ripple, sum, invert, write, write_all, write_selected, latch;
-  reg set_enable, and_enable, set_carry, select, question;
+  reg set_enable, and_enable, set_carry, select, question, x_by_flag, set_flag;
   reg [ALU_BITS-1:0] x_zero;
   reg [ALU_BITS-1:0] x_invert;
   reg [ALU_BITS-1:0] active;
@@ -126,14 +143,14 @@ module sequencer #(
     carry_in = CARRY_ZERO;
     {y_enable, y_zero, y_invert, ripple, sum, invert} = 6'b010010;
     {write, write_all, write_selected, latch} = 4'b0000;
-    {set_enable, and_enable, set_carry, select, question} = 5'b00000;
+    {set_enable, and_enable, set_carry, select, question, x_by_flag, set_flag} = 7'b0000000;
     x_zero = {ALU_BITS{1'b0}};
     x_invert = {ALU_BITS{1'b0}};
     active = {{(ALU_BITS-1){1'b0}}, 1'b1};
     address_x = base_0 + at;
     address_y = base_0 + at;
     address_w = base_0 + at;
-    if (!stream && !one_step) active = in_target;
+    if (!stream && !one_step && !takes_root) active = in_target;
 
     case (number)
       ENABLE_ALL: begin
@@ -209,6 +226,32 @@ module sequencer #(
         address_w = base_0 + place;
       end
 
+      LINEAR_PLUS, LINEAR_MINUS: begin
+        active[0] = in_field;
+        {write, set_carry} = {2{in_field}};
+        y_zero = 1'b0;
+        y_invert = number == LINEAR_MINUS;
+        carry_in = !begins_field ? CARRY_KEPT
+                   : number == LINEAR_MINUS && !`FAULT(`FAULT_DIFFERENCE) ? CARRY_ONE : CARRY_ZERO;
+        address_y = base_0 + place;
+        address_w = base_0 + place;
+      end
+      ROOT: begin
+        x_select = of_root && (latching || MEMORY_READS > 1) ? X_MEMORY : X_LATCH;
+        address_x = root;
+        address_y = remainder;
+        address_w = remainder;
+        write = 1'b1;
+        y_zero = ends_turn && turn == 0;  // its bit is not one of the number
+        y_invert = ends_turn;
+        x_zero[0] = !of_root;
+        x_invert[0] = at < 2 || ends_turn && turn == 0;
+        x_by_flag = of_root || ends_turn && turn != 0;
+        carry_in = at == 0 ? CARRY_ZERO : CARRY_KEPT;
+        set_carry = !ends_turn;
+        set_flag = ends_turn;
+      end
+
       SET_CONSTANT: begin
         write = 1'b1;
         x_zero = {ALU_BITS{1'b1}};
@@ -267,7 +310,7 @@ module sequencer #(
     endcase
 
     if (latching) begin
-      {write, set_enable, set_carry} = 3'b000;
+      {write, set_enable, set_carry, x_by_flag} = 4'b0000;
       latch = 1'b1;
       if (number == ADD) active = in_second;
     end
@@ -294,6 +337,8 @@ module sequencer #(
     control[CW_SELECT] = select;
     control[CW_STREAM] = stream;
     control[CW_QUESTION] = question;
+    control[CW_X_BY_FLAG] = x_by_flag;
+    control[CW_SET_FLAG] = set_flag;
     control[CW_X +: ADDRESS] = MEMORY_READS == 1 && x_select != X_MEMORY ? address_y[ADDRESS-1:0] : address_x[ADDRESS-1:0];
     control[CW_Y +: ADDRESS] = address_y[ADDRESS-1:0];
     control[CW_W +: ADDRESS] = address_w[ADDRESS-1:0];
@@ -302,8 +347,12 @@ module sequencer #(
     a = stream && command[at_a];
     b = stream && command[at_b];
     c = stream && command[at_c];
-    last = one_step || (stream ? sign && (!twice || pass) : ends_field && !latching);
-    next_at = stream ? (sign ? 6'd0 : at + 6'd1) : latching ? at : end_of_step[5:0];
+    last = one_step ||
+           (stream ? sign && (!twice || pass) : takes_root ? ends_root : ends_field && !latching);
+    next_at = stream ? (sign ? 6'd0 : at + 6'd1)
+              : latching ? at
+              : takes_root ? (ends_turn ? 6'd0 : at + 6'd1) : end_of_step[5:0];
+    next_turn = ends_turn && takes_root ? turn + 6'd1 : turn;
     next_pass = stream ? pass | sign : latching;
   end
 endmodule
@@ -396,6 +445,7 @@ module controller #(
   reg [COMMAND_BITS-1:0] current;  // that is being carried out
   reg [5:0] at;
   reg pass;
+  reg [5:0] turn;
   reg [31:0] next_instruction;
   reg drop_again;
   reg [7:0] drained;
@@ -413,7 +463,7 @@ module controller #(
   wire free = state == READY || (answered && !jump);
   wire take = free && whole;
   wire [5:0] number = received[5:0];
-  wire begins_instruction = take && number <= STRIPE;
+  wire begins_instruction = take && number <= ROOT;
   wire begins_clear = take && number == SEGMENT;
   wire begins_drain = take && number == FRAME_END;
 
@@ -424,11 +474,13 @@ module controller #(
   wire [CONTROL_BITS-1:0] step_control;
   wire step_first, step_a, step_b, step_c, step_last, step_next_pass;
   wire [5:0] step_next_at;
+  wire [5:0] step_next_turn;
   wire [COMMAND_BITS-1:0] command = begins_instruction ? received : current;
   sequencer #(.MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)) steps (
     .fault(fault), .command(command), .at(begins_instruction ? 6'd0 : at), .pass(begins_instruction ? 1'b0 : pass),
+    .turn(begins_instruction ? 6'd0 : turn),
     .control(step_control), .first(step_first), .a(step_a), .b(step_b), .c(step_c), .next_at(step_next_at),
-    .next_pass(step_next_pass), .last(step_last));
+    .next_pass(step_next_pass), .next_turn(step_next_turn), .last(step_last));
 
   wire [ADDRESS-1:0] clear_address;
   wire [ADDRESS:0] clear_count;
@@ -470,6 +522,7 @@ module controller #(
       {first, a, b, c} <= {step_first, step_a, step_b, step_c};
       at <= step_next_at;
       pass <= step_next_pass;
+      turn <= step_next_turn;
       state <= !step_last ? ISSUING : asks ? ANSWERING : READY;
     end
     if (is_clearing) begin

@@ -18,3 +18,5 @@
 `define FAULT_QUESTION 11           // the OR misses the lower half of the picture
 `define FAULT_SKIP 12               // a jump goes an instruction too far
 `define FAULT_REGION 13             // pixels right of a segment take part
+`define FAULT_FLAG 14               // a root always subtracts
+`define FAULT_DIFFERENCE 15         // linear_minus begins without a carry

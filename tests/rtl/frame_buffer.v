@@ -66,6 +66,7 @@ module frame_buffer #(
   // To look at.
   output wire [WIDTH*HEIGHT-1:0] enable,
   output wire [WIDTH*HEIGHT-1:0] carry,
+  output wire [WIDTH*HEIGHT-1:0] flag,
   output wire [WIDTH*HEIGHT-1:0] tree,
   output wire tree_valid,
   output wire [WIDTH*HEIGHT*ALU_BITS-1:0] latch,     // place 0 of every pixel first
@@ -134,7 +135,7 @@ module frame_buffer #(
     .SIDE(SIDE)
   ) array (
     .clk(clk), .reset(reset), .fault(fault), .control(at_pixels), .clear_line(clear_line), .in_region(in_region),
-    .tree(tree), .enable(enable), .carry(carry), .latch(latch), .memory(memory));
+    .tree(tree), .enable(enable), .carry(carry), .flag(flag), .latch(latch), .memory(memory));
 
   wire [PIXELS-1:0] counted = `FAULT(`FAULT_QUESTION) ? enable & ~({PIXELS{1'b1}} << PIXELS / 2) : enable;
   global_or #(.LINES(PIXELS), .FAN_IN(FAN_IN)) enabled (

@@ -129,12 +129,14 @@ void Lockstep::compare() {
   const Outputs& outputs = rtl_->outputs();
 
   Vector carry((count + 63) / 64);
+  Vector flag((count + 63) / 64);
   Vector tree((count + 63) / 64);
   std::vector<Vector> latch(figures_.alu_bits, Vector((count + 63) / 64));
   for (std::size_t i = 0; i < count; ++i) {
     const array::PixelProbe probe = machine_.processors().probe(static_cast<std::uint32_t>(i % shape.width),
                                                                 static_cast<std::uint32_t>(i / shape.width));
     put(carry, i, probe.carry ? 1 : 0);
+    put(flag, i, probe.flag ? 1 : 0);
     put(tree, i, probe.tree ? 1 : 0);
     for (std::size_t place = 0; place < latch.size(); ++place) put(latch[place], i, probe.latch >> place & 1U);
   }
@@ -143,6 +145,7 @@ void Lockstep::compare() {
   pack(pixels.enable(), shape, plane_);
   compare_plane("enable", plane_, outputs.enable);
   compare_plane("carry", carry, outputs.carry);
+  compare_plane("flag", flag, outputs.flag);
   for (std::size_t place = 0; place < latch.size(); ++place) {
     take(outputs.latch, place * count, count, actual);
     compare_plane("latch, place ", latch[place], actual, std::to_string(place));

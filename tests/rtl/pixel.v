@@ -1,5 +1,5 @@
 // Pixels that obey the same control word and share their word lines: a bit-serial processor with enable, carry and latch,
-// and its memory, at each. Written from the meanings of the instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md
+// a flag for roots, and its memory, at each. Written from the meanings of the instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md
 // and thesis 7.2.1. Vectors have a bit a pixel; where they have several places of the ALU, the least significant first.
 `include "faults.vh"
 
@@ -9,7 +9,8 @@ module pixel_processor #(
   parameter MEMORY_READS = 1,  // with two nothing is ever latched
   parameter ALU_BITS = 1,
   parameter ADDRESS = 7,
-  parameter SIDE = 5
+  parameter SIDE = 5,
+  parameter ROOTS = 0          // there is a flag
 ) (
   input wire clk,
   input wire reset,
@@ -23,6 +24,7 @@ module pixel_processor #(
   output wire [PIXELS-1:0] may_write,
   output reg [PIXELS-1:0] enable,
   output reg [PIXELS-1:0] carry,
+  output reg [PIXELS-1:0] flag,
   output reg [PIXELS*ALU_BITS-1:0] latch
 );
 `include "control_word.vh"
@@ -51,6 +53,7 @@ module pixel_processor #(
       y = control[CW_Y_ENABLE] ? enable : memory_y[i*PIXELS +: PIXELS];
       p = control[CW_X_ZERO + i] ? {PIXELS{1'b0}} : x[i*PIXELS +: PIXELS];
       p = p ^ {PIXELS{control[CW_X_INVERT + i]}};
+      if (ROOTS == 1 && control[CW_X_BY_FLAG]) p = `FAULT(`FAULT_FLAG) ? ~p : p ^ ~flag;
       q = control[CW_Y_ZERO] ? {PIXELS{1'b0}} : y;
       q = q ^ {PIXELS{control[CW_Y_INVERT]}};
       carry_here = control[CW_RIPPLE] ? last_carry : first_carry;
@@ -74,11 +77,13 @@ module pixel_processor #(
     if (reset | clear) begin
       enable <= {PIXELS{1'b0}};
       carry <= {PIXELS{1'b0}};
+      flag <= {PIXELS{1'b0}};
       latch <= {(PIXELS*ALU_BITS){1'b0}};
       present <= in_region & {PIXELS{~reset}};
     end else begin
       if (control[CW_SET_ENABLE]) enable <= present & result & held_back;
       if (control[CW_SET_CARRY]) carry <= control[CW_SELECT] ? enable & result : last_carry;
+      if (ROOTS == 1 && control[CW_SET_FLAG]) flag <= ~result;
       for (j = 0; j < ALU_BITS; j = j + 1)
         if (MEMORY_READS == 1 & control[CW_LATCH] & control[CW_ACTIVE + j])
           latch[j*PIXELS +: PIXELS] <= (x[j*PIXELS +: PIXELS] & may_latch) | (latch[j*PIXELS +: PIXELS] & ~may_latch);
@@ -153,6 +158,7 @@ module pixels #(
   input wire [PIXELS-1:0] tree,
   output wire [PIXELS-1:0] enable,
   output wire [PIXELS-1:0] carry,
+  output wire [PIXELS-1:0] flag,
   output wire [PIXELS*ALU_BITS-1:0] latch,
   output wire [PIXELS*MEMORY_BITS-1:0] memory
 );
@@ -165,11 +171,13 @@ module pixels #(
   wire [ALU_BITS-1:0] write = control[CW_ACTIVE +: ALU_BITS] & {ALU_BITS{control[CW_WRITE]}};
 
   pixel_processor #(
-    .PIXELS(PIXELS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)
+    .PIXELS(PIXELS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE),
+    .ROOTS(1)
   ) processors (
     .clk(clk), .reset(reset), .fault(fault), .control(control), .in_region(in_region), .tree(tree),
     .memory_x(read_x), .memory_y(MEMORY_READS == 1 | `FAULT(`FAULT_SECOND_READ) ? read_x : read_y),
-    .written(written), .may_write(may_write), .enable(enable), .carry(carry), .latch(latch));
+    .written(written), .may_write(may_write), .enable(enable), .carry(carry), .flag(flag),
+    .latch(latch));
 
   pixel_memory #(.PIXELS(PIXELS), .MEMORY_BITS(MEMORY_BITS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS)) memories (
     .clk(clk), .reset(reset), .fault(fault), .address_x(control[CW_X +: ADDRESS]), .address_y(control[CW_Y +: ADDRESS]),

@@ -80,12 +80,13 @@ module receiver #(
     constant = 1'b0;
     case (number)
       ENABLE_ALL, ENABLE_INVERT, GLOBAL_OR, SEGMENT_END: fixed = 6;
-      ENABLE_LOAD, ENABLE_AND, ENABLE_AND_NOT, ENABLE_OR, ENABLE_XOR, ENABLE_STORE: fixed = 6 + FIELD_BITS;
+      ENABLE_LOAD, ENABLE_AND, ENABLE_AND_NOT, ENABLE_OR, ENABLE_XOR, ENABLE_STORE, ROOT: fixed = 6 + FIELD_BITS;
       EDGE_NOT_NEGATIVE, EDGE_NEGATIVE, STRIPE: begin
         fixed = 6 + 12;
         linear = 1'b1;
       end
-      LINEAR_GE, LINEAR_GT, LINEAR_LE, LINEAR_LT, LINEAR_EQ, LOAD_LINEAR, KEEP_MAX, KEEP_MIN: begin
+      LINEAR_GE, LINEAR_GT, LINEAR_LE, LINEAR_LT, LINEAR_EQ, LOAD_LINEAR, KEEP_MAX, KEEP_MIN, LINEAR_PLUS,
+      LINEAR_MINUS: begin
         fixed = 6 + FIELD_BITS + 12;
         linear = 1'b1;
       end

@@ -43,6 +43,7 @@ void put(VlWide<Words>& to, const isa::LinkWord& word) {
 machines::Machine machine_of_parameters() {
   machines::Machine machine = test::machine_of({CSGSIM_RTL_WIDTH, CSGSIM_RTL_HEIGHT, CSGSIM_RTL_MEMORY_BITS},
                                                CSGSIM_RTL_MEMORY_READS, CSGSIM_RTL_ALU_BITS);
+  machine.evaluator_degree = 1;
   machine.link.width = CSGSIM_RTL_LINK;
   machine.link.fifo_depth = CSGSIM_RTL_FIFO_DEPTH;
   machine.clear_clocks = CSGSIM_RTL_CLEAR_CLOCKS;
@@ -100,6 +101,7 @@ void Machine::read_pixels() {
   assign(outputs_.tree, top.tree);
   assign(outputs_.enable, top.enable);
   assign(outputs_.carry, top.carry);
+  assign(outputs_.flag, top.flag);
   assign(outputs_.latch, top.latch);
   assign(outputs_.memory, top.memory);
 }

@@ -38,6 +38,7 @@ struct Outputs {
   Vector tree;
   Vector enable;
   Vector carry;
+  Vector flag;
   Vector latch;   ///< the ALU's first place at every pixel, then the next
   Vector memory;  ///< bit 0 of every pixel, then bit 1
 };

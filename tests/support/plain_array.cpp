@@ -77,11 +77,14 @@ PixelState after(AluFunction function, bool constant, PixelState p) {
     case AluFunction::sum_from_0: sum(p.x, false); break;
     case AluFunction::sum: sum(p.x, p.carry); break;
     case AluFunction::sum_with_0: sum(false, p.carry); break;
-    case AluFunction::root_start: p.flag = false; [[fallthrough]];
     case AluFunction::sum_with_1_from_0: sum(true, false); break;
     case AluFunction::sum_with_1: sum(true, p.carry); break;
     case AluFunction::difference_from_1: difference(true); break;
     case AluFunction::difference: difference(p.carry); break;
+    case AluFunction::root_first:
+      p.flag = !p.carry;
+      write(p.carry);
+      break;
     case AluFunction::root_bit: sum(p.x != !p.flag, p.carry); break;
     case AluFunction::root_sign:
       p.flag = (p.y != !p.flag) != p.carry;

@@ -49,12 +49,10 @@ PixelArray all_states() {
   array.step({.function = AluFunction::store_x, .write = x_bit}, column_bit(column_x));
   array.step({.function = AluFunction::store_x, .write = y_bit}, column_bit(column_y));
   array.step({.function = AluFunction::store_x, .write = written}, column_bit(column_memory));
-  array.step({.function = AluFunction::store_x, .write = scratch}, column_bit(column_flag));
-  array.step({.function = AluFunction::root_start, .y = always_0, .write = always_0}, {});
-  array.step({.function = AluFunction::store_constant, .write = always_0}, {});
-  array.step({.function = AluFunction::store_not_x, .source = OperandSource::memory, .x = scratch, .write = scratch},
+  array.step({.function = AluFunction::store_not_x, .write = scratch}, column_bit(column_flag));
+  array.step({.function = AluFunction::compare_from_0, .source = OperandSource::memory, .x = scratch, .y = always_0},
              {});
-  array.step({.function = AluFunction::root_sign, .y = scratch, .write = scratch}, {});
+  array.step({.function = AluFunction::root_first, .write = scratch}, {});
   array.step({.function = AluFunction::compare_from_0, .y = always_0}, column_bit(column_carry));
   array.step({.function = AluFunction::latch_x}, column_bit(column_latch));
   array.step({.function = AluFunction::enable_load}, column_bit(column_enable));

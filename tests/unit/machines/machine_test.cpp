@@ -104,12 +104,13 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
   for (const Figure& figure : machine.figures) {
     keys += figure.key + ' ';
     CHECK((figure.provenance == "published" || figure.provenance == "assumed"));
-    CHECK(figure.unit.empty() == (figure.key == "scan_out.port"));
+    CHECK(figure.unit.empty() == (figure.key == "scan_out.port" || figure.key == "evaluator.degree"));
     CHECK_FALSE(figure.source.empty());
   }
   CHECK(keys ==
         "array.width array.height array.memory_bits clock.frequency alu.bits memory.reads memory.writes "
         "global_or.present global_or.fan_in scan_out.pixels scan_out.port scan_out.buffers evaluator.level_latency "
+        "evaluator.degree "
         "memory.clear_clocks link.width link.word_clocks "
         "link.fifo_depth link.latency ");
   CHECK(machine.figures[3].value == "10000000");
@@ -140,7 +141,7 @@ TEST_CASE("an unknown machine names the nearest known") {
   CHECK_THROWS_WITH_AS(
       kinds::load("pixel-plane-4"),
       "there is no machine 'pixel-plane-4'; did you mean pixel-planes-4? The machines are "
-      "pixel-planes-4, scan-line, pixel-square, pixel-planes-5, multi-processor, or a file, whose name "
+      "pixel-planes-4, scan-line, pixel-square, pixel-planes-5, multi-processor, pixel-powers, or a file, whose name "
       "ends in .toml",
       InputError);
   CHECK_THROWS_WITH_AS(kinds::load("none/such.toml"),
