@@ -111,26 +111,43 @@ class Painter {
 
   void paint() {
     brightest_ = finish_.colour * context_.lighting().ambient * finish_.material.ambient;
-    out_.plain(Opcode::set_constant, field_, {}, packed(brightest_, field_.width));
-    for (const lighting::SeenLight& light : context_.lighting().lights) add(light);
+    const std::uint32_t ambient = packed(brightest_, field_.width);
+    std::vector<Light> lights;
+    for (const lighting::SeenLight& light : context_.lighting().lights) {
+      const LightFit fit = fit_light(context_, facet_, light);
+      const glm::dvec3 brightness = finish_.colour * light.colour * finish_.material.diffuse;
+      const auto cosine = scaled(fit, std::ldexp(1.0, static_cast<int>(cosine_.width) - 3), context_.view.sampling);
+      const bool is_seen = (brightness.r > 0 || brightness.g > 0 || brightness.b > 0) && fit.greatest > 0;
+      if (cosine && is_seen) lights.push_back({*cosine, brightness, fit.greatest});
+    }
+    if (lights.empty()) out_.plain(Opcode::set_constant, field_, {}, ambient);
+    for (std::size_t i = 0; i < lights.size(); ++i) add(lights[i], i == 0 ? std::optional(ambient) : std::nullopt);
   }
 
  private:
-  void add(const lighting::SeenLight& light) {
-    const LightFit fit = fit_light(context_, facet_, light);
-    const std::optional<ScaledCosine> cosine =
-        scaled(fit, std::ldexp(1.0, static_cast<int>(cosine_.width) - 3), context_.view.sampling);
-    if (!cosine) return;
+  /// A light that reaches the facet.
+  struct Light {
+    ScaledCosine cosine;
+    glm::dvec3 brightness;  ///< of its colour on the surface
+    double greatest;        ///< cosine
+  };
+
+  /// `begun`: what the field would hold, if it is to be taken as that.
+  void add(const Light& light, const std::optional<std::uint32_t>& begun) {
     out_.plain(Opcode::enable_store, context_.layout.kept);
-    emit_cosine(*cosine);
+    emit_cosine(light.cosine);
     const std::array<Field, 3> channels = channels_of(field_);
-    const glm::dvec3 brightness = finish_.colour * light.colour * finish_.material.diffuse;
     for (std::size_t i = 0; i < channels.size(); ++i) {
+      const Field channel = channels.at(i);
+      if (channel.width == 0) continue;
       const auto c = static_cast<glm::length_t>(i);
-      if (channels.at(i).width > 0 && brightness[c] > 0)
-        add_to(channels.at(i), brightness[c], cosine->one, brightest_[c] + brightness[c] * (fit.greatest + slack));
+      const double brightest = brightest_[c] + light.brightness[c] * (light.greatest + slack);
+      const unsigned place = channel.base - field_.base;
+      add_to({channel, begun ? std::optional(*begun >> place & ((1U << channel.width) - 1)) : std::nullopt,
+              light.brightness[c], brightest},
+             light.cosine.one);
     }
-    brightest_ = glm::min(brightest_ + brightness * fit.greatest, 1.0);
+    brightest_ = glm::min(brightest_ + light.brightness * light.greatest, 1.0);
   }
 
   /// Where it is below 0 there is no light.
@@ -145,34 +162,47 @@ class Painter {
     out_.plain(Opcode::enable_load, context_.layout.kept);
   }
 
-  /// channel += brightness * cosine, but no more than it holds, where that comes to `brightest` of it at most.
-  void add_to(Field channel, double brightness, double one, double brightest) {
-    const double top = std::ldexp(1.0, static_cast<int>(channel.width)) - 1;
-    const double most = top * brightest + 1;
+  /// What becomes of a channel.
+  struct Channel {
+    Field field;
+    std::optional<std::uint32_t> begun;  ///< what it would hold, if it is to be taken as that
+    double brightness;
+    double brightest;  ///< that it comes to, of 1
+  };
+
+  /// channel += brightness * cosine, but no more than it holds.
+  void add_to(const Channel& channel, double one) {
+    const double top = std::ldexp(1.0, static_cast<int>(channel.field.width)) - 1;
+    const double most = top * channel.brightest + 1;
     unsigned fraction = most_sum_fraction;
     while (fraction > 0 && most >= std::ldexp(1.0, static_cast<int>(sum_.width - fraction))) --fraction;
     begin_sum(channel, fraction);
-    const double factor = std::ldexp(top * brightness / one, static_cast<int>(fraction));
-    add_times(factor);
-    out_.plain(Opcode::copy, channel, part_of(sum_, fraction, channel.width));
-    for (unsigned bit = fraction + channel.width; bit < sum_.width; ++bit) {
+    add_times(std::ldexp(top * channel.brightness / one, static_cast<int>(fraction)), fraction);
+    out_.plain(Opcode::copy, channel.field, part_of(sum_, fraction, channel.field.width));
+    for (unsigned bit = fraction + channel.field.width; bit < sum_.width; ++bit) {
       if (most < std::ldexp(1.0, static_cast<int>(bit - fraction))) break;
       out_.plain(Opcode::enable_and, part_of(sum_, bit, 1));
-      out_.plain(Opcode::set_constant, channel, {}, static_cast<std::uint64_t>(top));
+      out_.plain(Opcode::set_constant, channel.field, {}, static_cast<std::uint64_t>(top));
       out_.plain(Opcode::enable_load, context_.layout.kept);
     }
   }
 
   /// The channel, and the half that copying it back will lose.
-  void begin_sum(Field channel, unsigned fraction) {
-    if (fraction > 0) out_.plain(Opcode::set_constant, part_of(sum_, 0, fraction), {}, std::uint64_t{1} << (fraction - 1));
-    out_.plain(Opcode::copy, part_of(sum_, fraction, channel.width), channel);
-    out_.plain(Opcode::set_constant, part_of(sum_, fraction + channel.width, sum_.width - fraction - channel.width));
+  void begin_sum(const Channel& channel, unsigned fraction) {
+    const std::uint64_t half = (std::uint64_t{1} << fraction) >> 1U;
+    if (channel.begun) {
+      out_.plain(Opcode::set_constant, sum_, {}, (std::uint64_t{*channel.begun} << fraction) + half);
+      return;
+    }
+    if (fraction > 0) out_.plain(Opcode::set_constant, part_of(sum_, 0, fraction), {}, half);
+    const unsigned end = fraction + channel.field.width;
+    out_.plain(Opcode::copy, part_of(sum_, fraction, channel.field.width), channel.field);
+    out_.plain(Opcode::set_constant, part_of(sum_, end, sum_.width - end));
   }
 
-  /// sum += factor * cosine, within half a level at the brightest.
-  void add_times(double factor) {
-    const double error = 0.5 / std::ldexp(1.0, static_cast<int>(cosine_.width) - 2);
+  /// sum += factor * cosine, within half a level of light at the brightest.
+  void add_times(double factor, unsigned fraction) {
+    const double error = std::ldexp(0.5, static_cast<int>(fraction)) / std::ldexp(1.0, static_cast<int>(cosine_.width) - 2);
     const Digits plain = binary(factor, error);
     const Digits both = both_signs(factor, error);
     // To subtract, the sum is complemented before and after: as dear as one addition.

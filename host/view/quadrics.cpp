@@ -38,8 +38,18 @@ void for_turning_point(const Side& side, const Visit& visit) {
   }
 }
 
-/// Widens by the top or bottom if it is within the rectangle. At a point half a pixel or less from it in both
-/// directions the function is off by no more than a quarter of the sum of its coefficients of the second degree.
+/// Half of the square of a gradient over the second derivatives of f, whose determinant that is: by so much the top or
+/// bottom is beyond the place that has the gradient. Not less than the exact number.
+std::int64_t beyond_place(const FixedQuadratic& f, Wide determinant, Wide by_x, Wide by_y) {
+  const auto dx = static_cast<long double>(by_x);
+  const auto dy = static_cast<long double>(by_y);
+  const long double square = static_cast<long double>(f.yy) * dx * dx - static_cast<long double>(f.xy) * dx * dy +
+                             static_cast<long double>(f.xx) * dy * dy;
+  constexpr long double up = 1 + 1e-15L;
+  return static_cast<std::int64_t>(std::ceil(std::abs(square / static_cast<long double>(determinant)) * up)) + 1;
+}
+
+/// Widens by the top or bottom if it is within the rectangle.
 void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect) {
   const Wide determinant = 4 * Wide{f.xx} * f.yy - Wide{f.xy} * f.xy;
   if (determinant <= 0) return;  // a saddle or a valley, which is as high or low at the sides
@@ -49,7 +59,8 @@ void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect)
       floor_quotient(2 * (Wide{f.xy} * f.linear.a - 2 * Wide{f.xx} * f.linear.b) + determinant, 2 * determinant);
   if (x < rect.x0 || x > rect.x1 || y < rect.y0 || y > rect.y1) return;
   const std::int64_t value = value_at(f, static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
-  const std::int64_t slack = (std::abs(f.xx) + std::abs(f.xy) + std::abs(f.yy)) / 3 + 1;
+  const std::int64_t slack = beyond_place(f, determinant, 2 * Wide{f.xx} * x + Wide{f.xy} * y + f.linear.a,
+                                          2 * Wide{f.yy} * y + Wide{f.xy} * x + f.linear.b);
   if (f.xx < 0) {
     range.high = std::max(range.high, value + slack);
   } else {

@@ -19,8 +19,7 @@ struct FixedQuadratic {
 std::int64_t value_at(const FixedQuadratic& quadratic, std::int32_t x, std::int32_t y);
 
 /// Bounds of a quadratic function over a rectangle of pixels, which is not empty: never narrower than its values there,
-/// and just those but for a top or bottom within the rectangle, where they may be wider by a third of the sum of the
-/// sizes of its coefficients of the second degree.
+/// and just those but for a top or bottom between pixels of the rectangle, which counts too.
 Range range_over(const FixedQuadratic& quadratic, const PixelRect& rect);
 
 enum class ScreenQuadricKind : std::uint8_t {
