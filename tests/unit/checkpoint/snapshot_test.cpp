@@ -133,7 +133,7 @@ sim::Snapshot snapshot_at(std::uint64_t number, const isa::Program& program, con
 
 TEST_CASE("a run that is stopped anywhere, saved, read and resumed at any level ends as one that never stopped") {
   for (const isa::ArrayShape shape : {isa::ArrayShape{8, 8, 72}, {70, 5, 33}, {1, 9, 24}})
-    CHECK(survives_interruptions(planes(shape), test::arbitrary_program(shape, 40)));
+    CHECK(survives_interruptions(planes(shape), test::arbitrary_program(shape, 40, 2)));
 }
 
 TEST_CASE("so does one of a machine that draws the picture in parts, at their beginnings and ends too") {
