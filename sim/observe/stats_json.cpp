@@ -6,6 +6,7 @@
 
 #include "hw/base/text.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/kind.h"
@@ -112,7 +113,7 @@ double mean_linear_width(const isa::Program& program) {
   double count = 0;
   for (const isa::Segment& segment : program.segments) {
     for (const isa::Instruction& instruction : segment.instructions) {
-      if (instruction.linear.width == 0) continue;
+      if (!isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear)) continue;
       bits += instruction.linear.width;
       ++count;
     }

@@ -140,6 +140,35 @@ TEST_CASE("blocks that corners decide keep the very pixel at which F meets a num
       }
 }
 
+TEST_CASE("a sphere's depth by the root of a quadratic is the same bits, however its field is used before and after") {
+  // D of 41 bits, its root of 20, and the middle less the root, at a sphere of radius 60 about (70, 40).
+  const Field d{0, 41};
+  const Field root{21, 20};
+  const Field depth{41, 20};
+  constexpr std::int64_t scale = std::int64_t{1} << 26U;
+  const isa::Linear squares{.a = -scale, .b = 0, .c = -scale, .width = 42, .shift = 0};
+  const isa::Linear rest{
+      .a = 140 * scale, .b = 80 * scale, .c = (3600 - 70 * 70 - 40 * 40) * scale, .width = 42, .shift = 0};
+  const isa::Linear middle{.a = 3, .b = 5, .c = 700'000, .width = 24, .shift = 0};
+  const isa::Linear linear{.a = 1000, .b = -3000, .c = 1'000'000, .width = 40, .shift = 3};
+  CHECK(difference(program_of({150, 90, 72}, {
+                                                 op(Opcode::enable_all),
+                                                 set(root, 0xfffff),
+                                                 with(Opcode::keep_max, {10, 20}, linear),
+                                                 op(Opcode::enable_all),
+                                                 with(Opcode::squares, {}, squares),
+                                                 with(Opcode::load_linear, d, rest),
+                                                 op(Opcode::root, d),
+                                                 op(Opcode::copy, depth, root),
+                                                 with(Opcode::linear_minus, depth, middle),
+                                                 op(Opcode::enable_all),
+                                                 with(Opcode::linear_plus, {50, 18}, middle),
+                                                 with(Opcode::squares, {}, squares),
+                                                 with(Opcode::edge_negative, {}, rest),
+                                                 op(Opcode::field_lt, depth, root),
+                                             })) == "");
+}
+
 TEST_CASE("a field used as a number and then bit by bit keeps its bits") {
   const Field z{4, 20};
   const Field part{10, 9};
@@ -230,7 +259,7 @@ TEST_CASE("numbers are added in planes and in lanes, from either into either") {
 TEST_CASE("several threads make the same bits and the same tallies as one") {
   CHECK(rc::check([] {
     const ArrayShape shape{70, 13, 40};
-    const Program program = *test::arbitrary_program(shape, 30);
+    const Program program = *test::arbitrary_program(shape, 30, 2);
     isa::validate(program);
     const machines::Machine machine = test::machine_of(shape, 1);
     const auto judge = sim::make_reference_engine(machine);
@@ -259,7 +288,7 @@ TEST_CASE("random Programs skip, and have skips that skip nothing") {
   // Enough Programs, however few a check is told to make.
   for (int round = 0; round < 5; ++round) {
     CHECK(rc::check([&] {
-      const Program program = *test::arbitrary_program({8, 8, 72}, 40);
+      const Program program = *test::arbitrary_program({8, 8, 72}, 40, 2);
       sim::make_reference_engine(test::machine_of(program.shape, 1))->run(program, observers);
     }));
   }

@@ -133,7 +133,7 @@ sim::Snapshot snapshot_at(std::uint64_t number, const isa::Program& program, con
 
 TEST_CASE("a run that is stopped anywhere, saved, read and resumed at any level ends as one that never stopped") {
   for (const isa::ArrayShape shape : {isa::ArrayShape{8, 8, 72}, {70, 5, 33}, {1, 9, 24}})
-    CHECK(survives_interruptions(planes(shape), test::arbitrary_program(shape, 40)));
+    CHECK(survives_interruptions(planes(shape), test::arbitrary_program(shape, 40, 2)));
 }
 
 TEST_CASE("so does one of a machine that draws the picture in parts, at their beginnings and ends too") {
@@ -167,6 +167,32 @@ TEST_CASE("a run stops before the instruction that it is told to stop at, and a 
     run->advance(12, {});
     CHECK(run->finished());
     CHECK(run->result().answers == std::vector<bool>{true, true});
+  }
+}
+
+TEST_CASE("a run that is resumed between squares and their instruction has the squares") {
+  isa::Program program;
+  program.shape = {90, 5, 16};
+  program.segments.push_back(
+      {{0, 0, 90, 5},
+       {{.opcode = isa::Opcode::enable_all},
+        {.opcode = isa::Opcode::squares, .linear = {.a = 1, .c = 2, .width = 17}},
+        {.opcode = isa::Opcode::load_linear, .fields = {isa::Field{0, 16}}, .linear = {.width = 17}},
+        {.opcode = isa::Opcode::linear_plus, .fields = {isa::Field{0, 16}}, .linear = {.width = 17}}}});
+  isa::validate(program);
+  const machines::Machine machine = planes(program.shape);
+  for (const auto& first : {sim::make_functional_engine(machine), sim::make_reference_engine(machine)}) {
+    const auto stopped = first->begin(program);
+    stopped->advance(2, {});
+    for (const auto& second : {sim::make_functional_engine(machine), sim::make_reference_engine(machine)}) {
+      const auto resumed = second->begin(program);
+      resumed->restore(stopped->save());
+      CHECK(resumed->place() == sim::Place{0, 2});
+      resumed->advance(sim::Run::end, {});
+      CHECK(resumed->value({0, 16}, 80, 3) == 80U * 80 + 2 * 3 * 3);
+    }
+    stopped->advance(sim::Run::end, {});
+    CHECK(stopped->value({0, 16}, 80, 3) == 80U * 80 + 2 * 3 * 3);
   }
 }
 

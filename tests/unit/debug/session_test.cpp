@@ -173,7 +173,7 @@ TEST_CASE("errors show the column, and the nearest name") {
 TEST_CASE("back leads to the state before the last instructions that were carried out, however they were reached") {
   const isa::ArrayShape shape{9, 4, 40};
   CHECK(rc::check([&] {
-    Debugger debug(*test::arbitrary_program(shape, 60));
+    Debugger debug(*test::arbitrary_program(shape, 60, 2));
     std::vector<sim::RunState> states;
     while (!debug.session.run().finished()) {
       states.push_back(debug.session.run().save());
@@ -202,7 +202,7 @@ TEST_CASE("what no instruction is said to change, none changes, on random Progra
   const isa::ArrayShape shape{6, 3, 24};
   const machines::Machine machine = planes(shape);
   CHECK(rc::check([&] {
-    const isa::Program program = *test::arbitrary_program(shape, 40);
+    const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const auto run = sim::make_reference_engine(machine)->begin(program);
     const sim::Numbers numbers(program);
     while (!run->finished()) {
@@ -222,7 +222,7 @@ TEST_CASE("what no instruction is said to change, none changes, on random Progra
 TEST_CASE("a condition is met at the instruction at which looking after each of them finds it") {
   const isa::ArrayShape shape{4, 2, 16};
   CHECK(rc::check([&] {
-    Debugger debug(*test::arbitrary_program(shape, 60));
+    Debugger debug(*test::arbitrary_program(shape, 60, 2));
     const debug::Watched what{
         {0, static_cast<std::uint16_t>(*rc::gen::inRange(0, 3))}, *rc::gen::inRange(0U, 4U), *rc::gen::inRange(0U, 2U)};
     const debug::Condition condition{what, debug::Relation::changes, 0};

@@ -26,16 +26,19 @@ TEST_CASE("numbers without a row are not in the table") {
   for (unsigned number = 0; number < 256; ++number)
     if (in_table(static_cast<Opcode>(number))) ++numbers;
   CHECK(numbers == opcode_table.size());
-  CHECK_FALSE(in_table(static_cast<Opcode>(33)));
+  CHECK_FALSE(in_table(static_cast<Opcode>(37)));
 }
 
 TEST_CASE("the numbers of instructions stay what files and links have carried") {
   const std::vector<std::string_view> names{
-      "enable_all",   "enable_invert",     "enable_load",   "enable_and", "enable_and_not", "enable_or",   "enable_xor",
-      "enable_store", "edge_not_negative", "edge_negative", "linear_ge",  "linear_gt",      "linear_le",   "linear_lt",
-      "linear_eq",    "load_linear",       "keep_max",      "keep_min",   "set_constant",   "copy",        "field_lt",
-      "field_le",     "field_eq",          "bit_and",       "bit_or",     "bit_xor",        "bit_and_not", "bit_not",
-      "global_or",    "xor_constant",      "skip_if_none",  "add",        "stripe"};
+      "enable_all",   "enable_invert", "enable_load",  "enable_and",        "enable_and_not",
+      "enable_or",    "enable_xor",    "enable_store", "edge_not_negative", "edge_negative",
+      "linear_ge",    "linear_gt",     "linear_le",    "linear_lt",         "linear_eq",
+      "load_linear",  "keep_max",      "keep_min",     "set_constant",      "copy",
+      "field_lt",     "field_le",      "field_eq",     "bit_and",           "bit_or",
+      "bit_xor",      "bit_and_not",   "bit_not",      "global_or",         "xor_constant",
+      "skip_if_none", "add",           "stripe",       "squares",           "linear_plus",
+      "linear_minus", "root"};
   for (std::size_t number = 0; number < names.size(); ++number)
     CHECK(name_of(static_cast<Opcode>(number)) == names[number]);
 }
@@ -103,8 +106,20 @@ TEST_CASE("what reads its target has one, and a sum that may be cut is streamed"
     if (cuts_sum(row.opcode)) CHECK(has_operand(row.operands, OperandKind::linear));
     CHECK(reads_target(row.opcode) ==
           (row.meaning.find("> t") != row.meaning.npos || row.meaning.find("< t") != row.meaning.npos ||
-           row.meaning.find("t xor k") != row.meaning.npos || row.meaning.find("t + s") != row.meaning.npos));
+           row.meaning.find("t xor k") != row.meaning.npos || row.meaning.find("t + s") != row.meaning.npos ||
+           row.meaning.find("F + t") != row.meaning.npos || row.meaning.find("F - t") != row.meaning.npos ||
+           row.meaning.find("bits of t the") != row.meaning.npos));
     CHECK(cuts_sum(row.opcode) == (row.meaning.find("no overflow") != row.meaning.npos));
+  }
+}
+
+TEST_CASE("wide fields are for what loads or adds F and for roots, and what looks ahead skips or squares") {
+  for (const OpcodeInfo& row : opcode_table) {
+    CAPTURE(row.name);
+    const bool loads_or_adds = row.meaning.starts_with("where E: t := the low bits of F");
+    CHECK(takes_wide_field(row.opcode) == (loads_or_adds || row.clock_class == ClockClass::root));
+    CHECK(looks_ahead(row.opcode) ==
+          (has_operand(row.operands, OperandKind::count) || has_operand(row.operands, OperandKind::squares)));
   }
 }
 

@@ -60,14 +60,14 @@ TEST_CASE("the sample survives the text form") { CHECK(parse(printed(sample_prog
 
 TEST_CASE("every Program survives the text form") {
   CHECK(rc::check("parse(print(p)) == p", [] {
-    const auto program = *test::arbitrary_program({37, 20, 72}, 60);
+    const auto program = *test::arbitrary_program({37, 20, 72}, 60, 2);
     RC_ASSERT(parse(printed(program), "t") == program);
   }));
 }
 
 TEST_CASE("every Program is printed the same after it was read") {
   CHECK(rc::check("print(parse(print(p))) == print(p)", [] {
-    const std::string text = printed(*test::arbitrary_program({5, 3, 40}, 20));
+    const std::string text = printed(*test::arbitrary_program({5, 3, 40}, 20, 2));
     RC_ASSERT(printed(parse(text, "t")) == text);
   }));
 }

@@ -89,6 +89,7 @@ unsigned expected_bits(const Instruction& instruction) {
   for (const OperandKind kind : info(instruction.opcode).operands) {
     if (is_field(kind)) bits += 12 + 6;
     if (kind == OperandKind::linear) bits += 6 + 6 + 3U * instruction.linear.width;
+    if (kind == OperandKind::squares) bits += 6 + 3U * instruction.linear.width;
     if (kind == OperandKind::constant) bits += instruction.fields[0].width;
     if (kind == OperandKind::count) bits += 32;
   }
@@ -107,7 +108,7 @@ Instruction expected_of(Instruction instruction) {
 
 constexpr ArrayShape shape{1000, 700, 4096};
 
-Instruction some_instruction() { return *test::arbitrary_instruction(shape, shape.memory_bits, 3); }
+Instruction some_instruction() { return *test::arbitrary_instruction(shape, shape.memory_bits, 3, 2); }
 
 TEST_CASE("an instruction on a field is its number, the field's base and its width") {
   CHECK(bits_of(Instruction{Opcode::enable_and, {{{5, 1}}}, {}, 0, {}}, 24) ==
@@ -131,6 +132,15 @@ TEST_CASE("a linear expression is width, shift, then A, B and C in that width") 
         "110000"
         "011000"
         "100000"
+        "111111"
+        "010000"
+        "110111");
+}
+
+TEST_CASE("squares are width, then A, B and C in that width, and have no shift") {
+  CHECK(bits_of(Instruction{Opcode::squares, {}, {-1, 2, -5, 6, 0}, 0, {}}, 30) ==
+        "100001"
+        "011000"
         "111111"
         "010000"
         "110111");
@@ -274,7 +284,7 @@ TEST_CASE("random words are commands that are sent as they came, or errors, and 
 
 TEST_CASE("a number that is no command's is refused as soon as it is in, and a command can follow") {
   WireDecoder decoder(6);
-  for (unsigned number = 33; number < 61; ++number) {
+  for (unsigned number = 37; number < 61; ++number) {
     CAPTURE(number);
     CHECK_THROWS_AS(decoder.take(LinkWord{{number, 0, 0, 0}}), InputError);
     CHECK(std::get<Instruction>(decoder.take(LinkWord{{0, 0, 0, 0}}).value()).opcode == Opcode::enable_all);
@@ -348,7 +358,7 @@ TEST_CASE("what does not fit its bits is not sent") {
   instruction.fields[0].base = 4096;
   CHECK_THROWS_AS(packed(instruction), std::invalid_argument);
   CHECK_THROWS_AS(packed(Instruction{Opcode::skip_if_none, {}, {}, 1ULL << 32U, {}}), std::invalid_argument);
-  CHECK_THROWS_AS(packed(Instruction{static_cast<Opcode>(33), {}, {}, 0, {}}), std::invalid_argument);
+  CHECK_THROWS_AS(packed(Instruction{static_cast<Opcode>(37), {}, {}, 0, {}}), std::invalid_argument);
   CHECK_THROWS_AS(packed(Instruction{static_cast<Opcode>(255), {}, {}, 0, {}}), std::invalid_argument);
   CHECK_THROWS_AS(packed(SegmentStart{{0, 0, 65536, 1}}), std::invalid_argument);
 }

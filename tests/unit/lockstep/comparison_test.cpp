@@ -58,7 +58,7 @@ sim::Comparison compare(const isa::Program& a, const isa::Program& b) {
 TEST_CASE("two levels are equal at every instruction boundary of random Programs") {
   const isa::ArrayShape shape{9, 5, 40};
   CHECK(rc::check([&] {
-    const isa::Program program = *test::arbitrary_program(shape, 40);
+    const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const sim::Comparison found = compare(program, program);
     RC_ASSERT_FALSE(found.other_instruction.has_value());
     RC_ASSERT_FALSE(found.divergence.has_value());

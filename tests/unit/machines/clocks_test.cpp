@@ -97,6 +97,29 @@ TEST_CASE("a sum takes the clocks of its target, through which the carry ripples
   CHECK(machines::clocks({.opcode = Opcode::add, .fields = {Field{0, 20}, Field{20, 3}}}, wide) == 6);
 }
 
+TEST_CASE("each bit of a root takes three clocks, and one or two for each of those before it") {
+  const auto expected = [](std::uint64_t bits, std::uint64_t of_each_before) {
+    std::uint64_t clocks = 0;
+    for (std::uint64_t bit = 0; bit < bits; ++bit) clocks += 3 + of_each_before * bit;
+    return clocks;
+  };
+  for (std::uint16_t w = 1; w <= 30; ++w) {
+    CAPTURE(w);
+    const auto width = static_cast<std::uint16_t>(2 * w + 1);
+    CHECK(clocks(Opcode::root, {3, width}) == expected(w, 2));
+    CHECK(clocks(Opcode::root, {3, width}, {}, {}, 2) == expected(w, 1));
+  }
+  machines::Machine wide = machine(1);
+  wide.alu_bits = 8;
+  CHECK(machines::clocks({.opcode = Opcode::root, .fields = {Field{0, 41}}}, wide) == 20 * 20 + 2 * 20);
+}
+
+TEST_CASE("squares take a clock, and what adds F to a field the width of the expression") {
+  CHECK(machines::clocks({.opcode = Opcode::squares, .linear = {.a = 1, .width = 40}}, machine(1)) == 1);
+  CHECK(linear_clocks(Opcode::linear_plus, {0, 20}, 40) == 40);
+  CHECK(linear_clocks(Opcode::linear_minus, {0, 20}, 40) == 40);
+}
+
 TEST_CASE("a wider ALU works on as many bits of a field in a clock, the last of them too few to fill it or not") {
   Instruction instruction;
   instruction.fields = {Field{0, 20}, Field{20, 20}, Field{40, 20}};

@@ -62,7 +62,7 @@ class PixelObserver final : public sim::Observer {
 
 TEST_CASE("a pixel by itself is at every instruction of random Programs what it is in the whole array") {
   CHECK(rc::check([] {
-    const isa::Program program = *test::arbitrary_program(shape, 40);
+    const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const auto x = static_cast<std::uint32_t>(*rc::gen::inRange(0, 9));
     const auto y = static_cast<std::uint32_t>(*rc::gen::inRange(0, 5));
     const machines::Machine machine = testing::machine_of(program.shape);
@@ -82,7 +82,7 @@ TEST_CASE("a pixel by itself is at every instruction of random Programs what it 
 
 TEST_CASE("of any Program a story can be told, as text and as JSON") {
   CHECK(rc::check([] {
-    const isa::Program program = *test::arbitrary_program(shape, 40);
+    const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const story::Subject subject{program, nullptr};
     const story::Story story = story::Teller(program, testing::machine_of(program.shape)).story_of(4, 2);
     RC_ASSERT(!text_of(subject, story).empty());
