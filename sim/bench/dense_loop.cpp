@@ -29,6 +29,7 @@ constexpr Word majority(Word a, Word b, Word c) { return (a & b) | (c & (a | b))
 struct TreeBit {
   const Word* columns;
   Word b;
+  Word yy;
   unsigned bit;
   std::size_t row_words;
   std::size_t rows;
@@ -39,7 +40,7 @@ inline __attribute__((always_inline)) void add_each_row(const TreeBit& in, Word*
                                                         Word* __restrict carry) {
   const std::size_t length = fixed_words == 0 ? in.row_words : fixed_words;
   for (std::size_t y = 0; y < in.rows; ++y) {
-    const Word row = 0 - (in.b * y >> in.bit & 1U);
+    const Word row = 0 - ((in.yy * y + in.b) * y >> in.bit & 1U);
     for (std::size_t i = 0; i < length; ++i) {
       const std::size_t at = y * length + i;
       const Word c = carry[at];
@@ -62,6 +63,7 @@ struct Operands {
   Word* m;
   Word* e;
   Word* k;
+  Word* g;
   Word* latch;
   const Word* p;
   Word constant;
@@ -76,6 +78,7 @@ CSGSIM_WIDEST void carry_out(AluFunction function, const Operands& operands) {
   Word* const m = operands.m;
   Word* const e = operands.e;
   Word* const k = operands.k;
+  Word* const g = operands.g;
   Word* const latch = operands.latch;
   const Word constant = operands.constant;
   const auto every = [words = operands.words](auto word) {
@@ -127,6 +130,23 @@ CSGSIM_WIDEST void carry_out(AluFunction function, const Operands& operands) {
     case AluFunction::sum_from_0: every([&](std::size_t i) { add(i, x[i], y[i], 0); }); break;
     case AluFunction::sum: every([&](std::size_t i) { add(i, x[i], y[i], k[i]); }); break;
     case AluFunction::sum_with_0: every([&](std::size_t i) { add(i, 0, y[i], k[i]); }); break;
+    case AluFunction::sum_with_1_from_0: every([&](std::size_t i) { add(i, ~Word{0}, y[i], 0); }); break;
+    case AluFunction::sum_with_1: every([&](std::size_t i) { add(i, ~Word{0}, y[i], k[i]); }); break;
+    case AluFunction::difference_from_1: every([&](std::size_t i) { add(i, x[i], ~y[i], ~Word{0}); }); break;
+    case AluFunction::difference: every([&](std::size_t i) { add(i, x[i], ~y[i], k[i]); }); break;
+    case AluFunction::root_first:
+      every([&](std::size_t i) {
+        g[i] = ~k[i];
+        put(i, k[i], e[i]);
+      });
+      break;
+    case AluFunction::root_bit: every([&](std::size_t i) { add(i, x[i] ^ ~g[i], y[i], k[i]); }); break;
+    case AluFunction::root_sign:
+      every([&](std::size_t i) {
+        g[i] = y[i] ^ ~g[i] ^ k[i];
+        put(i, ~g[i], e[i]);
+      });
+      break;
     case AluFunction::store_enable: every([&](std::size_t i) { m[i] = e[i]; }); break;
   }
 }
@@ -141,6 +161,7 @@ DenseLoop::DenseLoop(const isa::ArrayShape& shape)
       present_(row_words_ * height_),
       enable_(present_.size()),
       carry_(present_.size()),
+      flag_(present_.size()),
       latch_(present_.size()),
       tree_(present_.size()),
       tree_carry_(present_.size()),
@@ -160,7 +181,7 @@ bool DenseLoop::any_enabled() const {
 
 std::uint64_t DenseLoop::run(const isa::Segment& segment) {
   for (Plane& plane : memory_) std::fill(plane.begin(), plane.end(), 0);
-  for (Plane* plane : {&present_, &enable_, &carry_, &latch_}) std::fill(plane->begin(), plane->end(), 0);
+  for (Plane* plane : {&present_, &enable_, &carry_, &flag_, &latch_}) std::fill(plane->begin(), plane->end(), 0);
   for (std::uint32_t y = 0; y < segment.region.height; ++y) {
     for (std::uint32_t x = 0; x < segment.region.width; ++x)
       present_[y * row_words_ + x / word_bits] |= Word{1} << (x % word_bits);
@@ -176,15 +197,21 @@ std::uint64_t DenseLoop::run(const isa::Segment& segment) {
 
 std::uint64_t DenseLoop::execute(const isa::Instruction& instruction) {
   const isa::Linear& linear = instruction.linear;
-  const array::Stream stream{static_cast<Word>(linear.a), static_cast<Word>(linear.b), static_cast<Word>(linear.c),
-                             linear.width};
+  sequencer_.begin(instruction);
+  const isa::Linear& squares = sequencer_.squares();
+  const array::Stream stream{.a = static_cast<Word>(linear.a),
+                             .b = static_cast<Word>(linear.b),
+                             .c = static_cast<Word>(linear.c),
+                             .xx = static_cast<Word>(squares.a),
+                             .xy = static_cast<Word>(squares.b),
+                             .yy = static_cast<Word>(squares.c),
+                             .bits = linear.width};
   kernels::StreamTable columns;
   if (linear.width > 0) columns = columns_.of({&stream, 1}).front();
   std::uint64_t steps = 0;
-  for (sequencer_.begin(instruction); sequencer_.busy(); ++steps) {
+  for (; sequencer_.busy(); ++steps) {
     const array::BitStep step = sequencer_.issue();
-    if (columns.columns != nullptr && step.root.token.active())
-      tree_bit(columns, static_cast<unsigned>(step.root.token.bit));
+    if (step.root.token.active()) tree_bit(columns, static_cast<unsigned>(step.root.token.bit));
     alu_step(step.pixels);
   }
   return steps;
@@ -192,9 +219,22 @@ std::uint64_t DenseLoop::execute(const isa::Instruction& instruction) {
 
 /// The adders' carry begins anew with bit 0, and runs from bit to bit.
 void DenseLoop::tree_bit(const kernels::StreamTable& columns, unsigned bit) {
+  if (columns.crossed != nullptr) return crossed_bit(*columns.crossed, bit);
   if (bit == 0) std::fill(tree_carry_.begin(), tree_carry_.end(), 0);
-  add_rows({columns.columns + bit * columns.stride, columns.b, bit, row_words_, height_}, tree_.data(),
+  add_rows({columns.columns + bit * columns.stride, columns.b, columns.yy, bit, row_words_, height_}, tree_.data(),
            tree_carry_.data());
+}
+
+/// With x*y the columns share nothing.
+void DenseLoop::crossed_bit(const array::Stream& stream, unsigned bit) {
+  for (std::size_t word = 0; word < tree_.size(); ++word) {
+    Word bits = 0;
+    for (std::size_t i = 0; i < word_bits; ++i) {
+      const std::uint64_t value = array::value_at(stream, word % row_words_ * word_bits + i, word / row_words_);
+      bits |= (value >> bit & 1U) << i;
+    }
+    tree_[word] = bits;
+  }
 }
 
 void DenseLoop::alu_step(const array::ArrayStep& step) {
@@ -208,6 +248,7 @@ void DenseLoop::alu_step(const array::ArrayStep& step) {
                        .m = row.writes ? memory_[step.write].data() : nullptr,
                        .e = enable_.data(),
                        .k = carry_.data(),
+                       .g = flag_.data(),
                        .latch = latch_.data(),
                        .p = present_.data(),
                        .constant = 0 - (step.constant & Word{1}),

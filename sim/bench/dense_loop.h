@@ -33,6 +33,7 @@ class DenseLoop {
  private:
   std::uint64_t execute(const isa::Instruction& instruction);
   void tree_bit(const array::kernels::StreamTable& columns, unsigned bit);
+  void crossed_bit(const array::Stream& stream, unsigned bit);
   void alu_step(const array::ArrayStep& step);
   [[nodiscard]] bool any_enabled() const;
 
@@ -43,6 +44,7 @@ class DenseLoop {
   Plane present_;
   Plane enable_;
   Plane carry_;
+  Plane flag_;
   Plane latch_;
   Plane tree_;
   Plane tree_carry_;  ///< of the adders that add the rows' part to the columns'

@@ -30,8 +30,8 @@ void same_as_reference(const bench::DenseLoop& dense, const sim::ReferenceRun& r
 TEST_CASE("the dense loop leaves what the reference leaves, on random Programs") {
   CHECK(rc::check([] {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 100U), *rc::gen::inRange(1U, 9U), 40};
-    const isa::Program program = *test::arbitrary_program(shape, 40);
-    machines::Machine machine = kinds::load("pixel-planes-4");
+    const isa::Program program = *test::arbitrary_program(shape, 40, 2);
+    machines::Machine machine = kinds::load("pixel-powers");
     machines::adopt(machine, program);
     sim::ReferenceRun reference(program, machine);
     reference.advance(~std::uint64_t{0}, {});

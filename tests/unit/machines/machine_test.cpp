@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/area.h"
 #include "hw/machines/description.h"
 #include "hw/machines/regions.h"
+#include "hw/machines/runs_on.h"
 #include "hw/machines/schema.h"
 #include "hw/pixel_planes/figures.h"
 
@@ -263,4 +265,39 @@ TEST_CASE("a change that is none is told") {
   CHECK_THROWS_AS(kinds::load("pixel-square+divider.kind"), csgsim::InputError);
   CHECK_THROWS_AS(kinds::load("pixel-square+"), csgsim::InputError);
   CHECK_THROWS_AS(kinds::load("pixel-planes-4+array.memory_bits=0"), csgsim::InputError);
+}
+
+TEST_CASE("a machine of degree 1 refuses a Program with squares and names one that takes it") {
+  isa::Program program;
+  program.shape = {8, 4, 16};
+  const isa::Linear wide{.a = 1, .width = 9};
+  program.segments = {{.region = {0, 0, 8, 4},
+                       .instructions = {{.opcode = isa::Opcode::enable_all},
+                                        {.opcode = isa::Opcode::squares, .linear = wide},
+                                        {.opcode = isa::Opcode::edge_negative, .linear = wide}}}};
+  Machine machine = kinds::load("pixel-planes-4");
+  machines::adopt(machine, program);
+  CHECK_THROWS_WITH_AS(
+      machines::check_runs_on(program, machine),
+      "segment 0, instruction 1: squares needs quadratic expressions, which the machine pixel-planes-4 "
+      "does not have; compile the model for this machine, or take one whose evaluator.degree is 2, as "
+      "pixel-powers",
+      InputError);
+  for (const std::string name : {"pixel-powers", "pixel-planes-4+evaluator.degree=2"}) {
+    machine = kinds::load(name);
+    machines::adopt(machine, program);
+    CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  }
+  program.segments.front().instructions.erase(program.segments.front().instructions.begin() + 1);
+  machine = kinds::load("pixel-planes-4");
+  machines::adopt(machine, program);
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+}
+
+TEST_CASE("expressions are of degree 2 on the machines whose papers say so, and of degree 1 on the others") {
+  for (const std::string_view name : kinds::built_in_names()) {
+    CAPTURE(name);
+    const bool quadratic = name == "pixel-powers" || name == "pixel-planes-5";
+    CHECK(kinds::load(std::string(name)).evaluator_degree == (quadratic ? 2 : 1));
+  }
 }

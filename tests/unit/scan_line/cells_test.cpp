@@ -22,17 +22,17 @@ __extension__ using Wide = __int128;
 
 constexpr std::uint32_t cells = 40;
 
-/// The low bits of C + A*x.
-std::uint64_t low_bits(const isa::Linear& linear, std::uint32_t x) {
-  const Wide sum = static_cast<Wide>(linear.a) * x + linear.c;
+/// The low bits of C + A*x, and S*x*x besides.
+std::uint64_t low_bits(const isa::Linear& linear, std::uint32_t x, std::int64_t square = 0) {
+  const Wide sum = (static_cast<Wide>(square) * x + linear.a) * x + linear.c;
   return static_cast<std::uint64_t>(sum) & ((std::uint64_t{1} << linear.width) - 1);
 }
 
 /// The running sum of every cell, when all words of the packet have been there.
-std::vector<std::uint64_t> running_sums(const isa::Linear& linear, std::uint32_t word_bits) {
+std::vector<std::uint64_t> running_sums(const isa::Linear& linear, std::uint32_t word_bits, std::int64_t square = 0) {
   const CellShape shape{.word_bits = word_bits};
   Cells chain(cells, 8, shape);
-  PacketWord beat = instruction_packet({.opcode = isa::Opcode::edge_negative, .linear = linear}, shape);
+  PacketWord beat = instruction_packet({.opcode = isa::Opcode::edge_negative, .linear = linear}, shape, {.a = square});
   for (bool more = true; more;) {
     PacketWord word = beat;
     for (std::uint32_t cell = 0; cell < cells; ++cell) chain.add(cell, word);
@@ -124,6 +124,33 @@ TEST_CASE("a cell that would act before its fields have been read is an error") 
   CHECK_THROWS_AS(cell.act(0, beat), std::logic_error);
 }
 
+TEST_CASE("with squares every cell has C + A*x + S*x*x, wrapped, by the second difference alone") {
+  CHECK(rc::check([] {
+    const auto smaller = *rc::gen::inRange(0U, 56U);
+    const auto any = [&](unsigned bits) {
+      return *rc::gen::resize(rc::kNominalSize,
+                              rc::gen::inRange(-(std::int64_t{1} << bits), std::int64_t{1} << bits)) >>
+             smaller;
+    };
+    const std::int64_t square = any(50);
+    const auto width = *rc::gen::inRange<std::uint16_t>(1, isa::max_linear_width + 1);
+    const isa::Linear linear{.a = any(55), .c = any(60), .width = width};
+    std::vector<std::uint64_t> expected;
+    for (std::uint32_t x = 0; x < cells; ++x) expected.push_back(low_bits(linear, x, square));
+    for (std::uint32_t word_bits = 1; word_bits <= 64; ++word_bits)
+      RC_ASSERT(running_sums(linear, word_bits, square) == expected);
+  }));
+}
+
+TEST_CASE("a cell that acts before it has found all bits of a root says so") {
+  const CellShape shape{.word_bits = 8};
+  Cells chain(1, 16, shape);
+  const PacketWord beat = instruction_packet({.opcode = Opcode::root, .fields = {Field{0, 7}}}, shape);
+  chain.fetch(0, beat);
+  chain.try_root(0, beat);
+  CHECK_THROWS_AS(chain.act(0, beat), std::logic_error);
+}
+
 TEST_CASE("a packet occupies a cell for its words, or for the reads and then the writes of its memory") {
   struct Row {
     Instruction instruction;
@@ -159,6 +186,16 @@ TEST_CASE("a packet occupies a cell for its words, or for the reads and then the
       {{.opcode = Opcode::stripe, .linear = {.width = 33}}, {32, 1}, 2},
       {{.opcode = Opcode::set_constant, .fields = {wide}, .constant = 1}, {16, 1}, 4},
       {{.opcode = Opcode::set_constant, .fields = {wide}, .constant = 1}, {16, 3}, 2},
+      {{.opcode = Opcode::squares, .linear = {.width = 40}}, {32, 1}, 1},
+      {{.opcode = Opcode::linear_plus, .fields = {low}, .linear = {.width = 30}}, {32, 1}, 2},
+      {{.opcode = Opcode::linear_minus, .fields = {across}, .linear = {.width = 40}}, {32, 1}, 4},
+      // A word read, a trial each of the root's bits, and a word written in the clock of the last.
+      {{.opcode = Opcode::root, .fields = {Field{0, 31}}}, {32, 1}, 1 + 15},
+      {{.opcode = Opcode::root, .fields = {Field{0, 31}}}, {32, 0}, 15},
+      {{.opcode = Opcode::root, .fields = {Field{0, 61}}}, {32, 1}, 2 + 30 + 1},
+      // The trials of 17 bits and more take two clocks; five words are written.
+      {{.opcode = Opcode::root, .fields = {Field{0, 61}}}, {16, 1}, 4 + 14 + 2 * 16 + 3},
+      {{.opcode = Opcode::root, .fields = {Field{0, 7}}}, {1, 0}, 3 + 4 + 5},
   };
   for (const Row& row : rows) {
     CAPTURE(isa::name_of(row.instruction.opcode));

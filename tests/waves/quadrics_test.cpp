@@ -1,0 +1,184 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program_file.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/regions.h"
+#include "tests/cli/cli.h"
+#include "tests/waves/engine_state.h"
+#include "tests/waves/vcd.h"
+
+namespace {
+
+using namespace csgsim;
+using namespace csgsim::testing::cli;
+using csgsim::test::EngineState;
+using csgsim::test::Vcd;
+using isa::Opcode;
+
+constexpr isa::Field root_field{0, 31};  // a root of 15 bits above what is left
+constexpr isa::Field root{16, 15};
+constexpr isa::Field depth{40, 15};
+constexpr std::uint16_t width = 36;
+
+/// An ellipsoid whose axes are askew to the picture, about pixel 12,8, as depth; x and y counted from the region's
+/// corner.
+std::vector<isa::Instruction> ellipsoid(const isa::Region& region) {
+  constexpr std::int64_t scale = 5000;
+  const std::int64_t x = 12 - static_cast<std::int64_t>(region.x);
+  const std::int64_t y = 8 - static_cast<std::int64_t>(region.y);
+  const isa::Linear squares{.a = -scale, .b = -scale, .c = -scale, .width = width};
+  const isa::Linear rest{
+      .a = scale * (2 * x + y), .b = scale * (2 * y + x), .c = scale * (49 - x * x - x * y - y * y), .width = width};
+  const isa::Linear middle{.a = 7, .b = -3, .c = 9000, .width = width};
+  return {{.opcode = Opcode::enable_all},
+          {.opcode = Opcode::squares, .linear = squares},
+          {.opcode = Opcode::edge_not_negative, .linear = rest},
+          {.opcode = Opcode::squares, .linear = squares},
+          {.opcode = Opcode::load_linear, .fields = {root_field}, .linear = rest},
+          {.opcode = Opcode::root, .fields = {root_field}},
+          {.opcode = Opcode::copy, .fields = {depth, root}},
+          {.opcode = Opcode::linear_minus, .fields = {depth}, .linear = middle},
+          {.opcode = Opcode::linear_plus, .fields = {depth}, .linear = middle}};
+}
+
+isa::Program drawn_on(const machines::Machine& machine) {
+  isa::Program program;
+  program.shape = {machine.picture.width, machine.picture.height, 64};
+  program.facts.fields = {{"root", root_field}, {"depth", depth, isa::FieldRole::depth}};
+  for (const isa::Region& region : machines::regions(machine))
+    program.segments.push_back({.region = region, .instructions = ellipsoid(region)});
+  return program;
+}
+
+struct Drawn {
+  machines::Machine machine;
+  isa::Program program;
+  std::string file;
+};
+
+Drawn drawn(const std::string& name, const Folder& folder) {
+  Drawn one{kinds::load(name), {}, folder / "p.csgt"};
+  machines::set_picture_size(one.machine, {24, 16});
+  machines::complete(one.machine);
+  one.program = drawn_on(one.machine);
+  isa::save_program(one.program, one.file);
+  machines::adopt(one.machine, one.program);
+  return one;
+}
+
+Vcd recorded(const Drawn& one, const std::string& name, const std::string& more, const std::string& file) {
+  const Outcome outcome = run(fmt::format("wave {} --machine {} --pixel 12,8 {} -o {}", one.file, name, more, file));
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+  return Vcd(content(file));
+}
+
+struct Case {
+  std::string machine;
+  std::string top;
+  std::vector<std::string> parts;
+};
+
+const std::vector<Case> cases{
+    {"pixel-powers", "frame_buffer", {"root.xx", "root.xy", "root.yy", "pixel_12_8.flag"}},
+    {"pixel-planes-4+evaluator.degree=2+memory.reads=2+alu.bits=4", "frame_buffer", {"root.xx", "pixel_12_8.flag"}},
+    {"scan-line+evaluator.degree=2", "scan_line", {"entry.aa", "pixel_12_8.aa"}},
+    {"pixel-square+evaluator.degree=2+divider.kind=host",
+     "pixel_square",
+     {"renderer_0.root.xx", "renderer_0.root.yy", "pixel_12_8.flag"}},
+    {"pixel-planes-5+divider.kind=host", "pixel_square", {"renderer_0.root.xy", "pixel_12_8.flag"}},
+};
+
+void hold(const Case& one) {
+  const Folder folder;
+  const Drawn frame = drawn(one.machine, folder);
+  const EngineState state(frame.program, frame.machine, 12, 8);
+  const std::uint64_t begin = state.first_clock();
+  const std::uint64_t end = state.last_clock();
+  const Vcd vcd = recorded(frame, one.machine, fmt::format("--window {}:{}", begin, end), folder / "w.vcd");
+  const std::uint64_t period = 1'000'000'000'000 / frame.machine.clock_hz;
+  for (const std::string& part : one.parts) CHECK_NOTHROW((void)vcd.at(one.top + "." + part, vcd.last_time()));
+  std::size_t held = 0;
+  for (std::uint64_t clock = begin; clock < end; ++clock) {
+    const auto shown = [&, time = (clock + 1) * period + period / 2](const std::string& name) {
+      return vcd.number_at(one.top + ".pixel_12_8." + name, time);
+    };
+    CAPTURE(clock);
+    if (const auto enable = state.enable_at(clock)) REQUIRE(shown("enable") == static_cast<std::uint64_t>(*enable));
+    for (const isa::NamedField& named : frame.program.facts.fields) {
+      CAPTURE(named.name);
+      const auto expected = state.field_at(named.field, clock);
+      if (expected) REQUIRE(shown(named.name) == expected);
+      if (expected && *expected != 0) ++held;
+    }
+  }
+  CHECK(held > 20);
+}
+
+TEST_CASE("a wave of any kind of machine shows roots and quadratic expressions as the reference has them") {
+  for (const Case& one : cases) {
+    CAPTURE(one.machine);
+    hold(one);
+  }
+}
+
+TEST_CASE("probed alone from the instruction after squares on, a pixel does what it does in the whole machine") {
+  const Folder folder;
+  const std::string name = "pixel-powers";
+  const Drawn one = drawn(name, folder);
+  for (const std::string window : {"i1:i2", "i2:i3", "i4", "i5:i6", "i7:i9"}) {
+    CAPTURE(window);
+    const std::string words = "--probe tree.x:2 --probe tree.y:1 --window " + window;
+    recorded(one, name, words, folder / "probed.vcd");
+    recorded(one, name, words + " --whole", folder / "whole.vcd");
+    CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
+  }
+}
+
+/// 2^bits - 1.
+std::int64_t mask(unsigned bits) { return (std::int64_t{1} << bits) - 1; }
+
+TEST_CASE("level by level the trees form the value at a node's first leaf, and its slopes there") {
+  const Folder folder;
+  const std::string name = "pixel-powers";
+  const Drawn one = drawn(name, folder);
+  const EngineState state(one.program, one.machine, 12, 8);
+  const std::string words =
+      fmt::format("--probe tree.x:2 --probe tree.y:1 --window {}:{}", state.first_clock() - 12, state.last_clock());
+  const Vcd vcd = recorded(one, name, words, folder / "w.vcd");
+  const isa::Linear& s = one.program.segments.front().instructions[1].linear;
+  const isa::Linear& l = one.program.segments.front().instructions[2].linear;
+  // Of 5 levels over 24 columns the second has seen that x = 12 = 01100b is 8 at least; of 4 over 16 rows the first
+  // that y is 8.
+  struct Stream {
+    std::string name;
+    std::int64_t value;
+    std::string bit;
+  };
+  const std::vector<Stream> streams{
+      {"tree_x_2", s.a * 8 * 8 + l.a * 8 + l.c, "tree_x_2_bit"},
+      {"tree_x_2_slope", 2 * s.a * 8 + l.a, "tree_x_2_bit"},
+      {"tree_x_2_row_slope", s.b * 8 + l.b, "tree_x_2_bit"},
+      {"tree_y_1", s.a * 12 * 12 + l.a * 12 + l.c + (s.b * 12 + l.b) * 8 + s.c * 8 * 8, "tree_y_1_bit"},
+      {"tree_y_1_slope", s.b * 12 + l.b + 2 * s.c * 8, "tree_y_1_bit"}};
+  for (const Stream& stream : streams) {
+    CAPTURE(stream.name);
+    std::int64_t gathered = 0;
+    std::size_t found = 0;
+    for (std::uint64_t time = vcd.first_time() + 50'000; time < vcd.last_time(); time += 100'000) {
+      const auto bit = vcd.number_at("frame_buffer.pixel_12_8." + stream.bit, time);
+      if (!bit) continue;
+      if (*bit == 0) gathered = 0;
+      gathered |= static_cast<std::int64_t>(*vcd.number_at("frame_buffer.pixel_12_8." + stream.name, time)) << *bit;
+      if (*bit + 1 == width && gathered == (stream.value & mask(width))) ++found;
+    }
+    CHECK(found == 2);  // of the two instructions that have squares before them
+  }
+}
+
+}  // namespace
