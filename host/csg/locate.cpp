@@ -66,6 +66,26 @@ Known locate(const view::View& view, const view::ScreenPlane& plane, bool positi
   return Known::depends;
 }
 
+Known locate(const view::View& view, facet::QuadricSide side, const Block& block) {
+  const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
+  if (quadric.kind == view::ScreenQuadricKind::unfit) return Known::depends;
+  const view::RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, block.pixels);
+  const bool all = ranges.discriminant.low >= 0;
+  const bool none = ranges.discriminant.high < 0;
+  const auto known = [](bool in, bool out) { return in ? Known::in : out ? Known::out : Known::depends; };
+  switch (view::role_of(quadric, side)) {
+    case view::QuadricRole::between:
+      return known(all && ranges.near.high <= block.z_low && ranges.far.low > block.z_high,
+                   none || ranges.near.low > block.z_high || ranges.far.high <= block.z_low);
+    case view::QuadricRole::until:
+      return known(none || ranges.near.low > block.z_high, all && ranges.near.high <= block.z_low);
+    case view::QuadricRole::from:
+      return known(all && ranges.far.high <= block.z_low, none || ranges.far.low > block.z_high);
+    case view::QuadricRole::edge: return known(all, none);
+  }
+  return Known::depends;
+}
+
 Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block) {
   const view::Extent& extent = view.extents[primitive];
   const view::PixelRect shared = common(extent.pixels, block.pixels);
@@ -77,6 +97,11 @@ Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t pr
     if (known == Known::out) return Known::out;
     inside = inside && known == Known::in;
   }
+  for (const facet::QuadricSide side : scene.solids[primitive].quadrics) {
+    const Known known = locate(view, side, part);
+    if (known == Known::out) return Known::out;
+    inside = inside && known == Known::in;
+  }
   return inside ? Known::in : Known::depends;
 }
 
@@ -85,10 +110,13 @@ bool holds(const view::View& view, const facet::Scene& scene, std::uint32_t prim
   const bool is_inside = !block.pixels.empty() && !extent.empty() &&
                          common(extent.pixels, block.pixels) == block.pixels && extent.z_low <= block.z_high &&
                          extent.z_high >= block.z_low;
+  const std::vector<facet::QuadricSide>& quadrics = scene.solids[primitive].quadrics;
   const std::vector<facet::Halfspace>& halfspaces = scene.solids[primitive].halfspaces;
-  return is_inside && std::all_of(halfspaces.begin(), halfspaces.end(), [&](const facet::Halfspace& halfspace) {
-           return locate(view, halfspace, block) == Known::in;
-         });
+  return is_inside &&
+         std::all_of(halfspaces.begin(), halfspaces.end(),
+                     [&](const facet::Halfspace& halfspace) { return locate(view, halfspace, block) == Known::in; }) &&
+         std::all_of(quadrics.begin(), quadrics.end(),
+                     [&](facet::QuadricSide side) { return locate(view, side, block) == Known::in; });
 }
 
 }  // namespace csgsim::csg

@@ -30,10 +30,14 @@ Known locate(const view::View& view, facet::Halfspace halfspace, const Block& bl
 /// The same for one side of any plane.
 Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block);
 
-/// The same for a convex primitive: out if one half-space is out, in if all are in and the block is inside its extent.
+/// The same for what is on that side of a quadric; of one that is unfit nothing is known.
+Known locate(const view::View& view, facet::QuadricSide side, const Block& block);
+
+/// The same for a convex primitive: out if one half-space or quadric is out, in if all are in and the block is inside
+/// its extent.
 Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block);
 
-/// Whether that is known to be in, found with no more half-spaces than that takes.
+/// Whether that is known to be in, found with no more half-spaces and quadrics than that takes.
 bool holds(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block);
 
 }  // namespace csgsim::csg

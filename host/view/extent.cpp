@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "host/view/quadric_extent.h"
+
 namespace csgsim::view {
 
 namespace {
@@ -103,11 +105,15 @@ void narrow_by_planes(Extent& extent, const facet::Convex& solid, const View& vi
 /// In the picture a solid is the intersection of half-spaces g(p) <= 0. Where rounding moves each of them to
 /// g(p) <= d, and g(inside) <= -s < 0, scaling the solid about `inside` by 1 + max d/s gives one that holds the rounded
 /// solid: this is max d/s, infinite for a solid without inside.
-double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool near_cuts, const View& view) {
+double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool near_cuts, const View& view,
+                    const PixelRect& pixels) {
   // What the near plane cuts, at depth 1, is capped at depth 0.
   double growth = near_cuts ? 1.0 / std::max(inside.z - 1.0, 0.0) : 0.0;
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     growth = std::max(growth, relative_move(view, halfspace, inside));
+  }
+  for (const facet::QuadricSide side : solid.quadrics) {
+    growth = std::max(growth, growth_of(view.quadrics[side.quadric], side, inside, view, pixels));
   }
   return growth;
 }
@@ -124,7 +130,24 @@ facet::Box box_around(const std::vector<glm::dvec3>& places, const EyeSpace& spa
   return {box.low - more, box.high + more};
 }
 
+/// Of the block of pixels and depths that the integers leave, which holds the solid whatever rounding does.
+std::vector<glm::dvec3> corners_of(const Extent& extent) {
+  std::vector<glm::dvec3> corners;
+  for (const std::int32_t x : {extent.pixels.x0, extent.pixels.x1}) {
+    for (const std::int32_t y : {extent.pixels.y0, extent.pixels.y1}) {
+      for (const std::int64_t z : {extent.z_low, extent.z_high}) corners.emplace_back(x, y, static_cast<double>(z));
+    }
+  }
+  return corners;
+}
+
 }  // namespace
+
+PixelRect pixels_of(const facet::Convex& solid, const EyeSpace& space, const View& view) {
+  std::vector<glm::dvec3> places = clip_near(solid, space, view.depth.near);
+  for (glm::dvec3& place : places) place = space.to_picture(place);
+  return places.empty() ? PixelRect{} : touched_pixels(places, view.sampling);
+}
 
 Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View& view) {
   const Sampling& sampling = view.sampling;
@@ -143,7 +166,7 @@ Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View
   const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
   Extent extent{touched_pixels(places, sampling), 0, top, everywhere, near_cuts, {}};
   if (extent.empty()) return extent;
-  const double growth = growth_about(inside, solid, near_cuts, view);
+  const double growth = growth_about(inside, solid, near_cuts, view, extent.pixels);
   if (std::isfinite(growth)) {
     double low = infinite;
     double high = -infinite;
@@ -161,6 +184,11 @@ Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View
     extent.corners = std::move(places);
   }
   narrow_by_planes(extent, solid, view);
+  for (const facet::QuadricSide side : solid.quadrics) narrow(extent, view.quadrics[side.quadric], side, view);
+  if (!solid.quadrics.empty() && extent.corners.empty() && !extent.empty()) {
+    extent.corners = corners_of(extent);
+    extent.box = box_around(extent.corners, space, view);
+  }
   return extent;
 }
 

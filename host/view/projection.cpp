@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 
 #include "host/view/extent.h"
 #include "host/view/eye_space.h"
+#include "host/view/screen_quadric.h"
 #include "hw/base/error.h"
 #include "hw/isa/depth_scale.h"
 
@@ -61,12 +64,27 @@ void check_near(double near, double far) {
   }
 }
 
+/// The depths of an ellipsoid, which are less than its hull's.
+void narrow_depth(facet::Box& box, const facet::Convex& solid, const facet::QuadricTable& quadrics,
+                  const EyeSpace& space) {
+  if (solid.quadrics.size() != 1) return;
+  const facet::Quadric& quadric = quadrics.quadrics()[solid.quadrics.front().quadric];
+  if (quadric.kind != facet::QuadricKind::ellipsoid) return;
+  const auto& rows = quadric.to_unit;
+  const glm::dmat3 to_unit = glm::transpose(glm::dmat3(rows[0], rows[1], rows[2]));
+  const double half = glm::length(space.axes.forward * glm::inverse(to_unit));
+  const double middle = space.to_eye(quadric.origin + quadrics.centre()).z;
+  box.low.z = std::max(box.low.z, middle - half);
+  box.high.z = std::min(box.high.z, middle + half);
+}
+
 isa::DepthScale fit_depth(const facet::Scene& scene, const model::Tree& tree, const EyeSpace& space,
                           const Sampling& sampling) {
   std::vector<facet::Box> boxes;
   for (const facet::Convex& solid : scene.solids) {
     facet::Box box;
     for (const glm::dvec3& vertex : solid.vertices) box = hull(box, space.to_eye(vertex));
+    narrow_depth(box, solid, scene.quadrics, space);
     boxes.push_back(box);
   }
   const facet::Box box = facet::fold_boxes(tree, boxes);
@@ -161,6 +179,21 @@ ScreenPlane make_screen_plane(const EyeSpace& space, const isa::DepthScale& scal
   return surface;
 }
 
+void add_quadrics(View& view, const facet::Scene& scene, const EyeSpace& space) {
+  const std::vector<facet::Quadric>& quadrics = scene.quadrics.quadrics();
+  if (quadrics.empty()) return;
+  std::vector<PixelRect> touched(quadrics.size());
+  for (const facet::Convex& solid : scene.solids) {
+    if (solid.quadrics.empty()) continue;
+    const PixelRect pixels = pixels_of(solid, space, view);
+    for (const facet::QuadricSide side : solid.quadrics) touched[side.quadric] = hull(touched[side.quadric], pixels);
+  }
+  view.quadrics.reserve(quadrics.size());
+  for (std::size_t i = 0; i < quadrics.size(); ++i) {
+    view.quadrics.push_back(make_screen_quadric(space, view, quadrics[i], scene.quadrics.centre(), touched[i]));
+  }
+}
+
 }  // namespace
 
 Side side_of(const ScreenPlane& plane, bool positive) {
@@ -203,6 +236,7 @@ View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera&
   for (const facet::Plane& plane : scene.planes.planes()) {
     view.planes.push_back(make_screen_plane(space, view.depth, sampling, to_eye(space, plane, scene.planes.centre())));
   }
+  add_quadrics(view, scene, space);
   for (const facet::Convex& solid : scene.solids) view.extents.push_back(make_extent(solid, space, view));
   const double far_step = (view.depth.far - view.depth.near) / isa::depth_steps(sampling.z_bits);
   view.depth_step = space.perspective ? far_step * view.depth.far / view.depth.near : far_step;

@@ -11,6 +11,7 @@
 #include "host/view/camera.h"
 #include "host/view/eye_space.h"
 #include "host/view/fixed_point.h"
+#include "host/view/quadrics.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::view {
@@ -85,9 +86,10 @@ struct View {
   Camera camera;
   Sampling sampling;
   isa::DepthScale depth;
-  std::vector<ScreenPlane> planes;  ///< one a canonical plane
-  std::vector<Extent> extents;      ///< one a primitive
-  double depth_step = 0;            ///< model units of a depth step where it is coarsest
+  std::vector<ScreenPlane> planes;        ///< one a canonical plane
+  std::vector<Extent> extents;            ///< one a primitive
+  double depth_step = 0;                  ///< model units of a depth step where it is coarsest
+  std::vector<ScreenQuadric> quadrics{};  ///< one a canonical quadric
 };
 
 /// Model space, eye space and picture of a camera, the picture's columns and rows counted from where the first pixel is

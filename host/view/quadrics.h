@@ -15,7 +15,12 @@ struct FixedQuadratic {
   FixedLinear linear;
 };
 
-/// Bounds of a quadratic function over a rectangle of pixels: never narrower than its values there.
+/// Its value at a pixel.
+std::int64_t value_at(const FixedQuadratic& quadratic, std::int32_t x, std::int32_t y);
+
+/// Bounds of a quadratic function over a rectangle of pixels, which is not empty: never narrower than its values there,
+/// and just those but for a top or bottom within the rectangle, where they may be wider by a third of the sum of the
+/// sizes of its coefficients of the second degree.
 Range range_over(const FixedQuadratic& quadratic, const PixelRect& rect);
 
 enum class ScreenQuadricKind : std::uint8_t {
@@ -31,17 +36,21 @@ enum class ScreenQuadricKind : std::uint8_t {
 ///
 ///     near = M - (q << unit),    far = M + ((q + 1) << unit)    (depth steps)
 ///
-/// Edge: the ray is in the quadric where the discriminant is not negative.
+/// Edge: the ray is in the quadric where the discriminant is not negative; D is of no unit then.
+///
+/// With unit > 0, D is of depth in units of 2^unit steps.
 struct ScreenQuadric {
   ScreenQuadricKind kind = ScreenQuadricKind::roots;
   FixedLinear middle;           ///< with Sampling::fraction_bits
   FixedQuadratic discriminant;  ///< below 2^61 everywhere in the picture
   unsigned discriminant_shift = 0;
-  unsigned unit = 0;              ///< depth is right to 2^unit steps; more than 0 only where the surface is steep
-  bool eye_inside = false;        ///< the coefficient of depth squared is negative: between its depths a ray is outside
-  double middle_error = 0;        ///< bounds of what rounding does before the floor, over `pixels`: of the middle,
+  unsigned unit = 0;        ///< depth is right to 2^unit steps; more than 0 only of cylinders in orthographic
+                            ///< views that are so steep that this is less than Sampling::edge_on_fraction sideways
+  bool eye_inside = false;  ///< the coefficient of depth squared is negative: between its depths a ray is outside
+  double middle_error = 0;  ///< bounds of what rounding does before the floor, over `pixels`: of the middle,
   double discriminant_error = 0;  ///< and of D, in its own units
   PixelRect pixels;               ///< that solids which it bounds can touch
+  bool eye_on_axis_nappe = true;  ///< eye_inside of a cone: the eye is in the nappe that the axis points into
 };
 
 /// What a quadric is to a solid that it bounds.
@@ -51,5 +60,22 @@ enum class QuadricRole : std::uint8_t {
   from,     ///< in is z >= far: the other nappe, seen through the eye's own; where D < 0, nothing
   edge,     ///< in is where the discriminant is not negative
 };
+
+/// What a quadric that is not unfit is to a solid on that side of it.
+QuadricRole role_of(const ScreenQuadric& quadric, facet::QuadricSide side);
+
+/// Bounds of the integers of a quadric of two roots, over a rectangle of pixels, which is not empty. Those of the root
+/// and of the depths are over the pixels where D is not negative: 0 and empty ranges where there are none.
+struct RootRanges {
+  Range discriminant;          ///< of D
+  std::int64_t most_root = 0;  ///< of q
+  Range near{0, -1};
+  Range far{0, -1};
+};
+
+RootRanges ranges_over(const ScreenQuadric& quadric, unsigned fraction_bits, const PixelRect& rect);
+
+/// floor(sqrt(value)); `value` is not negative.
+std::int64_t floor_root(std::int64_t value);
 
 }  // namespace csgsim::view

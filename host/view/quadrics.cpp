@@ -1,0 +1,113 @@
+#include "host/view/quadrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace csgsim::view {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+Wide floor_quotient(Wide dividend, Wide divisor) {
+  const Wide quotient = dividend / divisor;
+  return quotient * divisor != dividend && (dividend < 0) != (divisor < 0) ? quotient - 1 : quotient;
+}
+
+void include(Range& range, std::int64_t value) {
+  range.low = std::min(range.low, value);
+  range.high = std::max(range.high, value);
+}
+
+/// A*t^2 + B*t + C along a side of a rectangle.
+struct Side {
+  Wide a;
+  Wide b;
+  std::int32_t first;
+  std::int32_t last;
+};
+
+/// Calls visit(t) for the integers next to the side's turning point.
+template <class Visit>
+void for_turning_point(const Side& side, const Visit& visit) {
+  if (side.a == 0) return;
+  const Wide below = floor_quotient(-side.b, 2 * side.a);
+  for (const Wide t : {below, below + 1}) {
+    if (t >= side.first && t <= side.last) visit(static_cast<std::int32_t>(t));
+  }
+}
+
+/// Widens by the top or bottom if it is within the rectangle. At a point half a pixel or less from it in both
+/// directions the function is off by no more than a quarter of the sum of its coefficients of the second degree.
+void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect) {
+  const Wide determinant = 4 * Wide{f.xx} * f.yy - Wide{f.xy} * f.xy;
+  if (determinant <= 0) return;  // a saddle or a valley, which is as high or low at the sides
+  const Wide x =
+      floor_quotient(2 * (Wide{f.xy} * f.linear.b - 2 * Wide{f.yy} * f.linear.a) + determinant, 2 * determinant);
+  const Wide y =
+      floor_quotient(2 * (Wide{f.xy} * f.linear.a - 2 * Wide{f.xx} * f.linear.b) + determinant, 2 * determinant);
+  if (x < rect.x0 || x > rect.x1 || y < rect.y0 || y > rect.y1) return;
+  const std::int64_t value = value_at(f, static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
+  const std::int64_t slack = (std::abs(f.xx) + std::abs(f.xy) + std::abs(f.yy)) / 3 + 1;
+  if (f.xx < 0) {
+    range.high = std::max(range.high, value + slack);
+  } else {
+    range.low = std::min(range.low, value - slack);
+  }
+}
+
+}  // namespace
+
+std::int64_t value_at(const FixedQuadratic& f, std::int32_t x, std::int32_t y) {
+  const Wide sum = (Wide{f.xx} * x + Wide{f.xy} * y + f.linear.a) * x + (Wide{f.yy} * y + f.linear.b) * y + f.linear.c;
+  return static_cast<std::int64_t>(sum);
+}
+
+Range range_over(const FixedQuadratic& f, const PixelRect& rect) {
+  const std::int64_t first = value_at(f, rect.x0, rect.y0);
+  Range range{first, first};
+  for (const std::int32_t y : {rect.y0, rect.y1}) {
+    for (const std::int32_t x : {rect.x0, rect.x1}) include(range, value_at(f, x, y));
+    for_turning_point({f.xx, Wide{f.xy} * y + f.linear.a, rect.x0, rect.x1},
+                      [&](std::int32_t x) { include(range, value_at(f, x, y)); });
+  }
+  for (const std::int32_t x : {rect.x0, rect.x1}) {
+    for_turning_point({f.yy, Wide{f.xy} * x + f.linear.b, rect.y0, rect.y1},
+                      [&](std::int32_t y) { include(range, value_at(f, x, y)); });
+  }
+  include_inner(range, f, rect);
+  return range;
+}
+
+std::int64_t floor_root(std::int64_t value) {
+  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<long double>(value)));
+  while (Wide{root} * root > value) --root;
+  while (Wide{root + 1} * (root + 1) <= value) ++root;
+  return root;
+}
+
+QuadricRole role_of(const ScreenQuadric& quadric, facet::QuadricSide side) {
+  if (quadric.kind == ScreenQuadricKind::edge) return QuadricRole::edge;
+  if (!quadric.eye_inside) return QuadricRole::between;
+  return side.along_axis == quadric.eye_on_axis_nappe ? QuadricRole::until : QuadricRole::from;
+}
+
+RootRanges ranges_over(const ScreenQuadric& quadric, unsigned fraction_bits, const PixelRect& rect) {
+  const Range discriminant = range_over(quadric.discriminant, rect);
+  RootRanges ranges;
+  ranges.discriminant = {discriminant.low >> quadric.discriminant_shift,
+                         discriminant.high >> quadric.discriminant_shift};
+  if (ranges.discriminant.high < 0) return ranges;
+  const Range middle = range_over(quadric.middle, rect);
+  const std::int64_t low = middle.low >> fraction_bits;
+  const std::int64_t high = middle.high >> fraction_bits;
+  const std::int64_t least_root = floor_root(std::max<std::int64_t>(0, ranges.discriminant.low));
+  ranges.most_root = floor_root(ranges.discriminant.high);
+  const std::int64_t one = std::int64_t{1} << quadric.unit;
+  ranges.near = {low - ranges.most_root * one, high - least_root * one};
+  ranges.far = {low + least_root * one + one, high + ranges.most_root * one + one};
+  return ranges;
+}
+
+}  // namespace csgsim::view

@@ -1,0 +1,399 @@
+#include "host/view/quadrics.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "host/facet/scene.h"
+#include "host/view/projection.h"
+#include "hw/isa/depth_scale.h"
+
+using namespace csgsim;
+
+namespace {
+
+using Real = boost::multiprecision::cpp_bin_float_100;
+using Vec = std::array<Real, 3>;
+
+double real(int low, int high) { return *rc::gen::inRange(low * 1000, high * 1000) / 1000.0; }
+glm::dvec3 vector(int low, int high) { return {real(low, high), real(low, high), real(low, high)}; }
+
+glm::dmat4 turn_about(int axis, double angle) {
+  glm::dmat4 turn(1.0);
+  const int i = (axis + 1) % 3;
+  const int j = (axis + 2) % 3;
+  turn[i][i] = turn[j][j] = std::cos(angle);
+  turn[i][j] = std::sin(angle);
+  turn[j][i] = -std::sin(angle);
+  return turn;
+}
+
+glm::dmat4 rotation() { return turn_about(0, real(-4, 4)) * turn_about(1, real(-4, 4)) * turn_about(2, real(-4, 4)); }
+
+glm::dmat4 scaling(const glm::dvec3& by) {
+  glm::dmat4 matrix(1.0);
+  for (int i = 0; i < 3; ++i) matrix[i][i] = by[i];
+  return matrix;
+}
+
+glm::dmat4 shift(const glm::dvec3& by) {
+  glm::dmat4 matrix(1.0);
+  matrix[3] = glm::dvec4(by, 1.0);
+  return matrix;
+}
+
+model::Tree single(model::Shape shape, const glm::dmat4& place) {
+  model::Tree tree;
+  tree.primitives.push_back({std::move(shape), place, std::nullopt, {}});
+  tree.nodes.push_back({true, model::Operator::unite, 0, {}});
+  tree.root = 0;
+  return tree;
+}
+
+facet::Faceting exact() {
+  facet::Faceting faceting;
+  faceting.exact_curves = true;
+  return faceting;
+}
+
+struct Subject {
+  model::Tree tree;
+  view::Camera camera;
+  view::Sampling sampling;
+};
+
+/// Shapes of many sizes and places, seen from outside and from inside, from far and near, with few and many bits.
+Subject random_subject() {
+  const double size = std::pow(10.0, real(-3, 3));
+  const glm::dvec3 squeeze(std::pow(10.0, real(-1, 1)), std::pow(10.0, real(-1, 1)), 1.0);
+  const glm::dvec3 far_off = *rc::gen::arbitrary<bool>() ? glm::dvec3(0) : vector(-5000, 5000) * size;
+  const glm::dmat4 place = shift(far_off) * rotation() * scaling(size * squeeze);
+  const bool is_uniform = *rc::gen::arbitrary<bool>();
+  const glm::dmat4 used = is_uniform ? shift(far_off) * rotation() * scaling(glm::dvec3(size)) : place;
+  Subject subject;
+  const int kind = *rc::gen::inRange(0, 3);
+  const double r1 = real(0, 4);
+  const double r2 = kind == 1 ? r1 + 0.001 : *rc::gen::element(0.0, real(1, 4), 5.0 * r1 + 1.0);
+  if (kind == 0) {
+    subject.tree = single(model::Sphere{real(1, 4), {}}, used);
+  } else {
+    subject.tree = single(
+        model::Cylinder{real(1, 9), kind == 1 ? r2 : r1, r1 + r2 > 0 ? r2 : 1.0, *rc::gen::arbitrary<bool>(), {}},
+        used);
+  }
+  const double distance = *rc::gen::element(1.0, 3.0, 30.0, 1000.0);
+  const glm::dvec3 back = glm::normalize(vector(-4, 4) + glm::dvec3(0.0005));
+  const glm::dvec3 look = far_off + size * vector(-2, 2);
+  subject.camera = {look + size * distance * back, look,
+                    *rc::gen::arbitrary<bool>() ? view::Projection::perspective : view::Projection::orthographic};
+  if (*rc::gen::arbitrary<bool>() && subject.camera.projection == view::Projection::orthographic)
+    subject.camera.eye = look + size * 30.0 * back;
+  subject.sampling.width = static_cast<std::uint32_t>(*rc::gen::inRange(8, 48));
+  subject.sampling.height = static_cast<std::uint32_t>(*rc::gen::inRange(8, 48));
+  subject.sampling.z_bits = static_cast<unsigned>(*rc::gen::inRange(6, 25));
+  subject.sampling.fraction_bits = static_cast<unsigned>(*rc::gen::inRange(6, 16));
+  subject.sampling.offset = {real(-1, 1) / 2.0, real(-1, 1) / 2.0};
+  return subject;
+}
+
+/// A shape in its own space, met by the ray of a pixel at start + distance * direction: a t^2 + 2 b t + c <= 0.
+struct Met {
+  Real a = 0;
+  Real b = 0;
+  Real c = 0;
+  Vec start;  // in the shape's space
+  Vec direction;
+};
+
+Vec own_space(const glm::dmat4& m, const Vec& v) {
+  const auto minor = [&](int i, int j, int k, int l) { return Real(m[i][j]) * m[k][l] - Real(m[k][j]) * m[i][l]; };
+  const Real determinant =
+      Real(m[0][0]) * minor(1, 1, 2, 2) - Real(m[1][0]) * minor(0, 1, 2, 2) + Real(m[2][0]) * minor(0, 1, 1, 2);
+  // Cramer's rule.
+  Vec out;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const auto cross = [&](int row) {
+      const int p = (row + 1) % 3;
+      const int q = (row + 2) % 3;
+      return Real(m[j][p]) * m[k][q] - Real(m[j][q]) * m[k][p];
+    };
+    out[static_cast<std::size_t>(i)] = (cross(0) * v[0] + cross(1) * v[1] + cross(2) * v[2]) / determinant;
+  }
+  return out;
+}
+
+Met meet(const Subject& subject, double x, double y) {
+  const view::EyeSpace space = view::eye_space(subject.camera, subject.sampling);
+  const model::Primitive& primitive = subject.tree.primitives[0];
+  const Real right = (Real(x) - space.middle_x) * space.pixel;
+  const Real up = (Real(space.middle_y) - y) * space.pixel;
+  Vec start;
+  Vec direction;
+  for (int i = 0; i < 3; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    const Real across = right * space.axes.right[i] + up * space.axes.up[i];
+    direction[n] = Real(space.axes.forward[i]) + (space.perspective ? across : Real(0));
+    start[n] = Real(space.eye[i]) - primitive.transform[3][i] + (space.perspective ? Real(0) : across);
+  }
+  Met met;
+  met.start = own_space(primitive.transform, start);
+  met.direction = own_space(primitive.transform, direction);
+  const auto add = [&](std::size_t axis, const Real& sign, const Real& from) {
+    met.a += sign * met.direction[axis] * met.direction[axis];
+    met.b += sign * met.direction[axis] * (met.start[axis] - from);
+    met.c += sign * (met.start[axis] - from) * (met.start[axis] - from);
+  };
+  add(0, 1, 0);
+  add(1, 1, 0);
+  if (const auto* sphere = std::get_if<model::Sphere>(&primitive.shape)) {
+    add(2, 1, 0);
+    met.c -= Real(sphere->radius) * sphere->radius;
+    return met;
+  }
+  const auto& cylinder = std::get<model::Cylinder>(primitive.shape);
+  if (cylinder.r1 == cylinder.r2) {
+    met.c -= Real(cylinder.r1) * cylinder.r1;
+    return met;
+  }
+  const Real low = cylinder.center ? -cylinder.height / 2 : 0.0;
+  const Real rise = Real(cylinder.r1) - cylinder.r2;
+  add(2, -(rise / cylinder.height) * (rise / cylinder.height), low + cylinder.height * Real(cylinder.r1) / rise);
+  return met;
+}
+
+/// Middle and discriminant in depth steps; nothing where the coefficient of the depth's square is 0.
+struct Truth {
+  Real middle;
+  Real discriminant;
+};
+
+Truth truth_of(const view::View& view, const Met& met) {
+  const Real near = view.depth.near;
+  const Real far = view.depth.far;
+  const Real steps = isa::depth_steps(view.sampling.z_bits);
+  const Real root = met.b * met.b - met.a * met.c;
+  if (view.depth.perspective) {
+    const Real scale = steps / (1 / near - 1 / far);
+    return {1 + (1 / near + met.b / met.c) * scale, root / (met.c * met.c) * scale * scale};
+  }
+  const Real scale = steps / (far - near);
+  return {1 + (-met.b / met.a - near) * scale, root / (met.a * met.a) * scale * scale};
+}
+
+Real distance_at(const view::View& view, double depth) {
+  const Real near = view.depth.near;
+  const Real far = view.depth.far;
+  const Real part = (Real(depth) - 1) / isa::depth_steps(view.sampling.z_bits);
+  if (view.depth.perspective) return 1 / (1 / near - part * (1 / near - 1 / far));
+  return near + part * (far - near);
+}
+
+/// Whether a place on a ray is in the shape, its planes included.
+bool is_in(const Subject& subject, const Met& met, const Real& distance) {
+  const model::Primitive& primitive = subject.tree.primitives[0];
+  const auto at = [&](std::size_t axis) -> Real { return met.start[axis] + distance * met.direction[axis]; };
+  if ((met.a * distance + 2 * met.b) * distance + met.c > 0) return false;
+  const auto* cylinder = std::get_if<model::Cylinder>(&primitive.shape);
+  if (cylinder == nullptr) return true;
+  const double low = cylinder->center ? -cylinder->height / 2 : 0.0;
+  return at(2) >= low && at(2) <= low + cylinder->height;
+}
+
+/// By the integers.
+bool is_in(const view::View& view, const facet::Convex& solid, std::int32_t x, std::int32_t y, std::int64_t z) {
+  for (const facet::Halfspace halfspace : solid.halfspaces) {
+    const view::ScreenPlane& plane = view.planes[halfspace.plane];
+    const std::int64_t f = plane.linear.a * x + plane.linear.b * y + plane.linear.c;
+    switch (view::side_of(plane, halfspace)) {
+      case view::Side::front:
+        if (z < f >> view.sampling.fraction_bits) return false;
+        break;
+      case view::Side::back:
+        if (z >= f >> view.sampling.fraction_bits) return false;
+        break;
+      case view::Side::edge_positive:
+        if (f < 0) return false;
+        break;
+      case view::Side::edge_negative:
+        if (f >= 0) return false;
+        break;
+    }
+  }
+  for (const facet::QuadricSide side : solid.quadrics) {
+    const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
+    const std::int64_t d = view::value_at(quadric.discriminant, x, y) >> quadric.discriminant_shift;
+    const std::int64_t q = d < 0 ? 0 : view::floor_root(d);
+    const std::int64_t m =
+        (quadric.middle.a * x + quadric.middle.b * y + quadric.middle.c) >> view.sampling.fraction_bits;
+    const std::int64_t near = m - (q << quadric.unit);
+    const std::int64_t far = m + ((q + 1) << quadric.unit);
+    switch (view::role_of(quadric, side)) {
+      case view::QuadricRole::between:
+        if (d < 0 || z < near || z >= far) return false;
+        break;
+      case view::QuadricRole::until:
+        if (d >= 0 && z >= near) return false;
+        break;
+      case view::QuadricRole::from:
+        if (d < 0 || z < far) return false;
+        break;
+      case view::QuadricRole::edge:
+        if (d < 0) return false;
+        break;
+    }
+  }
+  return true;
+}
+
+bool representable(const view::View& view) {
+  return std::all_of(view.planes.begin(), view.planes.end(),
+                     [](const view::ScreenPlane& plane) { return plane.representable; });
+}
+
+}  // namespace
+
+TEST_CASE("bounds of a quadratic over a rectangle hold its values, and are met at the sides") {
+  CHECK(rc::check([] {
+    const auto coefficient = [](std::int64_t most) { return *rc::gen::inRange<std::int64_t>(-most, most + 1); };
+    const std::int64_t size = *rc::gen::element<std::int64_t>(3, 1000, std::int64_t{1} << 40U);
+    const view::FixedQuadratic f{coefficient(size),
+                                 coefficient(size),
+                                 coefficient(size),
+                                 {coefficient(20 * size), coefficient(20 * size), coefficient(400 * size)}};
+    const std::int32_t x = *rc::gen::inRange(0, 20);
+    const std::int32_t y = *rc::gen::inRange(0, 20);
+    const view::PixelRect rect{x, y, x + *rc::gen::inRange(0, 12), y + *rc::gen::inRange(0, 12)};
+    const view::Range range = view::range_over(f, rect);
+    std::int64_t low = view::value_at(f, x, y);
+    std::int64_t high = low;
+    bool is_low_at_side = true;
+    bool is_high_at_side = true;
+    for (std::int32_t py = rect.y0; py <= rect.y1; ++py) {
+      for (std::int32_t px = rect.x0; px <= rect.x1; ++px) {
+        const std::int64_t value =
+            f.xx * px * px + f.xy * px * py + f.yy * py * py + f.linear.a * px + f.linear.b * py + f.linear.c;
+        RC_ASSERT(value == view::value_at(f, px, py));
+        const bool side = px == rect.x0 || px == rect.x1 || py == rect.y0 || py == rect.y1;
+        if (value < low) is_low_at_side = side;
+        if (value > high) is_high_at_side = side;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    }
+    RC_ASSERT(range.low <= low);
+    RC_ASSERT(range.high >= high);
+    const std::int64_t slack = std::abs(f.xx) + std::abs(f.xy) + std::abs(f.yy) + 1;
+    RC_ASSERT(range.low >= low - slack);
+    RC_ASSERT(range.high <= high + slack);
+    const bool is_bowl = 4 * static_cast<double>(f.xx) * static_cast<double>(f.yy) > std::pow(f.xy, 2);
+    if (!is_bowl && is_low_at_side) RC_ASSERT(range.low == low);
+    if (!is_bowl && is_high_at_side) RC_ASSERT(range.high == high);
+  }));
+}
+
+TEST_CASE("roots are rounded down, exactly") {
+  CHECK(view::floor_root(0) == 0);
+  CHECK(rc::check([] {
+    const std::int64_t root = *rc::gen::inRange<std::int64_t>(1, std::int64_t{1} << 30U);
+    RC_ASSERT(view::floor_root(root * root) == root);
+    RC_ASSERT(view::floor_root(root * root - 1) == root - 1);
+  }));
+}
+
+TEST_CASE("middle and discriminant are within their bounds of the truth") {
+  int fit = 0;
+  int inside = 0;
+  CHECK(rc::check([&] {
+    const Subject subject = random_subject();
+    const facet::Scene scene = facet::make_scene(subject.tree, exact());
+    const view::View view = view::make_view(scene, subject.tree, subject.camera, subject.sampling);
+    RC_ASSERT(view.quadrics.size() == 1U);
+    const view::ScreenQuadric& quadric = view.quadrics[0];
+    if (quadric.kind != view::ScreenQuadricKind::roots || quadric.pixels.empty()) return;
+    ++fit;
+    inside += quadric.eye_inside ? 1 : 0;
+    for (int i = 0; i < 10; ++i) {
+      const std::int32_t x = *rc::gen::inRange(quadric.pixels.x0, quadric.pixels.x1 + 1);
+      const std::int32_t y = *rc::gen::inRange(quadric.pixels.y0, quadric.pixels.y1 + 1);
+      const Truth truth = truth_of(view, meet(subject, x, y));
+      const Real middle = ldexp(Real(quadric.middle.a * x + quadric.middle.b * y + quadric.middle.c),
+                                -static_cast<int>(subject.sampling.fraction_bits));
+      const Real d =
+          ldexp(Real(view::value_at(quadric.discriminant, x, y)), -static_cast<int>(quadric.discriminant_shift));
+      const Real true_d = ldexp(truth.discriminant, -2 * static_cast<int>(quadric.unit));
+      // The scene's quadric is rounded to doubles: relative to where it is, and to its size.
+      const Real size = sqrt(abs(true_d)) + abs(truth.middle) + isa::depth_steps(subject.sampling.z_bits);
+      const Real noise = size * 1e-12;
+      RC_ASSERT(abs(middle - truth.middle) <= quadric.middle_error + noise);
+      RC_ASSERT(abs(d - true_d) <= quadric.discriminant_error + noise * size);
+    }
+  }));
+  MESSAGE("with roots ", fit, ", of these from inside ", inside);
+  CHECK(fit > 60);
+  CHECK(inside > 0);
+}
+
+TEST_CASE("what the integers hold is what the shape holds, but for rounding, from every eye and on every nappe") {
+  std::array<int, 4> roles{};
+  int ins = 0;
+  int unfit = 0;
+  for (int round = 0; round < 20; ++round) {
+    CHECK(rc::check([&] {
+      const Subject subject = random_subject();
+      const facet::Scene scene = facet::make_scene(subject.tree, exact());
+      const view::View view = view::make_view(scene, subject.tree, subject.camera, subject.sampling);
+      const view::ScreenQuadric& quadric = view.quadrics[0];
+      const view::Extent& extent = view.extents[0];
+      unfit += quadric.kind == view::ScreenQuadricKind::unfit ? 1 : 0;
+      if (quadric.kind == view::ScreenQuadricKind::unfit || !representable(view) || quadric.pixels.empty()) return;
+      ++roles[static_cast<std::size_t>(view::role_of(quadric, scene.solids[0].quadrics[0]))];
+      const std::int64_t top = (std::int64_t{1} << subject.sampling.z_bits) - 1;
+      const double unit = std::ldexp(1.0, static_cast<int>(quadric.unit));
+      const double step = quadric.middle_error + 2.0 + unit * (1.0 + std::sqrt(quadric.discriminant_error));
+      for (int i = 0; i < 40; ++i) {
+        const std::int32_t x = *rc::gen::inRange(quadric.pixels.x0, quadric.pixels.x1 + 1);
+        const std::int32_t y = *rc::gen::inRange(quadric.pixels.y0, quadric.pixels.y1 + 1);
+        const std::int64_t z = *rc::gen::inRange<std::int64_t>(1, top - 2);
+        const bool by_integers = is_in(view, scene.solids[0], x, y, z);
+        // Around the place, as far as rounding may reach: all in, or all out, or it is too near to say.
+        int in = 0;
+        int count = 0;
+        const double sideways = 2.0 * subject.sampling.edge_on_fraction + 0.02;
+        for (const double dx : {-sideways, 0.0, sideways}) {
+          for (const double dy : {-sideways, 0.0, sideways}) {
+            const Met met = meet(subject, x + dx, y + dy);
+            for (const double dz : {-step, -step / 2, 0.0, step / 2, step}) {
+              ++count;
+              const Real distance = distance_at(view, static_cast<double>(z) + dz);
+              in += is_in(subject, met, distance) && distance > 0 ? 1 : 0;
+            }
+          }
+        }
+        if (in == count) RC_ASSERT(by_integers);
+        if (in == 0) RC_ASSERT(!by_integers);
+        ins += in == count ? 1 : 0;
+        if (by_integers && z >= 1) {
+          // Outside the rectangle of its own it is nothing by rule; within it the extent holds it.
+          RC_ASSERT(x >= extent.pixels.x0);
+          RC_ASSERT(x <= extent.pixels.x1);
+          RC_ASSERT(y >= extent.pixels.y0);
+          RC_ASSERT(y <= extent.pixels.y1);
+          RC_ASSERT(z >= extent.z_low);
+          RC_ASSERT(z <= extent.z_high);
+        }
+      }
+    }));
+  }
+  MESSAGE("roles ", roles[0], " ", roles[1], " ", roles[2], " ", roles[3], ", unfit ", unfit, ", surely in ", ins);
+  CHECK(roles[0] > 100);
+  CHECK(roles[1] > 10);
+  CHECK(ins > 100);
+}
