@@ -71,7 +71,7 @@ Steps Explainer::steps(std::uint32_t index, Place place) const {
     return sheet.root == Root::nearer ? met.nearer : met.farther;
   }
   const SightPlane& plane = sight_.plane(index);
-  return line_.steps({plane.c, plane.a, plane.b, 0, 0, 0, 0}, plane.condition, place);
+  return line_.steps({plane.c, plane.a, plane.b, 0, 0, 0, 0}, plane.condition, DepthLine::rounding(place), place);
 }
 
 Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {

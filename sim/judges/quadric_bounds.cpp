@@ -14,9 +14,6 @@ constexpr double worst_condition = 0x1p45;
 /// Bits that a discriminant's rounding is above that of a linear function.
 constexpr int discriminant_bits = 9;
 
-/// Fraction bits that edge tests have more than surfaces.
-constexpr int edge_bits = 8;
-
 std::int64_t floor_step(double value) {
   constexpr double limit = 0x1p60;
   return static_cast<std::int64_t>(std::clamp(std::floor(value), -limit, limit));
@@ -30,9 +27,9 @@ Maybe most(Maybe a, Maybe b) { return a == b ? a : Maybe::unknown; }
 
 Steps hull(const Steps& a, const Steps& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
-/// Pixels that the section of a quadric moves, and its radius changes by, from one depth to another; infinite if it is
-/// no ellipse.
-double drift_between(const SightQuadric& quadric, double from, double to) {
+/// Pixels that the section of a cylinder or cone moves in an orthographic view, and its radius changes by, from one
+/// depth to another; infinite if it is no ellipse.
+double section_drift(const SightQuadric& quadric, double from, double to) {
   const FilterQuadratic& q = quadric.value;
   const FilterQuadratic& l = quadric.slope;
   const double determinant = 4.0 * q.xx * q.yy - q.xy * q.xy;
@@ -61,27 +58,51 @@ double DepthLine::ulp() const { return std::ldexp(0.5, -static_cast<int>(fractio
 
 double DepthLine::rounding(Place place) { return 1.0 + (std::abs(place.x) + std::abs(place.y)) / 2.0; }
 
-Steps DepthLine::steps(const FilterQuadratic& linear, double condition, Place place) const {
+Steps DepthLine::steps(const FilterQuadratic& linear, double condition, double ulps, Place place) const {
   const double sizes = std::abs(z_at_zero) + std::abs(z_per_q) * terms(linear, place);
-  const double off = rounding(place) * ulp() + double_part * sizes * condition;
+  const double off = ulps * ulp() + double_part * sizes * condition;
   const double z = z_at_zero + z_per_q * (linear.c + linear.x * place.x + linear.y * place.y);
   return {floor_step(z - off), floor_step(z + off)};
 }
 
 QuadricBounds::QuadricBounds(const facet::Scene& scene, const Sight& sight, const DepthLine& line)
-    : sight_(sight), line_(line) {
+    : table_(scene.quadrics), sight_(sight), line_(line) {
   const std::vector<PlaceRect> reaches = quadric_reaches(scene, sight.camera());
   for (std::uint32_t i = 0; i < reaches.size(); ++i) bounds_.push_back(make_bound(i, reaches[i]));
+}
+
+/// Pixels that the quadric moves sideways over the depth range; infinite where whole rays cannot be in it.
+double QuadricBounds::drift(std::uint32_t index) const {
+  const facet::QuadricKind kind = table_.quadrics()[index].kind;
+  const SightQuadric& quadric = sight_.quadrics().quadric(index);
+  if (quadric.edge) return 0.0;
+  if (kind == facet::QuadricKind::cone && sight_.perspective()) {
+    return apex_shift(table_, index, sight_.camera()) * 2.0 * line_.q_half_range;
+  }
+  if (kind == facet::QuadricKind::ellipsoid || sight_.perspective()) return std::numeric_limits<double>::infinity();
+  return section_drift(quadric, line_.q_middle - line_.q_half_range, line_.q_middle + line_.q_half_range);
+}
+
+/// The greatest unit that the design allows: of a cylinder whose root is some bits longer than depth is, in an
+/// orthographic view, as many steps as the surface passes in a part of a pixel.
+int QuadricBounds::most_unit(std::uint32_t index, double greatest_square) const {
+  if (table_.quadrics()[index].kind != facet::QuadricKind::cylinder || sight_.perspective()) return 0;
+  const FilterQuadratic& middle = sight_.quadrics().quadric(index).middle;
+  const double slope = 2.0 * line_.z_per_q * std::hypot(middle.x, middle.y);
+  const double passed = std::log2(slope * line_.edge_on_fraction) + 0x1p-30;
+  const double beyond = std::log2(std::max(1.0, greatest_square)) / 2.0 + 1.0 - line_.z_bits - 2.0;
+  return std::max(0, static_cast<int>(std::floor(std::min(passed, beyond))));
 }
 
 QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceRect& reach) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
   Bound bound;
-  const double least = line_.q_middle - line_.q_half_range;
-  const double most = line_.q_middle + line_.q_half_range;
-  bound.drift = quadric.edge ? 0.0 : drift_between(quadric, least, most);
+  bound.drift = drift(index);
+  bound.across = std::max(0.0, reach.x1 - reach.x0) / 4.0;
+  bound.down = std::max(0.0, reach.y1 - reach.y0) / 4.0;
   if (bound.drift < line_.edge_on_fraction / 2.0) {
     bound.nature = Nature::edge;
+    bound.greatest = std::max(0.0, -least(section(index), reach));
     return bound;
   }
   const bool is_clear = std::isfinite(quadric.square.error) && quadric.condition < worst_condition;
@@ -89,10 +110,8 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
     bound.nature = Nature::doubtful;
     return bound;
   }
-  bound.greatest = line_.z_per_q * line_.z_per_q * std::max(0.0, judges::greatest(quadric.square, reach));
-  const double bits = std::log2(std::sqrt(bound.greatest) + 1.0) - line_.z_bits;
-  bound.least_unit = std::max(0, static_cast<int>(std::floor(bits)));
-  bound.most_unit = std::max(0, static_cast<int>(std::ceil(bits)) + 1);
+  bound.greatest = std::max(1.0, line_.z_per_q * line_.z_per_q * judges::greatest(quadric.square, reach));
+  bound.most_unit = most_unit(index, bound.greatest);
   return bound;
 }
 
@@ -103,8 +122,8 @@ QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
   met.edge = bound.nature == Nature::edge;
   if (met.edge) met.is_met = edge_holds(index, place);
   if (bound.nature != Nature::roots) return met;
-  met = with_unit(index, place, bound.least_unit);
-  for (int unit = bound.least_unit + 1; unit <= bound.most_unit; ++unit) {
+  met = with_unit(index, place, 0);
+  for (int unit = 1; unit <= bound.most_unit; ++unit) {
     const QuadricMet other = with_unit(index, place, unit);
     met.is_met = most(met.is_met, other.is_met);
     met.nearer = hull(met.nearer, other.nearer);
@@ -115,14 +134,16 @@ QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
 
 QuadricMet QuadricBounds::with_unit(std::uint32_t index, Place place, int unit) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
-  const Steps middle = line_.steps(quadric.middle, quadric.condition, place);
+  const Bound& bound = bounds_[index];
+  const Steps middle = line_.steps(quadric.middle, quadric.condition, 1.0 + bound.across + bound.down, place);
   const double scale = std::ldexp(line_.z_per_q * line_.z_per_q, -2 * unit);
   const double square = scale * quadric.square.at(place);
-  const double rounding = std::sqrt(std::ldexp(bounds_[index].greatest, -2 * unit)) *
-                              std::ldexp(1.0, discriminant_bits - static_cast<int>(line_.fraction_bits)) +
-                          1.0;
-  const double doubles =
-      scale * (2.0 * DepthLine::double_part * quadric.condition * quadric.square_terms + quadric.square.error);
+  const double greatest = std::max(1.0, std::ldexp(bound.greatest, -2 * unit));
+  const double rounding =
+      std::sqrt(greatest) * std::ldexp(1.0, discriminant_bits - static_cast<int>(line_.fraction_bits)) + 1.0;
+  const double terms = scale * quadric.square_terms;
+  const double part = DepthLine::double_part * quadric.condition;
+  const double doubles = 2.0 * part * std::sqrt(terms * greatest) + part * part * terms + scale * quadric.square.error;
   const double low = std::floor(square - rounding - doubles);
   const double high = std::floor(square + rounding + doubles);
   QuadricMet met;
@@ -137,17 +158,26 @@ QuadricMet QuadricBounds::with_unit(std::uint32_t index, Place place, int unit) 
   return met;
 }
 
-/// By the section where half the depth range is passed.
-Maybe QuadricBounds::edge_holds(std::uint32_t index, Place place) const {
+/// The section where half the depth range is passed: negative inside.
+FilterQuadratic QuadricBounds::section(std::uint32_t index) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
   const FilterQuadratic& q = quadric.value;
   const FilterQuadratic& l = quadric.slope;
   const double depth = line_.q_middle;
-  const double value = (quadric.a * depth + 2.0 * l.at(place)) * depth + q.at(place);
-  const double along_x = q.x + 2.0 * (q.xx * place.x + depth * l.x) + q.xy * place.y;
-  const double along_y = q.y + 2.0 * (q.yy * place.y + depth * l.y) + q.xy * place.x;
-  const double pixels = bounds_[index].drift + DepthLine::rounding(place) * std::ldexp(line_.ulp(), -edge_bits);
-  const double zone = 2.0 * std::hypot(along_x, along_y) * pixels + q.error + 2.0 * std::abs(depth) * l.error;
+  return {
+      (quadric.a * depth + 2.0 * l.c) * depth + q.c, q.x + 2.0 * depth * l.x, q.y + 2.0 * depth * l.y, q.xx, q.xy, q.yy,
+      q.error + 2.0 * std::abs(depth) * l.error};
+}
+
+Maybe QuadricBounds::edge_holds(std::uint32_t index, Place place) const {
+  const Bound& bound = bounds_[index];
+  const FilterQuadratic at = section(index);
+  const double value = at.at(place);
+  const double along_x = at.x + 2.0 * at.xx * place.x + at.xy * place.y;
+  const double along_y = at.y + 2.0 * at.yy * place.y + at.xy * place.x;
+  // Twice what the rounding may be, as the rectangle is not the host's.
+  const double rounding = 4.0 * bound.greatest / (1.0 + std::hypot(bound.across, bound.down)) * line_.edge_on_fraction;
+  const double zone = 2.0 * std::hypot(along_x, along_y) * bound.drift + rounding + at.error;
   if (std::abs(value) <= zone) return Maybe::unknown;
   return value < 0.0 ? Maybe::yes : Maybe::no;
 }

@@ -28,8 +28,9 @@ struct DepthLine {
   /// How far rounded coefficients may take a linear function from what it is at the middle of the picture, in ulp().
   static double rounding(Place place);
 
-  /// Depth steps that a linear function q of the place may have; `condition` as that of SightPlane.
-  [[nodiscard]] Steps steps(const FilterQuadratic& linear, double condition, Place place) const;
+  /// Depth steps that a linear function q of the place may have that is rounded by so many ulp(); `condition` as that
+  /// of SightPlane.
+  [[nodiscard]] Steps steps(const FilterQuadratic& linear, double condition, double ulps, Place place) const;
 
   /// "Nothing", as a depth step.
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
@@ -44,18 +45,20 @@ struct QuadricMet {
   Steps farther;
 };
 
-/// What the design states of quadrics (host/view/quadrics.h), dx columns and dy rows from the middle of the picture,
-/// with f fraction bits:
+/// What the design states of quadrics (host/view/quadrics.h), with f fraction bits, over the rectangle of pixels that
+/// the solids of a quadric can touch, w columns and h rows from its middle to its sides:
 ///
-/// - The middle is M = floor(P + e), |e| <= (1 + dx + dy) 2^-(f+1) steps.
+/// - The middle is M = floor(P + e), |e| <= (1 + w + h) 2^-(f+1) steps.
 /// - The discriminant is floor(D + e) in units of 4^unit steps squared, |e| <= 2^(9-f) sqrt(D_max) + 1, where D_max is
-///   the greatest D at the pixels that its solids can touch.
-/// - To both comes what doubles do to the coefficients: 2^-49 of the sum of their terms times
-///   SightQuadric::condition.
-/// - `unit` is the least that leaves the root at those pixels as many bits as depth has; where the bounds do not tell,
-///   it may be one more or less.
-/// - A quadric whose section moves by less than `edge_on_fraction` of a pixel from the nearest depth to the farthest
-///   is an edge. Where that is closer than a factor of 2 it may be either.
+///   the greatest D there, and at least 1.
+/// - `unit` is 0, but for a cylinder in an orthographic view whose root has more bits than depth has and two: then up
+/// to
+///   so many more, and no more steps than its middle passes in `edge_on_fraction` of a pixel.
+/// - To this comes what doubles do, 2^-49 of the sizes of the terms times SightQuadric::condition; in D, of their
+///   geometric mean with D_max, twice: it is worked out from how far rays miss the quadric's middle by.
+/// - A cylinder (of an orthographic view) or cone that moves less than `edge_on_fraction` of a pixel sideways over the
+///   depth range is an edge: its section where half of the range is passed, off by no more than as much again. Where
+///   that is closer than a factor of 2, it may be either.
 class QuadricBounds {
  public:
   QuadricBounds(const facet::Scene& scene, const Sight& sight, const DepthLine& line);
@@ -67,16 +70,21 @@ class QuadricBounds {
 
   struct Bound {
     Nature nature = Nature::roots;
-    double greatest = 0;  ///< D_max, depth steps squared
-    int least_unit = 0;
+    double greatest = 0;  ///< D_max, depth steps squared; of an edge, how far its section is below 0
     int most_unit = 0;
-    double drift = 0;  ///< of an edge: pixels that its section moves
+    double drift = 0;   ///< pixels that its section moves
+    double across = 0;  ///< half the rectangle, pixels
+    double down = 0;
   };
 
   [[nodiscard]] Bound make_bound(std::uint32_t quadric, const PlaceRect& reach) const;
+  [[nodiscard]] double drift(std::uint32_t quadric) const;
+  [[nodiscard]] int most_unit(std::uint32_t quadric, double greatest_square) const;
+  [[nodiscard]] FilterQuadratic section(std::uint32_t quadric) const;
   [[nodiscard]] QuadricMet with_unit(std::uint32_t quadric, Place place, int unit) const;
   [[nodiscard]] Maybe edge_holds(std::uint32_t quadric, Place place) const;
 
+  const facet::QuadricTable& table_;
   const Sight& sight_;
   DepthLine line_;
   std::vector<Bound> bounds_;

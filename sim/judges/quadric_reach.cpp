@@ -50,6 +50,11 @@ class Projector {
             std::min(rect.x1 + margin, picture_.x1), std::min(rect.y1 + margin, picture_.y1)};
   }
 
+  /// A direction in half pixels to the right and down, and in lengths of the view's direction.
+  [[nodiscard]] glm::dvec3 lengths(const glm::dvec3& d) const {
+    return {glm::dot(d, right_), glm::dot(d, down_), glm::dot(d, forward_)};
+  }
+
  private:
   static glm::dvec3 per_length(const glm::dvec3& v) { return v / glm::dot(v, v); }
 
@@ -95,6 +100,19 @@ std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCam
     }
   }
   return reaches;
+}
+
+double least(const FilterQuadratic& of, const PlaceRect& over) {
+  return -greatest({-of.c, -of.x, -of.y, -of.xx, -of.xy, -of.yy, of.error}, over);
+}
+
+double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, const ExactCamera& camera) {
+  const Vector from_centre = camera.eye - exactly(quadrics.centre());
+  const glm::dvec3 from_apex = approximately(from_centre - exactly(quadrics.quadrics()[index].origin));
+  const Projector projector(camera);
+  const glm::dvec3 places = projector.lengths(from_apex);
+  // Places are half pixels, of which the corners are as many away as the picture has pixels.
+  return (std::hypot(places.x, places.y) + std::abs(places.z) * std::hypot(camera.width, camera.height)) / 2.0;
 }
 
 double greatest(const FilterQuadratic& of, const PlaceRect& over) {

@@ -21,7 +21,12 @@ struct PlaceRect {
 /// plane cuts their edges, with two pixels around them.
 std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCamera& camera);
 
-/// The greatest value over a rectangle of places.
+/// The greatest and least value over a rectangle of places; 0 if that is empty.
 double greatest(const FilterQuadratic& of, const PlaceRect& over);
+double least(const FilterQuadratic& of, const PlaceRect& over);
+
+/// Pixels that a cone near whose apex the eye is moves sideways in the picture, at its corners at most, for each unit
+/// of depth q (Sight).
+double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, const ExactCamera& camera);
 
 }  // namespace csgsim::judges

@@ -179,7 +179,7 @@ Parts QuadricSight::parts(const facet::QuadricSide& side, Place place) const {
   const int sign = discriminant_sign(side.quadric, place);
   if (quadric.edge) return sign >= 0 && on_nappe(side, place) ? one(everything) : Parts{};
   if (quadric.opening > 0) {
-    return sign > 0 && on_nappe(side, place) ? one({Sheet{side.quadric, Root::nearer}, until.back}) : Parts{};
+    return sign > 0 && on_nappe(side, place) ? one({until.back, from.front}) : Parts{};
   }
   if (sign < 0) return one(everything);
   if (quadric.ahead == 0) return {{until, from}, 2};
