@@ -13,6 +13,7 @@
 #include "host/facet/scene.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
+#include "tests/unit/view/held.h"
 
 using namespace csgsim;
 
@@ -207,51 +208,7 @@ bool is_in(const Subject& subject, const Met& met, const Real& distance) {
   return at(2) >= low && at(2) <= low + cylinder->height;
 }
 
-/// By the integers.
-bool is_in(const view::View& view, const facet::Convex& solid, std::int32_t x, std::int32_t y, std::int64_t z) {
-  for (const facet::Halfspace halfspace : solid.halfspaces) {
-    const view::ScreenPlane& plane = view.planes[halfspace.plane];
-    const std::int64_t f = plane.linear.a * x + plane.linear.b * y + plane.linear.c;
-    switch (view::side_of(plane, halfspace)) {
-      case view::Side::front:
-        if (z < f >> view.sampling.fraction_bits) return false;
-        break;
-      case view::Side::back:
-        if (z >= f >> view.sampling.fraction_bits) return false;
-        break;
-      case view::Side::edge_positive:
-        if (f < 0) return false;
-        break;
-      case view::Side::edge_negative:
-        if (f >= 0) return false;
-        break;
-    }
-  }
-  for (const facet::QuadricSide side : solid.quadrics) {
-    const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
-    const std::int64_t d = view::value_at(quadric.discriminant, x, y) >> quadric.discriminant_shift;
-    const std::int64_t q = d < 0 ? 0 : view::floor_root(d);
-    const std::int64_t m =
-        (quadric.middle.a * x + quadric.middle.b * y + quadric.middle.c) >> view.sampling.fraction_bits;
-    const std::int64_t near = m - (q << quadric.unit);
-    const std::int64_t far = m + ((q + 1) << quadric.unit);
-    switch (view::role_of(quadric, side)) {
-      case view::QuadricRole::between:
-        if (d < 0 || z < near || z >= far) return false;
-        break;
-      case view::QuadricRole::until:
-        if (d >= 0 && z >= near) return false;
-        break;
-      case view::QuadricRole::from:
-        if (d < 0 || z < far) return false;
-        break;
-      case view::QuadricRole::edge:
-        if (d < 0) return false;
-        break;
-    }
-  }
-  return true;
-}
+glm::dmat4 rotated_by_a_third() { return turn_about(0, 1.0 / 3) * turn_about(1, 1.0 / 3); }
 
 bool representable(const view::View& view) {
   return std::all_of(view.planes.begin(), view.planes.end(),
@@ -362,7 +319,7 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
         const std::int32_t x = *rc::gen::inRange(quadric.pixels.x0, quadric.pixels.x1 + 1);
         const std::int32_t y = *rc::gen::inRange(quadric.pixels.y0, quadric.pixels.y1 + 1);
         const std::int64_t z = *rc::gen::inRange<std::int64_t>(1, top - 2);
-        const bool by_integers = is_in(view, scene.solids[0], x, y, z);
+        const bool by_integers = test::is_held(view, scene.solids[0], x, y, z);
         // Around the place, as far as rounding may reach: all in, or all out, or it is too near to say.
         int in = 0;
         int count = 0;
@@ -396,4 +353,110 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
   CHECK(roles[0] > 100);
   CHECK(roles[1] > 10);
   CHECK(ins > 100);
+}
+
+TEST_CASE("a cylinder seen along its axis is an edge test of its circle, and from a slant far below a pixel too") {
+  for (const double slant : {0.0, 1e-7}) {
+    const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
+    const facet::Scene scene = facet::make_scene(tree, exact());
+    view::Sampling sampling;
+    sampling.width = sampling.height = 64;
+    // 200 tan(11.25 degrees) / 64 model units a pixel: the axis is at column and row 31.5.
+    const view::Camera camera{{slant * 100, 0, 100}, {0, 0, 0}, view::Projection::orthographic};
+    const view::View view = view::make_view(scene, tree, camera, sampling);
+    REQUIRE(view.quadrics[0].kind == view::ScreenQuadricKind::edge);
+    const double pixel = view::pixel_size(camera, 64, 100);
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        const double from_edge = std::hypot(x - 31.5, y - 31.5) * pixel - 10.0;
+        if (std::abs(from_edge) < 0.02 * pixel) continue;
+        CHECK((view::value_at(view.quadrics[0].discriminant, x, y) >= 0) == (from_edge < 0.0));
+      }
+    }
+    CHECK(view.extents[0].pixels == view::PixelRect{16, 16, 47, 47});
+  }
+}
+
+TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit that is less than an edge's width") {
+  const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
+  const facet::Scene scene = facet::make_scene(tree, exact());
+  view::Sampling sampling;
+  int coarse = 0;
+  for (const double slant : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
+    const view::Camera camera{{slant * 100, 0, 100}, {0, 0, 0}, view::Projection::orthographic};
+    const view::View view = view::make_view(scene, tree, camera, sampling);
+    const view::ScreenQuadric& quadric = view.quadrics[0];
+    if (quadric.kind == view::ScreenQuadricKind::edge) continue;
+    REQUIRE(quadric.kind == view::ScreenQuadricKind::roots);
+    const double slope = std::ldexp(std::hypot(quadric.middle.a, quadric.middle.b), -12);
+    CHECK(std::ldexp(1.0, static_cast<int>(quadric.unit)) <= std::max(1.0, slope * sampling.edge_on_fraction));
+    const view::RootRanges ranges = view::ranges_over(quadric, 12, quadric.pixels);
+    if (quadric.unit > 0) CHECK(ranges.most_root < std::int64_t{1} << 23U);
+    coarse += quadric.unit > 0 ? 1 : 0;
+  }
+  CHECK(coarse > 0);
+}
+
+TEST_CASE("a cone whose apex is the eye is an edge test, unless both nappes are in the picture") {
+  view::Sampling sampling;
+  sampling.width = sampling.height = 64;
+  glm::dmat4 place(1.0);
+  const model::Tree slender = single(model::Cylinder{10, 0, 1, false, {}}, place);
+  const view::Camera up{{0, 0, 0}, {0, 0, 5}, view::Projection::perspective};
+  const view::View view = view::make_view(facet::make_scene(slender, exact()), slender, up, sampling);
+  REQUIRE(view.quadrics[0].kind == view::ScreenQuadricKind::edge);
+  const double tangent = 2.0 * view::half_height_per_distance() / 64;
+  for (int x = 0; x < 64; ++x) {
+    const double from_edge = std::abs(x - 31.5) * tangent - 0.1;
+    if (std::abs(from_edge) < 0.02 * tangent) continue;
+    CHECK((view::value_at(view.quadrics[0].discriminant, x, 31) >= 0) == (std::hypot(x - 31.5, 0.5) * tangent < 0.1));
+  }
+  model::Tree flat = single(model::Cylinder{0.01, 0, 10, false, {}}, place);
+  flat.primitives.push_back({model::Cylinder{0.01, 0, 10, false, {}}, scaling({1, 1, -1}), std::nullopt, {}});
+  flat.nodes.push_back({true, model::Operator::unite, 1, {}});
+  flat.nodes.push_back({false, model::Operator::unite, model::no_index, {0, 1}});
+  flat.root = 2;
+  const view::Camera along{{0, 0, 0}, {5, 0, 0}, view::Projection::perspective};
+  const view::View both = view::make_view(facet::make_scene(flat, exact()), flat, along, sampling);
+  REQUIRE(both.quadrics.size() == 1);
+  CHECK(both.quadrics[0].kind == view::ScreenQuadricKind::unfit);
+}
+
+TEST_CASE("an eye on a quadric, and a cone seen along a generator, fit no numbers") {
+  view::Sampling sampling;
+  sampling.width = sampling.height = 64;
+  const model::Tree ball = single(model::Sphere{1, {}}, glm::dmat4(1.0));
+  const view::Camera on{{1, 0, 0}, {0, 0, 0}, view::Projection::perspective};
+  CHECK(view::make_view(facet::make_scene(ball, exact()), ball, on, sampling).quadrics[0].kind ==
+        view::ScreenQuadricKind::unfit);
+  const model::Tree cone = single(model::Cylinder{1, 0, 1, false, {}}, glm::dmat4(1.0));
+  const view::Camera along{{-5, 0, -5}, {0, 0, 0}, view::Projection::orthographic};
+  CHECK(view::make_view(facet::make_scene(cone, exact()), cone, along, sampling).quadrics[0].kind ==
+        view::ScreenQuadricKind::unfit);
+}
+
+TEST_CASE("a sphere's depths and pixels are its own, not its hull's") {
+  const model::Tree tree = single(model::Sphere{10, {}}, glm::dmat4(1.0));
+  const facet::Scene scene = facet::make_scene(tree, exact());
+  const view::Camera camera{{0, 0, 100}, {0, 0, 0}, view::Projection::orthographic};
+  view::Sampling sampling;
+  const view::View view = view::make_view(scene, tree, camera, sampling);
+  CHECK(view.depth.near == doctest::Approx(90.0).epsilon(1e-12));
+  CHECK(view.depth.far == doctest::Approx(110.0).epsilon(1e-12));
+  const double radius = 10.0 / view::pixel_size(camera, 512, 100);
+  const auto first = static_cast<std::int32_t>(std::ceil(255.5 - radius));
+  CHECK(view.extents[0].pixels == view::PixelRect{first, first, 511 - first, 511 - first});
+}
+
+TEST_CASE("equal surfaces of different solids are the same integers") {
+  model::Tree tree = single(model::Cylinder{4, 5, 5, false, {}}, rotated_by_a_third());
+  tree.primitives.push_back({model::Cylinder{9, 5, 5, true, {}}, rotated_by_a_third() * turn_about(2, 1.0), {}, {}});
+  tree.nodes.push_back({true, model::Operator::unite, 1, {}});
+  tree.nodes.push_back({false, model::Operator::subtract, model::no_index, {0, 1}});
+  tree.root = 2;
+  const facet::Scene scene = facet::make_scene(tree, exact());
+  const view::View view = view::make_view(scene, tree, view::default_camera(scene.box, 512, 512), {});
+  CHECK(view.quadrics.size() == 1);
+  CHECK(view.quadrics[0].kind == view::ScreenQuadricKind::roots);
+  CHECK(scene.solids[0].quadrics == scene.solids[1].quadrics);
 }
