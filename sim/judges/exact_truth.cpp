@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,18 +17,26 @@ constexpr std::uint32_t small_tile = 8;
 
 /// A place along a ray where it enters or leaves a primitive.
 struct Event {
-  std::uint32_t plane;
+  Sheet sheet;
   std::uint32_t primitive;
   bool enters;
 };
 
 /// The farthest (sign 1) or nearest (sign -1) of the planes on a ray, exact.
-std::uint32_t extreme(const Sight& sight, std::span<const facet::Halfspace> planes, Place place, int sign) {
+std::optional<Sheet> extreme(const Sight& sight, std::span<const facet::Halfspace> planes, Place place, int sign) {
+  if (planes.empty()) return std::nullopt;
   std::uint32_t best = planes.front().plane;
   for (const facet::Halfspace& other : planes.subspan(1)) {
     if (sight.compare(other.plane, best, place) * sign > 0) best = other.plane;
   }
-  return best;
+  return Sheet{best, Root::only};
+}
+
+/// The farther (sign 1) or nearer (sign -1) of two sheets on a ray, either of which may be none.
+std::optional<Sheet> extreme(const Sight& sight, std::optional<Sheet> a, std::optional<Sheet> b, Place place,
+                             int sign) {
+  if (!a || !b) return a ? a : b;
+  return sight.compare(*b, *a, place) * sign > 0 ? b : a;
 }
 
 class Painter {
@@ -59,26 +68,42 @@ class Painter {
     for (const Piece& piece : pieces.pieces) add_events(pieces, piece, place);
     if (events_.empty()) return;
     std::sort(events_.begin(), events_.end(),
-              [&](const Event& a, const Event& b) { return sight_.compare(a.plane, b.plane, place) < 0; });
+              [&](const Event& a, const Event& b) { return sight_.compare(a.sheet, b.sheet, place) < 0; });
     const Event* seen = first_seen(sweep_, std::span<const Event>(events_), [&](const Event& a, const Event& b) {
-      return sight_.compare(a.plane, b.plane, place) == 0;
+      return sight_.compare(a.sheet, b.sheet, place) == 0;
     });
     if (seen == nullptr) return;
     const std::size_t pixel = static_cast<std::size_t>(y) * truth_.width + x;
-    truth_.distance[pixel] = sight_.distance(seen->plane, place);
+    truth_.distance[pixel] = sight_.distance(seen->sheet, place);
     truth_.owner[pixel] = seen->primitive;
-    truth_.plane[pixel] = seen->plane;
+    truth_.plane[pixel] = sight_.surface(seen->sheet);
   }
 
   void add_events(const Pieces& pieces, const Piece& piece, Place place) {
     for (const facet::Halfspace& edge : pieces.of(piece.edges)) {
       if (sight_.edge_holds(edge.plane, place) != edge.positive) return;
     }
-    const std::uint32_t front = extreme(sight_, pieces.of(piece.fronts), place, 1);
-    const std::uint32_t back = extreme(sight_, pieces.of(piece.backs), place, -1);
-    if (sight_.compare(front, back, place) >= 0) return;
-    events_.push_back({front, piece.primitive, true});
-    events_.push_back({back, piece.primitive, false});
+    const Part between{extreme(sight_, pieces.of(piece.fronts), place, 1),
+                       extreme(sight_, pieces.of(piece.backs), place, -1)};
+    const std::optional<Part> part = within(between, pieces.quadrics_of(piece), place);
+    if (!part) return;
+    events_.push_back({*part->front, piece.primitive, true});
+    events_.push_back({*part->back, piece.primitive, false});
+  }
+
+  /// What the quadrics leave of a part of a ray: one part, as solids are convex.
+  [[nodiscard]] std::optional<Part> within(const Part& part, std::span<const facet::QuadricSide> sides,
+                                           Place place) const {
+    if (sides.empty()) {
+      const bool is_any = part.front && part.back && sight_.compare(*part.front, *part.back, place) < 0;
+      return is_any ? std::optional(part) : std::nullopt;
+    }
+    for (const Part& in : sight_.quadrics().parts(sides.front(), place)) {
+      const Part common{extreme(sight_, part.front, in.front, place, 1),
+                        extreme(sight_, part.back, in.back, place, -1)};
+      if (const auto found = within(common, sides.subspan(1), place)) return found;
+    }
+    return std::nullopt;
   }
 
   const Sight& sight_;
@@ -93,7 +118,7 @@ Truth exact_truth(const model::Tree& tree, const facet::Scene& scene, const view
                   std::uint32_t height, const isa::DepthScale& depth) {
   Truth truth = empty_truth(width, height);
   if (tree.root == model::no_index) return truth;
-  const Sight sight(scene.planes, camera, width, height, depth);
+  const Sight sight(scene, camera, width, height, depth);
   Painter(tree, sight, truth).paint(all_pieces(scene, sight), {0, 0, width, height});
   return truth;
 }

@@ -3,19 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/judges/truth.h"
+
 namespace csgsim::judges {
 
 namespace {
 
-/// What doubles lose in a plane's depth, as a part of the sum of its terms; times SightPlane::condition.
-constexpr double double_part = 0x1p-49;
-
 /// Fraction bits that edge tests have more than surfaces.
 constexpr int edge_bits = 8;
 
-std::int64_t floor_step(double value) {
-  constexpr double limit = 0x1p60;
-  return static_cast<std::int64_t>(std::clamp(std::floor(value), -limit, limit));
+DepthLine depth_line(const isa::Program& program, double unit) {
+  const isa::DepthScale& scale = program.facts.depth_scale;
+  const isa::CompileFacts& facts = program.facts.compile;
+  const double steps = std::ldexp(1.0, static_cast<int>(facts.z_bits)) - 4.0;
+  DepthLine line;
+  line.z_bits = facts.z_bits;
+  line.fraction_bits = facts.fraction_bits;
+  line.edge_on_fraction = facts.edge_on_fraction;
+  if (scale.perspective) {
+    const double per_inverse = steps / (1.0 / scale.near - 1.0 / scale.far);
+    line.z_at_zero = 1.0 + per_inverse / scale.near;
+    line.z_per_q = per_inverse / unit;
+    line.q_middle = -unit * (1.0 / scale.near + 1.0 / scale.far) / 2.0;
+    line.q_half_range = unit * (1.0 / scale.near - 1.0 / scale.far) / 2.0;
+  } else {
+    const double per_distance = steps / (scale.far - scale.near);
+    line.z_at_zero = 1.0 - per_distance * scale.near;
+    line.z_per_q = per_distance * unit;
+    line.q_middle = (scale.near + scale.far) / 2.0 / unit;
+    line.q_half_range = (scale.far - scale.near) / 2.0 / unit;
+  }
+  return line;
 }
 
 }  // namespace
@@ -39,42 +57,21 @@ Explainer::Explainer(const model::Tree& tree, const facet::Scene& scene, const v
       scene_(scene),
       width_(program.shape.width),
       height_(program.shape.height),
-      sight_(scene.planes, camera, width_, height_, program.facts.depth_scale),
-      z_bits_(program.facts.compile.z_bits),
-      ulp_(std::ldexp(0.5, -static_cast<int>(program.facts.compile.fraction_bits))) {
-  const isa::DepthScale& scale = program.facts.depth_scale;
-  const double steps = std::ldexp(1.0, static_cast<int>(z_bits_)) - 4.0;
-  const double unit = sight_.axis_length();
-  if (scale.perspective) {
-    const double per_inverse = steps / (1.0 / scale.near - 1.0 / scale.far);
-    z_at_zero_ = 1.0 + per_inverse / scale.near;
-    z_per_q_ = per_inverse / unit;
-    q_middle_ = -unit * (1.0 / scale.near + 1.0 / scale.far) / 2.0;
-    q_half_range_ = unit * (1.0 / scale.near - 1.0 / scale.far) / 2.0;
-  } else {
-    const double per_distance = steps / (scale.far - scale.near);
-    z_at_zero_ = 1.0 - per_distance * scale.near;
-    z_per_q_ = per_distance * unit;
-    q_middle_ = (scale.near + scale.far) / 2.0 / unit;
-    q_half_range_ = (scale.far - scale.near) / 2.0 / unit;
-  }
-  steepest_ = (steps + 4.0) / program.facts.compile.edge_on_fraction;
-}
-
-/// How far rounded coefficients may take a linear function from what it is at the middle of the picture, in units of
-/// 2^-(fraction bits).
-double Explainer::rounding(Place place) const { return 1.0 + (std::abs(place.x) + std::abs(place.y)) / 2.0; }
+      sight_(scene, camera, width_, height_, program.facts.depth_scale),
+      line_(depth_line(program, sight_.axis_length())),
+      quadrics_(scene, sight_, line_),
+      steepest_(std::ldexp(1.0, static_cast<int>(line_.z_bits)) / line_.edge_on_fraction) {}
 
 Steps Explainer::steps(std::uint32_t index, Place place) const {
   // 0, or 1 if the near plane, which is fitted to the model, lies behind a face by the last bit of a double.
-  if (index >= sight_.near_plane()) return {0, 1};
+  if (index == sight_.near_plane()) return {0, 1};
+  if (index > sight_.near_plane()) {
+    const Sheet sheet = sight_.quadric_sheet(index);
+    const QuadricMet met = quadrics_.met(sheet.index, place);
+    return sheet.root == Root::nearer ? met.nearer : met.farther;
+  }
   const SightPlane& plane = sight_.plane(index);
-  const double q = plane.at(place);
-  const double terms = std::abs(z_at_zero_) + std::abs(z_per_q_) * (std::abs(plane.c) + std::abs(plane.a * place.x) +
-                                                                    std::abs(plane.b * place.y));
-  const double off = rounding(place) * ulp_ + double_part * terms * plane.condition;
-  const double z = z_at_zero_ + z_per_q_ * q;
-  return {floor_step(z - off), floor_step(z + off)};
+  return line_.steps({plane.c, plane.a, plane.b, 0, 0, 0, 0}, plane.condition, DepthLine::rounding(place), place);
 }
 
 Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
@@ -83,45 +80,75 @@ Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
   // Per whole pixel; coefficients count half pixels.
   const double a = 2.0 * std::abs(plane.a);
   const double b = 2.0 * std::abs(plane.b);
-  const double slope = std::hypot(a, b) * z_per_q_;
-  const double doubt = double_part * plane.condition;
+  const double slope = std::hypot(a, b) * line_.z_per_q;
+  const double doubt = DepthLine::double_part * plane.condition;
   const bool exact_edge = plane.role == Role::edge;
   if (!exact_edge && slope * (1.0 + doubt) < steepest_) return {Nature::Kind::surface, steps(index, place)};
   if (!exact_edge && slope * (1.0 - doubt) <= steepest_) return {Nature::Kind::either, {}};
-  const double value = plane.at(place) - (exact_edge ? 0.0 : q_middle_);
+  const double value = plane.at(place) - (exact_edge ? 0.0 : line_.q_middle);
   const double terms = std::abs(plane.c) + std::abs(plane.a * place.x) + std::abs(plane.b * place.y) +
-                       (exact_edge ? 0.0 : std::abs(q_middle_));
-  const double zone = (exact_edge ? 0.0 : q_half_range_) + double_part * terms * plane.condition +
-                      std::max(a, b) * rounding(place) * std::ldexp(ulp_, -edge_bits);
+                       (exact_edge ? 0.0 : std::abs(line_.q_middle));
+  const double zone = (exact_edge ? 0.0 : line_.q_half_range) + DepthLine::double_part * terms * plane.condition +
+                      std::max(a, b) * DepthLine::rounding(place) * std::ldexp(line_.ulp(), -edge_bits);
   if (std::abs(value) <= zone) return {Nature::Kind::undecided, {}};
   // A front's half-space lies behind it: it holds the depths if the plane is nearer than they are.
   const bool positive = plane.role == Role::back ? value > 0.0 : value < 0.0;
   return {positive ? Nature::Kind::holds : Nature::Kind::excludes, {}};
 }
 
+/// False if the primitive is not on the ray.
+bool Explainer::add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const {
+  const Nature is = nature(halfspace.plane, place);
+  switch (is.kind) {
+    case Nature::Kind::surface: {
+      const bool front = (sight_.plane(halfspace.plane).role == Role::front) == halfspace.positive;
+      (front ? chance.fronts : chance.backs).push_back({halfspace.plane, is.steps});
+      return true;
+    }
+    case Nature::Kind::holds: return halfspace.positive;
+    case Nature::Kind::excludes: return !halfspace.positive;
+    case Nature::Kind::undecided: chance.edges.push_back({halfspace.plane, halfspace.positive}); return true;
+    case Nature::Kind::either: chance.doubtful = true; return true;
+  }
+  return true;
+}
+
+/// The same of a quadric. Where rays begin inside of it, it has a back only if it is met at all.
+bool Explainer::add_quadric(Chance& chance, const facet::QuadricSide& side, Place place) const {
+  const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
+  QuadricMet met = quadrics_.met(side.quadric, place);
+  const std::uint32_t nearer = sight_.surface({side.quadric, Root::nearer});
+  const std::uint32_t farther = sight_.surface({side.quadric, Root::farther});
+  if (met.doubtful) {
+    chance.doubtful = true;
+    return true;
+  }
+  const bool on_far_nappe = quadric.ahead != 0 && (quadric.ahead < 0) == side.along_axis;
+  if (!met.edge && quadric.opening < 0 && !on_far_nappe) {
+    if (met.is_met == Maybe::unknown) met.nearer.high = std::max(met.nearer.high, line_.farthest());
+    if (met.is_met != Maybe::no) chance.backs.push_back({nearer, met.nearer});
+    return true;
+  }
+  if (met.is_met == Maybe::no) return false;
+  if (met.is_met == Maybe::unknown) chance.edges.push_back({nearer, true});
+  if (met.edge) return true;
+  const bool is_from = quadric.opening < 0;
+  chance.fronts.push_back(is_from ? Met{farther, met.farther} : Met{nearer, met.nearer});
+  if (!is_from) chance.backs.push_back({farther, met.farther});
+  return true;
+}
+
 Ray Explainer::make_ray(Place place) const {
-  const std::int64_t farthest = (std::int64_t{1} << z_bits_) - 1;
   Ray ray;
   for (std::uint32_t primitive = 0; primitive < scene_.solids.size(); ++primitive) {
     Chance chance{
-        primitive, {}, {{sight_.near_plane(), {0, 0}}}, {{sight_.near_plane() + 1, {farthest, farthest}}}, false};
-    bool out = false;
-    for (const facet::Halfspace& halfspace : scene_.solids[primitive].halfspaces) {
-      const Nature is = nature(halfspace.plane, place);
-      switch (is.kind) {
-        case Nature::Kind::surface: {
-          const bool front = (sight_.plane(halfspace.plane).role == Role::front) == halfspace.positive;
-          (front ? chance.fronts : chance.backs).push_back({halfspace.plane, is.steps});
-          break;
-        }
-        case Nature::Kind::holds: out = out || !halfspace.positive; break;
-        case Nature::Kind::excludes: out = out || halfspace.positive; break;
-        case Nature::Kind::undecided: chance.edges.push_back({halfspace.plane, halfspace.positive}); break;
-        case Nature::Kind::either: chance.doubtful = true; break;
-      }
-      if (out) break;
-    }
-    if (out) continue;
+        primitive, {}, {{sight_.near_plane(), {0, 0}}}, {{nothing, {line_.farthest(), line_.farthest()}}}, false};
+    const facet::Convex& solid = scene_.solids[primitive];
+    const bool on_ray = std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
+                                    [&](const facet::Halfspace& one) { return add_halfspace(chance, one, place); }) &&
+                        std::all_of(solid.quadrics.begin(), solid.quadrics.end(),
+                                    [&](const facet::QuadricSide& one) { return add_quadric(chance, one, place); });
+    if (!on_ray) continue;
     for (const EdgeUse& edge : chance.edges) {
       if (std::find(ray.undecided_edges.begin(), ray.undecided_edges.end(), edge.plane) == ray.undecided_edges.end()) {
         ray.undecided_edges.push_back(edge.plane);

@@ -8,6 +8,7 @@
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
 #include "sim/judges/possible.h"
+#include "sim/judges/quadric_bounds.h"
 #include "sim/judges/sight.h"
 
 namespace csgsim::judges {
@@ -21,9 +22,10 @@ namespace csgsim::judges {
 /// - A plane steeper than 2^n steps in `edge_on_fraction` of a pixel holds or does not hold the whole ray, by the true
 ///   side of it if all depths from near to far are on that side, more than (1 + dx + dy) 2^-(f+9) pixels from the
 ///   plane; else either, but the same for all half-spaces on the plane.
+/// - A quadric has the depths of host/view/quadrics.h, as far off as QuadricBounds says.
 ///
-/// A picture is explained at a pixel if some such planes make it. That is decided by three-valued logic, which may
-/// allow a little too much where several planes are uncertain together, never too little.
+/// A picture is explained at a pixel if some such planes and quadrics make it. That is decided by three-valued logic,
+/// which may allow a little too much where several planes are uncertain together, never too little.
 class Explainer {
  public:
   /// Keeps references to the tree and the scene. The Program tells size, depth scale and accuracy.
@@ -33,13 +35,14 @@ class Explainer {
   /// Whether the machine may show that primitive (or `nothing`) at that depth step at the pixel.
   [[nodiscard]] bool may_show(std::uint32_t column, std::uint32_t row, std::uint32_t owner, std::uint32_t depth) const;
 
-  /// Depth steps that the canonical plane may have there.
-  [[nodiscard]] Steps steps(std::uint32_t plane, Place place) const;
+  /// Depth steps that a canonical plane, or a root of a canonical quadric, may have there. By its index in a Truth.
+  [[nodiscard]] Steps steps(std::uint32_t surface, Place place) const;
 
  private:
   struct Nature;
   [[nodiscard]] Nature nature(std::uint32_t plane, Place place) const;
-  [[nodiscard]] double rounding(Place place) const;
+  [[nodiscard]] bool add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const;
+  [[nodiscard]] bool add_quadric(Chance& chance, const facet::QuadricSide& side, Place place) const;
   [[nodiscard]] Ray make_ray(Place place) const;
 
   const model::Tree& tree_;
@@ -47,12 +50,8 @@ class Explainer {
   std::uint32_t width_;
   std::uint32_t height_;
   Sight sight_;
-  std::uint32_t z_bits_;
-  double ulp_;        ///< half a unit of a coefficient of a surface, depth steps
-  double z_at_zero_;  ///< depth step of q = 0 (Sight)
-  double z_per_q_;
-  double q_middle_;  ///< q where half the depth range is passed
-  double q_half_range_;
+  DepthLine line_;
+  QuadricBounds quadrics_;
   double steepest_;  ///< depth steps a pixel
 };
 

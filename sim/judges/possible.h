@@ -18,16 +18,16 @@ enum class Maybe : std::uint8_t { no, unknown, yes };
 
 constexpr Maybe opposite(Maybe value) { return static_cast<Maybe>(2 - static_cast<int>(value)); }
 
-/// A surface plane as one ray meets it. Equal indices mean equal depth, whatever it is.
+/// A surface, of a plane or a root of a quadric, as one ray meets it. Equal indices mean equal depth, whatever it is.
 struct Met {
   std::uint32_t plane = 0;
   Steps steps;
 };
 
-/// An edge-on plane that may be on either side of the ray.
+/// An edge-on plane that may be on either side of the ray, or a quadric that the ray may meet or miss.
 struct EdgeUse {
-  std::uint32_t plane = 0;
-  bool positive = true;  ///< the primitive uses the positive half-space
+  std::uint32_t plane = 0;  ///< of a quadric, its nearer root
+  bool positive = true;     ///< the primitive uses the positive half-space, or where the quadric is met
 };
 
 /// A primitive that may be on a ray.

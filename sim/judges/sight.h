@@ -7,21 +7,10 @@
 #include "host/facet/scene.h"
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
-#include "sim/judges/dyadic.h"
+#include "sim/judges/exact_camera.h"
+#include "sim/judges/quadric_sight.h"
 
 namespace csgsim::judges {
-
-/// A pixel centre: twice its distance from the middle of the picture, in pixels, to the right and down. Integers.
-struct Place {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-};
-
-/// The centre of the pixel in that column and row.
-constexpr Place place_of(std::uint32_t column, std::uint32_t row, std::uint32_t width, std::uint32_t height) {
-  return {2 * static_cast<std::int32_t>(column) - (static_cast<std::int32_t>(width) - 1),
-          2 * static_cast<std::int32_t>(row) - (static_cast<std::int32_t>(height) - 1)};
-}
 
 /// What the positive half-space of a plane is along the rays of the picture.
 enum class Role : std::uint8_t {
@@ -46,27 +35,46 @@ struct SightPlane {
   [[nodiscard]] double at(Place place) const { return c + a * place.x + b * place.y; }
 };
 
-/// The canonical planes of a scene as a camera (host/view/camera.h) sees them, in exact numbers.
+/// The canonical planes and quadrics of a scene as a camera (host/view/camera.h) sees them, in exact numbers
+/// (exact_camera.h). The planes' doubles are taken as they are.
 ///
-/// The planes' doubles are taken as they are. The camera's direction v = centre - eye, r = v x up and u = r x v are
-/// exact too, and not normalised, so that what is perpendicular or parallel to them is so exactly. Only two lengths are
-/// irrational, pixel / |r| and pixel / |u|; they are taken to 100 digits.
-///
-/// Depth is linear over the picture: q = t in an orthographic view and q = -1/t in perspective, where t counts lengths
-/// of v along the axis from the eye. Greater q is farther.
+/// The depth of planes is linear over the picture: q = t in an orthographic view and q = -1/t in perspective, where t
+/// counts lengths of v along the axis from the eye. Greater q is farther.
 ///
 /// Not to be used by several threads at a time: exact numbers are worked out when first asked for, and kept.
 class Sight {
  public:
-  Sight(const facet::PlaneTable& planes, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
+  Sight(const facet::Scene& scene, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
         const isa::DepthScale& depth);
+  Sight(const Sight&) = delete;
+  Sight& operator=(const Sight&) = delete;
 
   [[nodiscard]] const SightPlane& plane(std::uint32_t index) const { return planes_[index]; }
 
   /// Stands for the near plane of a perspective view, as a plane that faces forward; after all canonical planes.
-  [[nodiscard]] std::uint32_t near_plane() const { return static_cast<std::uint32_t>(planes_.size()) - 1; }
+  [[nodiscard]] std::uint32_t near_plane() const { return static_cast<std::uint32_t>(planes_.size()) - 2; }
 
-  [[nodiscard]] bool perspective() const { return perspective_; }
+  /// Stands for what is infinitely far in a perspective view, as a plane that faces away. Behind it lies, turned round,
+  /// what is behind the eye: bounded solids without planes need it.
+  [[nodiscard]] std::uint32_t horizon() const { return near_plane() + 1; }
+
+  [[nodiscard]] const QuadricSight& quadrics() const { return quadrics_; }
+
+  /// The index that it has in a Truth.
+  [[nodiscard]] std::uint32_t surface(Sheet sheet) const {
+    if (sheet.root == Root::only) return sheet.index;
+    return near_plane() + 1 + 2 * sheet.index + (sheet.root == Root::farther ? 1 : 0);
+  }
+
+  /// The quadric's sheet of that index, which is above the near plane's.
+  [[nodiscard]] Sheet quadric_sheet(std::uint32_t surface) const {
+    const std::uint32_t after = surface - near_plane() - 1;
+    return {after / 2, after % 2 == 0 ? Root::nearer : Root::farther};
+  }
+
+  [[nodiscard]] const ExactCamera& camera() const { return camera_; }
+
+  [[nodiscard]] bool perspective() const { return camera_.perspective; }
 
   /// |centre - eye|, model units.
   [[nodiscard]] double axis_length() const { return unit_; }
@@ -75,19 +83,24 @@ class Sight {
   /// A face in the near plane lies behind it: it is not cut.
   [[nodiscard]] int compare(std::uint32_t first, std::uint32_t second, Place place) const;
 
+  /// The same of any two sheets; the quadrics have to have those depths there.
+  [[nodiscard]] int compare(Sheet first, Sheet second, Place place) const {
+    if (first.root == Root::only && second.root == Root::only) return compare(first.index, second.index, place);
+    return compare_with_roots(first, second, place);
+  }
+
   /// Whether the positive half-space of an edge holds the ray, exact. A ray in the plane belongs where it goes when it
   /// is moved right, and down by less, by less than anything.
   [[nodiscard]] bool edge_holds(std::uint32_t index, Place place) const;
 
-  /// Distance from the eye along the axis, model units, of the plane; off by some 2^-48 of it.
-  [[nodiscard]] double distance(std::uint32_t index, Place place) const;
+  /// Distance from the eye along the axis, model units, of the sheet; off by some 2^-45 of it.
+  [[nodiscard]] double distance(Sheet sheet, Place place) const;
 
  private:
-  /// q = (l0 + lx x + ly y) / k; an edge has k = 0.
+  /// q = l / k; an edge has k = 0.
   struct Exact {
-    Dyadic l0, lx, ly, k;
-
-    [[nodiscard]] Dyadic numerator(Place place) const;
+    ExactLinear l;
+    Dyadic k;
   };
 
   [[nodiscard]] Exact make_exact(std::uint32_t index) const;
@@ -95,18 +108,14 @@ class Sight {
   [[nodiscard]] SightPlane make_filter(std::uint32_t index) const;
   [[nodiscard]] double denominator_size(std::uint32_t index) const;
 
+  [[nodiscard]] int compare_with_roots(Sheet first, Sheet second, Place place) const;
+  [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
+  [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;
+
   const facet::PlaneTable& table_;
-  bool perspective_;
-  double width_;
-  double height_;
+  ExactCamera camera_;
   Vector from_middle_;  ///< eye - PlaneTable::centre()
-  Vector right_;        ///< r
-  Vector up_;           ///< u
-  Vector forward_;      ///< v
-  Dyadic right_step_;   ///< half a pixel in lengths of r
-  Dyadic up_step_;      ///< half a pixel in lengths of u
-  Dyadic axis_length_;  ///< |v|
-  Dyadic near_;
+  QuadricSight quadrics_;
   double unit_ = 0;  ///< |v|
   std::vector<SightPlane> planes_;
   mutable std::unordered_map<std::uint32_t, Exact> kept_;

@@ -36,6 +36,29 @@ Range range_over(const SightPlane& plane, const Middle& tile) {
   return {value - reach, value + reach};
 }
 
+/// Bounds of a quadratic function over the tile.
+Range range_over(const FilterQuadratic& of, const Middle& tile) {
+  const double value = of.c + tile.x * (of.x + of.xx * tile.x + of.xy * tile.y) + tile.y * (of.y + of.yy * tile.y);
+  const double along_x = of.x + 2.0 * of.xx * tile.x + of.xy * tile.y;
+  const double along_y = of.y + 2.0 * of.yy * tile.y + of.xy * tile.x;
+  const double reach = std::abs(along_x) * tile.half_width + std::abs(along_y) * tile.half_height +
+                       std::abs(of.xy) * tile.half_width * tile.half_height + 4.0 * of.error;
+  const double xx = of.xx * tile.half_width * tile.half_width;
+  const double yy = of.yy * tile.half_height * tile.half_height;
+  return {value - reach + std::min(xx, 0.0) + std::min(yy, 0.0), value + reach + std::max(xx, 0.0) + std::max(yy, 0.0)};
+}
+
+/// Where the parts of rays that are in a quadric may begin and end over the tile; empty where there are none.
+Range range_over(const SightQuadric& quadric, const Middle& tile) {
+  const Range square = range_over(quadric.square, tile);
+  if (quadric.opening < 0) return {-infinity, infinity};
+  if (square.high < 0.0) return {infinity, -infinity};
+  if (quadric.opening == 0 || !std::isfinite(square.high)) return {-infinity, infinity};
+  const Range middle = range_over(quadric.middle, tile);
+  const double root = std::sqrt(square.high) * (1.0 + std::numeric_limits<double>::epsilon());
+  return {middle.low - root, middle.high + root};
+}
+
 enum class Held : std::uint8_t { all, none, part };
 
 Held held(facet::Halfspace edge, const Sight& sight, const Middle& tile) {
@@ -63,16 +86,21 @@ class Narrowing {
 
   /// False if the primitive is nowhere in the tile.
   bool add(const Piece& piece) {
-    Piece kept{piece.primitive, {size(), 0}, {}, {}};
+    Piece kept{piece.primitive, {size(), 0}, {}, {}, {}};
     for (const facet::Halfspace& edge : from_.of(piece.edges)) {
       const Held part = held(edge, sight_, tile_);
       if (part == Held::none) return false;
       if (part == Held::part) into_.halfspaces.push_back(edge);
     }
     kept.edges.end = kept.fronts.begin = size();
-    double front = -infinity;
+    Range all{-infinity, infinity};
+    for (const facet::QuadricSide& side : from_.quadrics_of(piece)) {
+      const Range range = range_over(sight_.quadrics().quadric(side.quadric), tile_);
+      all = {std::max(all.low, range.low), std::min(all.high, range.high)};
+    }
+    double front = all.low;
     for (const facet::Halfspace& plane : from_.of(piece.fronts)) front = std::max(front, range(plane).low);
-    double back = infinity;
+    double back = all.high;
     for (const facet::Halfspace& plane : from_.of(piece.backs)) back = std::min(back, range(plane).high);
     if (front > back) return false;
     for (const facet::Halfspace& plane : from_.of(piece.fronts)) {
@@ -83,6 +111,10 @@ class Narrowing {
       if (range(plane).low <= back) into_.halfspaces.push_back(plane);
     }
     kept.backs.end = size();
+    kept.quadrics.begin = static_cast<std::uint32_t>(into_.quadrics.size());
+    const auto quadrics = from_.quadrics_of(piece);
+    into_.quadrics.insert(into_.quadrics.end(), quadrics.begin(), quadrics.end());
+    kept.quadrics.end = static_cast<std::uint32_t>(into_.quadrics.size());
     into_.pieces.push_back(kept);
     return true;
   }
@@ -108,6 +140,9 @@ Pieces all_pieces(const facet::Scene& scene, const Sight& sight) {
       if (is == role) all.halfspaces.push_back(halfspace);
     }
     if (role == Role::front && sight.perspective()) all.halfspaces.push_back({sight.near_plane(), true});
+    if (role == Role::back && sight.perspective() && !solid.quadrics.empty()) {
+      all.halfspaces.push_back({sight.horizon(), true});
+    }
     return Run{begin, size()};
   };
   for (std::uint32_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
@@ -115,8 +150,12 @@ Pieces all_pieces(const facet::Scene& scene, const Sight& sight) {
     const Run edges = add(solid, Role::edge);
     const Run fronts = add(solid, Role::front);
     const Run backs = add(solid, Role::back);
+    const auto begin = static_cast<std::uint32_t>(all.quadrics.size());
+    all.quadrics.insert(all.quadrics.end(), solid.quadrics.begin(), solid.quadrics.end());
+    const Run quadrics{begin, static_cast<std::uint32_t>(all.quadrics.size())};
     // A bounded solid is bounded along every ray.
-    if (fronts.begin < fronts.end && backs.begin < backs.end) all.pieces.push_back({primitive, edges, fronts, backs});
+    const bool bounded = fronts.begin < fronts.end && backs.begin < backs.end;
+    if (bounded || !solid.quadrics.empty()) all.pieces.push_back({primitive, edges, fronts, backs, quadrics});
   }
   return all;
 }

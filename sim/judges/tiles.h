@@ -20,35 +20,41 @@ struct Tile {
   [[nodiscard]] std::uint32_t height() const { return y1 - y0; }
 };
 
-/// Consecutive half-spaces of a list.
+/// Consecutive half-spaces or quadrics of a list.
 struct Run {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
 
-/// The half-spaces of a primitive that can matter somewhere in a tile.
+/// The half-spaces and quadrics of a primitive that can matter somewhere in a tile.
 struct Piece {
   std::uint32_t primitive = 0;
   Run edges;
   Run fronts;
   Run backs;
+  Run quadrics;
 };
 
 /// The primitives that can matter somewhere in a tile, in tree order.
 struct Pieces {
   std::vector<Piece> pieces;
   std::vector<facet::Halfspace> halfspaces;
+  std::vector<facet::QuadricSide> quadrics;
 
   [[nodiscard]] std::span<const facet::Halfspace> of(Run run) const {
     return std::span(halfspaces).subspan(run.begin, run.end - run.begin);
   }
+  [[nodiscard]] std::span<const facet::QuadricSide> quadrics_of(const Piece& piece) const {
+    return std::span(quadrics).subspan(piece.quadrics.begin, piece.quadrics.end - piece.quadrics.begin);
+  }
 };
 
-/// All half-spaces of all primitives, and the near plane as a front of each in perspective.
+/// All half-spaces and quadrics of all primitives, and in perspective the near plane as a front of each and the horizon
+/// as a back of those with quadrics.
 Pieces all_pieces(const facet::Scene& scene, const Sight& sight);
 
 /// Leaves out half-spaces that hold the tile or lie behind (before) another front (back) all over it, and primitives
-/// that are nowhere in it, with the bounds of the filter: never one that matters.
+/// that are nowhere in it, with the bounds of the filter: never one that matters. Quadrics stay.
 Pieces narrow(const Pieces& from, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height);
 
 }  // namespace csgsim::judges

@@ -20,8 +20,9 @@ struct Truth {
   /// From the eye along the view axis, model units; infinite where nothing is seen.
   std::vector<double> distance;
   std::vector<std::uint32_t> owner;  ///< primitive, or `nothing`
-  /// Index of the canonical plane that is seen, the number of planes for the near cap, or `nothing`. Empty in an
-  /// analytic truth, which has no planes.
+  /// What is seen: the index of a canonical plane; n, the number of planes, for the near cap; n + 1 + 2 i for the
+  /// nearer root of canonical quadric i, and one more for the farther one (host/view/quadrics.h: `near` and `far`); or
+  /// `nothing`. Empty in an analytic truth, which has no planes.
   std::vector<std::uint32_t> plane;
 };
 
@@ -32,17 +33,20 @@ inline Truth empty_truth(std::uint32_t width, std::uint32_t height) {
           std::vector<std::uint32_t>(pixels, nothing), std::vector<std::uint32_t>(pixels, nothing)};
 }
 
-/// The picture that the scene's half-spaces make by the rules of docs/numbers.md (half-open, ties, owner) and of
-/// docs/algorithm.md (view), in exact arithmetic (sight.h).
+/// The picture that the scene's half-spaces and quadrics make by the rules of docs/numbers.md (half-open, ties, owner)
+/// and of docs/algorithm.md (view), in exact arithmetic (sight.h).
 ///
 /// - A primitive fills [front, back) along the ray of a pixel centre: front is its farthest plane that faces the eye,
 ///   back its nearest that faces away. In perspective it begins at the near plane, depth.near, at the earliest.
+/// - Its quadrics bound it in the same way (quadric_sight.h): a ray on an outline exactly has nothing of it, one in the
+///   surface of a cylinder seen along its axis, or of a cone from its apex, is in it.
 /// - The depth seen is the first at which the tree, as the model states it, holds the point just behind.
 /// - Its owner is the first primitive in tree order of those whose front (back, where the primitive is taken away) is
 ///   at that depth exactly and whose surface no operator takes away.
 /// - Rays in a plane that is seen edge-on are moved right, and down by less, by less than anything.
 ///
-/// Doubles with a rigorous bound decide most comparisons, exact numbers the rest, so no bit depends on rounding. Takes
+/// Doubles with a rigorous bound decide most comparisons, exact numbers the rest, square roots by squaring (surd.h), so
+/// no bit depends on rounding. Takes
 /// some 0.1 s for 512 x 512 pixels of a few thousand half-spaces. `depth` is used for its near plane only.
 Truth exact_truth(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera, std::uint32_t width,
                   std::uint32_t height, const isa::DepthScale& depth);

@@ -10,19 +10,29 @@
 
 namespace csgsim::testing {
 
-Scenery make_scenery(const std::string& csg, const view::Camera& camera, Size size, double near) {
+namespace {
+
+Scenery make(const std::string& csg, const view::Camera& camera, Size size, double near, bool exact_curves) {
+  facet::Faceting faceting;
+  faceting.exact_curves = exact_curves;
   model::Tree tree = read::read_csg_text(csg, "test");
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Scene scene = facet::make_scene(tree, faceting);
   return {std::move(tree), std::move(scene), camera, size.width, size.height, near};
 }
-
-namespace {
 
 isa::DepthScale depth_of(const Scenery& scenery) {
   return {scenery.camera.projection == view::Projection::perspective, scenery.near, 1000};
 }
 
 }  // namespace
+
+Scenery make_scenery(const std::string& csg, const view::Camera& camera, Size size, double near) {
+  return make(csg, camera, size, near, false);
+}
+
+Scenery make_curved_scenery(const std::string& csg, const view::Camera& camera, Size size, double near) {
+  return make(csg, camera, size, near, true);
+}
 
 judges::Truth exact(const Scenery& scenery) {
   return judges::exact_truth(scenery.tree, scenery.scene, scenery.camera, scenery.width, scenery.height,

@@ -28,6 +28,9 @@ struct Size {
 
 Scenery make_scenery(const std::string& csg, const view::Camera& camera, Size size, double near = 1);
 
+/// With spheres, cylinders and cones as quadrics.
+Scenery make_curved_scenery(const std::string& csg, const view::Camera& camera, Size size, double near = 1);
+
 judges::Truth exact(const Scenery& scenery);
 judges::Truth analytic(const Scenery& scenery);
 

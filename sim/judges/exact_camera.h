@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host/view/camera.h"
+#include "hw/isa/program.h"
+#include "sim/judges/dyadic.h"
+
+namespace csgsim::judges {
+
+/// A pixel centre: twice its distance from the middle of the picture, in pixels, to the right and down. Integers.
+struct Place {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+};
+
+/// The centre of the pixel in that column and row.
+constexpr Place place_of(std::uint32_t column, std::uint32_t row, std::uint32_t width, std::uint32_t height) {
+  return {2 * static_cast<std::int32_t>(column) - (static_cast<std::int32_t>(width) - 1),
+          2 * static_cast<std::int32_t>(row) - (static_cast<std::int32_t>(height) - 1)};
+}
+
+/// l0 + lx x + ly y, exact.
+struct ExactLinear {
+  Dyadic l0, lx, ly;
+
+  [[nodiscard]] Dyadic at(Place place) const;
+};
+
+/// A camera in exact numbers. Its direction v = centre - eye, r = v x up and u = r x v are exact, and not normalised,
+/// so that what is perpendicular or parallel to them is so exactly. Only two lengths are irrational, pixel / |r| and
+/// pixel / |u|; they are taken to 100 digits.
+struct ExactCamera {
+  ExactCamera(const view::Camera& camera, std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
+
+  bool perspective;
+  std::uint32_t width;
+  std::uint32_t height;
+  Vector eye;          ///< model space
+  Vector forward;      ///< v
+  Vector right;        ///< r
+  Vector up;           ///< u
+  Dyadic right_step;   ///< half a pixel in lengths of r
+  Dyadic up_step;      ///< half a pixel in lengths of u
+  Dyadic axis_length;  ///< |v|
+  Dyadic near;
+};
+
+}  // namespace csgsim::judges

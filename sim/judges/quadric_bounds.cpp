@@ -1,0 +1,185 @@
+#include "sim/judges/quadric_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace csgsim::judges {
+
+namespace {
+
+/// Worse conditions leave nothing of a double's digits.
+constexpr double worst_condition = 0x1p45;
+
+/// Bits that a discriminant's rounding is above that of a linear function.
+constexpr int discriminant_bits = 9;
+
+std::int64_t floor_step(double value) {
+  constexpr double limit = 0x1p60;
+  return static_cast<std::int64_t>(std::clamp(std::floor(value), -limit, limit));
+}
+
+double terms(const FilterQuadratic& linear, Place place) {
+  return std::abs(linear.c) + std::abs(linear.x * place.x) + std::abs(linear.y * place.y);
+}
+
+Maybe most(Maybe a, Maybe b) { return a == b ? a : Maybe::unknown; }
+
+Steps hull(const Steps& a, const Steps& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+
+/// Pixels that the section of a cylinder or cone moves in an orthographic view, and its radius changes by, from one
+/// depth to another; infinite if it is no ellipse.
+double section_drift(const SightQuadric& quadric, double from, double to) {
+  const FilterQuadratic& q = quadric.value;
+  const FilterQuadratic& l = quadric.slope;
+  const double determinant = 4.0 * q.xx * q.yy - q.xy * q.xy;
+  if (!(determinant > 0.0)) return std::numeric_limits<double>::infinity();
+  struct Section {
+    double x, y, value;
+  };
+  const auto section = [&](double depth) {
+    const double gx = q.x + 2.0 * depth * l.x;
+    const double gy = q.y + 2.0 * depth * l.y;
+    const double x = (q.xy * gy - 2.0 * q.yy * gx) / determinant;
+    const double y = (q.xy * gx - 2.0 * q.xx * gy) / determinant;
+    return Section{x, y, (quadric.a * depth + 2.0 * l.c) * depth + q.c + (gx * x + gy * y) / 2.0};
+  };
+  const Section first = section(from);
+  const Section last = section(to);
+  const double least = std::min(std::abs(q.xx), std::abs(q.yy));
+  const double radii =
+      std::abs(std::sqrt(std::max(0.0, -last.value / least)) - std::sqrt(std::max(0.0, -first.value / least)));
+  return (std::hypot(last.x - first.x, last.y - first.y) + radii) / 2.0;
+}
+
+}  // namespace
+
+double DepthLine::ulp() const { return std::ldexp(0.5, -static_cast<int>(fraction_bits)); }
+
+double DepthLine::rounding(Place place) { return 1.0 + (std::abs(place.x) + std::abs(place.y)) / 2.0; }
+
+Steps DepthLine::steps(const FilterQuadratic& linear, double condition, double ulps, Place place) const {
+  const double sizes = std::abs(z_at_zero) + std::abs(z_per_q) * terms(linear, place);
+  const double off = ulps * ulp() + double_part * sizes * condition;
+  const double z = z_at_zero + z_per_q * (linear.c + linear.x * place.x + linear.y * place.y);
+  return {floor_step(z - off), floor_step(z + off)};
+}
+
+QuadricBounds::QuadricBounds(const facet::Scene& scene, const Sight& sight, const DepthLine& line)
+    : table_(scene.quadrics), sight_(sight), line_(line) {
+  const std::vector<PlaceRect> reaches = quadric_reaches(scene, sight.camera());
+  for (std::uint32_t i = 0; i < reaches.size(); ++i) bounds_.push_back(make_bound(i, reaches[i]));
+}
+
+/// Pixels that the quadric moves sideways over the depth range; infinite where whole rays cannot be in it.
+double QuadricBounds::drift(std::uint32_t index) const {
+  const facet::QuadricKind kind = table_.quadrics()[index].kind;
+  const SightQuadric& quadric = sight_.quadrics().quadric(index);
+  if (quadric.edge) return 0.0;
+  if (kind == facet::QuadricKind::cone && sight_.perspective()) {
+    return apex_shift(table_, index, sight_.camera()) * 2.0 * line_.q_half_range;
+  }
+  if (kind == facet::QuadricKind::ellipsoid || sight_.perspective()) return std::numeric_limits<double>::infinity();
+  return section_drift(quadric, line_.q_middle - line_.q_half_range, line_.q_middle + line_.q_half_range);
+}
+
+/// The greatest unit that the design allows: of a cylinder whose root is some bits longer than depth is, in an
+/// orthographic view, as many steps as the surface passes in a part of a pixel.
+int QuadricBounds::most_unit(std::uint32_t index, double greatest_square) const {
+  if (table_.quadrics()[index].kind != facet::QuadricKind::cylinder || sight_.perspective()) return 0;
+  const FilterQuadratic& middle = sight_.quadrics().quadric(index).middle;
+  const double slope = 2.0 * line_.z_per_q * std::hypot(middle.x, middle.y);
+  const double passed = std::log2(slope * line_.edge_on_fraction) + 0x1p-30;
+  const double beyond = std::log2(std::max(1.0, greatest_square)) / 2.0 + 1.0 - line_.z_bits - 2.0;
+  return std::max(0, static_cast<int>(std::floor(std::min(passed, beyond))));
+}
+
+QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceRect& reach) const {
+  const SightQuadric& quadric = sight_.quadrics().quadric(index);
+  Bound bound;
+  bound.drift = drift(index);
+  bound.across = std::max(0.0, reach.x1 - reach.x0) / 4.0;
+  bound.down = std::max(0.0, reach.y1 - reach.y0) / 4.0;
+  if (bound.drift < line_.edge_on_fraction / 2.0) {
+    bound.nature = Nature::edge;
+    bound.greatest = std::max(0.0, -least(section(index), reach));
+    return bound;
+  }
+  const bool is_clear = std::isfinite(quadric.square.error) && quadric.condition < worst_condition;
+  if (!is_clear || bound.drift < 2.0 * line_.edge_on_fraction) {
+    bound.nature = Nature::doubtful;
+    return bound;
+  }
+  bound.greatest = std::max(1.0, line_.z_per_q * line_.z_per_q * judges::greatest(quadric.square, reach));
+  bound.most_unit = most_unit(index, bound.greatest);
+  return bound;
+}
+
+QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
+  const Bound& bound = bounds_[index];
+  QuadricMet met;
+  met.doubtful = bound.nature == Nature::doubtful;
+  met.edge = bound.nature == Nature::edge;
+  if (met.edge) met.is_met = edge_holds(index, place);
+  if (bound.nature != Nature::roots) return met;
+  met = with_unit(index, place, 0);
+  for (int unit = 1; unit <= bound.most_unit; ++unit) {
+    const QuadricMet other = with_unit(index, place, unit);
+    met.is_met = most(met.is_met, other.is_met);
+    met.nearer = hull(met.nearer, other.nearer);
+    met.farther = hull(met.farther, other.farther);
+  }
+  return met;
+}
+
+QuadricMet QuadricBounds::with_unit(std::uint32_t index, Place place, int unit) const {
+  const SightQuadric& quadric = sight_.quadrics().quadric(index);
+  const Bound& bound = bounds_[index];
+  const Steps middle = line_.steps(quadric.middle, quadric.condition, 1.0 + bound.across + bound.down, place);
+  const double scale = std::ldexp(line_.z_per_q * line_.z_per_q, -2 * unit);
+  const double square = scale * quadric.square.at(place);
+  const double greatest = std::max(1.0, std::ldexp(bound.greatest, -2 * unit));
+  const double rounding =
+      std::sqrt(greatest) * std::ldexp(1.0, discriminant_bits - static_cast<int>(line_.fraction_bits)) + 1.0;
+  const double terms = scale * quadric.square_terms;
+  const double part = DepthLine::double_part * quadric.condition;
+  const double doubles = 2.0 * part * std::sqrt(terms * greatest) + part * part * terms + scale * quadric.square.error;
+  const double low = std::floor(square - rounding - doubles);
+  const double high = std::floor(square + rounding + doubles);
+  QuadricMet met;
+  if (low >= 0.0) met.is_met = Maybe::yes;
+  if (low < 0.0 && high >= 0.0) met.is_met = Maybe::unknown;
+  constexpr double root_part = 0x1p-50;
+  const std::int64_t step = std::int64_t{1} << unit;
+  const std::int64_t least = floor_step(std::sqrt(std::max(0.0, low)) * (1.0 - root_part));
+  const std::int64_t most = floor_step(std::sqrt(std::max(0.0, high)) * (1.0 + root_part));
+  met.nearer = {middle.low - most * step, middle.high - least * step};
+  met.farther = {middle.low + (least + 1) * step, middle.high + (most + 1) * step};
+  return met;
+}
+
+/// The section where half the depth range is passed: negative inside.
+FilterQuadratic QuadricBounds::section(std::uint32_t index) const {
+  const SightQuadric& quadric = sight_.quadrics().quadric(index);
+  const FilterQuadratic& q = quadric.value;
+  const FilterQuadratic& l = quadric.slope;
+  const double depth = line_.q_middle;
+  return {
+      (quadric.a * depth + 2.0 * l.c) * depth + q.c, q.x + 2.0 * depth * l.x, q.y + 2.0 * depth * l.y, q.xx, q.xy, q.yy,
+      q.error + 2.0 * std::abs(depth) * l.error};
+}
+
+Maybe QuadricBounds::edge_holds(std::uint32_t index, Place place) const {
+  const Bound& bound = bounds_[index];
+  const FilterQuadratic at = section(index);
+  const double value = at.at(place);
+  const double along_x = at.x + 2.0 * at.xx * place.x + at.xy * place.y;
+  const double along_y = at.y + 2.0 * at.yy * place.y + at.xy * place.x;
+  // Twice what the rounding may be, as the rectangle is not the host's.
+  const double rounding = 4.0 * bound.greatest / (1.0 + std::hypot(bound.across, bound.down)) * line_.edge_on_fraction;
+  const double zone = 2.0 * std::hypot(along_x, along_y) * bound.drift + rounding + at.error;
+  if (std::abs(value) <= zone) return Maybe::unknown;
+  return value < 0.0 ? Maybe::yes : Maybe::no;
+}
+
+}  // namespace csgsim::judges

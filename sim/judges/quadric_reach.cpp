@@ -1,0 +1,138 @@
+#include "sim/judges/quadric_reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace csgsim::judges {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr PlaceRect no_places{infinity, infinity, -infinity, -infinity};
+
+/// Two pixels, in places.
+constexpr double margin = 4.0;
+
+glm::dvec3 approximately(const Vector& v) { return {v[0].approximately(), v[1].approximately(), v[2].approximately()}; }
+
+void grow(PlaceRect& rect, double x, double y) {
+  rect = {std::min(rect.x0, x), std::min(rect.y0, y), std::max(rect.x1, x), std::max(rect.y1, y)};
+}
+
+PlaceRect hull(const PlaceRect& a, const PlaceRect& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+/// Projects solids in doubles.
+class Projector {
+ public:
+  explicit Projector(const ExactCamera& camera)
+      : perspective_(camera.perspective),
+        eye_(approximately(camera.eye)),
+        forward_(per_length(approximately(camera.forward))),
+        right_(per_length(approximately(camera.right)) / camera.right_step.approximately()),
+        down_(-per_length(approximately(camera.up)) / camera.up_step.approximately()),
+        near_(camera.near.approximately() / camera.axis_length.approximately()),
+        picture_{-1.0 * camera.width, -1.0 * camera.height, 1.0 * camera.width, 1.0 * camera.height} {}
+
+  [[nodiscard]] PlaceRect places(const facet::Convex& solid) const {
+    PlaceRect rect = no_places;
+    for (const glm::dvec3& vertex : solid.vertices) {
+      if (!perspective_ || depth(vertex) >= near_) add(rect, vertex);
+    }
+    if (perspective_) {
+      for (const auto& [first, second] : solid.edges) add_cut(rect, solid.vertices[first], solid.vertices[second]);
+    }
+    return {std::max(rect.x0 - margin, picture_.x0), std::max(rect.y0 - margin, picture_.y0),
+            std::min(rect.x1 + margin, picture_.x1), std::min(rect.y1 + margin, picture_.y1)};
+  }
+
+  /// A direction in half pixels to the right and down, and in lengths of the view's direction.
+  [[nodiscard]] glm::dvec3 lengths(const glm::dvec3& d) const {
+    return {glm::dot(d, right_), glm::dot(d, down_), glm::dot(d, forward_)};
+  }
+
+ private:
+  static glm::dvec3 per_length(const glm::dvec3& v) { return v / glm::dot(v, v); }
+
+  /// In lengths of the view's direction.
+  [[nodiscard]] double depth(const glm::dvec3& point) const { return glm::dot(point - eye_, forward_); }
+
+  void add(PlaceRect& rect, const glm::dvec3& point) const {
+    const glm::dvec3 d = point - eye_;
+    const double over = perspective_ ? depth(point) : 1.0;
+    grow(rect, glm::dot(d, right_) / over, glm::dot(d, down_) / over);
+  }
+
+  void add_cut(PlaceRect& rect, const glm::dvec3& a, const glm::dvec3& b) const {
+    const double from = depth(a) - near_;
+    const double to = depth(b) - near_;
+    if ((from < 0.0) != (to < 0.0)) add(rect, a + from / (from - to) * (b - a));
+  }
+
+  bool perspective_;
+  glm::dvec3 eye_;
+  glm::dvec3 forward_;
+  glm::dvec3 right_;
+  glm::dvec3 down_;
+  double near_;
+  PlaceRect picture_;
+};
+
+/// Where a x^2 + b x has its peak, if it is between the ends.
+double peak(double a, double b, double low, double high) {
+  return a < 0.0 ? std::clamp(-b / (2.0 * a), low, high) : low;
+}
+
+}  // namespace
+
+std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCamera& camera) {
+  const Projector projector(camera);
+  std::vector<PlaceRect> reaches(scene.quadrics.quadrics().size(), no_places);
+  for (const facet::Convex& solid : scene.solids) {
+    if (solid.quadrics.empty()) continue;
+    const PlaceRect places = projector.places(solid);
+    for (const facet::QuadricSide& side : solid.quadrics) {
+      reaches[side.quadric] = hull(reaches[side.quadric], places);
+    }
+  }
+  return reaches;
+}
+
+double least(const FilterQuadratic& of, const PlaceRect& over) {
+  return -greatest({-of.c, -of.x, -of.y, -of.xx, -of.xy, -of.yy, of.error}, over);
+}
+
+double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, const ExactCamera& camera) {
+  const Vector from_centre = camera.eye - exactly(quadrics.centre());
+  const glm::dvec3 from_apex = approximately(from_centre - exactly(quadrics.quadrics()[index].origin));
+  const Projector projector(camera);
+  const glm::dvec3 places = projector.lengths(from_apex);
+  // Places are half pixels, of which the corners are as many away as the picture has pixels.
+  return (std::hypot(places.x, places.y) + std::abs(places.z) * std::hypot(camera.width, camera.height)) / 2.0;
+}
+
+double greatest(const FilterQuadratic& of, const PlaceRect& over) {
+  if (over.x0 > over.x1 || over.y0 > over.y1) return 0.0;
+  double most = -infinity;
+  const auto take = [&](double x, double y) {
+    most = std::max(most, of.c + x * (of.x + of.xx * x + of.xy * y) + y * (of.y + of.yy * y));
+  };
+  for (const double x : {over.x0, over.x1}) {
+    for (const double y : {over.y0, over.y1}) take(x, y);
+    take(x, peak(of.yy, of.y + of.xy * x, over.y0, over.y1));
+  }
+  for (const double y : {over.y0, over.y1}) take(peak(of.xx, of.x + of.xy * y, over.x0, over.x1), y);
+  const double determinant = 4.0 * of.xx * of.yy - of.xy * of.xy;
+  if (determinant > 0.0) {
+    const double x = (of.xy * of.y - 2.0 * of.yy * of.x) / determinant;
+    const double y = (of.xy * of.x - 2.0 * of.xx * of.y) / determinant;
+    if (over.x0 <= x && x <= over.x1 && over.y0 <= y && y <= over.y1) take(x, y);
+  }
+  return most;
+}
+
+}  // namespace csgsim::judges

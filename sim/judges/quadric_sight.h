@@ -1,0 +1,139 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "host/facet/quadrics.h"
+#include "sim/judges/exact_camera.h"
+#include "sim/judges/surd.h"
+
+namespace csgsim::judges {
+
+/// Which depth of a surface: planes have one, quadrics two.
+enum class Root : std::int8_t { nearer = -1, only = 0, farther = 1 };
+
+/// What a ray meets at one depth: a canonical plane, or one root of a canonical quadric.
+struct Sheet {
+  std::uint32_t index = 0;
+  Root root = Root::only;
+
+  bool operator==(const Sheet&) const = default;
+};
+
+/// Part of a ray: [front, back), without end where there is none.
+struct Part {
+  std::optional<Sheet> front;
+  std::optional<Sheet> back;
+};
+
+/// At most two parts of a ray, from the nearest.
+struct Parts {
+  std::array<Part, 2> all;
+  std::size_t count = 0;
+
+  [[nodiscard]] const Part* begin() const { return all.data(); }
+  [[nodiscard]] const Part* end() const { return all.data() + count; }
+};
+
+/// A number and how far it may be off.
+struct Estimate {
+  double value = 0;
+  double error = 0;
+};
+
+/// Approximately c + x x + y y + xx x^2 + xy x y + yy y^2, off by `error` at most at any place of the picture.
+struct FilterQuadratic {
+  double c = 0;
+  double x = 0;
+  double y = 0;
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  double error = 0;
+
+  [[nodiscard]] double at(Place place) const {
+    return c + place.x * (x + xx * place.x + xy * place.y) + place.y * (y + yy * place.y);
+  }
+};
+
+/// A quadric along the rays of the picture, a q^2 + 2 L q + Q <= 0, approximately.
+struct SightQuadric {
+  int opening = 0;         ///< sign of a: 1 if a ray is in it between its depths, -1 if outside of them
+  bool edge = false;       ///< a = 0 and L = 0 everywhere: whole rays are in it or are not
+  int ahead = 0;           ///< of a cone: -1 if rays end on the nappe that the axis points into, 1 if they begin there
+  double condition = 1;    ///< how often the rounding of doubles is magnified in a
+  FilterQuadratic middle;  ///< -L / a, linear: its depths are middle -+ sqrt(square). Not where a = 0
+  FilterQuadratic square;  ///< (L^2 - a Q) / a^2; of an edge -Q
+  FilterQuadratic nappe;   ///< of a cone, linear: negative where a ray is in the nappe that the axis points into
+  double a = 0;
+  FilterQuadratic slope;    ///< L, linear
+  FilterQuadratic value;    ///< Q
+  double square_terms = 0;  ///< at most the sum of the sizes of all terms of L^2 / a^2 and Q / a, over the picture
+};
+
+/// The canonical quadrics of a scene as a camera sees them: the doubles of `to_unit` and `origin` are taken as they
+/// are, depth is that of Sight (sight.h).
+///
+/// Not to be used by several threads at a time: exact numbers are worked out when first asked for, and kept.
+class QuadricSight {
+ public:
+  QuadricSight(const facet::QuadricTable& quadrics, const ExactCamera& camera);
+
+  [[nodiscard]] const SightQuadric& quadric(std::uint32_t index) const { return quadrics_[index]; }
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(quadrics_.size()); }
+
+  /// The parts of a ray that are in the quadric (of a cone, in that nappe), exact:
+  ///
+  /// - a > 0: between its depths; nothing where they are the same, on the outline.
+  /// - a < 0: before the nearer depth and from the farther one, of a cone that of the two which is on the nappe;
+  ///   everything where there are no depths.
+  /// - a = 0: to or from the only depth, which both roots are then. Where L = 0 too, everything or nothing by the sign
+  ///   of Q; Q = 0 is inside if the quadric is an edge, seen along its axis or from its apex, and else outside.
+  ///
+  /// Parts behind the eye are not left out.
+  [[nodiscard]] Parts parts(const facet::QuadricSide& side, Place place) const;
+
+  /// A depth that the quadric has there, approximately.
+  [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
+
+  /// The same exactly.
+  [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;
+
+ private:
+  /// c + x x + y y + xx x^2 + xy x y + yy y^2.
+  struct ExactQuadratic {
+    Dyadic c, x, y, xx, xy, yy;
+
+    [[nodiscard]] Dyadic at(Place place) const;
+  };
+
+  struct Exact {
+    Dyadic a;
+    ExactLinear l;
+    ExactQuadratic q;
+    ExactQuadratic discriminant;
+    ExactLinear nappe;
+    int ahead = 0;
+    double sizes_of_a = 0;
+  };
+
+  [[nodiscard]] Exact make_exact(std::uint32_t index) const;
+  [[nodiscard]] const Exact& exact(std::uint32_t index) const;
+  [[nodiscard]] SightQuadric make_filter(std::uint32_t index) const;
+  [[nodiscard]] FilterQuadratic filter(const ExactQuadratic& from, double over) const;
+  [[nodiscard]] double size_over_picture(const FilterQuadratic& of) const;
+  [[nodiscard]] int discriminant_sign(std::uint32_t index, Place place) const;
+  [[nodiscard]] bool on_nappe(const facet::QuadricSide& side, Place place) const;
+  [[nodiscard]] Parts tangent_parts(const facet::QuadricSide& side, Place place) const;
+
+  const facet::QuadricTable& table_;
+  const ExactCamera& camera_;
+  Vector eye_;  ///< from QuadricTable::centre()
+  std::vector<SightQuadric> quadrics_;
+  mutable std::unordered_map<std::uint32_t, Exact> kept_;
+};
+
+}  // namespace csgsim::judges
