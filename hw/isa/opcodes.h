@@ -37,7 +37,8 @@ enum class ClockClass : std::uint8_t {
 /// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant or a count, and
 /// F the pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number,
 /// shifted right by `shift` with floor; x and y are the pixel's column and row in its segment. Where `squares` is the
-/// instruction before, its A*x*x + B*x*y + C*y*y is a part of that sum. Fields are unsigned.
+/// instruction before, its A*x*x + B*x*y + C*y*y is a part of that sum. Fields are unsigned. Of a
+/// field of 2w + 1 bits D is the number without the top bit.
 /// Memory is written only where E is 1, but for enable_store.
 // clang-format off
 #define CSGSIM_OPCODES(OP)                                                                                             \
@@ -90,8 +91,7 @@ enum class ClockClass : std::uint8_t {
   OP(35, linear_minus,      target, linear,   none,   wide,        linear_once,                                        \
      "where E: t := the low bits of F - t")                                                                            \
   OP(36, root,              target, none,     none,   odd,         root,                                               \
-     "where E: of the 2w + 1 bits of t the upper w := q, the root of all but the top bit, D, rounded down; the lower " \
-     "w + 1 := the low bits of D - (q or 1) squared")
+     "where E: t := q, the root of D rounded down, in its upper w bits, and D - (q or 1)^2 below")
 // clang-format on
 
 enum class Opcode : std::uint8_t {
