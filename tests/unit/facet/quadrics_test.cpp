@@ -256,7 +256,9 @@ TEST_CASE("what is meant as a polygon is faceted, and everything is where exact 
   all.fewest_round = 0;
   CHECK(quadrics_with(6, all) == 1);
   const model::Tree both = tree_of({at(model::Sphere{2, {}}), at(model::Sphere{3, {}})});
-  const facet::Scene scene = facet::make_scene(both, exact(), {true, false});
+  facet::Faceting second = exact();
+  second.faceted = {true, false};
+  const facet::Scene scene = facet::make_scene(both, second);
   CHECK(scene.solids[0].quadrics.empty());
   CHECK(scene.solids[1].quadrics.size() == 1);
 }
