@@ -39,21 +39,22 @@ void DeferredPixels::settle() {
   log_.clear();
 }
 
-/// The block has no pixel enabled and need not carry the batch out.
-bool DeferredPixels::leaves_out(std::size_t block, const Batch& batch) const {
-  return on_[block] == 0 && !batch.acts_where_disabled && batch.carry != Touch::uses && batch.latch != Touch::uses &&
+/// A block that has no pixel enabled need not carry the batch out.
+bool DeferredPixels::may_be_left_out(const Batch& batch) {
+  return !batch.acts_where_disabled && batch.carry != Touch::uses && batch.latch != Touch::uses &&
          batch.flag != Touch::uses;
 }
 
 /// Sorts the blocks into those that carry the batch out, some of them after what they owe, and the others.
 void DeferredPixels::choose(const Batch& batch, std::uint64_t number) {
   kernels::find_ones(enable_.data(), on_);
+  const bool leaves_out = may_be_left_out(batch);
   to_run_.clear();
   to_pay_.clear();
   asked_about_ = 0;
   for (std::uint32_t block = 0; block < owed_.size(); ++block) {
     Owed& owed = owed_[block];
-    if (leaves_out(block, batch)) {
+    if (leaves_out && on_[block] == 0) {
       if (batch.carry == Touch::sets) owed.carry = number;
       if (batch.latch == Touch::sets) owed.latch = number;
       if (batch.flag == Touch::sets) owed.flag = number;
@@ -118,7 +119,7 @@ void DeferredPixels::pay_one(std::span<const std::uint32_t> blocks, std::uint64_
 
 void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> blocks, kernels::Effects effects) {
   if (blocks.empty()) return;
-  effects.flag = effects.flag && batch.flag != Touch::none;
+  effects.has_flag = batch.flag != Touch::none;
   kernels::run(batch.runs, columns_.of(batch.streams),
                {.bits = words_.data(),
                 .stride = bits_.count() * kernels::block_words,

@@ -61,7 +61,7 @@ class DeferredPixels {
     return &words_[number * bits_.count() * kernels::block_words];
   }
   [[nodiscard]] const Batch& kept(std::uint64_t number) const { return kept_[number % kept_batches]; }
-  [[nodiscard]] bool leaves_out(std::size_t block, const Batch& batch) const;
+  [[nodiscard]] static bool may_be_left_out(const Batch& batch);
   [[nodiscard]] bool needs(const Batch& batch, const Owed& owed);
   [[nodiscard]] bool spoils(const Batch& batch, std::uint64_t owed);
   void choose(const Batch& batch, std::uint64_t number);

@@ -49,9 +49,17 @@ struct RowMasks {
       }
       return;
     }
-    for (std::size_t word = 0; word < block_words; ++word) {
-      const std::uint64_t product = product_of(table, (first_word + word) / row_words);
-      for (unsigned bit = 0; bit < table.bits; ++bit) masks[bit * block_words + word] = 0 - (product >> bit & 1U);
+    alignas(64) std::uint64_t products[block_words];
+    for (std::size_t word = 0; word < block_words; ++word)
+      products[word] = product_of(table, (first_word + word) / row_words);
+    const BlockTag d;
+    const Vector low = hn::Set(d, std::uint64_t{1});
+    for (std::size_t word = 0; word < block_words; word += hn::Lanes(d)) {
+      Vector product = load(products + word);
+      for (unsigned bit = 0; bit < table.bits; ++bit) {
+        store(hn::Sub(hn::Zero(d), hn::And(product, low)), masks + bit * block_words + word);
+        product = hn::ShiftRight<1>(product);
+      }
     }
   }
 
@@ -67,7 +75,8 @@ struct RowMasks {
 /// The bits of a stream with x*y at a vector of pixels: bit j is row j.
 class CrossedBits {
  public:
-  HWY_ATTR HWY_INLINE void set(const Stream& stream, std::size_t first_word, std::size_t row_words) {
+  /// Out of line, where it costs loops without it nothing.
+  HWY_ATTR HWY_NOINLINE void set(const Stream& stream, std::size_t first_word, std::size_t row_words) {
     const BlockTag d;
     alignas(64) std::uint64_t values[block_words];
     alignas(64) std::uint64_t steps[block_words];  // to the next column
@@ -191,8 +200,9 @@ HWY_ATTR HWY_INLINE void with_x(const Run& run, const Adders<one_row>& adders, s
   store(last, bits + PixelBits{}.latch(0) * block_words);
 }
 
-/// Carries out a run on a vector of pixels. `bits`: the vector's first word of bit 0.
-template <bool one_row>
+/// Carries out a run on a vector of pixels. `bits`: the vector's first word of bit 0. The flag is looked at only
+/// `with_flag`.
+template <bool one_row, bool with_flag>
 HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits,
                                  const std::uint64_t* present, Effects effects, Registers& r) {
   const BlockTag d;
@@ -296,10 +306,12 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
       });
       break;
     case AluFunction::root_first:
+      if constexpr (!with_flag) break;
       for (unsigned i = 0; i < run.count; ++i) put(i, e, k);
       r.flag = hn::Not(k);
       break;
     case AluFunction::root_bit: {
+      if constexpr (!with_flag) break;
       const Vector subtracts = hn::Not(r.flag);
       each_x([&](unsigned i, Vector x) CSGSIM_BODY {
         const Vector added_to = y_at(i);
@@ -310,6 +322,7 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
       break;
     }
     case AluFunction::root_sign:
+      if constexpr (!with_flag) break;
       for (unsigned i = 0; i < run.count; ++i) {
         const Vector not_negative = hn::Xor(hn::Xor(y_at(i), r.flag), k);
         put(i, e, not_negative);
@@ -333,7 +346,7 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
   r.carry = k;
 }
 
-template <bool one_row>
+template <bool one_row, bool with_flag>
 HWY_ATTR HWY_INLINE void run_blocks(std::span<const Run> runs, std::span<const StreamTable> tables,
                                     const Blocks& blocks, std::span<const std::uint32_t> numbers, Effects effects) {
   const BlockTag d;
@@ -348,7 +361,7 @@ HWY_ATTR HWY_INLINE void run_blocks(std::span<const Run> runs, std::span<const S
       std::uint64_t* const enable = blocks.enable + first_word + word;
       Registers r{.enable = effects.enabled ? load(enable) : hn::Zero(d),
                   .carry = load(bits + PixelBits::carry * block_words),
-                  .flag = effects.flag ? load(bits + PixelBits::flag * block_words) : hn::Zero(d),
+                  .flag = with_flag ? load(bits + PixelBits::flag * block_words) : hn::Zero(d),
                   .tree_carry = hn::Zero(d),
                   .next_bit = 0};
       const StreamTable* table = &no_stream;
@@ -369,20 +382,25 @@ HWY_ATTR HWY_INLINE void run_blocks(std::span<const Run> runs, std::span<const S
           r.next_bit = 0;
           r.tree_carry = hn::Zero(d);
         }
-        run_one<one_row>(one, Adders<one_row>(rows, columns, stride, word), bits, blocks.present + first_word + word,
-                         effects, r);
+        run_one<one_row, with_flag>(one, Adders<one_row>(rows, columns, stride, word), bits,
+                                    blocks.present + first_word + word, effects, r);
       }
       if (effects.enabled) store(r.enable, enable);
       if (effects.carry) store(r.carry, bits + PixelBits::carry * block_words);
-      if (effects.flag) store(r.flag, bits + PixelBits::flag * block_words);
+      if (with_flag && effects.flag) store(r.flag, bits + PixelBits::flag * block_words);
     }
   }
 }
 
 void RunBlocks(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
                std::span<const std::uint32_t> numbers, Effects effects) {
-  if (blocks.row_words % block_words == 0) return run_blocks<true>(runs, tables, blocks, numbers, effects);
-  return run_blocks<false>(runs, tables, blocks, numbers, effects);
+  const bool one_row = blocks.row_words % block_words == 0;
+  if (effects.has_flag) {
+    return one_row ? run_blocks<true, true>(runs, tables, blocks, numbers, effects)
+                   : run_blocks<false, true>(runs, tables, blocks, numbers, effects);
+  }
+  return one_row ? run_blocks<true, false>(runs, tables, blocks, numbers, effects)
+                 : run_blocks<false, false>(runs, tables, blocks, numbers, effects);
 }
 
 /// Calls body(i) for the first word of every vector.

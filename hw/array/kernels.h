@@ -40,6 +40,7 @@ struct Effects {
   bool carry = true;
   bool latch = true;
   bool flag = true;
+  bool has_flag = true;  ///< there are steps with the flag; else they need not be looked for
 };
 
 /// Carries out runs on those blocks. `tables`: of the streams.

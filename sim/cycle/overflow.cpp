@@ -46,7 +46,7 @@ Range parabola(std::int64_t square, std::int64_t slope, std::uint32_t first, std
   return range_of({ends.least, ends.greatest, at(within(vertex - 1)), at(within(vertex)), at(within(vertex + 1))});
 }
 
-/// Bounds of the sum: those of its parts in x, in y and in both. They are reached without squares, and in a row.
+/// Bounds of the sum: those of its parts in x, in y and in both. They are reached in a row.
 Range bounds(const Expression& expression, const Box& box) {
   const auto& [linear, squares] = expression;
   const auto cross = [&](std::uint32_t x, std::uint32_t y) { return static_cast<Wide>(squares.b) * x * y; };
@@ -62,10 +62,20 @@ Range bounds(const Expression& expression, const Box& box) {
          Range{linear.c, linear.c};
 }
 
-/// Surely, at all pixels of the box.
+bool fits(const isa::Linear& linear, std::uint32_t x, std::uint32_t y) {
+  const Wide sum = static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
+  const Wide half = static_cast<Wide>(1) << (linear.width - 1U);
+  return -half <= sum && sum < half;
+}
+
+/// Surely, at all pixels of the box. Without squares the sum has its extremes in the corners.
 bool fits(const Expression& expression, const Box& box) {
+  const isa::Linear& linear = expression.linear;
+  if (expression.squares.width == 0)
+    return fits(linear, box.left, box.top) && fits(linear, box.right, box.top) && fits(linear, box.left, box.bottom) &&
+           fits(linear, box.right, box.bottom);
   const Range range = bounds(expression, box);
-  const Wide half = static_cast<Wide>(1) << (expression.linear.width - 1U);
+  const Wide half = static_cast<Wide>(1) << (linear.width - 1U);
   return -half <= range.least && range.greatest < half;
 }
 
@@ -120,7 +130,8 @@ std::uint64_t count_in_row(const Expression& expression, std::uint32_t y, std::s
   for (std::uint32_t word = 0; word < row.size(); ++word) {
     for (std::uint64_t bits = row[word]; bits != 0; bits &= bits - 1) {
       const std::uint32_t x = word * word_bits + static_cast<std::uint32_t>(std::countr_zero(bits));
-      if (!fits(expression, Box{x, x, y, y})) ++count;
+      const bool has_squares = expression.squares.width != 0;
+      if (has_squares ? !fits(expression, Box{x, x, y, y}) : !fits(expression.linear, x, y)) ++count;
     }
   }
   return count;
