@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/emit/digits.h"
 #include "host/emit/fields.h"
 #include "host/emit/light_fit.h"
 #include "hw/isa/opcodes.h"
@@ -60,39 +61,12 @@ std::optional<ScaledCosine> scaled(const LightFit& fit, double least_one, const 
   }
   // Of a sum of two floors the half that each loses comes back; of a difference they cancel.
   const double lost = !cosine.has_depth ? 0.5 : cosine.is_minus ? 0.0 : 1.0;
-  const view::RealLinear plane{fit.plane.a * cosine.one, fit.plane.b * cosine.one, fit.plane.at_centre * cosine.one + lost};
+  const view::RealLinear plane{fit.plane.a * cosine.one, fit.plane.b * cosine.one,
+                               fit.plane.at_centre * cosine.one + lost};
   const auto fixed = view::to_fixed(plane, fraction_bits, sampling.width, sampling.height);
   if (!fixed) return std::nullopt;
   cosine.plane = *fixed;
   return cosine;
-}
-
-/// A number as a sum and difference of powers of two, from the greatest down.
-struct Digits {
-  std::vector<int> plus;   ///< exponents
-  std::vector<int> minus;  ///< exponents
-};
-
-/// Binary digits: as few as leave an error of at most `error`.
-Digits binary(double value, double error) {
-  Digits digits;
-  while (value > error) {
-    const int exponent = std::ilogb(value);
-    digits.plus.push_back(exponent);
-    value -= std::ldexp(1.0, exponent);
-  }
-  return digits;
-}
-
-/// Digits of both signs, nearest power first.
-Digits both_signs(double value, double error) {
-  Digits digits;
-  while (std::abs(value) > error) {
-    const int exponent = static_cast<int>(std::lround(std::log2(std::abs(value))));
-    (value > 0 ? digits.plus : digits.minus).push_back(exponent);
-    value -= std::copysign(std::ldexp(1.0, exponent), value);
-  }
-  return digits;
 }
 
 class Painter {
@@ -144,7 +118,7 @@ class Painter {
       const double brightest = brightest_[c] + light.brightness[c] * (light.greatest + slack);
       const unsigned place = channel.base - field_.base;
       add_to({channel, begun ? std::optional(*begun >> place & ((1U << channel.width) - 1)) : std::nullopt,
-              light.brightness[c], brightest},
+              light.brightness[c], brightest, light.greatest},
              light.cosine.one);
     }
     brightest_ = glm::min(brightest_ + light.brightness * light.greatest, 1.0);
@@ -156,7 +130,8 @@ class Painter {
     const unsigned taken = cosine.has_depth ? std::min<unsigned>(cosine_.width, z1.width - cosine.drop) : 0;
     if (taken > 0) out_.plain(Opcode::copy, part_of(cosine_, 0, taken), part_of(z1, cosine.drop, taken));
     if (taken < cosine_.width) out_.plain(Opcode::set_constant, part_of(cosine_, taken, cosine_.width - taken));
-    out_.expression(cosine.is_minus ? Opcode::linear_minus : Opcode::linear_plus, cosine_, cosine.plane, fraction_bits, pixels_);
+    out_.expression(cosine.is_minus ? Opcode::linear_minus : Opcode::linear_plus, cosine_, cosine.plane, fraction_bits,
+                    pixels_);
     out_.plain(Opcode::enable_and, part_of(cosine_, cosine_.width - 1U, 1));
     out_.plain(Opcode::set_constant, cosine_);
     out_.plain(Opcode::enable_load, context_.layout.kept);
@@ -168,61 +143,109 @@ class Painter {
     std::optional<std::uint32_t> begun;  ///< what it would hold, if it is to be taken as that
     double brightness;
     double brightest;  ///< that it comes to, of 1
+    double greatest;   ///< cosine
   };
 
   /// channel += brightness * cosine, but no more than it holds.
   void add_to(const Channel& channel, double one) {
     const double top = std::ldexp(1.0, static_cast<int>(channel.field.width)) - 1;
-    const double most = top * channel.brightest + 1;
+    const double most = top * channel.brightest + 2;
     unsigned fraction = most_sum_fraction;
     while (fraction > 0 && most >= std::ldexp(1.0, static_cast<int>(sum_.width - fraction))) --fraction;
-    begin_sum(channel, fraction);
-    add_times(std::ldexp(top * channel.brightness / one, static_cast<int>(fraction)), fraction);
-    out_.plain(Opcode::copy, channel.field, part_of(sum_, fraction, channel.field.width));
-    for (unsigned bit = fraction + channel.field.width; bit < sum_.width; ++bit) {
+    const auto needed = static_cast<unsigned>(std::ilogb(most)) + 1 + fraction;
+    const Field sum =
+        part_of(sum_, 0, std::min<unsigned>(std::max(needed, fraction + channel.field.width), sum_.width));
+    emit_sum(channel, sum, fraction, multiple_of(channel, one, fraction));
+    out_.plain(Opcode::copy, channel.field, part_of(sum, fraction, channel.field.width));
+    for (unsigned bit = fraction + channel.field.width; bit < sum.width; ++bit) {
       if (most < std::ldexp(1.0, static_cast<int>(bit - fraction))) break;
-      out_.plain(Opcode::enable_and, part_of(sum_, bit, 1));
+      out_.plain(Opcode::enable_and, part_of(sum, bit, 1));
       out_.plain(Opcode::set_constant, channel.field, {}, static_cast<std::uint64_t>(top));
       out_.plain(Opcode::enable_load, context_.layout.kept);
     }
   }
 
-  /// The channel, and the half that copying it back will lose.
-  void begin_sum(const Channel& channel, unsigned fraction) {
-    const std::uint64_t half = (std::uint64_t{1} << fraction) >> 1U;
-    if (channel.begun) {
-      out_.plain(Opcode::set_constant, sum_, {}, (std::uint64_t{*channel.begun} << fraction) + half);
-      return;
+  /// Of the cosine, in units of the sum.
+  struct Multiple {
+    Digits digits;
+    double lost =
+        0;  ///< what comes back: the half of what the digits leave at the greatest cosine, and of what they cut off
+  };
+
+  /// Within half a level of light, when what is lost has come back.
+  Multiple multiple_of(const Channel& channel, double one, unsigned fraction) const {
+    const double level = std::ldexp(1.0, static_cast<int>(fraction));
+    const double top = std::ldexp(1.0, static_cast<int>(channel.field.width)) - 1;
+    const double greatest = channel.greatest * one;
+    Multiple multiple{fewest_digits(level * top * channel.brightness / one, level / greatest)};
+    const auto cut = [](int exponent) { return exponent < 0; };
+    const auto half = [&](const std::vector<int>& digits) {
+      return 0.5 * static_cast<double>(std::count_if(digits.begin(), digits.end(), cut));
+    };
+    multiple.lost = multiple.digits.rest * greatest / 2 + half(multiple.digits.plus) - half(multiple.digits.minus);
+    return multiple;
+  }
+
+  /// sum := the channel, and the multiple.
+  void emit_sum(const Channel& channel, Field sum, unsigned fraction, const Multiple& multiple) {
+    const double level = std::ldexp(1.0, static_cast<int>(fraction));
+    // Copying it back cuts off half a level.
+    const auto more = std::lround(std::max(level / 2 + multiple.lost, 0.0));
+    auto next = multiple.digits.plus.begin();
+    if (!channel.begun) {
+      begin_sum(channel, sum, fraction, static_cast<std::uint64_t>(more));
+    } else if (next == multiple.digits.plus.end()) {
+      out_.plain(Opcode::set_constant, sum, {},
+                 (std::uint64_t{*channel.begun} << fraction) + static_cast<std::uint64_t>(more));
+    } else {
+      copy_shifted(sum, *next++);
+      out_.expression(Opcode::linear_plus, sum, {0, 0, (std::int64_t{*channel.begun} << fraction) + more}, 0, pixels_);
     }
-    if (fraction > 0) out_.plain(Opcode::set_constant, part_of(sum_, 0, fraction), {}, half);
+    for (; next != multiple.digits.plus.end(); ++next) add_shifted(sum, *next);
+    if (multiple.digits.minus.empty()) return;
+    // To subtract, the sum is complemented before and after.
+    const std::uint64_t all = (std::uint64_t{1} << sum.width) - 1;
+    out_.plain(Opcode::xor_constant, sum, {}, all);
+    for (const int exponent : multiple.digits.minus) add_shifted(sum, exponent);
+    out_.plain(Opcode::xor_constant, sum, {}, all);
+  }
+
+  /// The channel as it is, with as much more as its fraction holds.
+  void begin_sum(const Channel& channel, Field sum, unsigned fraction, std::uint64_t more) {
     const unsigned end = fraction + channel.field.width;
-    out_.plain(Opcode::copy, part_of(sum_, fraction, channel.field.width), channel.field);
-    out_.plain(Opcode::set_constant, part_of(sum_, end, sum_.width - end));
+    if (fraction > 0)
+      out_.plain(Opcode::set_constant, part_of(sum, 0, fraction), {},
+                 std::min(more, (std::uint64_t{1} << fraction) - 1));
+    out_.plain(Opcode::copy, part_of(sum, fraction, channel.field.width), channel.field);
+    if (end < sum.width) out_.plain(Opcode::set_constant, part_of(sum, end, sum.width - end));
   }
 
-  /// sum += factor * cosine, within half a level of light at the brightest.
-  void add_times(double factor, unsigned fraction) {
-    const double error = std::ldexp(0.5, static_cast<int>(fraction)) / std::ldexp(1.0, static_cast<int>(cosine_.width) - 2);
-    const Digits plain = binary(factor, error);
-    const Digits both = both_signs(factor, error);
-    // To subtract, the sum is complemented before and after: as dear as one addition.
-    const std::size_t turning = both.minus.empty() ? 0 : 1;
-    const Digits& digits = both.plus.size() + both.minus.size() + turning < plain.plus.size() ? both : plain;
-    for (const int exponent : digits.plus) add_shifted(exponent);
-    if (digits.minus.empty()) return;
-    const std::uint64_t all = (std::uint64_t{1} << sum_.width) - 1;
-    out_.plain(Opcode::xor_constant, sum_, {}, all);
-    for (const int exponent : digits.minus) add_shifted(exponent);
-    out_.plain(Opcode::xor_constant, sum_, {}, all);
-  }
+  /// A part of the cosine, which is not negative, and where in the sum it goes.
+  struct Shifted {
+    Field target;  ///< to the sum's top
+    Field source;  ///< of width 0 if nothing of it is left
+  };
 
-  void add_shifted(int exponent) {
-    const unsigned up = exponent > 0 ? static_cast<unsigned>(exponent) : 0;
-    const unsigned down = exponent < 0 ? static_cast<unsigned>(-exponent) : 0;
+  [[nodiscard]] Shifted shifted(Field sum, int exponent) const {
+    const unsigned up = std::min<unsigned>(exponent > 0 ? static_cast<unsigned>(exponent) : 0, sum.width);
     const unsigned magnitude = cosine_.width - 1U;
-    if (up >= sum_.width || down >= magnitude) return;
-    const Field target = part_of(sum_, up, sum_.width - up);
-    out_.plain(Opcode::add, target, part_of(cosine_, down, std::min<unsigned>(magnitude - down, target.width)));
+    const unsigned down = std::min(exponent < 0 ? static_cast<unsigned>(-exponent) : 0, magnitude);
+    const Field target = part_of(sum, up, sum.width - up);
+    return {target, part_of(cosine_, down, std::min<unsigned>(magnitude - down, target.width))};
+  }
+
+  void add_shifted(Field sum, int exponent) {
+    const Shifted part = shifted(sum, exponent);
+    if (part.source.width > 0) out_.plain(Opcode::add, part.target, part.source);
+  }
+
+  void copy_shifted(Field sum, int exponent) {
+    const Shifted part = shifted(sum, exponent);
+    const unsigned below = sum.width - part.target.width;
+    const unsigned end = below + part.source.width;
+    if (below > 0) out_.plain(Opcode::set_constant, part_of(sum, 0, below));
+    if (part.source.width > 0) out_.plain(Opcode::copy, part_of(sum, below, part.source.width), part.source);
+    if (end < sum.width) out_.plain(Opcode::set_constant, part_of(sum, end, sum.width - end));
   }
 
   const Context& context_;

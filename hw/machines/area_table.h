@@ -23,7 +23,7 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({
     {4, 2, 934},
     {8, 1, 2106},
     {8, 2, 1966},
-    {16, 1, 4330},
+    {16, 1, 4370},
     {16, 2, 4262},
     {32, 1, 9234},
     {32, 2, 9328},

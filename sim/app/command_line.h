@@ -43,11 +43,11 @@ class Option {
   Option& words(const std::vector<std::string>& words, const Check& check);
 
   template <class Value>
-  Option& one_of(const std::map<std::string, Value>& named) {
+  Option& one_of(const std::map<std::string, Value>& named, const std::string& kind = {}) {
     std::vector<std::string> names;
     names.reserve(named.size());
     for (const auto& [name, value] : named) names.push_back(name);
-    return one_of(names);
+    return one_of(names, kind);
   }
 
   /// Both limits included; help shows the type.

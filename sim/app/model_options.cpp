@@ -218,7 +218,7 @@ void ModelOptions::add_view_to(Command& command) {
       .option("--curves", curves,
               "How spheres, cylinders and cones are drawn: facets; exact (without facets, on a machine whose "
               "evaluator.degree is 2); auto (exact where the machine and the scene's effects can)")
-      .one_of(by_name(emit::curve_choices));
+      .one_of(by_name(emit::curve_choices), "curve drawing");
   command.option("--colour-bits", colour_bits, "Bits of a colour")
       .between(isa::fewest_colour_bits, isa::most_colour_bits);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "hw/isa/instruction_numbers.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/timeline.h"
 #include "hw/wave/pixel_taps.h"
 #include "tests/lockstep/lockstep.h"
@@ -26,6 +27,22 @@ std::vector<isa::NamedField> slices(std::uint32_t memory_bits) {
         {fmt::format("slice{}", base),
          {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(std::min(slice_bits, memory_bits - base))}});
   return fields;
+}
+
+/// Bits of what has that name in which the instruction works while it is carried out: a root's steps write in its field
+/// what is neither there before nor after.
+std::uint64_t working_bits(const isa::Program& program, std::uint32_t segment, std::size_t index, std::string_view name) {
+  const isa::Instruction& instruction = program.segments[segment].instructions[index];
+  if (instruction.opcode != isa::Opcode::root) return 0;
+  const isa::Field& root = instruction.fields[0];
+  std::uint64_t bits = 0;
+  for (const isa::NamedField& slice : slices(program.shape.memory_bits)) {
+    for (std::uint32_t bit = 0; slice.name == name && bit < slice.field.width; ++bit) {
+      const std::uint32_t address = slice.field.base + bit;
+      if (address >= root.base && address < root.end()) bits |= std::uint64_t{1} << bit;
+    }
+  }
+  return bits;
 }
 
 std::uint32_t any_segment_with_instructions(const isa::Program& program) {
@@ -119,7 +136,8 @@ void WaveCheck::check_clock(std::uint64_t clock, const Shown& shown) const {
       continue;
     }
     const bool is_changing = is_at_one && next->begin < clock;
-    const std::uint64_t free_bits = is_changing ? before ^ states_[done + 1].at(name) : 0;
+    const std::uint64_t free_bits =
+        is_changing ? (before ^ states_[done + 1].at(name)) | working_bits(program_, segment_, done, name) : 0;
     require(((*value ^ before) & ~free_bits) == 0,
             fmt::format("{} is {:#x}, not {:#x} after {} instructions", name, *value, before, done));
   }

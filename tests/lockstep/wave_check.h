@@ -34,7 +34,7 @@ class WaveCheck {
 
   /// Throws Difference unless the pixel has the reference's enable and memory in each clock of the window, or nothing
   /// where it is no longer or not yet the pixel's, and is at the timeline's instruction. While one is carried out a bit
-  /// may be as it was before or as it is after it. `top`: the scope around all.
+  /// may be as it was before or as it is after it, one of a root's field as it likes. `top`: the scope around all.
   void check(const Vcd& wave, const std::string& top, std::uint64_t period_ps) const;
 
  private:

@@ -19,7 +19,6 @@ module area_pixel #(
   parameter ALU_BITS = 1,
   parameter ADDRESS = 7,
   parameter SIDE = 10,
-  parameter ROOTS = 0,
   parameter TURN = ALU_BITS > 1 ? $clog2(ALU_BITS) : 1
 ) (
   input wire clk,
@@ -52,9 +51,7 @@ module area_pixel #(
   endgenerate
   rotator #(.ALU_BITS(ALU_BITS), .TURN(TURN)) port_w (.turn(turn_w), .in(written), .out(columns_w));
 
-  pixel_processor #(
-    .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE), .ROOTS(ROOTS)
-  ) processor (
+  pixel_processor #(.MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)) processor (
     .clk(clk), .reset(1'b0), .fault(4'd0), .control(control), .in_region(in_region), .tree(tree),
     .memory_x(memory_x), .memory_y(memory_y), .written(written), .may_write(may_write), .enable(enable),
     .carry(), .flag(), .latch());

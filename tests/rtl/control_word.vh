@@ -27,15 +27,15 @@ localparam CW_SELECT = CW_SET_CARRY + 1;                   // 1: or E and the re
 localparam CW_STREAM = CW_SELECT + 1;                      // 1: a bit of F arrives with the word
 localparam CW_QUESTION = CW_STREAM + 1;                    // 1: is E 1 at any pixel?
 localparam CW_CLEAR = CW_QUESTION + 1;                     // 1: registers become 0, and the memory bits said below
-localparam CW_X_BY_FLAG = CW_CLEAR + 1;                    // 1: operand x is inverted where G is 0: a root subtracts there
-localparam CW_SET_FLAG = CW_X_BY_FLAG + 1;                 // 1: G becomes the result, inverted
-localparam CW_X = CW_SET_FLAG + 1;                         // address of operand x, or of y where there is one read port
+localparam CW_X = CW_CLEAR + 1;                            // address of operand x, or of y where there is one read port
 localparam CW_Y = CW_X + ADDRESS;                          // address of operand y
 localparam CW_W = CW_Y + ADDRESS;                          // address written, or the first cleared
 localparam CW_COUNT = CW_W + ADDRESS;                      // memory bits to clear
 localparam CW_COLUMNS = CW_COUNT + ADDRESS + 1;            // of a clear: pixels right of these
 localparam CW_ROWS = CW_COLUMNS + SIDE;                    // or below these take no part
-localparam CONTROL_BITS = CW_ROWS + SIDE;
+localparam CW_X_BY_FLAG = CW_ROWS + SIDE;                  // 1: operand x is inverted where G is 0: a root subtracts there
+localparam CW_SET_FLAG = CW_X_BY_FLAG + 1;                 // 1: G becomes the result, inverted
+localparam CONTROL_BITS = CW_SET_FLAG + 1;
 
 localparam X_TREE = 2'd0, X_LATCH = 2'd1, X_MEMORY = 2'd2, X_ENABLE = 2'd3;
 localparam CARRY_ZERO = 2'd0, CARRY_ONE = 2'd1, CARRY_KEPT = 2'd2;

@@ -1,5 +1,6 @@
 // Pixels that obey the same control word and share their word lines: a bit-serial processor with enable, carry and latch,
-// a flag for roots, and its memory, at each. Written from the meanings of the instruction table (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md
+// and its memory, at each; with CSGSIM_ROOTS a flag for roots too. Written from the meanings of the instruction table
+// (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md
 // and thesis 7.2.1. Vectors have a bit a pixel; where they have several places of the ALU, the least significant first.
 `include "faults.vh"
 
@@ -9,8 +10,7 @@ module pixel_processor #(
   parameter MEMORY_READS = 1,  // with two nothing is ever latched
   parameter ALU_BITS = 1,
   parameter ADDRESS = 7,
-  parameter SIDE = 5,
-  parameter ROOTS = 0          // there is a flag
+  parameter SIDE = 5
 ) (
   input wire clk,
   input wire reset,
@@ -24,7 +24,7 @@ module pixel_processor #(
   output wire [PIXELS-1:0] may_write,
   output reg [PIXELS-1:0] enable,
   output reg [PIXELS-1:0] carry,
-  output reg [PIXELS-1:0] flag,
+  output wire [PIXELS-1:0] flag,
   output reg [PIXELS*ALU_BITS-1:0] latch
 );
 `include "control_word.vh"
@@ -37,6 +37,21 @@ module pixel_processor #(
 
   wire [PIXELS-1:0] first_carry = carry_in == CARRY_KEPT ? carry & ~{PIXELS{`FAULT(`FAULT_CARRY)}}
                                                          : {PIXELS{carry_in == CARRY_ONE}};
+  wire [PIXELS-1:0] result;
+`ifdef CSGSIM_ROOTS
+  reg [PIXELS-1:0] negative;
+  always @(posedge clk) begin
+    if (reset | clear) negative <= {PIXELS{1'b0}};
+    else if (control[CW_SET_FLAG]) negative <= ~result;
+  end
+  assign flag = negative;
+  // Operand x is inverted where a root subtracts.
+  wire [PIXELS-1:0] turned = {PIXELS{control[CW_X_BY_FLAG]}} & (`FAULT(`FAULT_FLAG) ? ALL : ~negative);
+`define TURNED ^ turned
+`else
+  assign flag = {PIXELS{1'b0}};
+`define TURNED
+`endif
   reg [PIXELS*ALU_BITS-1:0] x;
   reg [PIXELS-1:0] y, p, q, carry_here, sum, carry_out, last_carry, all_ones;
   integer i;
@@ -52,8 +67,7 @@ module pixel_processor #(
     for (i = 0; i < ALU_BITS; i = i + 1) begin
       y = control[CW_Y_ENABLE] ? enable : memory_y[i*PIXELS +: PIXELS];
       p = control[CW_X_ZERO + i] ? {PIXELS{1'b0}} : x[i*PIXELS +: PIXELS];
-      p = p ^ {PIXELS{control[CW_X_INVERT + i]}};
-      if (ROOTS == 1 && control[CW_X_BY_FLAG]) p = `FAULT(`FAULT_FLAG) ? ~p : p ^ ~flag;
+      p = p ^ {PIXELS{control[CW_X_INVERT + i]}} `TURNED;
       q = control[CW_Y_ZERO] ? {PIXELS{1'b0}} : y;
       q = q ^ {PIXELS{control[CW_Y_INVERT]}};
       carry_here = control[CW_RIPPLE] ? last_carry : first_carry;
@@ -67,7 +81,7 @@ module pixel_processor #(
     end
   end
 
-  wire [PIXELS-1:0] result = (control[CW_SUM] ? all_ones : last_carry) ^ {PIXELS{control[CW_INVERT]}};
+  assign result = (control[CW_SUM] ? all_ones : last_carry) ^ {PIXELS{control[CW_INVERT]}};
   assign may_write = control[CW_WRITE_ALL] ? ALL : control[CW_WRITE_SELECTED] ? enable & carry : enable;
   wire [PIXELS-1:0] held_back = control[CW_AND_ENABLE] & ~`FAULT(`FAULT_ENABLE) ? enable : ALL;
   wire [PIXELS-1:0] may_latch = `FAULT(`FAULT_SECOND_READ) ? enable : ALL;
@@ -77,13 +91,11 @@ module pixel_processor #(
     if (reset | clear) begin
       enable <= {PIXELS{1'b0}};
       carry <= {PIXELS{1'b0}};
-      flag <= {PIXELS{1'b0}};
       latch <= {(PIXELS*ALU_BITS){1'b0}};
       present <= in_region & {PIXELS{~reset}};
     end else begin
       if (control[CW_SET_ENABLE]) enable <= present & result & held_back;
       if (control[CW_SET_CARRY]) carry <= control[CW_SELECT] ? enable & result : last_carry;
-      if (ROOTS == 1 && control[CW_SET_FLAG]) flag <= ~result;
       for (j = 0; j < ALU_BITS; j = j + 1)
         if (MEMORY_READS == 1 & control[CW_LATCH] & control[CW_ACTIVE + j])
           latch[j*PIXELS +: PIXELS] <= (x[j*PIXELS +: PIXELS] & may_latch) | (latch[j*PIXELS +: PIXELS] & ~may_latch);
@@ -171,8 +183,7 @@ module pixels #(
   wire [ALU_BITS-1:0] write = control[CW_ACTIVE +: ALU_BITS] & {ALU_BITS{control[CW_WRITE]}};
 
   pixel_processor #(
-    .PIXELS(PIXELS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE),
-    .ROOTS(1)
+    .PIXELS(PIXELS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)
   ) processors (
     .clk(clk), .reset(reset), .fault(fault), .control(control), .in_region(in_region), .tree(tree),
     .memory_x(read_x), .memory_y(MEMORY_READS == 1 | `FAULT(`FAULT_SECOND_READ) ? read_x : read_y),

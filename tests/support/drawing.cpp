@@ -18,6 +18,7 @@ machines::Machine machine_of(const isa::ArrayShape& array) {
   machine.array = array;
   machine.clock_hz = 10'000'000;
   machines::own<pixel_planes::Figures>(machine).or_fan_in = 64;  // as pixel-planes-4: what is asked depends on it
+  machine.evaluator_degree = 2;
   return machine;
 }
 

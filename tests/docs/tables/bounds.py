@@ -5,7 +5,7 @@ from figures import THESIS_MODELS, ruled
 
 def clocks(figures, machine, *changes):
     changed = "".join(f"+{change}" for change in changes)
-    return [figures.clocks(model, f"--machine {machine}{changed}") for model in THESIS_MODELS]
+    return [figures.clocks(model, f"--machine {machine}{changed} --curves facets") for model in THESIS_MODELS]
 
 
 def thousands(values):
