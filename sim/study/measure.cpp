@@ -106,7 +106,8 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine, options_), machine);
   const isa::DepthScale& depth = drawn.program.facts.depth_scale;
   judges::Truth exact = judges::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
-  judges::Truth analytic = judges::analytic_truth(tree_, cameras_[camera], sampling.width, sampling.height, depth);
+  judges::Truth analytic =
+      judges::analytic_truth(tree_, settings.faceting, cameras_[camera], sampling.width, sampling.height, depth);
   return subjects_
       .emplace(key, Subject{std::move(scene), std::move(exact), std::move(analytic), std::move(drawn.frame)})
       .first->second;

@@ -156,6 +156,18 @@ TEST_CASE("where several primitives are drawn as one solid, the one whose colour
   CHECK(at(observer.frame().owner, 4, 0) == 1);
 }
 
+TEST_CASE("of solids drawn as one, a curved surface that is lit channel by channel is the owner's too") {
+  sim::FrameObserver observer(program());
+  FakePixels pixels({0, 0, 67, 3});
+  pixels.enable(4, 0);
+  const Field blue{colour.base, 1};
+  const Field cosine{candidate.base, 1};
+  carry_out(observer, {Opcode::copy, {blue, cosine}, {}, 0, {isa::Purpose::shade, 1, 0}}, pixels);
+  CHECK(at(observer.frame().owner, 4, 0) == 1);
+  CHECK_FALSE(observer.reads_after({Opcode::copy, {blue, cosine}, {}, 0, {isa::Purpose::shade, 1, isa::no_node}}));
+  CHECK_FALSE(observer.reads_after({Opcode::copy, {colour, candidate_colour}, {}, 0, {isa::Purpose::merge, 1, 0}}));
+}
+
 TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the merge") {
   sim::FrameObserver observer(program(true));
   FakePixels pixels({0, 0, 67, 3});
