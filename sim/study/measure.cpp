@@ -36,6 +36,7 @@ struct Drawn {
 };
 
 std::string name_of(const facet::Faceting& faceting) {
+  if (faceting.exact_curves) return "exact";
   if (faceting.tolerance) return fmt::format("tolerance {}", *faceting.tolerance);
   return faceting.fragments ? fmt::format("fn {}", *faceting.fragments) : "openscad";
 }
