@@ -113,8 +113,9 @@ std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
       continue;
     }
     const auto reference = std::find_if(references.begin(), references.end(), [&](const SweepRow* one) {
-      return std::tie(one->point.model, one->width, one->height, one->point.z_bits) ==
-             std::tie(row.point.model, row.width, row.height, row.point.z_bits);
+      // Machines differ in whether they draw curved surfaces without facets.
+      return std::tie(one->point.model, one->width, one->height, one->point.z_bits, one->halfspaces) ==
+             std::tie(row.point.model, row.width, row.height, row.point.z_bits, row.halfspaces);
     });
     if (reference == references.end()) {
       references.push_back(&row);

@@ -87,14 +87,12 @@ ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& po
 }  // namespace
 
 std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
-  // Facets may depend on what a pixel covers.
-  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, ReadSubject> subjects;
+  std::map<SubjectKey, ReadSubject> subjects;
   std::vector<study::SweepJob> jobs;
   for (study::SweepPoint& point : study::points_of(ranges_of(options))) {
     const ModelOptions one = options_of(options, point);
     const machines::Machine machine = machine_of(one);
-    const machines::Size picture = machine.picture;
-    const auto [place, is_new] = subjects.try_emplace({point.model, picture.width, picture.height});
+    const auto [place, is_new] = subjects.try_emplace(subject_key(one, machine));
     ReadSubject& read = place->second;
     if (is_new) read = read_subject(one, machine);
     point.model = escaped(point.model);
