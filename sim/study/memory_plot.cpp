@@ -54,12 +54,11 @@ std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
 }  // namespace
 
 plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model) {
-  plots::Bars plot{
-      model + ": which bits hold what",
-      {"bit of pixel memory"},
-      {},
-      {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "shown", "sum", "root", "kept"},
-      "sweep.csv"};
+  plots::Bars plot{model + ": which bits hold what",
+                   {"bit of pixel memory"},
+                   {},
+                   {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "shown"},
+                   "sweep.csv"};
   std::uint32_t most = 0;
   for (const Layout& layout : layouts_of(rows)) {
     plots::Bar& bar = plot.bars.emplace_back(plots::Bar{label_of(layout), static_cast<double>(layout.memory_bits), {}});
