@@ -79,7 +79,7 @@ Column measure(const Options& options, const Subject& subject, unsigned levels,
     return study::measure_squares(subdivided, {part_of(picture.width, columns), part_of(picture.height, rows)});
   };
   Column column{levels, tolerance, tree.primitives.size(), 0, {}, {}, {}};
-  for (const facet::Convex& solid : scene.solids) column.halfspaces += solid.halfspaces.size();
+  for (const facet::Convex& solid : scene.solids) column.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
   if (machine.kind == &multi_processor::kind) {
     column.stages = study::measure_stages(subdivided, levels);
     column.segments = column.stages->segments;
