@@ -56,6 +56,25 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
         std::string::npos);
 }
 
+TEST_CASE("a sweep varies how curved surfaces are drawn, and what that takes of memory and clocks") {
+  const Folder folder;
+  const Outcome sweep = run("sweep " + carburettor +
+                            "--machine pixel-powers --strategy stack --curves facets,exact -o " + (folder / "s"));
+  REQUIRE(sweep.code == 0);
+  const auto points = json(folder / "s/sweep.json")["points"];
+  REQUIRE(points.size() == 2);
+  CHECK(points[0]["curves"] == "facets");
+  CHECK(points[1]["curves"] == "exact");
+  CHECK(points[1]["clocks"].get<int>() * 3 < points[0]["clocks"].get<int>());
+  CHECK(points[1]["used_bits"] > points[0]["used_bits"]);
+  for (const std::string field : {"sum", "root", "kept"}) {
+    const auto& map = points[1]["memory_map"];
+    CHECK(std::ranges::count_if(map, [&](const auto& one) { return one["name"] == field; }) == 1);
+  }
+  CHECK(fs::file_size(folder / "s/carburettor_clocks.svg") > 1000);
+  CHECK(run("sweep " + carburettor + "--curves exactly -o " + (folder / "t")).code == 2);
+}
+
 TEST_CASE("compare, which draws the same facets on all machines, has no option for curves") {
   const Folder folder;
   const Outcome outcome = run("compare " + carburettor + "--curves exact -o " + (folder / "c"));

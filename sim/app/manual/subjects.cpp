@@ -38,8 +38,8 @@ SubjectKey subject_key(const ModelOptions& options, const machines::Machine& mac
                           (options.curves == emit::name_of(emit::Curves::automatic) && machine.evaluator_degree < 2);
   std::string curves;
   if (!is_faceted) {
-    curves = fmt::format("{} {} {} {}", machine.evaluator_degree, machines::division(machine) ? machine.name : "",
-                         options.z_bits, options.fraction_bits);
+    curves = fmt::format("{} {} {} {} {}", options.curves, machine.evaluator_degree,
+                         machines::division(machine) ? machine.name : "", options.z_bits, options.fraction_bits);
   }
   return {options.model, machine.picture.width, machine.picture.height, std::move(curves)};
 }

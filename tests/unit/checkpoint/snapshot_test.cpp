@@ -101,6 +101,7 @@ machines::Machine planes(isa::ArrayShape shape) {
   machine.array = shape;
   machine.picture = {shape.width, shape.height};
   machine.clock_hz = 10'000'000;
+  machine.evaluator_degree = 2;
   return machine;
 }
 
