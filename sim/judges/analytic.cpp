@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/judges/meant.h"
 #include "sim/judges/solid_ray.h"
 #include "sim/judges/tree_sweep.h"
 
@@ -113,15 +114,17 @@ struct Event {
 
 }  // namespace
 
-Truth analytic_truth(const model::Tree& tree, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
-                     const isa::DepthScale& depth) {
+Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
+                     std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth) {
   Truth truth = empty_truth(width, height);
   truth.plane.clear();
   if (tree.root == model::no_index) return truth;
   const LongCamera view(camera, width, height);
+  std::vector<model::Primitive> meant;
+  for (const model::Primitive& primitive : tree.primitives) meant.push_back(as_meant(primitive, drawn_as));
   std::vector<TrueSolid> solids;
   std::vector<Window> windows;
-  for (const model::Primitive& primitive : tree.primitives) {
+  for (const model::Primitive& primitive : meant) {
     solids.emplace_back(primitive);
     windows.push_back(window_of(solids.back(), view, width, height, depth.near));
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "host/facet/faceting.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
@@ -17,7 +18,10 @@ namespace csgsim::judges {
 /// 1e-9 of the distance (in an orthographic view of |centre - eye|, if that is more) are taken as equal. Rays are moved
 /// right by 1e-9 pixels and down by 1e-10, which decides what is seen edge-on as the tie rule does. `depth` is used for
 /// its near plane only.
-Truth analytic_truth(const model::Tree& tree, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
-                     const isa::DepthScale& depth);
+///
+/// `drawn_as` is how the picture that is judged was faceted: what stays the polygon that the model says (meant.h) is
+/// that here too.
+Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
+                     std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
 }  // namespace csgsim::judges

@@ -1,27 +1,37 @@
 #include "sim/observe/dearest.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <numeric>
 #include <tuple>
 
 #include "hw/base/text.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 
 namespace csgsim::sim {
 
 namespace {
 
-/// A half-space as it stands in the picture, wherever a segment's corner is: the place of its primitive among the
-/// dearest, A, B, C and shift.
-using PictureLinear = std::tuple<std::uint32_t, std::int64_t, std::int64_t, std::int64_t, std::uint16_t>;
+/// A half-space or a quadric as it stands in the picture, wherever a segment's corner is: the place of its primitive
+/// among the dearest, the coefficients of x^2, x*y, y^2, x, y and 1, and the shift.
+using PictureSurface = std::tuple<std::uint32_t, std::array<std::uint64_t, 6>, std::uint16_t>;
 
-/// C may wrap: it does so alike in every segment.
-PictureLinear in_picture(std::uint32_t place, const isa::Linear& linear, const isa::Region& region) {
-  const std::uint64_t moved =
-      static_cast<std::uint64_t>(linear.a) * region.x + static_cast<std::uint64_t>(linear.b) * region.y;
-  return {place, linear.a, linear.b, static_cast<std::int64_t>(static_cast<std::uint64_t>(linear.c) - moved),
-          linear.shift};
+/// Coefficients may wrap: they do so alike in every segment.
+PictureSurface in_picture(std::uint32_t place, const isa::Linear& squares, const isa::Linear& linear,
+                          const isa::Region& region) {
+  const auto number = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
+  const std::uint64_t xx = number(squares.a);
+  const std::uint64_t xy = number(squares.b);
+  const std::uint64_t yy = number(squares.c);
+  const std::uint64_t x = region.x;
+  const std::uint64_t y = region.y;
+  const std::uint64_t a = number(linear.a);
+  const std::uint64_t b = number(linear.b);
+  const std::uint64_t c = number(linear.c) - a * x - b * y + (xx * x + xy * y) * x + yy * y * y;
+  return {place, {xx, xy, yy, a - 2 * xx * x - xy * y, b - xy * x - 2 * yy * y, c}, linear.shift};
 }
 
 /// A side of the rectangle of pixels that a surface is cut to first, or a half-space that is no more than that.
@@ -29,11 +39,14 @@ bool is_pixel_edge(const isa::Linear& linear) {
   return linear.shift == 0 && std::abs(linear.a) + std::abs(linear.b) == 1;
 }
 
-/// Whether it scan-converts a half-space of a surface that is drawn.
+/// Whether it scan-converts a half-space of a surface that is drawn, or with the squares before it a quadric. What a
+/// root is added to, or taken from, is the quadric's too.
 bool is_halfspace(const isa::Instruction& one) {
   const isa::Origin& origin = one.origin;
-  return one.linear.width > 0 && origin.purpose == isa::Purpose::render && origin.primitive != isa::no_primitive &&
-         origin.effect == isa::no_effect && !is_pixel_edge(one.linear);
+  const bool is_other = one.opcode == isa::Opcode::squares || one.opcode == isa::Opcode::linear_plus ||
+                        one.opcode == isa::Opcode::linear_minus;
+  return one.linear.width > 0 && !is_other && origin.purpose == isa::Purpose::render &&
+         origin.primitive != isa::no_primitive && origin.effect == isa::no_effect;
 }
 
 constexpr std::uint32_t not_dear = ~std::uint32_t{0};
@@ -48,17 +61,21 @@ std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& dearest, 
 /// A half-space is counted once, in however many segments and pieces' surfaces it is.
 void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& dearest) {
   const std::vector<std::uint32_t> places = places_of(dearest, program.facts.primitives.size());
-  std::vector<PictureLinear> found;
+  std::vector<PictureSurface> found;
   for (const isa::Segment& segment : program.segments) {
-    for (const isa::Instruction& one : segment.instructions) {
-      if (!is_halfspace(one)) continue;
+    for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
+      const isa::Instruction& one = segment.instructions[i];
+      const isa::Instruction* const squares = isa::pending_squares(segment, i);
+      if (!is_halfspace(one) || (squares == nullptr && is_pixel_edge(one.linear))) continue;
       const std::uint32_t place = places[isa::primitive_of(program.facts, one.origin.primitive)];
-      if (place != not_dear) found.push_back(in_picture(place, one.linear, segment.region));
+      if (place != not_dear)
+        found.push_back(
+            in_picture(place, squares == nullptr ? isa::Linear{} : squares->linear, one.linear, segment.region));
     }
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const PictureLinear& one : found) ++dearest[std::get<0>(one)].half_spaces;
+  for (const PictureSurface& one : found) ++dearest[std::get<0>(one)].half_spaces;
 }
 
 std::vector<std::uint32_t> by_clocks(const std::vector<Cost>& costs) {

@@ -70,6 +70,23 @@ Plot front_plot(const std::vector<Json>& together, const std::vector<std::string
           {std::move(best), std::move(others)}};
 }
 
+/// Facets of every number, and curved surfaces without them.
+Plot curves_plot(const Json& data) {
+  std::vector<Series> series{{"facets, by tolerance", {}}, {"facets, by $fn", {}}};
+  const auto add = [&](const Json& point, Series& to) {
+    to.points.push_back(
+        {point["clocks"].get<double>(), point["facet_wrong"].get<double>(), point["value"].get<std::string>()});
+  };
+  for (const Json& point : points_of(data, "tolerance")) add(point, series[0]);
+  for (const Json& point : points_of(data, "fn")) add(point, series[1]);
+  for (const Json& point : points_of(data, "curves"))
+    add(point, series.emplace_back(Series{point["value"].get<std::string>(), {}, plots::Trace::marks}));
+  for (Series& one : series) std::ranges::sort(one.points, {}, &Point::x);
+  std::erase_if(series, [](const Series& one) { return one.points.empty(); });
+  return {
+      "What accuracy costs: facets and curved surfaces", {"clocks", true}, {off_the_curve, true}, std::move(series)};
+}
+
 constexpr PointColumn columns[] = {{"knob", "knob"},
                                    {"value", "value"},
                                    {"clocks", "clocks"},
@@ -90,13 +107,15 @@ Page accuracy_page(const Json& file, const std::vector<std::string>& front, cons
   Section together{"Pareto front", {}};
   if (const std::vector<Json> points = points_of(page.data, "together"); !points.empty())
     together.parts.emplace_back(front_plot(points, front));
-  page.sections.push_back(std::move(together));
+  if (!together.parts.empty()) page.sections.push_back(std::move(together));
+  if (!points_of(page.data, "curves").empty())
+    page.sections.push_back({"Facets and curved surfaces", {curves_plot(page.data)}});
   Section turned{"Knobs", {}};
   for (const Knob& knob : knobs) {
     if (const std::vector<Json> points = points_of(page.data, knob.name); !points.empty())
       add_plots(knob, points, turned.parts);
   }
-  page.sections.push_back(std::move(turned));
+  if (!turned.parts.empty()) page.sections.push_back(std::move(turned));
   page.sections.push_back({"Points", {points_table(page.data, "/points", "All that was measured", columns)}});
   end_page(page, study);
   return page;

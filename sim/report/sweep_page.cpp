@@ -10,11 +10,10 @@ namespace csgsim::report {
 namespace {
 
 /// What a sweep varies besides the strategy, and as what it stands on an axis.
-constexpr std::pair<const char*, const char*> dimensions[] = {{"machine", "machine"},
-                                                              {"memory_bits", "memory bits a pixel"},
-                                                              {"z_bits", "bits of depth"},
-                                                              {"pruning", "pruning"},
-                                                              {"colouring", "colouring"}};
+constexpr std::pair<const char*, const char*> dimensions[] = {
+    {"machine", "machine"},      {"memory_bits", "memory bits a pixel"},
+    {"z_bits", "bits of depth"}, {"pruning", "pruning"},
+    {"colouring", "colouring"},  {"curves", "curves"}};
 
 std::string strategy_of(const Json& point) {
   const std::string name = point["strategy"].get<std::string>();
@@ -80,6 +79,7 @@ constexpr PointColumn columns[] = {{"strategy", "strategy"},
                                    {"z_bits", "z bits"},
                                    {"pruning", "pruning"},
                                    {"colouring", "colouring"},
+                                   {"curves", "curves"},
                                    {"clocks", "clocks"},
                                    {"rendered", "rendered"},
                                    {"classified", "classified"},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 #include "sim/observe/frame.h"
 
 namespace csgsim::story {
@@ -17,8 +18,11 @@ using isa::Purpose;
 
 bool compares_fields(Opcode opcode) { return opcode == Opcode::field_lt || opcode == Opcode::field_le; }
 
-/// Whether the instruction may make the depth of a surface.
+bool adds_to_expression(Opcode opcode) { return opcode == Opcode::linear_plus || opcode == Opcode::linear_minus; }
+
+/// Whether the instruction may make the depth of a surface, of its own or of a quadric's.
 bool may_set_depth(Opcode opcode) {
+  if (opcode == Opcode::copy || adds_to_expression(opcode)) return true;
   return opcode == Opcode::load_linear || opcode == Opcode::set_constant || opcode == Opcode::keep_max ||
          opcode == Opcode::keep_min;
 }
@@ -64,7 +68,20 @@ class Narrator {
   }
 
   [[nodiscard]] Decision decision_of(const PixelStep& step) const {
-    return {step.segment, number_of(step), instruction_of(step), step.value, step.met, step.met_too};
+    const isa::Instruction& instruction = instruction_of(step);
+    Decision decision{step.segment, number_of(step), instruction, step.value, step.met, step.met_too};
+    if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[step.segment], step.index))
+      decision.squares = *squares;
+    if (uses_quadric(instruction)) decision.quadric = quadric_;
+    return decision;
+  }
+
+  /// Whether it may use a depth that was worked out of a root: where surfaces are drawn or compared.
+  [[nodiscard]] bool uses_quadric(const isa::Instruction& instruction) const {
+    const Purpose purpose = instruction.origin.purpose;
+    if (purpose != Purpose::render && purpose != Purpose::classify) return false;
+    return compares_fields(instruction.opcode) || instruction.opcode == Opcode::copy ||
+           adds_to_expression(instruction.opcode);
   }
 
   [[nodiscard]] bool has_role(isa::Field field, FieldRole role) const {
@@ -114,6 +131,7 @@ class Narrator {
     const bool goes_on = open_ && open_->event.what == what &&
                          (what == What::surface || what == What::merge || open_->event.origin == instruction.origin);
     if (!goes_on) begin(what, instruction.origin, step);
+    note_quadric(instruction, step);
     if (what == What::surface && instruction.origin.purpose == Purpose::render) note_depth(instruction, step);
     note_bits(instruction, step);
     note_change(step);
@@ -121,7 +139,8 @@ class Narrator {
     if (!step.fits && step.enabled_before && !open_->event.misfit) open_->event.misfit = decision_of(step);
     if (compares_fields(instruction.opcode)) {
       open_->tests_depth = true;
-      if (step.enabled_before) open_->event.decision = decision_of(step);
+      // Within a surface it is a facet's depth that is compared, not what decides in the end.
+      if (step.enabled_before && what != What::surface) open_->event.decision = decision_of(step);
     }
     if (what == What::shade && instruction.opcode == Opcode::linear_eq && step.enabled_after)
       open_->event.decision = decision_of(step);
@@ -161,8 +180,42 @@ class Narrator {
     }
   }
 
+  /// What quadrics are worked out in, or a part of a depth, is no surface's depth.
+  [[nodiscard]] bool is_scratch(isa::Field field) const {
+    return std::any_of(program_.facts.fields.begin(), program_.facts.fields.end(), [&](const isa::NamedField& named) {
+      return named.field.overlaps(field) &&
+             (named.role == FieldRole::scratch || (named.role == FieldRole::candidate_depth && named.field != field));
+    });
+  }
+
+  /// Follows how the depth of a quadric comes about.
+  void note_quadric(const isa::Instruction& instruction, const PixelStep& step) {
+    const isa::Segment& segment = program_.segments[step.segment];
+    if (instruction.opcode == Opcode::load_linear) {
+      quadric_.reset();
+      const isa::Instruction* const squares = isa::pending_squares(segment, step.index);
+      if (squares == nullptr) return;
+      quadric_.emplace();
+      quadric_->squares = *squares;
+      quadric_->load = instruction;
+      quadric_->load_number = number_of(step);
+      quadric_->discriminant = step.value;
+    }
+    if (!quadric_ || !step.enabled_before) return;
+    if (instruction.opcode == Opcode::root) {
+      quadric_->field = instruction.fields[0];
+      quadric_->root_number = number_of(step);
+      if (step.target == quadric_->field) quadric_->root = step.after >> (quadric_->field.width / 2 + 1U);
+    } else if (adds_to_expression(instruction.opcode)) {
+      quadric_->depth_number = number_of(step);
+      quadric_->middle = step.value;
+      quadric_->offset = step.met;
+      quadric_->far = instruction.opcode == Opcode::linear_plus;
+    }
+  }
+
   void note_depth(const isa::Instruction& instruction, const PixelStep& step) {
-    if (!may_set_depth(instruction.opcode)) return;
+    if (!may_set_depth(instruction.opcode) || is_scratch(instruction.fields[0])) return;
     z1_ = instruction.fields[0];
     if (sets_depth(instruction.opcode, step)) open_->event.decision = decision_of(step);
   }
@@ -233,8 +286,9 @@ class Narrator {
   std::vector<Event> events_;
   std::optional<Open> open_;
   std::uint32_t owner_ = sim::no_owner;
-  isa::Field z1_;              ///< in which the surface's depth is
-  bool with_results_ = false;  ///< E holds results of several comparisons
+  isa::Field z1_;                        ///< in which the surface's depth is
+  std::optional<QuadricDepth> quadric_;  ///< worked out last
+  bool with_results_ = false;            ///< E holds results of several comparisons
 };
 
 }  // namespace

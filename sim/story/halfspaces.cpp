@@ -1,6 +1,7 @@
 #include "sim/story/halfspaces.h"
 
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "host/csg/positive_tree.h"
 #include "host/emit/broadcast.h"
@@ -23,6 +24,17 @@ isa::Linear broadcast(const view::View& view, const view::ScreenPlane& plane, co
     out.surface(isa::Opcode::edge_negative, {}, plane.linear, corner);
   }
   return segment.instructions.front().linear;
+}
+
+/// The two instructions that the host makes of a quadric's discriminant for that region.
+std::pair<isa::Linear, isa::Linear> broadcast(const view::View& view, const view::ScreenQuadric& quadric,
+                                              const isa::Region& region) {
+  isa::Segment segment{region, {}, {}};
+  emit::Broadcast out(segment, view.sampling);
+  const auto x = static_cast<std::int32_t>(region.x);
+  const auto y = static_cast<std::int32_t>(region.y);
+  out.quadratic(isa::Opcode::edge_not_negative, {}, quadric.discriminant, quadric.discriminant_shift, {x, y, x, y});
+  return {segment.instructions[0].linear, segment.instructions[1].linear};
 }
 
 /// But for the width, which depends on the pixels.
@@ -65,17 +77,54 @@ std::optional<ModelHalfspace> HalfspaceFinder::find_in(std::uint32_t primitive, 
   return std::nullopt;
 }
 
+std::optional<ModelQuadric> HalfspaceFinder::find_in(std::uint32_t primitive, const isa::Instruction& squares,
+                                                     const isa::Instruction& linear, const isa::Region& region) const {
+  const std::vector<facet::QuadricSide>& sides = scene_.solids[primitive].quadrics;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const view::ScreenQuadric& quadric = view_.quadrics[sides[i].quadric];
+    if (quadric.kind == view::ScreenQuadricKind::unfit) continue;
+    const auto [terms, rest] = broadcast(view_, quadric, region);
+    if (!same_plane(terms, squares.linear) || !same_plane(rest, linear.linear)) continue;
+    const facet::Quadric& canonical = scene_.quadrics.quadrics()[sides[i].quadric];
+    const glm::dvec3 axis = canonical.kind == facet::QuadricKind::ellipsoid ? glm::dvec3(0) : canonical.axis;
+    return ModelQuadric{primitive, i, sides.size(), canonical.kind, canonical.origin + scene_.quadrics.centre() + 0.0,
+                        axis};
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+/// The primitive that an instruction is to be of, and whether it is compared.
+std::pair<std::uint32_t, bool> subject_of(const isa::Origin& origin) {
+  const bool compares = origin.purpose == isa::Purpose::classify && origin.node != isa::no_node;
+  return {compares ? origin.node : origin.primitive, compares};
+}
+
+}  // namespace
+
 std::optional<ModelHalfspace> HalfspaceFinder::find(const isa::Instruction& instruction,
                                                     const isa::Region& region) const {
-  const isa::Origin& origin = instruction.origin;
-  const bool compares = origin.purpose == isa::Purpose::classify && origin.node != isa::no_node;
-  const std::uint32_t primitive = compares ? origin.node : origin.primitive;
+  const auto [primitive, compares] = subject_of(instruction.origin);
   if (instruction.linear.width == 0 || primitive >= set_of_.size()) return std::nullopt;
   std::optional<ModelHalfspace> found = find_in(primitive, instruction, region);
   if (compares) return found;
   for (const std::uint32_t other : set_of(primitive)) {
     if (found) break;
     found = find_in(other, instruction, region);
+  }
+  return found;
+}
+
+std::optional<ModelQuadric> HalfspaceFinder::find(const isa::Instruction& squares, const isa::Instruction& linear,
+                                                  const isa::Region& region) const {
+  const auto [primitive, compares] = subject_of(linear.origin);
+  if (primitive >= set_of_.size()) return std::nullopt;
+  std::optional<ModelQuadric> found = find_in(primitive, squares, linear, region);
+  if (compares) return found;
+  for (const std::uint32_t other : set_of(primitive)) {
+    if (found) break;
+    found = find_in(other, squares, linear, region);
   }
   return found;
 }

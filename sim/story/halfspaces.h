@@ -23,6 +23,16 @@ struct ModelHalfspace {
   double distance = 0;    ///< from the origin along the normal, model units
 };
 
+/// A quadric that bounds a primitive in the model.
+struct ModelQuadric {
+  std::uint32_t primitive = 0;
+  std::size_t index = 0;  ///< among the primitive's, from 0 on
+  std::size_t count = 0;  ///< that the primitive has
+  facet::QuadricKind kind{};
+  glm::dvec3 origin{0};  ///< centre, a point of the axis, or apex; model units
+  glm::dvec3 axis{0};    ///< of cylinders and cones, of length 1
+};
+
 /// Finds whose plane an instruction streams, by its coefficients. A Program does not say it.
 class HalfspaceFinder {
  public:
@@ -35,6 +45,10 @@ class HalfspaceFinder {
   [[nodiscard]] std::optional<ModelHalfspace> find(const isa::Instruction& instruction,
                                                    const isa::Region& region) const;
 
+  /// The same of a discriminant, of which two instructions stream the coefficients.
+  [[nodiscard]] std::optional<ModelQuadric> find(const isa::Instruction& squares, const isa::Instruction& linear,
+                                                 const isa::Region& region) const;
+
   /// Primitives that may be drawn as one solid with that one, itself among them, in tree order.
   [[nodiscard]] const csg::ConvexSet& set_of(std::uint32_t primitive) const { return sets_[set_of_[primitive]]; }
 
@@ -46,6 +60,9 @@ class HalfspaceFinder {
  private:
   [[nodiscard]] std::optional<ModelHalfspace> find_in(std::uint32_t primitive, const isa::Instruction& instruction,
                                                       const isa::Region& region) const;
+
+  [[nodiscard]] std::optional<ModelQuadric> find_in(std::uint32_t primitive, const isa::Instruction& squares,
+                                                    const isa::Instruction& linear, const isa::Region& region) const;
 
   const facet::Scene& scene_;
   const view::View& view_;

@@ -62,13 +62,14 @@ isa::FieldRole role_of(const isa::Program& program, isa::Field field) {
   return named != nullptr ? named->role : isa::FieldRole::scratch;
 }
 
-std::string value_text(const isa::Program& program, isa::Field field, std::uint32_t value) {
+std::string value_text(const isa::Program& program, isa::Field field, std::uint64_t value) {
+  const auto low = static_cast<std::uint32_t>(value);
   switch (role_of(program, field)) {
     case isa::FieldRole::depth:
-    case isa::FieldRole::candidate_depth: return depth_text(program, value);
+    case isa::FieldRole::candidate_depth: return depth_text(program, low);
     case isa::FieldRole::colour:
     case isa::FieldRole::candidate_colour:
-    case isa::FieldRole::shown: return colour_text(program, value);
+    case isa::FieldRole::shown: return colour_text(program, low);
     case isa::FieldRole::scratch:
     case isa::FieldRole::mask:
     case isa::FieldRole::stack:
@@ -89,6 +90,10 @@ std::string field_name(const isa::Program& program, isa::Field field) {
 std::string decision_text(const isa::Program& program, const Decision& decision) {
   std::string text =
       fmt::format("i{} {}", decision.number, printable(isa::text_of(decision.instruction, program.facts.fields)));
+  if (decision.squares) {
+    text += fmt::format(", after i{} {}", decision.number - 1,
+                        printable(isa::text_of(*decision.squares, program.facts.fields)));
+  }
   if (decision.instruction.linear.width > 0) text += fmt::format(": F = {}", decision.value);
   return text;
 }
@@ -98,7 +103,55 @@ std::optional<ModelHalfspace> halfspace_of(const Subject& subject, const Decisio
   return subject.model->find(decision.instruction, subject.program.segments[decision.segment].region);
 }
 
-std::string halfspace_text(const Subject& subject, const Decision& decision) {
+std::optional<ModelQuadric> quadric_of(const Subject& subject, const Decision& decision) {
+  if (subject.model == nullptr) return std::nullopt;
+  const isa::Region& region = subject.program.segments[decision.segment].region;
+  if (decision.squares) return subject.model->find(*decision.squares, decision.instruction, region);
+  if (decision.quadric) return subject.model->find(decision.quadric->squares, decision.quadric->load, region);
+  return std::nullopt;
+}
+
+std::string_view name_of(facet::QuadricKind kind) {
+  switch (kind) {
+    case facet::QuadricKind::ellipsoid: return "ellipsoid";
+    case facet::QuadricKind::cylinder: return "cylinder";
+    case facet::QuadricKind::cone: return "cone";
+  }
+  return "";
+}
+
+namespace {
+
+std::string place_text(const glm::dvec3& place) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", place.x, place.y, place.z);
+}
+
+/// D, its root and what became of that.
+std::string working_text(const isa::Program& program, const QuadricDepth& depth) {
+  const auto half = static_cast<std::uint16_t>(depth.field.width / 2);
+  const isa::Field root{static_cast<std::uint16_t>(depth.field.base + half + 1U), half};
+  return fmt::format("i{}..i{} D = {}; i{} root {} in {}; i{} {} depth = {} {} {}", depth.load_number - 1,
+                     depth.load_number, depth.discriminant, depth.root_number, depth.root, field_name(program, root),
+                     depth.depth_number, depth.far ? "far" : "near", depth.middle, depth.far ? "+" : "-", depth.offset);
+}
+
+std::string quadric_text(const Subject& subject, const Decision& decision) {
+  std::string text;
+  if (const std::optional<ModelQuadric> found = quadric_of(subject, decision)) {
+    const std::string_view which = decision.squares ? "outline" : decision.quadric->far ? "far depth" : "near depth";
+    text =
+        fmt::format("{} of quadric {} of {} of {}: {} about {}", which, found->index + 1, found->count,
+                    primitive_text(subject.program, found->primitive), name_of(found->kind), place_text(found->origin));
+    if (found->kind != facet::QuadricKind::ellipsoid) text += " along " + place_text(found->axis);
+  }
+  if (!decision.quadric) return text;
+  return text + (text.empty() ? "" : "\n") + working_text(subject.program, *decision.quadric);
+}
+
+}  // namespace
+
+std::string geometry_text(const Subject& subject, const Decision& decision) {
+  if (decision.squares || decision.quadric) return quadric_text(subject, decision);
   const std::optional<ModelHalfspace> found = halfspace_of(subject, decision);
   if (!found) return "";
   const glm::dvec3& normal = found->normal;

@@ -32,7 +32,7 @@ std::optional<double> distance_of(const isa::Program& program, std::uint32_t ste
 std::string colour_text(const isa::Program& program, std::uint32_t colour);
 
 /// A field's value, by what the field holds.
-std::string value_text(const isa::Program& program, isa::Field field, std::uint32_t value);
+std::string value_text(const isa::Program& program, isa::Field field, std::uint64_t value);
 
 std::string field_name(const isa::Program& program, isa::Field field);
 isa::FieldRole role_of(const isa::Program& program, isa::Field field);
@@ -41,9 +41,16 @@ isa::FieldRole role_of(const isa::Program& program, isa::Field field);
 std::string decision_text(const isa::Program& program, const Decision& decision);
 
 /// `half-space 3 of 8 of p3 cylinder@9:9: normal (0, -1, 0), distance 4`; empty without a model, or if there is none.
-std::string halfspace_text(const Subject& subject, const Decision& decision);
+/// Of a quadric: `near depth of quadric 1 of 1 of p3 cylinder@9:9: cylinder about (0, 0, 2) along (0, 0, 1)`, and on a
+/// second line how that came about, which is told without a model too.
+std::string geometry_text(const Subject& subject, const Decision& decision);
 
 /// The half-space that decided, if the model is known.
 std::optional<ModelHalfspace> halfspace_of(const Subject& subject, const Decision& decision);
+
+/// The quadric that decided, by its discriminant or by a depth, if the model is known.
+std::optional<ModelQuadric> quadric_of(const Subject& subject, const Decision& decision);
+
+std::string_view name_of(facet::QuadricKind kind);
 
 }  // namespace csgsim::story

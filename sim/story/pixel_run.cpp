@@ -52,6 +52,17 @@ isa::Field target_of(const isa::Program& program, const isa::Instruction& instru
   return writes ? named_around(program, instruction.fields[0]) : isa::Field{};
 }
 
+/// What a field of any width holds; 0 of none.
+std::uint64_t read_whole(const sim::ReferenceArray& pixel, isa::Field field) {
+  std::uint64_t value = 0;
+  for (unsigned at = 0; at < field.width; at += isa::max_field_width) {
+    const auto width = static_cast<std::uint16_t>(std::min<unsigned>(field.width - at, isa::max_field_width));
+    const isa::Field part{static_cast<std::uint16_t>(field.base + at), width};
+    value |= std::uint64_t{pixel.read(part, 0, 0)} << at;
+  }
+  return value;
+}
+
 /// Runs the segments that hold a pixel.
 class Runner {
  public:
@@ -93,7 +104,7 @@ class Runner {
     const isa::Instruction& instruction = segment.instructions[index];
     const AtPixel here = at_pixel(segment, index, x_ - segment.region.x, y_ - segment.region.y);
     const isa::Linear& linear = here.instruction.linear;
-    const auto value_of = [&](isa::Field field) { return field.width > 0 ? pixel.read(field, 0, 0) : 0U; };
+    const auto value_of = [&](isa::Field field) { return read_whole(pixel, field); };
     PixelStep step;
     step.segment = number;
     step.index = index;

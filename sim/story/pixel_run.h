@@ -17,11 +17,11 @@ struct PixelStep {
   bool enabled_after = false;
   bool fits = true;           ///< A*x + B*y + C fits the width, or need not
   std::int64_t value = 0;     ///< F at the pixel; 0 without a linear expression
-  std::uint32_t met = 0;      ///< what the instruction's first field held before; 0 without one
-  std::uint32_t met_too = 0;  ///< the same of the second field
+  std::uint64_t met = 0;      ///< what the instruction's first field held before; 0 without one
+  std::uint64_t met_too = 0;  ///< the same of the second field
   isa::Field target;          ///< of pixel memory that it may have written; of width 0 if none
-  std::uint32_t before = 0;   ///< value of the target
-  std::uint32_t after = 0;    ///< the same
+  std::uint64_t before = 0;   ///< value of the target
+  std::uint64_t after = 0;    ///< the same
   std::uint32_t owner = 0;    ///< primitive that owns the pixel afterwards; sim::no_owner if none does
   std::uint64_t skipped = 0;  ///< instructions after it that it leaves out
 };

@@ -29,11 +29,27 @@ enum class What : std::uint8_t {
 /// A field that was written. Of several writes the value before the first and that after the last.
 struct Change {
   isa::Field field;  ///< the named one, if the target lies within one
-  std::uint32_t before = 0;
-  std::uint32_t after = 0;
+  std::uint64_t before = 0;
+  std::uint64_t after = 0;
   std::uint64_t number = 0;  ///< of the instruction that wrote last
 
   [[nodiscard]] bool differs() const { return before != after; }
+};
+
+/// A depth of a quadric at the pixel, worked out by instructions before one that uses it: near = M - (q << unit), far =
+/// M + ((q + 1) << unit), with q = floor(sqrt(D)) (host/view/quadrics.h).
+struct QuadricDepth {
+  isa::Instruction squares;        ///< the first three coefficients of the discriminant
+  isa::Instruction load;           ///< the others; it comes directly after the squares
+  std::uint64_t load_number = 0;   ///< of that instruction
+  std::int64_t discriminant = 0;   ///< D
+  isa::Field field;                ///< in which the root was taken
+  std::uint64_t root_number = 0;   ///< of the instruction that took it
+  std::uint64_t root = 0;          ///< q
+  std::uint64_t depth_number = 0;  ///< of the instruction that made the depth of it
+  std::int64_t middle = 0;         ///< F of that instruction: M, or M + (1 << unit) of the far depth
+  std::uint64_t offset = 0;        ///< q << unit
+  bool far = false;
 };
 
 /// An instruction that decided something, with what it met at the pixel.
@@ -41,9 +57,11 @@ struct Decision {
   std::uint32_t segment = 0;
   std::uint64_t number = 0;
   isa::Instruction instruction;
-  std::int64_t value = 0;     ///< F; 0 without a linear expression
-  std::uint32_t met = 0;      ///< the instruction's first field before it
-  std::uint32_t met_too = 0;  ///< its second field
+  std::int64_t value = 0;                     ///< F; 0 without a linear expression
+  std::uint64_t met = 0;                      ///< the instruction's first field before it
+  std::uint64_t met_too = 0;                  ///< its second field
+  std::optional<isa::Instruction> squares{};  ///< those that its linear expression has besides
+  std::optional<QuadricDepth> quadric{};      ///< the depth that it compares or copies, if it is a quadric's
 };
 
 /// Instructions with one origin, one after another, that had the pixel enabled or wrote to its memory.

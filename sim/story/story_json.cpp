@@ -32,12 +32,37 @@ bool is_depth(isa::FieldRole role) { return role == isa::FieldRole::depth || rol
 
 Json change_json(const isa::Program& program, const Change& change) {
   const isa::FieldRole role = role_of(program, change.field);
-  const auto value = [&](std::uint32_t number) { return is_depth(role) ? depth_json(program, number) : Json(number); };
+  const auto value = [&](std::uint64_t number) {
+    return is_depth(role) ? depth_json(program, static_cast<std::uint32_t>(number)) : Json(number);
+  };
   return {{"field", field_name(program, change.field)},
           {"role", isa::name_of(role)},
           {"before", value(change.before)},
           {"after", value(change.after)},
           {"instruction", change.number}};
+}
+
+Json quadric_json(const Subject& subject, const ModelQuadric& quadric) {
+  Json json{{"primitive", primitive_json(subject.program, quadric.primitive)},
+            {"index", quadric.index},
+            {"count", quadric.count},
+            {"kind", name_of(quadric.kind)},
+            {"origin", {quadric.origin.x, quadric.origin.y, quadric.origin.z}}};
+  if (quadric.kind != facet::QuadricKind::ellipsoid) json["axis"] = {quadric.axis.x, quadric.axis.y, quadric.axis.z};
+  return json;
+}
+
+/// How a depth of a quadric came about; instructions by their numbers.
+Json working_json(const QuadricDepth& depth) {
+  return {
+      {"side", depth.far ? "far" : "near"},
+      {"discriminant", {{"instructions", {depth.load_number - 1, depth.load_number}}, {"value", depth.discriminant}}},
+      {"root",
+       {{"instruction", depth.root_number},
+        {"base", depth.field.base},
+        {"width", depth.field.width},
+        {"value", depth.root}}},
+      {"depth", {{"instruction", depth.depth_number}, {"middle", depth.middle}, {"offset", depth.offset}}}};
 }
 
 Json decision_json(const Subject& subject, const Decision& decision) {
@@ -48,6 +73,10 @@ Json decision_json(const Subject& subject, const Decision& decision) {
     json["plane"] = {{"a", linear.a}, {"b", linear.b}, {"c", linear.c}, {"shift", linear.shift}};
     json["value"] = decision.value;
   }
+  if (decision.squares) {
+    const isa::Linear& squares = decision.squares->linear;
+    json["squares"] = {{"xx", squares.a}, {"xy", squares.b}, {"yy", squares.c}};
+  }
   if (decision.instruction.fields[0].width > 0) json["met"] = decision.met;
   if (decision.instruction.fields[1].width > 0) json["met_too"] = decision.met_too;
   if (const auto found = halfspace_of(subject, decision)) {
@@ -57,6 +86,8 @@ Json decision_json(const Subject& subject, const Decision& decision) {
                          {"normal", {found->normal.x, found->normal.y, found->normal.z}},
                          {"distance", found->distance}};
   }
+  if (const auto found = quadric_of(subject, decision)) json["quadric"] = quadric_json(subject, *found);
+  if (decision.quadric) json["worked_out"] = working_json(*decision.quadric);
   return json;
 }
 

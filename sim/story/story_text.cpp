@@ -81,8 +81,8 @@ class Writer {
   }
 
   [[nodiscard]] std::string plane_lines(const Decision& decision) const {
-    const std::string halfspace = halfspace_text(subject_, decision);
-    return halfspace.empty() ? "" : fmt::format("\n{:<12}{}", "", halfspace);
+    const std::string halfspace = geometry_text(subject_, decision);
+    return halfspace.empty() ? "" : fmt::format("\n{:<12}{}", "", indented(halfspace, 12));
   }
 
   void write_head() {
@@ -115,7 +115,7 @@ class Writer {
 
   /// On lines of its own.
   [[nodiscard]] std::string decided(std::string_view how, const Decision& decision) const {
-    const std::string halfspace = halfspace_text(subject_, decision);
+    const std::string halfspace = geometry_text(subject_, decision);
     return fmt::format("\n{} {}", how, decision_text(program_, decision)) + (halfspace.empty() ? "" : "\n" + halfspace);
   }
 
@@ -132,9 +132,9 @@ class Writer {
     if (!event.decision) return changes_text(event);
     const std::string owner =
         event.owner_before == sim::no_owner ? "" : " of " + primitive_text(program_, event.owner_before);
-    return fmt::format("Z1 {} {} Z2 {}{}", depth_text(program_, event.decision->met),
+    return fmt::format("Z1 {} {} Z2 {}{}", depth_text(program_, static_cast<std::uint32_t>(event.decision->met)),
                        event.enabled_after ? "is nearer than" : "is not nearer than",
-                       depth_text(program_, event.decision->met_too), owner);
+                       depth_text(program_, static_cast<std::uint32_t>(event.decision->met_too)), owner);
   }
 
   [[nodiscard]] std::string misfit_text(const Event& event) const {

@@ -43,7 +43,7 @@ std::uint32_t drawn_as(const Subject& subject, const Story& story, std::uint32_t
 }
 
 std::string with_halfspace(const Subject& subject, const Decision& decision) {
-  const std::string halfspace = halfspace_text(subject, decision);
+  const std::string halfspace = geometry_text(subject, decision);
   const std::string text = decision_text(subject.program, decision);
   return halfspace.empty() ? text : text + "; " + halfspace;
 }
@@ -51,8 +51,8 @@ std::string with_halfspace(const Subject& subject, const Decision& decision) {
 std::string behind_text(const Subject& subject, const Event& test) {
   const isa::Program& program = subject.program;
   return fmt::format("behind {}: i{}, Z1 {} is not less than Z2 {}", primitive_text(program, test.owner_before),
-                     test.decision->number, depth_text(program, test.decision->met),
-                     depth_text(program, test.decision->met_too));
+                     test.decision->number, depth_text(program, static_cast<std::uint32_t>(test.decision->met)),
+                     depth_text(program, static_cast<std::uint32_t>(test.decision->met_too)));
 }
 
 std::string comparison_text(const Subject& subject, const Event& comparison) {

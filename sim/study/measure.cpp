@@ -36,6 +36,7 @@ struct Drawn {
 };
 
 std::string name_of(const facet::Faceting& faceting) {
+  if (faceting.exact_curves) return "exact";
   if (faceting.tolerance) return fmt::format("tolerance {}", *faceting.tolerance);
   return faceting.fragments ? fmt::format("fn {}", *faceting.fragments) : "openscad";
 }
@@ -90,23 +91,47 @@ Meter::Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const m
 
 Meter::~Meter() = default;
 
+namespace {
+
+/// Curved solids whose quadrics do not fit the machine's numbers as the camera sees them are faceted.
+facet::Scene scene_that_fits(const model::Tree& tree, facet::Faceting faceting, const view::Camera& camera,
+                             const view::Sampling& finest) {
+  facet::Scene scene = facet::make_scene(tree, faceting);
+  if (scene.quadrics.quadrics().empty()) return scene;
+  const view::View view = view::make_view(scene, tree, camera, finest);
+  const auto is_unfit = [&](const facet::QuadricSide& side) {
+    return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
+  };
+  faceting.faceted.resize(scene.solids.size());
+  for (std::size_t i = 0; i < scene.solids.size(); ++i)
+    faceting.faceted[i] = faceting.faceted[i] || std::ranges::any_of(scene.solids[i].quadrics, is_unfit);
+  return facet::make_scene(tree, faceting);
+}
+
+/// What facets or curved surfaces are drawn: pictures of the same are judged alike.
+std::string drawn_as(const Settings& settings) {
+  return settings.knob == "curves" ? "curves " + settings.value : name_of(settings.faceting);
+}
+
+}  // namespace
+
 Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   const view::Sampling& sampling = settings.sampling;
-  const std::string key =
-      fmt::format("{} {}x{} {}", name_of(settings.faceting), sampling.width, sampling.height, camera);
+  const std::string key = fmt::format("{} {}x{} {}", drawn_as(settings), sampling.width, sampling.height, camera);
   const auto known = subjects_.find(key);
   if (known != subjects_.end()) return known->second;
 
-  facet::Scene scene = facet::make_scene(tree_, settings.faceting);
   view::Sampling finest = sampling;
   finest.z_bits = finest_z_bits;
   finest.fraction_bits = finest_fraction_bits;
+  facet::Scene scene = scene_that_fits(tree_, settings.faceting, cameras_[camera], finest);
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, ample_memory_bits);
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine, options_), machine);
   const isa::DepthScale& depth = drawn.program.facts.depth_scale;
   judges::Truth exact = judges::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
-  judges::Truth analytic = judges::analytic_truth(tree_, cameras_[camera], sampling.width, sampling.height, depth);
+  judges::Truth analytic =
+      judges::analytic_truth(tree_, settings.faceting, cameras_[camera], sampling.width, sampling.height, depth);
   return subjects_
       .emplace(key, Subject{std::move(scene), std::move(exact), std::move(analytic), std::move(drawn.frame)})
       .first->second;

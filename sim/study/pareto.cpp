@@ -1,6 +1,9 @@
 #include "sim/study/pareto.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "host/emit/curves.h"
 
 namespace csgsim::study {
 
@@ -27,6 +30,33 @@ std::vector<Halving> halvings(std::span<const Measurement> front) {
     from = to;
   }
   return steps;
+}
+
+namespace {
+
+bool is_faceted(const Measurement& row) {
+  return row.knob == "fn" || row.knob == "tolerance" ||
+         (row.knob == "curves" && row.value == emit::name_of(emit::Curves::facets));
+}
+
+}  // namespace
+
+std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows) {
+  std::vector<EqualFacets> all;
+  for (const Measurement& curved : rows) {
+    if (curved.knob != "curves" || is_faceted(curved)) continue;
+    const Measurement* best = nullptr;
+    for (const Measurement& facets : rows) {
+      if (!is_faceted(facets)) continue;
+      // All that are as right are equally so.
+      const auto rank = [&](const Measurement& row) {
+        return std::pair(std::max(row.facet_wrong, curved.facet_wrong), row.clocks);
+      };
+      if (best == nullptr || rank(facets) < rank(*best)) best = &facets;
+    }
+    if (best != nullptr) all.push_back({curved, *best, best->facet_wrong <= curved.facet_wrong});
+  }
+  return all;
 }
 
 }  // namespace csgsim::study

@@ -21,4 +21,15 @@ struct Halving {
 /// Steps along a front from its cheapest point, each to the cheapest with at most half the wrong pixels.
 std::vector<Halving> halvings(std::span<const Measurement> front);
 
+/// Curved surfaces that are drawn without facets, and what facets of the same accuracy cost.
+struct EqualFacets {
+  Measurement curved;
+  Measurement facets;     ///< the fewest clocks of those that are as right; if none is, those that are least wrong
+  bool as_right = false;  ///< whether no more pixels of the facets differ from the true curved surfaces
+};
+
+/// One for each way to draw curved surfaces that is not by facets, if facets were measured too: those of the knobs fn
+/// and tolerance, and those that the model says.
+std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows);
+
 }  // namespace csgsim::study

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "host/emit/curves.h"
 #include "sim/plots/gnuplot.h"
 #include "sim/study/pareto.h"
 
@@ -87,6 +88,28 @@ plots::Plot front_plot(std::span<const Measurement> together, const std::string&
   return {"pareto", std::move(chart)};
 }
 
+/// Facets of every number, and curved surfaces without them: clocks against pixels off the true surfaces.
+plots::Plot curves_plot(std::span<const Measurement> rows, const std::string& model) {
+  plots::Chart chart{model + ": facets and curved surfaces",
+                     {"clocks", plots::Scale::logarithmic, {}, false, true},
+                     {{"pixels off the curved surfaces", plots::Scale::logarithmic, {}, false, true}},
+                     {{"facets, by tolerance"}, {"facets, by $fn"}, {"facets, as modelled", 0, plots::Trace::marks}},
+                     table};
+  for (const Measurement& row : rows) {
+    const plots::Point at{static_cast<double>(row.clocks), static_cast<double>(row.facet_wrong), row.value};
+    if (row.knob == "tolerance") chart.series[0].points.push_back(at);
+    if (row.knob == "fn") chart.series[1].points.push_back(at);
+    if (row.knob != "curves") continue;
+    if (row.value == emit::name_of(emit::Curves::facets))
+      chart.series[2].points.push_back({at.x, at.y});
+    else
+      chart.series.push_back({row.value + " curves", 0, plots::Trace::marks, {at}});
+  }
+  for (plots::Series& series : chart.series) std::ranges::sort(series.points, {}, &plots::Point::x);
+  std::erase_if(chart.series, [](const plots::Series& series) { return series.points.empty(); });
+  return {"curves", std::move(chart)};
+}
+
 }  // namespace
 
 std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const std::string& model) {
@@ -95,6 +118,7 @@ std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, co
     if (std::ranges::find(rows, knob.name, &Measurement::knob) != rows.end())
       all.push_back(knob_plot(knob, rows, model));
   }
+  if (std::ranges::find(rows, "curves", &Measurement::knob) != rows.end()) all.push_back(curves_plot(rows, model));
   std::vector<Measurement> together;
   std::ranges::copy_if(rows, std::back_inserter(together),
                        [](const Measurement& row) { return row.knob == "together"; });

@@ -13,7 +13,7 @@ namespace {
 
 bool has_stack_bits(const std::string& strategy) { return strategy == emit::name_of(emit::Strategy::bits); }
 
-/// The points of one model, machine, memory, depth, pruning and colouring.
+/// The points of one model, machine, memory, depth, pruning, curves and colouring.
 void add_strategies(const SweepRanges& ranges, const SweepPoint& point, std::vector<SweepPoint>& points) {
   for (const std::string& strategy : ranges.strategies) {
     const std::vector<unsigned> one{0};
@@ -32,7 +32,8 @@ bool varies(std::span<const SweepRow> rows, Member member) {
 }
 
 auto conditions_of(const SweepPoint& point) {
-  return std::tie(point.model, point.machine, point.memory_bits, point.z_bits, point.pruning, point.colouring);
+  return std::tie(point.model, point.machine, point.memory_bits, point.z_bits, point.pruning, point.colouring,
+                  point.curves);
 }
 
 }  // namespace
@@ -44,8 +45,11 @@ std::vector<SweepPoint> points_of(const SweepRanges& ranges) {
       for (const std::uint32_t memory_bits : ranges.memory_bits.at(machine)) {
         for (const unsigned z_bits : ranges.z_bits) {
           for (const std::string& pruning : ranges.prunings) {
-            for (const std::string& colouring : ranges.colourings)
-              add_strategies(ranges, {model, machine, memory_bits, z_bits, pruning, colouring, {}, 0}, points);
+            for (const std::string& curves : ranges.curves) {
+              for (const std::string& colouring : ranges.colourings)
+                add_strategies(ranges, {model, machine, memory_bits, z_bits, pruning, colouring, {}, 0, curves},
+                               points);
+            }
           }
         }
       }
@@ -64,7 +68,8 @@ PointNames::PointNames(std::span<const SweepRow> rows)
       memory_bits_(varies(rows, &SweepPoint::memory_bits)),
       z_bits_(varies(rows, &SweepPoint::z_bits)),
       pruning_(varies(rows, &SweepPoint::pruning)),
-      colouring_(varies(rows, &SweepPoint::colouring)) {}
+      colouring_(varies(rows, &SweepPoint::colouring)),
+      curves_(varies(rows, &SweepPoint::curves)) {}
 
 std::string PointNames::name(const SweepPoint& point) const {
   const std::string rest = conditions(point);
@@ -81,6 +86,7 @@ std::string PointNames::conditions(const SweepPoint& point) const {
   add(z_bits_, fmt::format("z {}", point.z_bits));
   add(pruning_, fmt::format("pruning {}", point.pruning));
   add(colouring_, point.colouring);
+  add(curves_, fmt::format("curves {}", point.curves));
   return text;
 }
 
@@ -113,8 +119,9 @@ std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
       continue;
     }
     const auto reference = std::find_if(references.begin(), references.end(), [&](const SweepRow* one) {
-      return std::tie(one->point.model, one->width, one->height, one->point.z_bits) ==
-             std::tie(row.point.model, row.width, row.height, row.point.z_bits);
+      // Machines differ in whether they draw curved surfaces without facets.
+      return std::tie(one->point.model, one->width, one->height, one->point.z_bits, one->halfspaces) ==
+             std::tie(row.point.model, row.width, row.height, row.point.z_bits, row.halfspaces);
     });
     if (reference == references.end()) {
       references.push_back(&row);

@@ -24,7 +24,8 @@ struct SweepPoint {
   std::string pruning;
   std::string colouring;
   std::string strategy;
-  unsigned stack_bits = 0;  ///< of strategy bits: m; 0 for the others
+  unsigned stack_bits = 0;      ///< of strategy bits: m; 0 for the others
+  std::string curves = "auto";  ///< how curved surfaces are drawn: host/emit/curves.h
 
   bool operator==(const SweepPoint&) const = default;
 };
@@ -37,6 +38,7 @@ struct SweepRanges {
   std::vector<unsigned> z_bits;
   std::vector<std::string> prunings;
   std::vector<std::string> colourings;
+  std::vector<std::string> curves{"auto"};
   std::vector<std::string> strategies;
   std::vector<unsigned> stack_bits;
 };
@@ -88,6 +90,7 @@ void visit_columns(Point& point, Visitor&& visit) {
   visit("colouring", point.colouring);
   visit("strategy", point.strategy);
   visit("stack_bits", point.stack_bits);
+  visit("curves", point.curves);
 }
 
 /// Calls visit(name, member) for every column of a sweep's table, in order.
@@ -150,6 +153,7 @@ class PointNames {
   bool z_bits_ = false;
   bool pruning_ = false;
   bool colouring_ = false;
+  bool curves_ = false;
 };
 
 std::string strategy_name(const SweepPoint& point);
@@ -163,7 +167,7 @@ struct WrongPicture {
   std::optional<SweepPoint> reference;  ///< the point whose picture it should have; none where the Program overflows
 };
 
-/// Points whose picture differs from the first of the same model, size and z bits, and those that overflow.
+/// Points whose picture differs from the first of the same model, size, z bits and surfaces, and those that overflow.
 std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows);
 
 }  // namespace csgsim::study

@@ -28,6 +28,7 @@ constexpr std::array dimensions{
     Dimension{"prunings that are done", "pruning ", false, [](const SweepPoint& p) { return p.pruning; }},
     Dimension{"machine", "", false, [](const SweepPoint& p) { return p.machine; }, tick_names},
     Dimension{"colouring", "", false, [](const SweepPoint& p) { return p.colouring; }},
+    Dimension{"curved surfaces", "curves ", false, [](const SweepPoint& p) { return p.curves; }},
     Dimension{"strategy", "", false, [](const SweepPoint& p) { return p.strategy; }},
 };
 constexpr std::size_t strategy = dimensions.size() - 1;

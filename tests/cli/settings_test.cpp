@@ -60,6 +60,8 @@ const std::set<std::string> without_options{"isa", "scene"};
 /// Another value than the one an option has, where it is not any text or number. An option that takes certain words
 /// alone needs a line here.
 const std::map<std::string, std::string> samples{{"projection", "\"perspective\""},
+                                                 {"curves", "\"facets\""},
+                                                 {"knobs", "\"curves,size\""},
                                                  {"strategy", "\"list\""},
                                                  {"colour-scheme", "\"Metallic\""},
                                                  {"colouring", "\"field\""},

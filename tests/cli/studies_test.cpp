@@ -34,6 +34,34 @@ TEST_CASE("accuracy measures every knob, draws its plots, and measures nothing t
   CHECK(run(command + " --projection perspective").code == 1);
 }
 
+TEST_CASE(
+    "accuracy holds curved surfaces without facets beside facets of every number, where the machine can draw them") {
+  const Folder folder;
+  const std::string command =
+      "accuracy " + model("thesis_fig_2_3") +
+      " --camera 42,-38,41,10,5.5,2 --size 64x64 --views 2 --knobs curves,tolerance --tolerances 0.5,0.0005 -o " +
+      (folder / "a");
+  const Outcome outcome = run(command + " --machine pixel-powers --report " + (folder / "a.html"));
+  REQUIRE(outcome.code == 0);
+  const auto points = json(folder / "a/accuracy.json")["points"];
+  REQUIRE(points.size() == 4);
+  CHECK(points[0]["value"] == "0.5");
+  CHECK(points[1]["value"] == "0.0005");
+  CHECK(points[2]["value"] == "facets");
+  CHECK(points[3]["value"] == "exact");
+  CHECK(points[3]["facet_wrong"] == 0);
+  CHECK(points[3]["unexplained"] == 0);
+  CHECK(points[2]["facet_wrong"] > 0);
+  CHECK(outcome.out.find("\nFacets as right: tolerance 0.0005, ") != std::string::npos);
+  CHECK(outcome.out.find("Pareto front") == std::string::npos);
+  CHECK(fs::file_size(folder / "a/curves.svg") > 1000);
+  CHECK(content(folder / "a.html").find("Facets and curved surfaces") != std::string::npos);
+  const Outcome linear = run(command + "x");
+  CHECK(linear.code == 1);
+  CHECK(linear.err.find("pixel-powers") != std::string::npos);
+  CHECK(run(command + "x --machine pixel-powers --tolerances 0").code != 0);
+}
+
 TEST_CASE("sweep writes a table, JSON and plots for every model, and measures nothing twice") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") + " " + model("thesis_fig_2_3") +

@@ -66,6 +66,12 @@ class Figures:
 
         return advise.answer(self, model)
 
+    def curved(self):
+        """What csgsim accuracy measures of facets and of curved surfaces without them, by object."""
+        from tables import accuracy  # pylint: disable=import-outside-toplevel
+
+        return accuracy.curved(self)
+
     def examples(self):
         """What csgsim corpus counts in OpenSCAD's own examples."""
         from tables import corpus  # pylint: disable=import-outside-toplevel
@@ -74,7 +80,7 @@ class Figures:
 
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown", "advise", "examples")
+        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown", "advise", "curved", "examples")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -179,6 +180,39 @@ TEST_CASE("level by level the trees form the value at a node's first leaf, and i
     }
     CHECK(found == 2);  // of the two instructions that have squares before them
   }
+}
+
+TEST_CASE("in the wave of a scene a curved surface has the root and the depth that its story tells") {
+  const Folder folder;
+  const std::string scene =
+      " " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 64x64 --machine pixel-powers --pixel 32,32 ";
+  REQUIRE(run("explain" + scene + "--json " + (folder / "story.json")).code == 0);
+  const auto story = json(folder / "story.json");
+  const auto surface = std::ranges::find_if(story["events"], [](const auto& event) {
+    return event["what"] == "surface" && event.contains("decision") && event["decision"].contains("worked_out");
+  });
+  REQUIRE(surface != story["events"].end());
+  const auto& worked_out = (*surface)["decision"]["worked_out"];
+  const auto value_after = [&](const nlohmann::json& number, const std::string& field) {
+    const std::string file = folder / "w.vcd";
+    const Outcome outcome = run("wave" + scene + "--window i" + number.dump() + " -o " + file);
+    REQUIRE(outcome.code == 0);
+    const Vcd vcd(content(file));
+    const auto value = vcd.number_at("frame_buffer.pixel_32_32." + field, vcd.last_time());
+    REQUIRE(value.has_value());
+    return *value;
+  };
+  const auto& taken = worked_out["root"];
+  const std::uint64_t root_mask = (std::uint64_t{1} << taken["width"].get<unsigned>() / 2) - 1;
+  CHECK((value_after(taken["instruction"], "root") & root_mask) == taken["value"].get<std::uint64_t>());
+  CHECK(taken["value"].get<std::uint64_t>() > 1000);
+  const auto& made = worked_out["depth"];
+  const bool is_far = worked_out["side"] == "far";
+  const auto middle = made["middle"].get<std::int64_t>();
+  const auto offset = made["offset"].get<std::int64_t>();
+  const std::int64_t sum = is_far ? middle + offset : middle - offset;
+  CHECK((value_after(made["instruction"], "sum") & static_cast<std::uint64_t>(mask(20))) ==
+        static_cast<std::uint64_t>(sum & mask(20)));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "host/csg/positive_tree.h"
+#include "host/emit/curves.h"
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
 #include "hw/base/output_file.h"
@@ -16,17 +18,21 @@
 #include "sim/app/commands/commands.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
+#include "sim/app/numbers.h"
 #include "sim/app/options.h"
+#include "sim/app/read_by.h"
 #include "sim/app/report_option.h"
 #include "sim/app/studies/shard_run.h"
 #include "sim/app/studies/studies.h"
 #include "sim/app/studies/study_files.h"
+#include "sim/app/studies/tolerances.h"
 #include "sim/app/version.h"
 #include "sim/observe/long_work.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
 #include "sim/study/plot_stem.h"
 #include "sim/study/plots.h"
+#include "sim/study/ranges.h"
 #include "sim/study/table.h"
 
 namespace csgsim::app {
@@ -39,6 +45,8 @@ struct Options {
   ModelOptions model;
   std::string folder;
   unsigned views = 4;
+  std::string knobs;
+  std::string tolerances;
   std::optional<study::Shard> shard;
   bool no_plots = false;
   ReportOption report;
@@ -72,6 +80,7 @@ std::vector<study::Measurement> of_both(const std::vector<study::Measurement>& r
 
 void print_front(const std::vector<study::Measurement>& rows) {
   const std::vector<study::Measurement> front = study::pareto_front(of_both(rows));
+  if (front.empty()) return;
   fmt::print("\nPareto front of z bits / fraction bits:\n");
   for (const study::Measurement& row : front)
     fmt::print("  {:>6}{:>12} clocks{:>10} wrong pixels\n", row.value, row.clocks, row.wrong);
@@ -79,6 +88,54 @@ void print_front(const std::vector<study::Measurement>& rows) {
     fmt::print("From {} to {}: {} wrong pixels become {} for {:.1f} % more clocks\n", step.from.value, step.to.value,
                step.from.wrong, step.to.wrong, 100.0 * step.more_clocks);
   }
+}
+
+void print_equal(const std::vector<study::Measurement>& rows) {
+  for (const study::EqualFacets& one : study::facets_as_right(rows)) {
+    fmt::print("\n{} curves: {} clocks, {} off the curved surfaces\n", one.curved.value, grouped(one.curved.clocks),
+               counted(one.curved.facet_wrong, "pixel"));
+    fmt::print(
+        "{}: {} {}, {} clocks, {:.3g} times as many, {} off\n",
+        one.as_right ? "Facets as right" : "No facets tried are as right; the nearest", one.facets.knob,
+        one.facets.value, grouped(one.facets.clocks),
+        static_cast<double>(one.facets.clocks) / static_cast<double>(std::max<std::uint64_t>(one.curved.clocks, 1)),
+        counted(one.facets.facet_wrong, "pixel"));
+  }
+}
+
+/// Whether the knob was asked for by its name.
+bool names_knob(const Options& options, const std::string& knob) {
+  if (options.knobs.empty()) return false;
+  const std::vector<std::string> named = study::parse_words(options.knobs);
+  return std::ranges::find(named, knob) != named.end();
+}
+
+/// Those that the machine and the scene's effects allow; none if that is facets alone, unless they are asked for.
+std::vector<study::CurvesChoice> curves_of(const Options& options, const machines::Machine& machine,
+                                           const model::Tree& tree, const view::Camera& camera) {
+  const emit::Options emit = emit_options_of(options.model);
+  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  std::vector<study::CurvesChoice> possible;
+  std::optional<std::string> reason;
+  for (const study::CurvesChoice& choice : study::curves_choices()) {
+    const std::optional<std::string> why_not = choice.why_not(machine, emit, look);
+    if (!why_not) possible.push_back(choice);
+    if (why_not) reason = why_not;
+  }
+  if (possible.size() > 1) return possible;
+  if (names_knob(options, "curves")) throw InputError(reason.value_or("curved surfaces have one way to be drawn"));
+  return {};
+}
+
+study::Knobs knobs_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
+                      const facet::Scene& scene, const view::Camera& camera) {
+  study::Knobs knobs;
+  if (!options.knobs.empty()) knobs.names = study::parse_words(options.knobs);
+  knobs.tolerances = options.tolerances.empty() ? study::usual_tolerances(glm::length(scene.box.high - scene.box.low))
+                                                : tolerances_in(options.tolerances);
+  if (std::ranges::find(knobs.names, "curves") != knobs.names.end())
+    knobs.curves = curves_of(options, machine, tree, camera);
+  return knobs;
 }
 
 /// All that is measured.
@@ -101,8 +158,8 @@ Study study_of(const Options& options) {
   refuse_see_through(options.model, file.tree, camera);
   std::vector<study::WantedSettings> wanted;
   const study::Inputs inputs{file.hash, machine_hash, version_and_build()};
-  for (study::Settings& point :
-       study::points(sampling_of(options.model, machine), faceting, glm::length(scene.box.high - scene.box.low))) {
+  for (study::Settings& point : study::points(sampling_of(options.model, machine), faceting,
+                                              knobs_of(options, machine, file.tree, scene, camera))) {
     // Small pictures cannot be divided as often: some sizes are the same.
     const bool is_known = std::any_of(wanted.begin(), wanted.end(), [&](const study::WantedSettings& one) {
       return one.point.knob == point.knob && one.point.value == point.value;
@@ -179,6 +236,7 @@ void run(const Options& options, const Command& command, const study::Gathered* 
   }
   print_table(table.rows());
   print_front(table.rows());
+  print_equal(table.rows());
   const std::string points = study::points_json(title, table.rows());
   write_file(folder.path() / "accuracy.json", points);
   if (!options.no_plots) study::draw_plots(table.rows(), study::plot_stem(options.model.model), folder.path());
@@ -200,6 +258,13 @@ void add(CommandLine& line, const study::Gathered* gathered) {
       .check(not_empty);
   command.option("--views", options->views, "Views that a point is measured in: the camera turned about the vertical")
       .between(1, 64);
+  command.option("--knobs", options->knobs, "Which knobs are turned; all if not given")
+      .list_of(study::knob_names(), "knob");
+  command
+      .option("--tolerances", options->tolerances,
+              "List of faceting tolerances, model units, in place of the usual ones, which are parts of the model's "
+              "diagonal")
+      .check(is_read_by(tolerances_in));
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   add_shard(command, options->shard);
   options->report.add_to(command);

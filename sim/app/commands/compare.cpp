@@ -281,6 +281,7 @@ void add(CommandLine& line, const study::Gathered* gathered) {
   options->model.add_to(command);
   command.remove("--machine");
   command.remove("--tolerance");
+  command.remove("--curves");  // all machines draw the same facets
   command.option("--machines", options->machines, "List of machines, by name or .toml file");
   command
       .option("--fragments", options->fragments,

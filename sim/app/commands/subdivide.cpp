@@ -20,6 +20,7 @@
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/read_by.h"
+#include "sim/app/studies/tolerances.h"
 #include "sim/study/ranges.h"
 #include "sim/study/subdivision.h"
 
@@ -78,7 +79,7 @@ Column measure(const Options& options, const Subject& subject, unsigned levels,
     return study::measure_squares(subdivided, {part_of(picture.width, columns), part_of(picture.height, rows)});
   };
   Column column{levels, tolerance, tree.primitives.size(), 0, {}, {}, {}};
-  for (const facet::Convex& solid : scene.solids) column.halfspaces += solid.halfspaces.size();
+  for (const facet::Convex& solid : scene.solids) column.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
   if (machine.kind == &multi_processor::kind) {
     column.stages = study::measure_stages(subdivided, levels);
     column.segments = column.stages->segments;
@@ -226,15 +227,6 @@ std::vector<unsigned> levels_of(const std::string& text) {
   return study::parse_numbers(text, 0, most_levels);
 }
 
-std::vector<double> tolerances_of(const std::string& text) {
-  std::vector<double> tolerances;
-  for (const std::string& word : study::parse_words(text)) {
-    tolerances.push_back(numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
-    if (!(tolerances.back() > 0)) throw InputError("a tolerance has to be above 0");
-  }
-  return tolerances;
-}
-
 void run(const Options& options) {
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.json}));
   std::optional<OutputFile> file;
@@ -245,7 +237,7 @@ void run(const Options& options) {
     columns.push_back(measure(options, subject, level, tolerance));
   };
   const std::vector<double> tolerances =
-      options.tolerances.empty() ? std::vector<double>{} : tolerances_of(options.tolerances);
+      options.tolerances.empty() ? std::vector<double>{} : tolerances_in(options.tolerances);
   for (const unsigned level : levels_of(options.levels)) {
     if (tolerances.empty()) add(level, std::nullopt);
     for (const double tolerance : tolerances) add(level, tolerance);
@@ -276,7 +268,7 @@ void add_subdivide(CommandLine& line) {
   command
       .option("--tolerances", options->tolerances,
               "List of tolerances, model units, that curved solids are faceted with")
-      .check(is_read_by(tolerances_of))
+      .check(is_read_by(tolerances_in))
       .excludes("--tolerance");
   command.option("-o,--output", options->json, "The same figures, .json").check(not_empty);
   command.prints_summary();

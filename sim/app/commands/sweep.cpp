@@ -40,7 +40,7 @@ using Table = study::Table<SweepRow>;
 /// Everything that all points share; tables of other sweeps are refused by it. The rest is in each point.
 std::string title_of(const Command& command) {
   return study_title(command,
-                     {"strategy", "stack-bits", "z-bits", "colouring", "pruning", "machine", "memory-bits", "no-draw"});
+                     {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machine", "memory-bits", "no-draw"});
 }
 
 study::WantedPoint wanted(const SweepOptions& options, const study::SweepJob& job) {
@@ -105,12 +105,21 @@ void refuse_models(const Rows& rows) {
   if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "sweep.csv"));
 }
 
+/// Whether every machine draws the same surfaces of a model: facets, or all that can be curved.
+bool draws_alike(const Rows& rows) {
+  std::map<std::string, std::uint64_t> halfspaces;
+  return std::ranges::all_of(rows, [&](const SweepRow& row) {
+    return !is_compiled(row) || halfspaces.try_emplace(row.point.model, row.halfspaces).first->second == row.halfspaces;
+  });
+}
+
 void refuse_failures(const SweepOptions& options, const Rows& rows) {
   if (std::ranges::none_of(rows, is_compiled) && by_model(rows).size() == 1) throw InputError(rows.front().reason);
   const std::vector<study::WrongPicture> wrong = study::wrong_pictures(rows);
   if (wrong.empty()) {
     if (!options.no_draw && std::ranges::any_of(rows, is_compiled))
-      fmt::print("\nAll pictures of a model with the same size and z bits are the same, byte for byte.\n");
+      fmt::print("\nAll pictures of a model with the same {} are the same, byte for byte.\n",
+                 draws_alike(rows) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,");
     refuse_models(rows);
     return;
   }

@@ -1,11 +1,15 @@
 #include "sim/app/manual/subjects.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <utility>
 
+#include "host/emit/curves.h"
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "hw/base/text.h"
+#include "hw/machines/regions.h"
 #include "sim/study/hash.h"
 
 namespace csgsim::app {
@@ -26,6 +30,19 @@ std::string hash_of_failure(const std::string& model, const std::string& reason)
 }
 
 }  // namespace
+
+SubjectKey subject_key(const ModelOptions& options, const machines::Machine& machine) {
+  // Facets may depend on what a pixel covers; which surfaces stay curved on what the machine can draw, and in how many
+  // bits.
+  const bool is_faceted = options.curves == emit::name_of(emit::Curves::facets) ||
+                          (options.curves == emit::name_of(emit::Curves::automatic) && machine.evaluator_degree < 2);
+  std::string curves;
+  if (!is_faceted) {
+    curves = fmt::format("{} {} {} {} {}", options.curves, machine.evaluator_degree,
+                         machines::division(machine) ? machine.name : "", options.z_bits, options.fraction_bits);
+  }
+  return {options.model, machine.picture.width, machine.picture.height, std::move(curves)};
+}
 
 ReadSubject read_subject(const ModelOptions& options, const machines::Machine& machine) {
   try {

@@ -92,15 +92,14 @@ std::vector<std::string> corpus_files(const std::vector<std::string>& names) {
 }
 
 std::vector<study::CorpusJob> corpus_jobs(const CorpusOptions& options) {
-  // Facets may depend on what a pixel covers.
-  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, ReadSubject> subjects;
+  std::map<SubjectKey, ReadSubject> subjects;
   std::vector<study::CorpusJob> jobs;
   const std::vector<std::string> machines = study::parse_words(options.machines);
   for (const std::string& model : corpus_files(options.models)) {
     for (const std::string& name : machines) {
       const ModelOptions one = options_of(options, model, name);
       const machines::Machine machine = machine_of(one);
-      const auto [place, is_new] = subjects.try_emplace({model, machine.picture.width, machine.picture.height});
+      const auto [place, is_new] = subjects.try_emplace(subject_key(one, machine));
       if (is_new) place->second = read_subject(one, machine);
       jobs.push_back(job_of(one, machine, place->second));
     }

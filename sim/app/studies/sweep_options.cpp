@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "host/emit/curves.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/isa/instruction.h"
@@ -49,6 +50,9 @@ std::vector<std::string> strategies_of(const std::string& text) {
 std::vector<std::string> colourings_of(const std::string& text) {
   return study::parse_names(text, "colouring", names_of(emit::colourings));
 }
+std::vector<std::string> curves_of(const std::string& text) {
+  return study::parse_names(text, "way to draw curves", names_of(emit::curve_choices));
+}
 
 study::SweepRanges ranges_of(const SweepOptions& options) {
   study::SweepRanges ranges;
@@ -64,6 +68,7 @@ study::SweepRanges ranges_of(const SweepOptions& options) {
   ranges.z_bits = z_bits_of(options.z_bits);
   ranges.prunings = prunings_of(options.prunings);
   ranges.colourings = colourings_of(options.colourings);
+  ranges.curves = curves_of(options.curves);
   ranges.strategies = strategies_of(options.strategies);
   ranges.stack_bits = stack_bits_of(options.stack_bits);
   return ranges;
@@ -79,6 +84,7 @@ ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& po
   one.z_bits = point.z_bits;
   one.pruning = point.pruning;
   one.colouring = point.colouring;
+  one.curves = point.curves;
   one.strategy = point.strategy;
   if (point.stack_bits > 0) one.stack_bits = point.stack_bits;
   return one;
@@ -87,14 +93,12 @@ ModelOptions options_of(const SweepOptions& options, const study::SweepPoint& po
 }  // namespace
 
 std::vector<study::SweepJob> jobs_of(const SweepOptions& options) {
-  // Facets may depend on what a pixel covers.
-  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, ReadSubject> subjects;
+  std::map<SubjectKey, ReadSubject> subjects;
   std::vector<study::SweepJob> jobs;
   for (study::SweepPoint& point : study::points_of(ranges_of(options))) {
     const ModelOptions one = options_of(options, point);
     const machines::Machine machine = machine_of(one);
-    const machines::Size picture = machine.picture;
-    const auto [place, is_new] = subjects.try_emplace({point.model, picture.width, picture.height});
+    const auto [place, is_new] = subjects.try_emplace(subject_key(one, machine));
     ReadSubject& read = place->second;
     if (is_new) read = read_subject(one, machine);
     point.model = escaped(point.model);
@@ -132,6 +136,11 @@ void SweepOptions::add_to(Command& command) {
   add_list("--memory-bits", memory_bits, memory_bits_of,
            "Numbers: memory bits a pixel; the machine's own if not given");
   view.add_view_to(command);
+  command.remove("--curves");
+  command
+      .option("--curves", curves,
+              "List of the ways in which spheres, cylinders and cones are drawn: facets, exact, auto")
+      .list_of(names_of(emit::curve_choices), "way to draw curves");
   command.option("--threads", threads, "Points that are measured at the same time").between(1U, most_threads);
   command.flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
   command.flag("--no-plots", no_plots, "Do without plots (gnuplot)");

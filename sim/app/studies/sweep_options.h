@@ -25,6 +25,7 @@ struct SweepOptions {
   std::string stack_bits = "3..8";
   std::string colourings = "rebroadcast";
   std::string prunings = "all";
+  std::string curves = "auto";
   std::string folder;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::optional<study::Shard> shard;

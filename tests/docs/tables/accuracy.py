@@ -1,10 +1,77 @@
 """docs/accuracy.md."""
 
 from figures import ruled
+from runs import Record
 
 STEPS = ("10/2", "12/2", "12/4", "12/6", "14/4", "16/4", "16/6", "18/6", "20/6", "20/8")
 FACETS = (("as modelled", "size 512x512"), ("`$fn` = 16", "fn 16"), ("`$fn` = 64", "fn 64"), ("tolerance 0.565", "tolerance 0.565474"),
           ("tolerance 0.0565", "tolerance 0.0565474"), ("tolerance 0.0188", "tolerance 0.0188491"))
+
+
+SPHERE = "tests/budgets/sphere_32.csg --camera 0,-1286.98,0,0,0,0"
+CURVED = {"sphere": (SPHERE, "1,0.1,0.02,0.005,0.002,0.001"), "fig. 2.3": ("fig_2_3", "0.05,0.01,0.002,0.0004,0.0001"),
+          "carburettor": ("carburettor", "0.11,0.06,0.0278,0.01,0.002,0.0005"),
+          "vehicle": ("vehicle", "0.4,0.1,0.02,0.005,0.002,0.001")}
+# Table 7.3 of the thesis: half-spaces in the model, seconds of scan conversion and in all.
+TABLE_7_3 = {0.11: (1258, 32.6, 89.7), 0.06: (2042, 34.5, 102.5), 0.0278: (3876, 42.3, 139.7)}
+
+
+def curves_of(figures, name):
+    """The points of facets and of curved surfaces without them, of four views."""
+    model, tolerances = CURVED[name]
+    return figures.accuracy(model, f"--machine pixel-powers --knobs fn,tolerance,curves --tolerances {tolerances}")
+
+
+def nearest(points, exact):
+    """The facets of the fewest clocks with no more pixels off than the curved surfaces have; the least wrong if there are none."""
+    facets = [each for each in points if each.knob in ("fn", "tolerance") or each.value == "facets"]
+    return min(facets, key=lambda each: (max(each.facet_wrong, exact.facet_wrong), each.clocks))
+
+
+def compared(figures, name):
+    """The points, those without facets first, and of these the exact ones; the model's own facets, and those nearest to exact."""
+    points = curves_of(figures, name)
+    own = {each.value: each for each in points if each.knob == "curves"}
+    best = nearest(points, own["exact"])
+    return Record(points=points, exact=own["exact"], own=own["facets"], nearest=best, times=best.clocks / own["exact"].clocks,
+                  drawn=[*(each for value, each in own.items() if value != "facets"), own["facets"], best])
+
+
+def curved(figures):
+    return {name: compared(figures, name) for name in CURVED}
+
+
+def named(point):
+    if point.knob == "curves":
+        return "facets, as modelled" if point.value == "facets" else f"`--curves {point.value}`"
+    return f"facets, `$fn` = {point.value}" if point.knob == "fn" else f"facets, tolerance {point.value}"
+
+
+def curves(figures):
+    """What is drawn without facets, beside the facets of the model and those that are as right, or nearest to it."""
+    rows = []
+    for name, of in curved(figures).items():
+        for each in of.drawn:
+            rows.append((name, named(each), f"{each.halfspaces:,}", f"{each.clocks:,}", f"{each.clocks / of.exact.clocks:.3g}",
+                         f"{each.facet_wrong:,}", f"{each.facet_depth_p999:.2g}"))
+            name = ""
+    return ruled(("", "drawn as", "half-spaces", "clocks (4 views)", "times exact", "pixels off", "depth off"), rows, numbers_from=2)
+
+
+def table_7_3(figures):
+    """The carburettor at the tolerances of table 7.3, and without facets."""
+    points = curves_of(figures, "carburettor")
+    first = next(each for each in points if each.value == "0.11")
+    rows = []
+    for each in points:
+        if each.knob == "fn" or each.value == "facets":
+            continue
+        tolerance = each.value if each.knob == "tolerance" else f"`--curves {each.value}`"
+        planes, scans, seconds = TABLE_7_3.get(float(each.value) if each.knob == "tolerance" else None, ("",) * 3)
+        thesis = [f"*{planes}*", f"*{scans} s*", f"*{seconds} s, {seconds / 89.7:.2f}*"] if planes else [""] * 3
+        rows.append((tolerance, f"{each.halfspaces:,}", f"{each.clocks:,}", f"{each.clocks / first.clocks:.2f}", f"{each.facet_wrong:,}", *thesis))
+    return ruled(("tolerance", "half-spaces", "clocks (4 views)", "ratio", "pixels off", "*thesis: half-spaces*", "*scan conversion*",
+                  "*total, ratio*"), rows, numbers_from=1)
 
 
 def by_name(points):

@@ -4,8 +4,9 @@ from figures import THESIS_MODELS, ruled
 
 
 def clocks(figures, machine, *changes):
+    """Of facets, which all machines draw: of the same instructions."""
     changed = "".join(f"+{change}" for change in changes)
-    return [figures.clocks(model, f"--machine {machine}{changed} --curves facets") for model in THESIS_MODELS]
+    return [figures.clocks(model, f"--curves facets --machine {machine}{changed}") for model in THESIS_MODELS]
 
 
 def thousands(values):

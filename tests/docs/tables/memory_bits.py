@@ -10,6 +10,23 @@ PRUNINGS = (("all prunings", "all"), ("without boxes in space", "no-space"), ("w
             ("without the near plane's place among the fronts", "no-near"), ("none", "none"))
 
 
+CURVED_Z_BITS = (20, 18, 16, 14, 13, 12, 10, 8)
+
+
+def curved(figures):
+    """The carburettor without facets, by bits of depth and of colour."""
+    rows = []
+    for z_bits in CURVED_Z_BITS:
+        wide, narrow = (figures.render("carburettor", f"--machine pixel-powers --z-bits {z_bits} --colour-bits {bits}") for bits in (24, 12))
+        facets = figures.render("carburettor", f"--z-bits {z_bits}")
+        width = {field.name: field.width for field in wide.memory_bits.fields}
+        root = width["root"]
+        rows.append((z_bits, width["sum"], root, f"{root * root + 2 * root}", wide.memory_bits.used, f"{wide.clocks:,}",
+                     narrow.memory_bits.used, f"{narrow.clocks:,}", facets.memory_bits.used, f"{facets.clocks:,}"))
+    return ruled(("z bits", "sum", "root", "clocks of a root", "bits, colours of 24", "clocks", "bits, colours of 12", "clocks", "bits in facets",
+                  "clocks"), rows)
+
+
 def of_bits(points, bits):
     return point(points, strategy="bits", stack_bits=bits)
 

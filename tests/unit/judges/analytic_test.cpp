@@ -1,3 +1,5 @@
+#include "sim/judges/analytic.h"
+
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
@@ -186,4 +188,35 @@ TEST_CASE("facets make no difference to the true picture") {
   const judges::Truth many = analytic(make_scenery(ball({1, 2, 3}, 8, 50), camera, size));
   CHECK(few.distance == many.distance);
   CHECK(few.plane.empty());
+}
+
+TEST_CASE("what the model means as a polygon is one in the true picture, unless facets of another number replace it") {
+  // Low counts of every shape that has them, turned so that no side is seen edge-on.
+  const std::string nuts =
+      "sphere($fn=5,$fa=12,$fs=2,r=9);"
+      "multmatrix([[1,0,0,-12],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cylinder($fn=6,$fa=12,$fs=2,h=14,r1=5,r2=5,center=true);"
+      "}"
+      "multmatrix([[1,0,0,12],[0,1,0,0],[0,0,1,-6],[0,0,0,1]]){cylinder($fn=3,$fa=12,$fs=2,h=12,r1=6,r2=0,center=false)"
+      ";}";
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    const Scenery scenery = make_scenery(nuts, turned(straight(size.height, projection), {23, 41}), size);
+    const judges::Truth facets = exact(scenery);
+    const auto truth_as = [&](const facet::Faceting& drawn_as) {
+      return judges::analytic_truth(scenery.tree, drawn_as, scenery.camera, size.width, size.height,
+                                    {projection == Projection::perspective, scenery.near, 1000});
+    };
+    const judges::Truth meant = truth_as({});
+    CHECK(meant.owner == facets.owner);
+    constexpr double nudge = 1e-10;  // rays are moved off edge-on faces, 1e-9 pixels
+    for (std::size_t i = 0; i < meant.distance.size(); ++i) {
+      if (meant.owner[i] != judges::nothing)
+        CHECK(meant.distance[i] == doctest::Approx(facets.distance[i]).epsilon(nudge));
+    }
+    const judges::Truth round = analytic(scenery);
+    CHECK(round.owner != meant.owner);
+    CHECK(truth_as({.tolerance = 0.1}).distance == round.distance);
+    CHECK(truth_as({.fragments = 12}).distance == round.distance);
+    CHECK(truth_as({.exact_curves = true}).distance == meant.distance);
+    CHECK(truth_as({.fewest_round = 3}).distance == round.distance);
+  }
 }

@@ -40,7 +40,8 @@ judges::Truth exact(const Scenery& scenery) {
 }
 
 judges::Truth analytic(const Scenery& scenery) {
-  return judges::analytic_truth(scenery.tree, scenery.camera, scenery.width, scenery.height, depth_of(scenery));
+  return judges::analytic_truth(scenery.tree, {.fewest_round = 0}, scenery.camera, scenery.width, scenery.height,
+                                depth_of(scenery));
 }
 
 double straight_distance(std::uint32_t height) { return height / 2.0 / view::half_height_per_distance(); }

@@ -128,7 +128,8 @@ TEST_CASE("owner and depth are the judges' at 10,000 random pixels of random mod
     CAPTURE(emit::name_of(row.colouring));
     CAPTURE(row.stack_bits);
     for (unsigned model = 0; model < models; ++model) {
-      CAPTURE(++seed);
+      ++seed;
+      CAPTURE(seed);
       const Drawn drawn = draw(row, seed);
       const isa::Program& program = drawn.compiled.program;
       const std::vector<testing::Seen> rules =

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -21,12 +22,18 @@ namespace {
 
 constexpr isa::ArrayShape shape{9, 5, 40};
 
+machines::Machine quadratic_machine(const isa::ArrayShape& array) {
+  machines::Machine machine = testing::machine_of(array);
+  machine.evaluator_degree = 2;
+  return machine;
+}
+
 /// What an instruction of a run of the whole array leaves at one pixel.
 struct Left {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;
   bool enabled = false;
-  std::uint32_t target = 0;
+  std::uint64_t target = 0;
 };
 
 class PixelObserver final : public sim::Observer {
@@ -43,9 +50,13 @@ class PixelObserver final : public sim::Observer {
     const std::uint32_t y = y_ - region.y;
     Left one{step.segment, step.index, (enable[y * words + x / 64U] >> x % 64U & 1U) != 0, 0};
     if (isa::operands_of(step.instruction.opcode)[0] == isa::OperandKind::target) {
+      const isa::Field target = story::named_around(program_, step.instruction.fields[0]);
       std::vector<std::uint32_t> values(std::size_t{region.width} * region.height);
-      state.read_field(story::named_around(program_, step.instruction.fields[0]), values);
-      one.target = values[std::size_t{y} * region.width + x];
+      for (unsigned at = 0; at < target.width; at += isa::max_field_width) {
+        const unsigned width = std::min<unsigned>(target.width - at, isa::max_field_width);
+        state.read_field({static_cast<std::uint16_t>(target.base + at), static_cast<std::uint16_t>(width)}, values);
+        one.target |= std::uint64_t{values[std::size_t{y} * region.width + x]} << at;
+      }
     }
     left.push_back(one);
   }
@@ -65,7 +76,7 @@ TEST_CASE("a pixel by itself is at every instruction of random Programs what it 
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const auto x = static_cast<std::uint32_t>(*rc::gen::inRange(0, 9));
     const auto y = static_cast<std::uint32_t>(*rc::gen::inRange(0, 5));
-    const machines::Machine machine = testing::machine_of(program.shape);
+    const machines::Machine machine = quadratic_machine(program.shape);
     PixelObserver observer(program, x, y);
     const std::array<sim::Observer*, 1> observers{&observer};
     sim::make_reference_engine(machine)->run(program, observers);
@@ -84,7 +95,7 @@ TEST_CASE("of any Program a story can be told, as text and as JSON") {
   CHECK(rc::check([] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const story::Subject subject{program, nullptr};
-    const story::Story story = story::Teller(program, testing::machine_of(program.shape)).story_of(4, 2);
+    const story::Story story = story::Teller(program, quadratic_machine(program.shape)).story_of(4, 2);
     RC_ASSERT(!text_of(subject, story).empty());
     RC_ASSERT(story::to_json(subject, story).dump().size() > 2U);
     for (std::uint32_t p = 0; p < program.facts.primitives.size(); ++p)

@@ -126,6 +126,30 @@ TEST_CASE("a knob's values are across, where they belong") {
   CHECK(chart_named(all, "z-bits").series[0].points[0].x == 12);
 }
 
+TEST_CASE("facets and curved surfaces stand in one plot, clocks across and pixels off the true surfaces upwards") {
+  std::vector<study::Measurement> rows(5);
+  const Words knobs{"tolerance", "tolerance", "fn", "curves", "curves"};
+  const Words values{"0.1", "0.5", "16", "facets", "exact"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].knob = knobs[i];
+    rows[i].value = values[i];
+    rows[i].clocks = 100 - i;
+    rows[i].facet_wrong = 10 * i;
+    rows[i].wrong = 7;
+  }
+  const plots::Chart chart = chart_named(study::plots_of_accuracy(rows, "a"), "curves");
+  REQUIRE(chart.series.size() == 4);
+  CHECK(chart.series[0].name == "facets, by tolerance");
+  CHECK(chart.series[0].points.front().label == "0.5");
+  CHECK(chart.series[0].points.front().x == 99);
+  CHECK(chart.series[0].points.front().y == 10);
+  CHECK(chart.series[1].points.front().label == "16");
+  CHECK(chart.series[2].name == "facets, as modelled");
+  CHECK(chart.series[3].name == "exact curves");
+  CHECK(chart.series[3].points.front().x == 96);
+  CHECK(chart.series[3].points.front().y == 40);
+}
+
 TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
   std::vector<study::ComparisonRow> rows(2);
   for (study::ComparisonRow& one : rows) {

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -170,4 +171,68 @@ TEST_CASE("the cheapest settings with few enough wrong pixels are chosen, and fi
   const auto little = study::cheapest(in_little_memory, grid, 1000);
   REQUIRE(little);
   CHECK(little->sampling.z_bits <= 12);
+}
+
+namespace {
+
+study::Measurement faceted(const char* knob, const char* value, std::uint64_t clocks, std::uint64_t off) {
+  study::Measurement measurement = point(value, clocks, 0);
+  measurement.knob = knob;
+  measurement.facet_wrong = off;
+  return measurement;
+}
+
+}  // namespace
+
+TEST_CASE("facets as right as curved surfaces are those of the fewest clocks with no more pixels off") {
+  std::vector<study::Measurement> rows{faceted("fn", "8", 10, 90),          faceted("fn", "64", 70, 5),
+                                       faceted("tolerance", "0.1", 60, 4),  faceted("tolerance", "0.01", 90, 0),
+                                       faceted("curves", "facets", 30, 40), faceted("curves", "exact", 20, 5),
+                                       faceted("z-bits", "24", 5, 0)};
+  const auto all = study::facets_as_right(rows);
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].curved.value == "exact");
+  CHECK(all[0].facets.value == "0.1");
+  CHECK(all[0].as_right);
+  rows[5].facet_wrong = 40;
+  CHECK(study::facets_as_right(rows)[0].facets.value == "facets");
+  rows[3].facet_wrong = 3;
+  rows[5].facet_wrong = 2;
+  const auto nearest = study::facets_as_right(rows);
+  CHECK(nearest[0].facets.value == "0.01");
+  CHECK_FALSE(nearest[0].as_right);
+  CHECK(study::facets_as_right(std::vector{rows[5]}).empty());
+}
+
+TEST_CASE("curved surfaces without facets are right to the arithmetic, where facets are off by their tolerance") {
+  const model::Tree tree = read::read_csg_text(bitten_cube, "test");
+  machines::Machine machine = kinds::load("pixel-powers");
+  machine.array = {96, 96, study::ample_memory_bits};
+  study::Meter meter(tree, study::turned_views(camera, 2), machine, {});
+  study::Knobs knobs{{"curves", "tolerance"}, {0.05}, {}};
+  for (const study::CurvesChoice& choice : study::curves_choices()) knobs.curves.push_back(choice);
+  std::vector<study::Measurement> rows;
+  for (const study::Settings& settings : study::points(small_sampling(), {}, knobs))
+    rows.push_back(meter.measure(settings));
+  const auto row = [&](const std::string& value) {
+    const auto found = std::ranges::find(rows, value, &study::Measurement::value);
+    REQUIRE(found != rows.end());
+    return *found;
+  };
+  CHECK(row("exact").unexplained == 0);
+  CHECK(row("facets").unexplained == 0);
+  CHECK(row("exact").facet_wrong <= row("exact").wrong);
+  CHECK(row("facets").facet_wrong > 10);
+  CHECK(row("exact").facet_depth_p999 < 1e-3 * row("facets").facet_depth_p999);
+  CHECK(row("exact").facet_depth_p999 < 1e-2 * row("0.05").facet_depth_p999);
+  CHECK(row("exact").halfspaces < row("facets").halfspaces);
+}
+
+TEST_CASE("only the knobs that are named are turned, each to its values") {
+  study::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
+  std::vector<std::string> points;
+  for (const study::Settings& one : study::points(small_sampling(), {}, knobs))
+    points.push_back(one.knob + " " + one.value);
+  CHECK(points == std::vector<std::string>{"size 12x12", "size 24x24", "size 48x48", "size 96x96", "tolerance 0.5",
+                                           "tolerance 0.25"});
 }
