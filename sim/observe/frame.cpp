@@ -45,8 +45,12 @@ bool FrameObserver::is_merge(const isa::Instruction& instruction) const {
 }
 
 bool FrameObserver::colours_one_of_several(const isa::Instruction& instruction, isa::Field colour) const {
-  return instruction.opcode == isa::Opcode::set_constant && instruction.origin.node != isa::no_node &&
-         colour.width > 0 && instruction.fields[0] == colour;
+  if (instruction.origin.node == isa::no_node || colour.width == 0) return false;
+  const isa::Field& target = instruction.fields[0];
+  if (instruction.opcode == isa::Opcode::set_constant && target == colour) return true;
+  // Light on curved surfaces is brought there channel by channel.
+  return instruction.opcode == isa::Opcode::copy && instruction.origin.purpose == isa::Purpose::shade &&
+         target.base >= colour.base && target.end() <= colour.end();
 }
 
 bool FrameObserver::reads_after(const isa::Instruction& instruction) const {

@@ -156,6 +156,25 @@ TEST_CASE("where several primitives are drawn as one solid, the one whose colour
   CHECK(at(observer.frame().owner, 4, 0) == 1);
 }
 
+TEST_CASE("where several primitives are drawn as one solid, light that comes channel by channel tells the owner") {
+  sim::FrameObserver observer(program());
+  FakePixels pixels({0, 0, 67, 3});
+  pixels.enable(3, 0);
+  pixels.enable(4, 0);
+  Instruction merge = merge_of_2;
+  merge.origin = {isa::Purpose::merge, 0, 0};
+  carry_out(observer, merge, pixels);
+  pixels.enable_none();
+  pixels.enable(4, 0);
+  const Instruction channel{Opcode::copy, {Field{9, 1}, Field{4, 1}}, {}, 0, {isa::Purpose::shade, 1, 0}};
+  CHECK(observer.reads_after(channel));
+  carry_out(observer, channel, pixels);
+  CHECK(at(observer.frame().owner, 3, 0) == 0);
+  CHECK(at(observer.frame().owner, 4, 0) == 1);
+  // What the merge brings from beside Z1 has its owner there.
+  CHECK_FALSE(observer.reads_after({Opcode::copy, {colour, candidate_colour}, {}, 0, merge.origin}));
+}
+
 TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the merge") {
   sim::FrameObserver observer(program(true));
   FakePixels pixels({0, 0, 67, 3});
