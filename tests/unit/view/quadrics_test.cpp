@@ -251,8 +251,25 @@ TEST_CASE("bounds of a quadratic over a rectangle hold its values, and are met a
     RC_ASSERT(range.low >= low - slack);
     RC_ASSERT(range.high <= high + slack);
     const bool is_bowl = 4 * static_cast<double>(f.xx) * static_cast<double>(f.yy) > std::pow(f.xy, 2);
-    if (!is_bowl && is_low_at_side) RC_ASSERT(range.low == low);
-    if (!is_bowl && is_high_at_side) RC_ASSERT(range.high == high);
+    if (f.xy != 0 || is_bowl) return;
+    if (is_low_at_side) RC_ASSERT(range.low == low);
+    if (is_high_at_side) RC_ASSERT(range.high == high);
+  }));
+}
+
+TEST_CASE("bounds of a narrow ridge or valley at a slant hold a pixel that it passes between its sides") {
+  CHECK(rc::check([] {
+    const std::int64_t a = *rc::gen::inRange(1, 50);
+    const std::int64_t b = *rc::gen::inRange(-50, 50);
+    const std::int32_t x = *rc::gen::inRange(1, 9);
+    const std::int32_t y = *rc::gen::inRange(1, 9);
+    const std::int64_t c = -a * x - b * y;
+    const std::int64_t sign = *rc::gen::element(-1, 1);
+    // The square of a x + b y + c, which is 0 at that pixel.
+    const view::FixedQuadratic f{
+        sign * a * a, sign * 2 * a * b, sign * b * b, {sign * 2 * a * c, sign * 2 * b * c, sign * c * c}};
+    const view::Range range = view::range_over(f, {0, 0, 10, 10});
+    RC_ASSERT((sign > 0 ? range.low : -range.high) <= 0);
   }));
 }
 
