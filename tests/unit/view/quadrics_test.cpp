@@ -465,6 +465,22 @@ TEST_CASE("a sphere's depths and pixels are its own, not its hull's") {
   CHECK(view.extents[0].pixels == view::PixelRect{first, first, 511 - first, 511 - first});
 }
 
+TEST_CASE("an extent's depths hold the back of a solid too, whose depth is no longer in it") {
+  const model::Tree tree = single(model::Sphere{3, {}}, glm::dmat4(1.0));
+  const facet::Scene scene = facet::make_scene(tree, exact());
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    view::Sampling sampling;
+    sampling.width = sampling.height = 24;
+    sampling.z_bits = 5;
+    const view::View view = view::make_view(scene, tree, {{1, 2, 16}, {0, 0, 0}, projection}, sampling);
+    const view::Extent& extent = view.extents[0];
+    const view::RootRanges ranges = view::ranges_over(view.quadrics[0], sampling.fraction_bits, extent.pixels);
+    CHECK(ranges.most_root > 10);
+    CHECK(extent.z_high >= ranges.far.high);
+    CHECK(extent.z_low <= std::max<std::int64_t>(ranges.near.low, 0));
+  }
+}
+
 TEST_CASE("equal surfaces of different solids are the same integers") {
   model::Tree tree = single(model::Cylinder{4, 5, 5, false, {}}, rotated_by_a_third());
   tree.primitives.push_back({model::Cylinder{9, 5, 5, true, {}}, rotated_by_a_third() * turn_about(2, 1.0), {}, {}});
