@@ -111,6 +111,16 @@ TEST_CASE("a solid that is there twice is seen once, and a copy elsewhere in the
   check_seen(intersect({body, body}));
   check_seen(subtract({body, subtract({body, body})}));
 }
+TEST_CASE("of surfaces of one solid that are at the same depth the first primitive's is seen, be it flat or curved") {
+  CurvedLook coarse;
+  coarse.z_bits = 4;
+  const std::string bowl = ball({0, 0, 0}, 4);
+  for (const std::string& other : {box({-3, -3, -3}, {3, 3, 3}), rod({0, 0, -3}, 6, 3), gem}) {
+    look_at_all(intersect({bowl, other}), coarse);
+    look_at_all(intersect({other, bowl}), coarse);
+    look_at_all(intersect({rod({0, 0, -5}, 10, 3.5), other, bowl}), coarse);
+  }
+}
 TEST_CASE("colours of curved solids are the same by all ways, also where surfaces meet") {
   const std::string red = "color([0.9,0.2,0.1,1]){" + ball({0, 0, 0}, 5) + "}\n";
   const std::string blue = "color([0.1,0.3,0.9,1]){" + rod({0, 0, -7}, 14, 3) + "}\n";
