@@ -194,15 +194,15 @@ void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurfa
   }
 }
 
-bool has_curved(const Surface& surface) {
-  return std::any_of(surface.facets.begin(), surface.facets.end(), [](const Facet& one) { return is_curved(one.at); });
-}
-
-/// A solid with a curved front has it at every pixel: only the near plane brings its surface to depth 0.
-bool may_be_at_near(const Context& context, const PlannedSurface& planned, const Surface& surface) {
-  return !has_curved(surface) || std::any_of(planned.set.begin(), planned.set.end(), [&](std::uint32_t primitive) {
-    return context.view.extents[primitive].cut_by_near;
-  });
+/// Whether what is seen at depth 0 has to be among the facets: the curved fronts, if there are any, may be at it or
+/// before it, and it is none of them.
+bool may_be_at_near(const Context& context, const PlannedSurface& planned, const Sides& sides) {
+  const auto is_front = [](const QuadricBound& bound) { return seen_of(bound, false).has_value(); };
+  if (std::none_of(sides.quadrics.begin(), sides.quadrics.end(), is_front)) return true;
+  return planned.block.z_low <= 0 && !is_curved(at_near(context, planned.primitive()).at) &&
+         std::all_of(sides.quadrics.begin(), sides.quadrics.end(), [&](const QuadricBound& bound) {
+           return !is_front(bound) || may_reach_near(context, bound, planned.block.pixels);
+         });
 }
 
 }  // namespace
@@ -227,7 +227,7 @@ Surface surface_of(const Context& context, const PlannedSurface& planned, const 
   surface.nothing =
       sides.nothing || sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
   if (surface.nothing) return surface;
-  if (!complemented && may_be_at_near(context, planned, surface) && may_reach_near(context, sides.fronts.facets, block))
+  if (!complemented && may_be_at_near(context, planned, sides) && may_reach_near(context, sides.fronts.facets, block))
     surface.facets.insert(surface.facets.begin(), at_near(context, planned.primitive()));
   return surface;
 }

@@ -26,13 +26,13 @@ struct CurvedLook {
 /// Sums over pictures.
 struct CurvedVerdict {
   std::uint64_t pictures = 0;
-  std::uint64_t covered = 0;   ///< pixels, in truth
-  std::uint64_t wrong = 0;     ///< pixels
+  std::uint64_t covered = 0;        ///< pixels, in truth
+  std::uint64_t wrong = 0;          ///< pixels
   std::uint64_t unexplained = 0;    ///< of these, by the stated bounds
   std::uint64_t against_rules = 0;  ///< pixels that are not what the rules make of the view's integers (tests/oracle)
-  std::uint64_t quadrics = 0;  ///< that are drawn
-  std::uint64_t edges = 0;     ///< of these, as edge tests
-  std::uint64_t inside = 0;    ///< of these, around the eye
+  std::uint64_t quadrics = 0;       ///< that are drawn
+  std::uint64_t edges = 0;          ///< of these, as edge tests
+  std::uint64_t inside = 0;         ///< of these, around the eye
 
   CurvedVerdict& operator+=(const CurvedVerdict& other);
 };

@@ -1,8 +1,11 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hw/base/error.h"
@@ -27,18 +30,23 @@ struct Tally {
   std::uint64_t inside = 0;
 };
 
-/// A few of all that must not change a picture, others each time.
-std::vector<Setup> some_variants(const Setup& how, std::uint64_t seed) {
+enum class Variants : std::uint8_t { some, all };
+
+/// All that must not change a picture, or a few of it, others each time.
+std::vector<Setup> variants_of(const Setup& how, std::uint64_t seed, Variants which) {
   static const std::vector<emit::Options> options = testing::all_options();
+  std::vector<Setup> machines = testing::in_parts(how);
+  for (const Setup& machine : testing::on_quadratic_machines(how)) machines.push_back(machine);
   std::vector<Setup> all;
-  for (std::uint64_t i = 0; i < 3; ++i) {
+  const std::uint64_t count = which == Variants::all ? options.size() : 3;
+  for (std::uint64_t i = 0; i < count; ++i) {
     Setup other = how;
     other.options = options[(seed + i * 17) % options.size()];
     all.push_back(other);
   }
-  std::vector<Setup> machines = testing::in_parts(how);
-  for (const Setup& machine : testing::on_quadratic_machines(how)) machines.push_back(machine);
-  all.push_back(machines[seed % machines.size()]);
+  const auto first =
+      machines.begin() + static_cast<std::ptrdiff_t>(which == Variants::all ? 0 : seed % machines.size());
+  all.insert(all.end(), first, which == Variants::all ? machines.end() : first + 1);
   return all;
 }
 
@@ -50,34 +58,39 @@ std::optional<testing::Compiled> compiled(const CurvedScene& scene, const Setup&
   }
 }
 
-void check_scene(std::uint64_t seed, view::Projection projection, Tally& tally) {
+/// What is wrong with a scene, if anything is.
+std::string faults_of(std::uint64_t seed, view::Projection projection, Variants which, Tally& tally) {
   const CurvedScene scene = testing::random_curves(seed, projection);
   Setup how = testing::curved_setup(scene.camera);
   how.sampling = scene.sampling;
   const auto first = compiled(scene, how);
   ++tally.scenes;
   tally.refused += first ? 0U : 1U;
-  if (!first) return;
+  if (!first) return "";
   const sim::Frame frame = testing::draw(first->program);
   const testing::CurvedVerdict verdict = testing::judged(*first, frame);
-  RC_ASSERT(verdict.unexplained == 0U);
-  RC_ASSERT(verdict.against_rules == 0U);
-  for (const Setup& other : some_variants(how, seed)) {
-    const sim::Frame again = testing::draw(testing::compile_again(*first, other));
-    RC_ASSERT(again.depth == frame.depth);
-    RC_ASSERT(again.owner == frame.owner);
-    RC_ASSERT(again.colour == frame.colour);
+  std::string faults;
+  if (verdict.unexplained > 0) faults += fmt::format("{} pixels unexplained; ", verdict.unexplained);
+  if (verdict.against_rules > 0) faults += fmt::format("{} pixels against the rules; ", verdict.against_rules);
+  std::uint64_t others = 0;
+  for (const Setup& other : variants_of(how, seed, which)) {
+    others += testing::draw(testing::compile_again(*first, other)) == frame ? 0U : 1U;
   }
+  if (others > 0) faults += fmt::format("{} ways draw another picture; ", others);
   tally.covered += verdict.covered;
   tally.wrong += verdict.wrong;
   tally.quadrics += verdict.quadrics;
   tally.edges += verdict.edges;
   tally.inside += verdict.inside;
+  return faults.empty() ? faults : fmt::format("seed {}: {}", seed, faults);
 }
 
 void check_scenes(view::Projection projection) {
   Tally tally;
-  CHECK(rc::check([&] { check_scene(*rc::gen::arbitrary<std::uint64_t>(), projection, tally); }));
+  CHECK(rc::check([&] {
+    const std::string faults = faults_of(*rc::gen::arbitrary<std::uint64_t>(), projection, Variants::some, tally);
+    if (!faults.empty()) RC_FAIL(faults);
+  }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.quadrics, " quadrics, of these ", tally.edges,
           " edges and ", tally.inside, " around the eye, ", tally.covered, " pixels covered, ", tally.wrong, " wrong");
   CHECK(tally.covered > 20 * tally.scenes);
@@ -87,9 +100,20 @@ void check_scenes(view::Projection projection) {
 
 }  // namespace
 
-TEST_CASE("random curved scenes of few bits are the rules' by all ways, and no wrong pixel is unexplained, orthographic") {
+TEST_CASE("random curved scenes that were drawn wrong, or judged wrong, are not any more") {
+  // Depths of backs, narrow ridges, ties of flat and curved surfaces, what rounding takes to depth 0; cones whose apex
+  // is in the middle of the depths, and primitives beside their rectangles.
+  Tally tally;
+  for (const unsigned seed : {332U, 566U, 801U, 824U, 875U, 928U, 8282U, 12728U, 17181U, 20081U})
+    CHECK(faults_of(seed, view::Projection::orthographic, Variants::all, tally).empty());
+  for (const unsigned seed : {20U, 121U, 363U, 466U, 489U, 999U, 1779U, 15327U, 15993U, 19894U})
+    CHECK(faults_of(seed, view::Projection::perspective, Variants::all, tally).empty());
+}
+TEST_CASE(
+    "random curved scenes of few bits are the rules' by all ways, and no wrong pixel is unexplained, orthographic") {
   check_scenes(view::Projection::orthographic);
 }
-TEST_CASE("random curved scenes of few bits are the rules' by all ways, and no wrong pixel is unexplained, perspective") {
+TEST_CASE(
+    "random curved scenes of few bits are the rules' by all ways, and no wrong pixel is unexplained, perspective") {
   check_scenes(view::Projection::perspective);
 }
