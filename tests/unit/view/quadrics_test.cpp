@@ -394,6 +394,30 @@ TEST_CASE("a cylinder seen along its axis is an edge test of its circle, and fro
   }
 }
 
+TEST_CASE("a sheared cylinder seen exactly from its side is no edge test, whatever rounding makes of its section") {
+  int seen = 0;
+  for (int i = 0; i < 343; ++i) {
+    const glm::dvec3 other(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3);
+    for (const glm::dvec3& axis : {glm::dvec3(1, 1, 1), {1, 0, 2}, {3, -1, 2}, {1, -2, 0}}) {
+      const glm::dvec3 across = glm::cross(axis, other);
+      if (across == glm::dvec3(0)) continue;
+      glm::dmat4 place(1.0);
+      place[0] = glm::dvec4(1, 0, 1, 0);
+      place[1] = glm::dvec4(1, 3, 0, 0);
+      place[2] = glm::dvec4(axis, 0);
+      const model::Tree tree = single(model::Cylinder{6, 3, 3, true, {}}, place);
+      const facet::Scene scene = facet::make_scene(tree, exact());
+      view::Sampling sampling;
+      sampling.width = 24;
+      sampling.height = 16;
+      const view::Camera camera{glm::normalize(across) * 48.0, {0, 0, 0}, view::Projection::orthographic};
+      CHECK(view::make_view(scene, tree, camera, sampling).quadrics[0].kind != view::ScreenQuadricKind::edge);
+      ++seen;
+    }
+  }
+  CHECK(seen > 1000);
+}
+
 TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit that is less than an edge's width") {
   const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
   const facet::Scene scene = facet::make_scene(tree, exact());
