@@ -33,7 +33,9 @@ double section_drift(const SightQuadric& quadric, double from, double to) {
   const FilterQuadratic& q = quadric.value;
   const FilterQuadratic& l = quadric.slope;
   const double determinant = 4.0 * q.xx * q.yy - q.xy * q.xy;
-  if (!(determinant > 0.0)) return std::numeric_limits<double>::infinity();
+  // Where it is nearly a parabola or a pair of lines, rounding decides on the sign, and it is far longer than the
+  // picture.
+  if (!(determinant > 0x1p-46 * std::abs(4.0 * q.xx * q.yy))) return std::numeric_limits<double>::infinity();
   struct Section {
     double x, y, value;
   };
