@@ -82,7 +82,7 @@ std::uint64_t pixels_against_rules(const Compiled& compiled, const sim::Frame& f
 }
 
 /// The picture on other machines and by other ways.
-void check_variants(const Compiled& compiled, const Setup& how, const sim::Frame& expected) {
+void check_variants(const Compiled& compiled, const Setup& how, const CurvedLook& look, const sim::Frame& expected) {
   const auto check = [&](const Setup& other) {
     CAPTURE(emit::name_of(other.options.strategy));
     CAPTURE(other.options.stack_bits);
@@ -94,13 +94,13 @@ void check_variants(const Compiled& compiled, const Setup& how, const sim::Frame
     CHECK(different(frame.owner, expected.owner) == 0);
     CHECK(different(frame.colour, expected.colour) == 0);
   };
-  Setup other = how;
+  std::vector<Setup> all = in_parts(how);
+  for (const Setup& machine : on_quadratic_machines(how)) all.push_back(machine);
   for (const emit::Options& options : all_options()) {
-    other.options = options;
-    check(other);
+    all.push_back(how);
+    all.back().options = options;
   }
-  for (const Setup& parts : in_parts(how)) check(parts);
-  for (const Setup& machine : on_quadratic_machines(how)) check(machine);
+  for (std::size_t i = look.share; i < all.size(); i += look.shares) check(all[i]);
 }
 
 bool is_faceted(const Compiled& compiled) {
@@ -169,7 +169,7 @@ CurvedVerdict look_curved(const std::string& csg, const view::Camera& camera, co
   const CurvedVerdict verdict = judged(compiled, frame);
   CHECK_MESSAGE(verdict.unexplained == 0, judges::to_text(errors_of(compiled, frame)));
   CHECK(verdict.against_rules == 0);
-  check_variants(compiled, setup, frame);
+  check_variants(compiled, setup, how, frame);
   if (how.engines) compare_engines(csg, camera, how);
   return verdict;
 }
@@ -177,10 +177,13 @@ CurvedVerdict look_curved(const std::string& csg, const view::Camera& camera, co
 CurvedVerdict look_both_ways(const std::string& csg, const glm::dvec3& eye, const glm::dvec3& centre,
                              const CurvedLook& how) {
   CurvedVerdict sum;
-  CurvedLook other = how;
-  sum += look_curved(csg, {eye, centre, Projection::perspective}, other);
-  other.near.reset();
-  sum += look_curved(csg, {eye, centre, Projection::orthographic}, other);
+  CurvedLook part = how;
+  part.shares = 2;
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    if (projection == Projection::orthographic) part.near.reset();
+    sum += look_curved(csg, {eye, centre, projection}, part);
+    ++part.share;
+  }
   return sum;
 }
 
@@ -189,12 +192,15 @@ CurvedVerdict look_at_all(const std::string& csg, const CurvedLook& how) {
   exact.exact_curves = true;
   const facet::Box box = facet::make_scene(read::read_csg_text(csg, "test"), exact).box;
   CurvedVerdict sum;
+  CurvedLook part = how;
+  part.shares = 4;
   for (const glm::dvec3& direction : {oblique, along_axis}) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
       // Nothing to see: from somewhere.
       const view::Camera camera = box.empty() ? view::Camera{30.0 * direction, glm::dvec3(0), projection}
                                               : view::view_all({direction, glm::dvec3(0), projection}, box, 1, 1);
-      sum += look_curved(csg, camera, how);
+      sum += look_curved(csg, camera, part);
+      ++part.share;
     }
   }
   return sum;

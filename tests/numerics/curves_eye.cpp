@@ -14,15 +14,32 @@ std::string mould(const std::string& part) { return subtract({box({-20, -20, -20
 
 /// In perspective, with an eye from which the near plane is that far away.
 CurvedVerdict look_from(const std::string& csg, const glm::dvec3& eye, const glm::dvec3& centre, double near = 0.25,
-                        bool may_be_faceted = false) {
-  CurvedLook how;
+                        CurvedLook how = {}) {
   how.near = near;
-  how.may_be_faceted = may_be_faceted;
   return look_curved(csg, {eye, centre, Projection::perspective}, how);
 }
 
+/// Many pictures, perhaps in facets where the eye is on a surface: each by a quarter of all ways.
+class Quarters {
+ public:
+  void look(const std::string& csg, const glm::dvec3& eye, const glm::dvec3& centre, double near = 0.25) {
+    look_from(csg, eye, centre, near, how_);
+    how_.share = (how_.share + 1) % how_.shares;
+  }
+
+ private:
+  static CurvedLook quarter() {
+    CurvedLook how;
+    how.may_be_faceted = true;
+    how.shares = 4;
+    return how;
+  }
+
+  CurvedLook how_ = quarter();
+};
+
 void check_seen(const CurvedVerdict& verdict) {
-  CHECK(verdict.covered > 200);
+  CHECK(verdict.covered > 100);
   CHECK(verdict.wrong <= 4);
 }
 
@@ -87,40 +104,48 @@ TEST_CASE("a hollow frustum is looked into through both of its ends") {
   check_seen(look_from(funnel, {0.5, 0.25, 6}, {4, 3, 8}));
 }
 TEST_CASE("a cone whose apex is at the eye is an edge test, or facets") {
-  const CurvedVerdict verdict = look_from(cone, {0, 0, 0}, {0, 0, 9}, 1, true);
+  Quarters quarters;
+  CurvedLook how;
+  how.may_be_faceted = true;
+  const CurvedVerdict verdict = look_from(cone, {0, 0, 0}, {0, 0, 9}, 1, how);
   CHECK(verdict.edges == 1);
-  look_from(mould(cone), {0, 0, 0}, {0, 0, 9}, 1, true);
-  look_from(cone, {0, 0, 0}, {1, 0, 9}, 1, true);
-  look_from(frustum, {0, 0, 0}, {0, 0, 9}, 1, true);
-  look_from(frustum, {0, 0, 0}, {9, 0, 0}, 1, true);
+  quarters.look(mould(cone), {0, 0, 0}, {0, 0, 9}, 1);
+  quarters.look(cone, {0, 0, 0}, {1, 0, 9}, 1);
+  quarters.look(frustum, {0, 0, 0}, {0, 0, 9}, 1);
+  quarters.look(frustum, {0, 0, 0}, {9, 0, 0}, 1);
 }
 TEST_CASE("a cone whose apex is nearly at the eye is drawn right") {
+  Quarters quarters;
   for (const double off : {1e-9, 1e-6, 1e-4, 1e-2}) {
-    look_from(frustum, {off, 0, 0}, {0, 0, 9}, 1, true);
-    look_from(frustum, {off, off, -off}, {0, 0, 9}, 1, true);
-    look_from(frustum, {0, 0, off}, {0, 0, 9}, 1, true);
+    quarters.look(frustum, {off, 0, 0}, {0, 0, 9}, 1);
+    quarters.look(frustum, {off, off, -off}, {0, 0, 9}, 1);
+    quarters.look(frustum, {0, 0, off}, {0, 0, 9}, 1);
   }
 }
 TEST_CASE("an eye on the surface of a ball, of a cylinder and of a cone sees them right") {
-  look_from(ball({0, 0, 0}, 8), {0, -8, 0}, {0, 0, 0}, 0.25, true);
-  look_from(mould(ball({0, 0, 0}, 8)), {0, -8, 0}, {0, 0, 0}, 0.25, true);
-  look_from(rod({0, 0, -16}, 32, 8), {0, -8, 0}, {0, 0, 0}, 0.25, true);
-  look_from(mould(rod({0, 0, -16}, 32, 8)), {0, -8, 0}, {0, 0, 4}, 0.25, true);
-  look_from(mould(cone), {0, -4, 8}, {0, 0, 8}, 0.25, true);
+  Quarters quarters;
+  quarters.look(ball({0, 0, 0}, 8), {0, -8, 0}, {0, 0, 0}, 0.25);
+  quarters.look(mould(ball({0, 0, 0}, 8)), {0, -8, 0}, {0, 0, 0}, 0.25);
+  quarters.look(rod({0, 0, -16}, 32, 8), {0, -8, 0}, {0, 0, 0}, 0.25);
+  quarters.look(mould(rod({0, 0, -16}, 32, 8)), {0, -8, 0}, {0, 0, 4}, 0.25);
+  quarters.look(mould(cone), {0, -4, 8}, {0, 0, 8}, 0.25);
 }
 TEST_CASE("an eye near the surface of a ball, on either side, sees it right") {
+  Quarters quarters;
   for (const double off : {0x1p-4, 0x1p-12, 0x1p-20, -0x1p-4, -0x1p-12, -0x1p-20}) {
-    look_from(ball({0, 0, 0}, 8), {0, -8 - off, 0}, {1, 0, 2}, 0.25, true);
-    look_from(mould(ball({0, 0, 0}, 8)), {0, -8 - off, 0}, {1, 0, 2}, 0.25, true);
+    quarters.look(ball({0, 0, 0}, 8), {0, -8 - off, 0}, {1, 0, 2}, 0.25);
+    quarters.look(mould(ball({0, 0, 0}, 8)), {0, -8 - off, 0}, {1, 0, 2}, 0.25);
   }
 }
 TEST_CASE("the near plane cuts a ball, a cylinder, a cone and an ellipsoid before the eye open") {
+  Quarters quarters;
   for (const double near : {4.0, 6.0, 8.0, 9.5}) {
-    look_from(ball({0, 0, 0}, 4), {0, -10, 0}, {0, 0, 0}, near);
-    look_from(rod({0, 0, -9}, 18, 4), {0, -10, 0}, {0, 0, 0}, near);
-    look_from(rod({0, 0, -9}, 18, 4), {3, -8, 6}, {0, 0, 0}, near);
-    look_from(placed(translation({0, 0, -6}), cone), {1, -10, 3}, {0, 0, 0}, near);
-    look_from(placed(rotation(20, 30), placed(scaling({1, 2, 0.5}), ball({0, 0, 0}, 4))), {0, -10, 0}, {0, 0, 0}, near);
+    quarters.look(ball({0, 0, 0}, 4), {0, -10, 0}, {0, 0, 0}, near);
+    quarters.look(rod({0, 0, -9}, 18, 4), {0, -10, 0}, {0, 0, 0}, near);
+    quarters.look(rod({0, 0, -9}, 18, 4), {3, -8, 6}, {0, 0, 0}, near);
+    quarters.look(placed(translation({0, 0, -6}), cone), {1, -10, 3}, {0, 0, 0}, near);
+    quarters.look(placed(rotation(20, 30), placed(scaling({1, 2, 0.5}), ball({0, 0, 0}, 4))), {0, -10, 0}, {0, 0, 0},
+                  near);
   }
 }
 TEST_CASE("the near plane touches a ball from before and from behind") {
