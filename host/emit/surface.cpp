@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 #include "host/emit/effect.h"
 #include "host/emit/halfspaces.h"
@@ -181,15 +182,15 @@ void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurfa
                       const Surface& surface, const Facet* rooted) {
   const bool complemented = context.complemented(planned.primitive());
   const isa::Field z1 = context.layout.candidate;
-  for (auto bound = sides.quadrics.rbegin(); bound != sides.quadrics.rend(); ++bound) {
-    const std::optional<Facet> other = seen_of(*bound, !complemented);
-    if (!other || is_own_other_side(surface, *bound)) continue;
+  for (const QuadricBound& bound : sides.quadrics | std::views::reverse) {
+    const std::optional<Facet> other = seen_of(bound, !complemented);
+    if (!other || is_own_other_side(surface, bound)) continue;
     const bool is_there =
-        rooted != nullptr && rooted->quadric == bound->side && bound->role == view::QuadricRole::between;
+        rooted != nullptr && rooted->quadric == bound.side && bound.role == view::QuadricRole::between;
     rooted = nullptr;
-    if (!is_there) emit_root(context, out, *bound, planned.block.pixels);
+    if (!is_there) emit_root(context, out, bound, planned.block.pixels);
     const Root root = other->at == At::quadric_near ? Root::near : Root::far;
-    const isa::Field depth = emit_depth(context, out, *bound, root, planned.block.pixels);
+    const isa::Field depth = emit_depth(context, out, bound, root, planned.block.pixels);
     complemented ? out.plain(Opcode::field_lt, depth, z1) : out.plain(Opcode::field_lt, z1, depth);
   }
 }
