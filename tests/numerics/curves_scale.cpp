@@ -45,7 +45,8 @@ TEST_CASE("balls of radii of a thousandth of a pixel to one pixel are where they
     const std::string frame = box({-8, 4, -6}, {8, 5, 6});
     std::vector<std::string> parts{frame};
     for (int i = 0; i < 24; ++i) {
-      const glm::dvec3 place{(i % 6 - 2.5) * 2.3, 0, (i / 6 - 1.5) * 2.7};
+      const int row = i / 6;
+      const glm::dvec3 place{(i % 6 - 2.5) * 2.3, 0, (row - 1.5) * 2.7};
       parts.push_back(ball(place, radius * pixel));
     }
     look_both_ways(unite(parts), {1, -40, 2}, {0, 0, 0});

@@ -59,8 +59,10 @@ TEST_CASE("crossing holes through a ball are open") {
 }
 TEST_CASE("many balls are subtracted from a cube") {
   std::vector<std::string> parts{block};
-  for (int i = 0; i < 12; ++i)
-    parts.push_back(ball({(i % 3 - 1) * 4.0, -6 + (i / 3) * 3.0, (i % 4 - 1.5) * 4.0}, 2.25));
+  for (int i = 0; i < 12; ++i) {
+    const int row = i / 3;
+    parts.push_back(ball({(i % 3 - 1) * 4.0, -6 + row * 3.0, (i % 4 - 1.5) * 4.0}, 2.25));
+  }
   CurvedLook how;
   check_seen(subtract(parts), how);
 }
