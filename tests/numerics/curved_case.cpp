@@ -178,7 +178,8 @@ CurvedVerdict look_both_ways(const std::string& csg, const glm::dvec3& eye, cons
                              const CurvedLook& how) {
   CurvedVerdict sum;
   CurvedLook part = how;
-  part.shares = 2;
+  part.shares *= 2;
+  part.share *= 2;
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     if (projection == Projection::orthographic) part.near.reset();
     sum += look_curved(csg, {eye, centre, projection}, part);
@@ -193,7 +194,8 @@ CurvedVerdict look_at_all(const std::string& csg, const CurvedLook& how) {
   const facet::Box box = facet::make_scene(read::read_csg_text(csg, "test"), exact).box;
   CurvedVerdict sum;
   CurvedLook part = how;
-  part.shares = 4;
+  part.shares *= 4;
+  part.share *= 4;
   for (const glm::dvec3& direction : {oblique, along_axis}) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
       // Nothing to see: from somewhere.

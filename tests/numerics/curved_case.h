@@ -18,7 +18,8 @@ struct CurvedLook {
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
   std::optional<double> near{};
-  /// How many pictures share all that must not change one: each is drawn by one such part of the ways.
+  /// How many pictures, or calls of those that draw several, share all that must not change one: each is drawn by one
+  /// such part of the ways.
   std::uint32_t shares = 1;
   std::uint32_t share = 0;
   bool engines = false;  ///< hold all engines against each other too

@@ -18,14 +18,14 @@ std::string round_about(const std::string& part) {
 
 std::string tilted(const std::string& part) { return placed(rotation(33, 71), part); }
 
-void check_empty(const std::string& csg) {
-  const CurvedVerdict verdict = look_at_all(csg);
+void check_empty(const std::string& csg, const CurvedLook& how = {}) {
+  const CurvedVerdict verdict = look_at_all(csg, how);
   CHECK(verdict.covered == 0);
   CHECK(verdict.wrong == 0);
 }
 
-void check_seen(const std::string& csg) {
-  const CurvedVerdict verdict = look_at_all(csg);
+void check_seen(const std::string& csg, const CurvedLook& how = {}) {
+  const CurvedVerdict verdict = look_at_all(csg, how);
   CHECK(verdict.covered > 200);
   CHECK(verdict.wrong <= verdict.covered / 50);
 }
@@ -35,10 +35,15 @@ void check_same(const std::string& a, const std::string& b) {
   for (const bool is_tilted : {false, true}) {
     const std::string one = is_tilted ? tilted(a) : a;
     const std::string other = is_tilted ? round_about(tilted(b)) : b;
-    check_empty(subtract({one, other}));
-    check_empty(subtract({other, one}));
-    check_seen(unite({one, other}));
-    check_seen(intersect({one, other}));
+    CurvedLook how;
+    how.shares = 4;
+    check_empty(subtract({one, other}), how);
+    ++how.share;
+    check_empty(subtract({other, one}), how);
+    ++how.share;
+    check_seen(unite({one, other}), how);
+    ++how.share;
+    check_seen(intersect({one, other}), how);
   }
 }
 

@@ -20,9 +20,7 @@ const std::string inner = ball({4, 0, 0}, 4);
 const std::string table = box({-16, -16, -4}, {16, 16, 0});
 
 /// What touches along a line that is seen end-on may be the one's or the other's there.
-void check_seen(const std::string& csg, bool may_be_faceted = false) {
-  CurvedLook how;
-  how.may_be_faceted = may_be_faceted;
+void check_seen(const std::string& csg, const CurvedLook& how = {}) {
   const CurvedVerdict verdict = look_at_all(csg, how);
   CHECK(verdict.covered > 200);
   CHECK(verdict.wrong <= verdict.covered / 20);
@@ -39,11 +37,14 @@ void check_nearly_nothing(const std::string& csg) {
 void check_all_of(const std::string& a, const std::string& b, bool may_be_faceted = false) {
   CurvedLook how;
   how.may_be_faceted = may_be_faceted;
-  check_seen(unite({a, b}), may_be_faceted);
-  check_seen(unite({b, a}), may_be_faceted);
-  look_at_all(subtract({a, b}), how);
-  look_at_all(subtract({b, a}), how);
-  look_at_all(intersect({a, b}), how);
+  how.shares = 5;
+  check_seen(unite({a, b}), how);
+  how.share = 1;
+  check_seen(unite({b, a}), how);
+  for (const std::string& csg : {subtract({a, b}), subtract({b, a}), intersect({a, b})}) {
+    ++how.share;
+    look_at_all(csg, how);
+  }
 }
 
 constexpr bool perhaps_in_facets = true;

@@ -127,8 +127,10 @@ TEST_CASE("curved solids are drawn right with depths of 4 bits and of 30") {
     CAPTURE(bits);
     CurvedLook how = lenient();
     how.z_bits = bits;
+    how.shares = 2;
     look_both_ways(csg, {20, -30, 10}, {0, 0, 0}, how);
     how.fraction_bits = bits < 20 ? 20 : 4;
+    how.share = 1;
     look_both_ways(csg, {20, -30, 10}, {0, 0, 0}, how);
   }
 }
