@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/emit/near_cap.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 
@@ -145,6 +146,16 @@ std::uint32_t Sides::count() const {
   return static_cast<std::uint32_t>(fronts.facets.size() + backs.facets.size() + quadrics.size()) + edges;
 }
 
+namespace {
+
+/// Whether the quadric is what is seen of a solid at depth 0, and it may be there.
+bool is_seen_at_near(const Context& context, const PlannedSurface& planned, const QuadricBound& bound) {
+  return bound.primitive == planned.primitive() && !context.complemented(planned.primitive()) &&
+         is_at_near(context, bound) && may_reach_near(context, bound, planned.block.pixels);
+}
+
+}  // namespace
+
 Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
   const csg::Block column{planned.block.pixels, 0, context.farthest()};
   Sides sides{column, deciding(context, planned.set, Side::front, column),
@@ -157,7 +168,7 @@ Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
     for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
       const csg::Known known = known_of(context, bound, column);
       sides.nothing = sides.nothing || known == csg::Known::out;
-      if (known == csg::Known::in) continue;
+      if (known == csg::Known::in && !is_seen_at_near(context, planned, bound)) continue;
       if (bound.role == view::QuadricRole::edge) {
         ++sides.edges;
       } else {

@@ -11,9 +11,9 @@ namespace csgsim::emit {
 
 /// Where a facet is.
 enum class At : std::uint8_t {
-  plane,  ///< on the plane of its half-space
-  near,   ///< at depth 0, where rounding has taken it
-  cap,    ///< at depth 0, where the near plane cuts the primitive open; it has no half-space
+  plane,         ///< on the plane of its half-space
+  near,          ///< at depth 0, where rounding has taken it
+  cap,           ///< at depth 0, where the near plane cuts the primitive open; it has no half-space
   quadric_near,  ///< on the nearer of a quadric's depths; it has no half-space
   quadric_far,   ///< on the farther
 };

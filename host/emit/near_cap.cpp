@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <optional>
 
 namespace csgsim::emit {
 
@@ -64,12 +65,28 @@ bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, co
   return has_integer(left->x, right->x) && has_integer(top->y, bottom->y);
 }
 
-Facet at_near(const Context& context, std::uint32_t primitive) {
+namespace {
+
+std::optional<facet::Halfspace> first_front(const Context& context, std::uint32_t primitive) {
   const std::vector<facet::Halfspace>& halfspaces = context.scene.solids[primitive].halfspaces;
   const auto front = std::find_if(halfspaces.begin(), halfspaces.end(), [&](const facet::Halfspace& halfspace) {
     return view::side_of(context.view.planes[halfspace.plane], halfspace) == view::Side::front;
   });
-  const bool cut = context.view.extents[primitive].cut_by_near || front == halfspaces.end();
+  return front == halfspaces.end() ? std::nullopt : std::optional(*front);
+}
+
+}  // namespace
+
+bool is_at_near(const Context& context, const QuadricBound& bound) {
+  return !context.view.extents[bound.primitive].cut_by_near && !first_front(context, bound.primitive) &&
+         seen_of(bound, false).has_value();
+}
+
+Facet at_near(const Context& context, std::uint32_t primitive) {
+  for (const QuadricBound& bound : quadric_bounds(context, primitive))
+    if (is_at_near(context, bound)) return *seen_of(bound, false);
+  const std::optional<facet::Halfspace> front = first_front(context, primitive);
+  const bool cut = context.view.extents[primitive].cut_by_near || !front;
   return {primitive, cut ? facet::Halfspace{} : *front, cut ? At::cap : At::near};
 }
 

@@ -152,6 +152,11 @@ Known known_of(const Context& context, const QuadricBound& bound, const csg::Blo
   return matters.outline || matters.near || matters.far ? Known::depends : Known::in;
 }
 
+bool may_reach_near(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels) {
+  const RootRanges ranges = ranges_of(context, bound, pixels);
+  return ranges.discriminant.high >= 0 && (bound.role == QuadricRole::from ? ranges.far : ranges.near).low <= 0;
+}
+
 QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsigned colour_bits) {
   QuadricBits bits;
   for (std::size_t primitive = 0; primitive < scene.solids.size(); ++primitive) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 #include "host/emit/effect.h"
 #include "host/emit/halfspaces.h"
@@ -33,26 +34,21 @@ class Extreme {
         planned_(planned),
         surface_(surface),
         farthest_front_(!context.complemented(planned.primitive())),
-        curved_(std::find_if(surface.facets.begin(), surface.facets.end(),
-                             [](const Facet& facet) { return is_curved(facet.at); })),
-        first_(std::find_if(surface.facets.begin(), curved_, [](const Facet& facet) { return facet.at != At::plane; })) {
-    if (first_ != curved_) return;
-    first_ = std::find_if(surface.facets.begin(), curved_,
-                          [&](const Facet& facet) { return fits(context, facet, surface.block, farthest_front_); });
-  }
+        first_(first_facet()) {}
 
-  /// Without colours.
+  /// Without colours: curved facets last, so that the root of the last is left.
   void emit() {
     start();
-    for (auto facet = surface_.facets.begin(); facet != curved_; ++facet) {
-      if (facet == first_) continue;
+    for (const Facet& facet : surface_.facets) {
+      if (&facet == first_ || is_curved(facet.at)) continue;
       out_.surface(farthest_front_ ? Opcode::keep_max : Opcode::keep_min, context_.layout.candidate,
-                   context_.linear_of(facet->halfspace), surface_.block.pixels);
+                   context_.linear_of(facet.halfspace), surface_.block.pixels);
     }
-    for (auto facet = after_start(); facet != surface_.facets.end(); ++facet) {
-      const isa::Field depth = depth_of(*facet);
+    for (const Facet& facet : surface_.facets) {
+      if (&facet == first_ || !is_curved(facet.at)) continue;
+      const isa::Field depth = depth_of(facet);
       out_.plain(Opcode::enable_store, context_.layout.kept);
-      replace_by(depth);
+      replace_by(depth, false);
       out_.plain(Opcode::enable_load, context_.layout.kept);
     }
   }
@@ -61,48 +57,56 @@ class Extreme {
   /// what stands after the start replaces less than it, in order; what stands before the start replaces equals too,
   /// backwards.
   void emit_with_colours() {
-    const auto begin = surface_.facets.begin();
+    const std::vector<Facet>& facets = surface_.facets;
     start();
     out_.plain(Opcode::enable_store, context_.layout.mask);
-    set_colour(starts_curved() ? *curved_ : first_ != curved_ ? *first_ : *(curved_ - 1));
-    for (auto facet = first_; facet != curved_ && ++facet != curved_;) replace_by(*facet, false);
-    for (auto facet = first_; facet != begin;) replace_by(*--facet, true);
-    for (auto facet = after_start(); facet != surface_.facets.end(); ++facet) {
-      out_.plain(Opcode::enable_load, context_.layout.mask);
-      const isa::Field depth = depth_of(*facet);
-      out_.plain(Opcode::enable_store, context_.layout.mask);
-      replace_by(depth);
-      set_colour(*facet);
-    }
+    set_colour(first_ != nullptr ? *first_ : facets.back());
+    const std::size_t after = first_ != nullptr ? static_cast<std::size_t>(first_ - facets.data()) + 1 : facets.size();
+    for (std::size_t i = after; i < facets.size(); ++i) replace_by(facets[i], false);
+    for (std::size_t i = first_ != nullptr ? after - 1 : after; i-- > 0;) replace_by(facets[i], true);
     out_.plain(Opcode::enable_load, context_.layout.mask);
   }
 
+  /// The curved facet whose root is left; none if none was taken.
+  [[nodiscard]] const Facet* rooted() const { return rooted_; }
+
  private:
-  using Iterator = std::vector<Facet>::const_iterator;
-
-  [[nodiscard]] bool starts_curved() const { return curved_ == surface_.facets.begin() && !surface_.facets.empty(); }
-
-  /// The first of the curved ones that does not begin it.
-  [[nodiscard]] Iterator after_start() const { return starts_curved() ? curved_ + 1 : curved_; }
-
-  /// E stays 1 where the curved facet is.
-  isa::Field depth_of(const Facet& facet) {
-    return emit_facet_depth(context_, out_, facet, surface_.block.pixels);
+  /// What Z1 begins with; none if none fits.
+  [[nodiscard]] const Facet* first_facet() const {
+    const std::vector<Facet>& facets = surface_.facets;
+    const auto find = [&](const auto& is_one) {
+      const auto found = std::find_if(facets.begin(), facets.end(), is_one);
+      return found == facets.end() ? nullptr : &*found;
+    };
+    const Facet* first = find([](const Facet& facet) { return facet.at != At::plane && !is_curved(facet.at); });
+    if (first == nullptr) {
+      first = find([&](const Facet& facet) {
+        return facet.at == At::plane && fits(context_, facet, surface_.block, farthest_front_);
+      });
+    }
+    return first != nullptr ? first : find([](const Facet& facet) { return is_curved(facet.at); });
   }
 
-  /// Z1 := the depth where that is more extreme, to where E is left.
-  void replace_by(isa::Field depth) {
+  /// E stays 1 where the curved facet is.
+  isa::Field depth_of(const Facet& facet, isa::Field into = {}) {
+    rooted_ = &facet;
+    return emit_facet_depth(context_, out_, facet, surface_.block.pixels, into);
+  }
+
+  /// Z1 := the depth where that is more extreme, or equal, to where E is left.
+  void replace_by(isa::Field depth, bool equals_too) {
     const isa::Field z1 = context_.layout.candidate;
-    farthest_front_ ? out_.plain(Opcode::field_lt, z1, depth) : out_.plain(Opcode::field_lt, depth, z1);
+    const Opcode compare = equals_too ? Opcode::field_le : Opcode::field_lt;
+    farthest_front_ ? out_.plain(compare, z1, depth) : out_.plain(compare, depth, z1);
     out_.plain(Opcode::copy, z1, depth);
   }
 
   void start() {
     const isa::Field z1 = context_.layout.candidate;
-    if (starts_curved()) {
-      const isa::Field depth = emit_facet_depth(context_, out_, *curved_, surface_.block.pixels, z1);
+    if (first_ != nullptr && is_curved(first_->at)) {
+      const isa::Field depth = depth_of(*first_, z1);
       if (depth != z1) out_.plain(Opcode::copy, z1, depth);
-    } else if (first_ != curved_ && first_->at == At::plane) {
+    } else if (first_ != nullptr && first_->at == At::plane) {
       out_.surface(Opcode::load_linear, z1, context_.linear_of(first_->halfspace), surface_.block.pixels);
     } else {
       out_.plain(Opcode::set_constant, z1, {}, farthest_front_ ? 0 : static_cast<std::uint64_t>(context_.farthest()));
@@ -111,9 +115,20 @@ class Extreme {
 
   /// The facet's depth and colour where it is more extreme than Z1, or equal.
   void replace_by(const Facet& facet, bool equals_too) {
+    out_.plain(Opcode::enable_load, context_.layout.mask);
+    if (is_curved(facet.at)) {
+      const isa::Field depth = depth_of(facet);
+      out_.plain(Opcode::enable_store, context_.layout.mask);
+      replace_by(depth, equals_too);
+    } else {
+      replace_by_plane(facet, equals_too);
+    }
+    set_colour(facet);
+  }
+
+  void replace_by_plane(const Facet& facet, bool equals_too) {
     const view::FixedLinear& plane = context_.linear_of(facet.halfspace);
     const view::PixelRect& pixels = surface_.block.pixels;
-    out_.plain(Opcode::enable_load, context_.layout.mask);
     const view::Range range = context_.range_of(facet.halfspace, pixels);
     if (farthest_front_ && range.high > context_.farthest()) {
       // Beyond the farthest depth there is no surface.
@@ -128,7 +143,6 @@ class Extreme {
     const Opcode or_equal = farthest_front_ ? Opcode::linear_ge : Opcode::linear_le;
     out_.surface(equals_too ? or_equal : strictly, context_.layout.candidate, plane, pixels);
     out_.surface(Opcode::load_linear, context_.layout.candidate, plane, pixels);
-    set_colour(facet);
   }
 
   void set_colour(const Facet& facet) {
@@ -143,8 +157,8 @@ class Extreme {
   const PlannedSurface& planned_;
   const Surface& surface_;
   bool farthest_front_;
-  Iterator curved_;  ///< the first that is curved; all after it are
-  Iterator first_;   ///< what Z1 begins with, if that is not curved; curved_ if none can
+  const Facet* first_;  ///< what Z1 begins with, if any
+  const Facet* rooted_ = nullptr;
 };
 
 /// A subtracted solid has no back where it ends before the near plane.
@@ -162,34 +176,34 @@ bool is_own_other_side(const Surface& surface, const QuadricBound& bound) {
          surface.facets.front().quadric == bound.side && bound.role == view::QuadricRole::between;
 }
 
-/// Where the other side of a quadric is before Z1, or behind it, there is nothing.
+/// Where the other side of a quadric is before Z1, or behind it, there is nothing. Of the facet `rooted`, if any, the
+/// root is there.
 void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
-                      const Surface& surface) {
+                      const Surface& surface, const Facet* rooted) {
   const bool complemented = context.complemented(planned.primitive());
   const isa::Field z1 = context.layout.candidate;
-  // Of the last its root may still be there.
-  bool has_root = !surface.facets.empty() && is_curved(surface.facets.back().at);
-  for (auto bound = sides.quadrics.rbegin(); bound != sides.quadrics.rend(); ++bound) {
-    const std::optional<Facet> other = seen_of(*bound, !complemented);
-    if (!other || is_own_other_side(surface, *bound)) continue;
-    const bool is_last = has_root && surface.facets.back().quadric == bound->side && bound->role == view::QuadricRole::between;
-    has_root = false;
-    if (!is_last) emit_root(context, out, *bound, planned.block.pixels);
+  for (const QuadricBound& bound : sides.quadrics | std::views::reverse) {
+    const std::optional<Facet> other = seen_of(bound, !complemented);
+    if (!other || is_own_other_side(surface, bound)) continue;
+    const bool is_there =
+        rooted != nullptr && rooted->quadric == bound.side && bound.role == view::QuadricRole::between;
+    rooted = nullptr;
+    if (!is_there) emit_root(context, out, bound, planned.block.pixels);
     const Root root = other->at == At::quadric_near ? Root::near : Root::far;
-    const isa::Field depth = emit_depth(context, out, *bound, root, planned.block.pixels);
+    const isa::Field depth = emit_depth(context, out, bound, root, planned.block.pixels);
     complemented ? out.plain(Opcode::field_lt, depth, z1) : out.plain(Opcode::field_lt, z1, depth);
   }
 }
 
-bool has_curved(const Surface& surface) {
-  return std::any_of(surface.facets.begin(), surface.facets.end(), [](const Facet& one) { return is_curved(one.at); });
-}
-
-/// A solid with a curved front has it at every pixel: only the near plane brings its surface to depth 0.
-bool may_be_at_near(const Context& context, const PlannedSurface& planned, const Surface& surface) {
-  return !has_curved(surface) || std::any_of(planned.set.begin(), planned.set.end(), [&](std::uint32_t primitive) {
-    return context.view.extents[primitive].cut_by_near;
-  });
+/// Whether what is seen at depth 0 has to be among the facets: the curved fronts, if there are any, may be at it or
+/// before it, and it is none of them.
+bool may_be_at_near(const Context& context, const PlannedSurface& planned, const Sides& sides) {
+  const auto is_front = [](const QuadricBound& bound) { return seen_of(bound, false).has_value(); };
+  if (std::none_of(sides.quadrics.begin(), sides.quadrics.end(), is_front)) return true;
+  return planned.block.z_low <= 0 && !is_curved(at_near(context, planned.primitive()).at) &&
+         std::all_of(sides.quadrics.begin(), sides.quadrics.end(), [&](const QuadricBound& bound) {
+           return !is_front(bound) || may_reach_near(context, bound, planned.block.pixels);
+         });
 }
 
 }  // namespace
@@ -208,9 +222,13 @@ Surface surface_of(const Context& context, const PlannedSurface& planned, const 
   Surface surface{false, complemented ? sides.backs.facets : sides.fronts.facets, block, 0};
   for (const QuadricBound& bound : sides.quadrics)
     if (const std::optional<Facet> facet = seen_of(bound, complemented)) surface.facets.push_back(*facet);
-  surface.nothing = sides.nothing || sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
+  // Of facets at the same depth the first is seen: the first primitive's.
+  std::stable_sort(surface.facets.begin(), surface.facets.end(),
+                   [](const Facet& a, const Facet& b) { return a.primitive < b.primitive; });
+  surface.nothing =
+      sides.nothing || sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
   if (surface.nothing) return surface;
-  if (!complemented && may_be_at_near(context, planned, surface) && may_reach_near(context, sides.fronts.facets, block))
+  if (!complemented && may_be_at_near(context, planned, sides) && may_reach_near(context, sides.fronts.facets, block))
     surface.facets.insert(surface.facets.begin(), at_near(context, planned.primitive()));
   return surface;
 }
@@ -231,7 +249,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
     out.surface(complemented ? Opcode::linear_lt : Opcode::linear_gt, context.layout.candidate,
                 context.linear_of(other.halfspace), block.pixels);
   }
-  emit_other_sides(context, out, planned, sides, surface);
+  emit_other_sides(context, out, planned, sides, surface, extreme.rooted());
   if (complemented) emit_near_test(context, out, surface);
   return surface;
 }

@@ -137,8 +137,8 @@ void narrow(Extent& extent, const ScreenQuadric& quadric, facet::QuadricSide sid
   const RootRanges ranges = ranges_over(quadric, view.sampling.fraction_bits, extent.pixels);
   if (ranges.discriminant.low < 0 && role == QuadricRole::until) return;
   if (role == QuadricRole::between) extent.z_low = std::max(extent.z_low, ranges.near.low);
-  if (role == QuadricRole::between) extent.z_high = std::min(extent.z_high, ranges.far.high - 1);
-  if (role == QuadricRole::until) extent.z_high = std::min(extent.z_high, ranges.near.high - 1);
+  if (role == QuadricRole::between) extent.z_high = std::min(extent.z_high, ranges.far.high);
+  if (role == QuadricRole::until) extent.z_high = std::min(extent.z_high, ranges.near.high);
   if (role == QuadricRole::from) extent.z_low = std::max(extent.z_low, ranges.far.low);
 }
 

@@ -26,16 +26,23 @@ struct Side {
   Wide b;
   std::int32_t first;
   std::int32_t last;
+  bool slants;  ///< whether a ridge or valley that crosses the side may do so at a slant
 };
 
-/// Calls visit(t) for the integers next to the side's turning point.
-template <class Visit>
-void for_turning_point(const Side& side, const Visit& visit) {
+/// Widens by the side's turning point: by the integers next to it and, where the side may cross a ridge at a slant, by
+/// the point between them. Such a ridge may come to an integer within the rectangle.
+template <class At>
+void include_turning_point(Range& range, const Side& side, const At& at) {
   if (side.a == 0) return;
   const Wide below = floor_quotient(-side.b, 2 * side.a);
   for (const Wide t : {below, below + 1}) {
-    if (t >= side.first && t <= side.last) visit(static_cast<std::int32_t>(t));
+    if (t >= side.first && t <= side.last) include(range, at(static_cast<std::int32_t>(t)));
   }
+  const Wide slope = 2 * side.a * below + side.b;
+  if (!side.slants || slope == 0 || below < side.first || below >= side.last) return;
+  const Wide size = side.a < 0 ? -side.a : side.a;
+  const auto beyond = static_cast<std::int64_t>((slope * slope + 4 * size - 1) / (4 * size));
+  include(range, at(static_cast<std::int32_t>(below)) + (side.a < 0 ? beyond : -beyond));
 }
 
 /// Half of the square of a gradient over the second derivatives of f, whose determinant that is: by so much the top or
@@ -80,12 +87,12 @@ Range range_over(const FixedQuadratic& f, const PixelRect& rect) {
   Range range{first, first};
   for (const std::int32_t y : {rect.y0, rect.y1}) {
     for (const std::int32_t x : {rect.x0, rect.x1}) include(range, value_at(f, x, y));
-    for_turning_point({f.xx, Wide{f.xy} * y + f.linear.a, rect.x0, rect.x1},
-                      [&](std::int32_t x) { include(range, value_at(f, x, y)); });
+    include_turning_point(range, {f.xx, Wide{f.xy} * y + f.linear.a, rect.x0, rect.x1, f.xy != 0},
+                          [&](std::int32_t x) { return value_at(f, x, y); });
   }
   for (const std::int32_t x : {rect.x0, rect.x1}) {
-    for_turning_point({f.yy, Wide{f.xy} * x + f.linear.b, rect.y0, rect.y1},
-                      [&](std::int32_t y) { include(range, value_at(f, x, y)); });
+    include_turning_point(range, {f.yy, Wide{f.xy} * x + f.linear.b, rect.y0, rect.y1, f.xy != 0},
+                          [&](std::int32_t y) { return value_at(f, x, y); });
   }
   include_inner(range, f, rect);
   return range;

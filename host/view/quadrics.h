@@ -19,7 +19,8 @@ struct FixedQuadratic {
 std::int64_t value_at(const FixedQuadratic& quadratic, std::int32_t x, std::int32_t y);
 
 /// Bounds of a quadratic function over a rectangle of pixels, which is not empty: never narrower than its values there,
-/// and just those but for a top or bottom between pixels of the rectangle, which counts too.
+/// and just those but for a top or bottom between pixels of the rectangle, and of its sides where f.xy is not 0, which
+/// counts too.
 Range range_over(const FixedQuadratic& quadratic, const PixelRect& rect);
 
 enum class ScreenQuadricKind : std::uint8_t {

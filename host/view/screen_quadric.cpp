@@ -285,7 +285,9 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   const double xy = product(right, down);
   const double yy = product(down, down);
   const double determinant = xx * yy - xy * xy;
-  if (!(xx > 0.0 && determinant > 0.0)) return never;
+  // Seen from the side its section is no ellipse, but for rounding.
+  constexpr double least_part = 0x1p-46;
+  if (!(xx > 0.0 && determinant > least_part * xx * yy)) return never;
   const double fx = product(forward, right);
   const double fy = product(forward, down);
   const double x = (xy * fy - yy * fx) / determinant;

@@ -12,6 +12,9 @@ namespace {
 /// Fraction bits that edge tests have more than surfaces.
 constexpr int edge_bits = 8;
 
+/// Pixels that a primitive's rectangle is wider than its vertices are apart, but for edges' width.
+constexpr double rectangle_margin = 1.0 / 64;
+
 DepthLine depth_line(const isa::Program& program, double unit) {
   const isa::DepthScale& scale = program.facts.depth_scale;
   const isa::CompileFacts& facts = program.facts.compile;
@@ -60,6 +63,7 @@ Explainer::Explainer(const model::Tree& tree, const facet::Scene& scene, const v
       sight_(scene, camera, width_, height_, program.facts.depth_scale),
       line_(depth_line(program, sight_.axis_length())),
       quadrics_(scene, sight_, line_),
+      reaches_(solid_reaches(scene, sight_.camera())),
       steepest_(std::ldexp(1.0, static_cast<int>(line_.z_bits)) / line_.edge_on_fraction) {}
 
 Steps Explainer::steps(std::uint32_t index, Place place) const {
@@ -138,11 +142,32 @@ bool Explainer::add_quadric(Chance& chance, const facet::QuadricSide& side, Plac
   return true;
 }
 
+/// Whether the pixel is one of those that the primitive may be at.
+Maybe Explainer::in_rectangle(std::uint32_t primitive, Place place) const {
+  const PlaceRect& reach = reaches_[primitive];
+  if (reach.x0 > reach.x1) return Maybe::no;
+  // Places are half pixels.
+  const double beyond =
+      std::max(std::max(reach.x0 - place.x, place.x - reach.x1), std::max(reach.y0 - place.y, place.y - reach.y1)) /
+      2.0;
+  const double margin = rectangle_margin + line_.edge_on_fraction;
+  const double sizes =
+      std::max(std::abs(reach.x0), std::abs(reach.x1)) + std::max(std::abs(reach.y0), std::abs(reach.y1));
+  const double doubt = 0x1p-20 + 0x1p-40 * sizes;
+  if (beyond < margin - doubt) return Maybe::yes;
+  return beyond > margin + doubt ? Maybe::no : Maybe::unknown;
+}
+
 Ray Explainer::make_ray(Place place) const {
   Ray ray;
+  // After all surfaces: one a primitive, for its rectangle.
+  const std::uint32_t rectangles = sight_.surface({sight_.quadrics().count(), Root::nearer});
   for (std::uint32_t primitive = 0; primitive < scene_.solids.size(); ++primitive) {
     Chance chance{
         primitive, {}, {{sight_.near_plane(), {0, 0}}}, {{nothing, {line_.farthest(), line_.farthest()}}}, false};
+    const Maybe in_rect = in_rectangle(primitive, place);
+    if (in_rect == Maybe::no) continue;
+    if (in_rect == Maybe::unknown) chance.edges.push_back({rectangles + primitive, true});
     const facet::Convex& solid = scene_.solids[primitive];
     const bool on_ray = std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
                                     [&](const facet::Halfspace& one) { return add_halfspace(chance, one, place); }) &&

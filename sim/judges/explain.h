@@ -9,6 +9,7 @@
 #include "hw/isa/program.h"
 #include "sim/judges/possible.h"
 #include "sim/judges/quadric_bounds.h"
+#include "sim/judges/quadric_reach.h"
 #include "sim/judges/sight.h"
 
 namespace csgsim::judges {
@@ -22,6 +23,8 @@ namespace csgsim::judges {
 /// - A plane steeper than 2^n steps in `edge_on_fraction` of a pixel holds or does not hold the whole ray, by the true
 ///   side of it if all depths from near to far are on that side, more than (1 + dx + dy) 2^-(f+9) pixels from the
 ///   plane; else either, but the same for all half-spaces on the plane.
+/// - A primitive is nowhere outside the rectangle of its vertices in the picture, those of the near plane's cuts among
+///   them, with a 64th and `edge_on_fraction` of a pixel around it. On the border of that it may be or not.
 /// - A quadric has the depths of host/view/quadrics.h, as far off as QuadricBounds says.
 ///
 /// A picture is explained at a pixel if some such planes and quadrics make it. That is decided by three-valued logic,
@@ -43,6 +46,7 @@ class Explainer {
   [[nodiscard]] Nature nature(std::uint32_t plane, Place place) const;
   [[nodiscard]] bool add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const;
   [[nodiscard]] bool add_quadric(Chance& chance, const facet::QuadricSide& side, Place place) const;
+  [[nodiscard]] Maybe in_rectangle(std::uint32_t primitive, Place place) const;
   [[nodiscard]] Ray make_ray(Place place) const;
 
   const model::Tree& tree_;
@@ -52,7 +56,8 @@ class Explainer {
   Sight sight_;
   DepthLine line_;
   QuadricBounds quadrics_;
-  double steepest_;  ///< depth steps a pixel
+  std::vector<PlaceRect> reaches_;  ///< one a solid
+  double steepest_;                 ///< depth steps a pixel
 };
 
 }  // namespace csgsim::judges

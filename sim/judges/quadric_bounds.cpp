@@ -33,7 +33,9 @@ double section_drift(const SightQuadric& quadric, double from, double to) {
   const FilterQuadratic& q = quadric.value;
   const FilterQuadratic& l = quadric.slope;
   const double determinant = 4.0 * q.xx * q.yy - q.xy * q.xy;
-  if (!(determinant > 0.0)) return std::numeric_limits<double>::infinity();
+  // Where it is nearly a parabola or a pair of lines, rounding decides on the sign, and it is far longer than the
+  // picture.
+  if (!(determinant > 0x1p-46 * std::abs(4.0 * q.xx * q.yy))) return std::numeric_limits<double>::infinity();
   struct Section {
     double x, y, value;
   };
@@ -45,10 +47,15 @@ double section_drift(const SightQuadric& quadric, double from, double to) {
     return Section{x, y, (quadric.a * depth + 2.0 * l.c) * depth + q.c + (gx * x + gy * y) / 2.0};
   };
   const Section first = section(from);
+  const Section middle = section((from + to) / 2.0);
   const Section last = section(to);
   const double least = std::min(std::abs(q.xx), std::abs(q.yy));
-  const double radii =
-      std::abs(std::sqrt(std::max(0.0, -last.value / least)) - std::sqrt(std::max(0.0, -first.value / least)));
+  const double first_radius = std::sqrt(std::max(0.0, -first.value / least));
+  const double last_radius = std::sqrt(std::max(0.0, -last.value / least));
+  // Of a parabola through three values: whether its top, the apex of a cone, is between the ends.
+  const bool has_apex =
+      std::abs(last.value - first.value) < 2.0 * std::abs(first.value + last.value - 2.0 * middle.value);
+  const double radii = has_apex ? first_radius + last_radius : std::abs(last_radius - first_radius);
   return (std::hypot(last.x - first.x, last.y - first.y) + radii) / 2.0;
 }
 

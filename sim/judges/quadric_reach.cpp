@@ -38,6 +38,13 @@ class Projector {
         near_(camera.near.approximately() / camera.axis_length.approximately()),
         picture_{-1.0 * camera.width, -1.0 * camera.height, 1.0 * camera.width, 1.0 * camera.height} {}
 
+  /// With the margin, within the picture.
+  [[nodiscard]] PlaceRect places_around(const facet::Convex& solid) const {
+    const PlaceRect rect = places(solid);
+    return {std::max(rect.x0 - margin, picture_.x0), std::max(rect.y0 - margin, picture_.y0),
+            std::min(rect.x1 + margin, picture_.x1), std::min(rect.y1 + margin, picture_.y1)};
+  }
+
   [[nodiscard]] PlaceRect places(const facet::Convex& solid) const {
     PlaceRect rect = no_places;
     for (const glm::dvec3& vertex : solid.vertices) {
@@ -46,8 +53,7 @@ class Projector {
     if (perspective_) {
       for (const auto& [first, second] : solid.edges) add_cut(rect, solid.vertices[first], solid.vertices[second]);
     }
-    return {std::max(rect.x0 - margin, picture_.x0), std::max(rect.y0 - margin, picture_.y0),
-            std::min(rect.x1 + margin, picture_.x1), std::min(rect.y1 + margin, picture_.y1)};
+    return rect;
   }
 
   /// A direction in half pixels to the right and down, and in lengths of the view's direction.
@@ -94,11 +100,19 @@ std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCam
   std::vector<PlaceRect> reaches(scene.quadrics.quadrics().size(), no_places);
   for (const facet::Convex& solid : scene.solids) {
     if (solid.quadrics.empty()) continue;
-    const PlaceRect places = projector.places(solid);
+    const PlaceRect places = projector.places_around(solid);
     for (const facet::QuadricSide& side : solid.quadrics) {
       reaches[side.quadric] = hull(reaches[side.quadric], places);
     }
   }
+  return reaches;
+}
+
+std::vector<PlaceRect> solid_reaches(const facet::Scene& scene, const ExactCamera& camera) {
+  const Projector projector(camera);
+  std::vector<PlaceRect> reaches;
+  reaches.reserve(scene.solids.size());
+  for (const facet::Convex& solid : scene.solids) reaches.push_back(projector.places(solid));
   return reaches;
 }
 

@@ -21,6 +21,10 @@ struct PlaceRect {
 /// plane cuts their edges, with two pixels around them.
 std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCamera& camera);
 
+/// The places that each solid's vertices take, and where the near plane cuts its edges: least and greatest. None if it
+/// is before the near plane.
+std::vector<PlaceRect> solid_reaches(const facet::Scene& scene, const ExactCamera& camera);
+
 /// The greatest and least value over a rectangle of places; 0 if that is empty.
 double greatest(const FilterQuadratic& of, const PlaceRect& over);
 double least(const FilterQuadratic& of, const PlaceRect& over);

@@ -33,6 +33,8 @@ std::string cylinder(const glm::dvec3& foot, double height, double low_radius, d
                                                fragments, height, low_radius, high_radius));
 }
 
+std::string rod(const glm::dvec3& foot, double height, double radius) { return cylinder(foot, height, radius, radius); }
+
 std::string tetrahedron(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   std::string points;
   for (const glm::dvec3& p : {a, b, c, d}) {

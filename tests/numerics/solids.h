@@ -13,10 +13,17 @@ namespace csgsim::testing {
 /// A box from one corner to the other.
 std::string box(const glm::dvec3& low, const glm::dvec3& high);
 
-std::string ball(const glm::dvec3& centre, double radius, unsigned fragments);
+/// $fn of what is meant as round.
+inline constexpr unsigned round_fragments = 64;
+
+std::string ball(const glm::dvec3& centre, double radius, unsigned fragments = round_fragments);
 
 /// Upright, from the centre of its lower end.
-std::string cylinder(const glm::dvec3& foot, double height, double low_radius, double high_radius, unsigned fragments);
+std::string cylinder(const glm::dvec3& foot, double height, double low_radius, double high_radius,
+                     unsigned fragments = round_fragments);
+
+/// The same of one radius.
+std::string rod(const glm::dvec3& foot, double height, double radius);
 
 /// A tetrahedron of any four points.
 std::string tetrahedron(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);

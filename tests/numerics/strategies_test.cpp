@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hw/base/error.h"
-#include "hw/pixel_square/kind.h"
-#include "hw/scan_line/kind.h"
+#include "tests/numerics/variants.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
@@ -14,52 +12,6 @@
 using namespace csgsim;
 
 namespace {
-
-emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit::fewest_stack_bits) {
-  emit::Options options;
-  options.strategy = strategy;
-  options.stack_bits = stack_bits;
-  return options;
-}
-
-/// Everything that must not change a picture, one change at a time.
-std::vector<emit::Options> all_options() {
-  using emit::Strategy;
-  std::vector<emit::Options> all{with_strategy(Strategy::stack), with_strategy(Strategy::list),
-                                 with_strategy(Strategy::products), with_strategy(Strategy::parallel),
-                                 with_strategy(Strategy::automatic)};
-  for (const unsigned bits : {3U, 4U, 5U, 6U, 7U, 9U}) all.push_back(with_strategy(Strategy::bits, bits));
-  for (const emit::Strategy strategy : {Strategy::stack, Strategy::list, Strategy::bits, Strategy::parallel}) {
-    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::automatic}) {
-      all.push_back(with_strategy(strategy, 5));
-      all.back().colouring = colouring;
-    }
-    all.push_back(with_strategy(strategy, 4));
-    all.back().pruning = csg::Pruning::none();
-  }
-  for (const emit::Strategy strategy : {Strategy::list, Strategy::bits, Strategy::products}) {
-    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
-      all.push_back(with_strategy(strategy));
-      all.back().colouring = colouring;
-      all.back().pruning.early_out = false;
-    }
-  }
-  for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
-                                             &csg::Pruning::halfspaces, &csg::Pruning::hidden, &csg::Pruning::sets,
-                                             &csg::Pruning::early_out, &csg::Pruning::near, &csg::Pruning::pixels}) {
-    all.push_back(with_strategy(Strategy::stack));
-    all.back().pruning.*switched = false;
-    all.push_back(with_strategy(Strategy::stack));
-    all.back().pruning = csg::Pruning::none();
-    all.back().pruning.*switched = true;
-  }
-  for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
-    all.push_back(with_strategy(Strategy::stack));
-    all.back().colouring = colouring;
-    all.back().pruning = csg::Pruning::divider();
-  }
-  return all;
-}
 
 testing::Setup setup(const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
   testing::Setup made;
@@ -70,26 +22,6 @@ testing::Setup setup(const view::Camera& camera, std::uint32_t width, std::uint3
   return made;
 }
 
-/// The same picture in parts: lines, and squares that fit it or do not.
-std::vector<testing::Setup> in_parts(testing::Setup how) {
-  std::vector<testing::Setup> all;
-  how.kind = &scan_line::kind;
-  all.push_back(how);
-  how.kind = &pixel_square::kind;
-  for (const machines::Size& square : {machines::Size{8, 8}, machines::Size{16, 16}, machines::Size{7, 3}}) {
-    how.square = square;
-    how.options = with_strategy(emit::Strategy::stack);
-    all.push_back(how);
-    how.options = with_strategy(emit::Strategy::list);
-    how.options.colouring = emit::Colouring::field;
-    all.push_back(how);
-  }
-  how.options = with_strategy(emit::Strategy::bits, 4);
-  how.options.pruning = csg::Pruning::none();
-  all.push_back(how);
-  return all;
-}
-
 void check_same_pictures(const std::string& text, testing::Setup how) {
   const testing::Compiled first = testing::compile_text(text, how);
   const sim::Frame expected = testing::draw(first.program);
@@ -97,14 +29,14 @@ void check_same_pictures(const std::string& text, testing::Setup how) {
   for (std::size_t i = 0; i < rules.size(); ++i) {
     RC_ASSERT((testing::Seen{expected.depth[i], expected.owner[i]} == rules[i]));
   }
-  for (const emit::Options& options : all_options()) {
+  for (const emit::Options& options : testing::all_options()) {
     how.options = options;
     const sim::Frame frame = testing::draw(testing::compile_text(text, how).program);
     RC_ASSERT(frame.depth == expected.depth);
     RC_ASSERT(frame.owner == expected.owner);
     RC_ASSERT(frame.colour == expected.colour);
   }
-  for (const testing::Setup& parts : in_parts(how)) {
+  for (const testing::Setup& parts : testing::in_parts(how)) {
     const sim::Frame frame = testing::draw(testing::compile_text(text, parts).program);
     RC_ASSERT(frame.depth == expected.depth);
     RC_ASSERT(frame.owner == expected.owner);
@@ -156,7 +88,7 @@ TEST_CASE("every strategy, colouring, pruning and division draws the same pictur
       CAPTURE(one.name);
       testing::Setup how = setup(one.camera, 160, 120);
       const sim::Frame expected = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
-      for (const emit::Options& options : all_options()) {
+      for (const emit::Options& options : testing::all_options()) {
         CAPTURE(emit::name_of(options.strategy));
         CAPTURE(options.stack_bits);
         how.options = options;
@@ -165,7 +97,7 @@ TEST_CASE("every strategy, colouring, pruning and division draws the same pictur
         CHECK(frame.owner == expected.owner);
         CHECK(frame.colour == expected.colour);
       }
-      for (const testing::Setup& parts : in_parts(how)) {
+      for (const testing::Setup& parts : testing::in_parts(how)) {
         CAPTURE(parts.kind->name);
         CAPTURE(parts.square.width);
         const sim::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), parts).program);

@@ -14,6 +14,37 @@ struct Interval {
   std::int64_t back = 0;
 };
 
+/// The greatest whole number whose square is not above that.
+std::int64_t root_of(std::int64_t square) {
+  std::int64_t root = 0;
+  for (std::int64_t bit = std::int64_t{1} << 30; bit > 0; bit /= 2) {
+    if ((root + bit) * (root + bit) <= square) root += bit;
+  }
+  return root;
+}
+
+/// What is left of an interval within a quadric.
+Interval within(Interval in, const view::ScreenQuadric& quadric, view::QuadricRole role, unsigned fraction_bits,
+                std::int64_t x, std::int64_t y) {
+  const view::FixedQuadratic& f = quadric.discriminant;
+  const std::int64_t value = f.xx * x * x + f.xy * x * y + f.yy * y * y + f.linear.a * x + f.linear.b * y + f.linear.c;
+  if (role == view::QuadricRole::edge) return value >= 0 ? in : Interval{};
+  const std::int64_t d = value >> quadric.discriminant_shift;
+  if (d < 0) return role == view::QuadricRole::until ? in : Interval{};
+  const std::int64_t middle = (quadric.middle.a * x + quadric.middle.b * y + quadric.middle.c) >> fraction_bits;
+  const std::int64_t one = std::int64_t{1} << quadric.unit;
+  const std::int64_t root = root_of(d);
+  const std::int64_t near = middle - root * one;
+  const std::int64_t far = middle + (root + 1) * one;
+  switch (role) {
+    case view::QuadricRole::between: return {std::max(in.front, near), std::min(in.back, far)};
+    case view::QuadricRole::until: return {in.front, std::min(in.back, near)};
+    case view::QuadricRole::from: return {std::max(in.front, far), in.back};
+    case view::QuadricRole::edge: break;
+  }
+  return in;
+}
+
 Interval interval(const facet::Convex& solid, const view::View& view, const view::PixelRect& rectangle, std::int64_t x,
                   std::int64_t y, std::int64_t farthest) {
   if (x < rectangle.x0 || x > rectangle.x1 || y < rectangle.y0 || y > rectangle.y1) return {};
@@ -32,6 +63,10 @@ Interval interval(const facet::Convex& solid, const view::View& view, const view
     } else {
       in.back = std::min(in.back, z);
     }
+  }
+  for (const facet::QuadricSide& side : solid.quadrics) {
+    const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
+    in = within(in, quadric, view::role_of(quadric, side), view.sampling.fraction_bits, x, y);
   }
   return in;
 }

@@ -5,28 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/oracle/split_mix.h"
+
 namespace csgsim::testing {
 
 namespace {
-
-/// SplitMix64: small, and the same everywhere.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-
-  std::uint64_t below(std::uint64_t limit) {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return (z ^ (z >> 31U)) % limit;
-  }
-
-  double unit() { return static_cast<double>(below(1'000'001)) / 1'000'000.0; }
-
- private:
-  std::uint64_t state_;
-};
 
 /// Steps of half a unit from low to high.
 double on_grid(Random& random, int low, int high) {

@@ -1,7 +1,9 @@
 #include "tests/support/drawing.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "host/read/read.h"
 #include "hw/kinds/load.h"
@@ -24,9 +26,23 @@ machines::Machine machine_of(const isa::ArrayShape& array) {
 
 namespace {
 
-Compiled compile_tree(model::Tree tree, const Setup& setup) {
-  facet::Scene scene = facet::make_scene(tree);
-  view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
+/// Curved surfaces as the setup wants them, but for those that do not fit the machine.
+facet::Faceting faceting_of(const model::Tree& tree, const Setup& setup) {
+  facet::Faceting faceting;
+  faceting.exact_curves = setup.exact_curves;
+  if (!setup.exact_curves) return faceting;
+  const facet::Scene scene = facet::make_scene(tree, faceting);
+  const view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
+  for (const facet::Convex& solid : scene.solids) {
+    faceting.faceted.push_back(
+        std::any_of(solid.quadrics.begin(), solid.quadrics.end(), [&](const facet::QuadricSide& side) {
+          return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
+        }));
+  }
+  return faceting;
+}
+
+machines::Machine machine_for(const Setup& setup) {
   machines::Machine machine = machine_of({setup.sampling.width, setup.sampling.height, setup.memory_bits});
   if (setup.kind != machine.kind) {
     const machines::Machine whole = machine;
@@ -47,15 +63,31 @@ Compiled compile_tree(model::Tree tree, const Setup& setup) {
     machine = kinds::load(setup.machine);
     machines::set_picture_size(machine, {setup.sampling.width, setup.sampling.height});
   }
-  isa::Program program = emit::compile(tree, scene, view, machine, setup.options);
-  isa::validate(program);
-  return {std::move(tree), std::move(scene), std::move(view), std::move(program)};
+  if (setup.exact_curves) {
+    machine.evaluator_degree = 2;
+    machine.array.memory_bits = setup.memory_bits;
+  }
+  return machine;
+}
+
+Compiled compile_tree(model::Tree tree, const Setup& setup) {
+  facet::Scene scene = facet::make_scene(tree, faceting_of(tree, setup));
+  view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
+  Compiled compiled{std::move(tree), std::move(scene), std::move(view), {}};
+  compiled.program = compile_again(compiled, setup);
+  return compiled;
 }
 
 }  // namespace
 
 Compiled compile_text(const std::string& csg, const Setup& setup) {
   return compile_tree(read::read_csg_text(csg, "test"), setup);
+}
+
+isa::Program compile_again(const Compiled& compiled, const Setup& setup) {
+  isa::Program program = emit::compile(compiled.tree, compiled.scene, compiled.view, machine_for(setup), setup.options);
+  isa::validate(program);
+  return program;
 }
 
 Compiled compile_file(const std::string& path, const Setup& setup) {
@@ -70,7 +102,9 @@ Compiled compile_default_view(const std::string& path, Setup setup, view::Projec
 }
 
 sim::Frame draw(const isa::Program& program, unsigned threads) {
-  return draw_on(machine_of(program.shape), program, threads);
+  machines::Machine machine = machine_of(program.shape);
+  machine.evaluator_degree = 2;
+  return draw_on(std::move(machine), program, threads);
 }
 
 sim::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads) {

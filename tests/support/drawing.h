@@ -36,9 +36,14 @@ struct Setup {
   machines::Size square{};
   bool has_global_or = true;
   std::string machine{};  ///< one that comes with csgsim, by name, instead of all that
+  /// Curved surfaces without facets, on a machine whose expressions are of degree 2 and whose pixels have
+  /// `memory_bits`. Primitives that do not fit it are faceted.
+  bool exact_curves = false;
 };
 
 Compiled compile_text(const std::string& csg, const Setup& setup);
+/// A Program of the same view for another machine or by other options.
+isa::Program compile_again(const Compiled& compiled, const Setup& setup);
 Compiled compile_file(const std::string& path, const Setup& setup);
 
 /// The whole model from the default direction of view, whatever the camera in `setup`.

@@ -212,3 +212,37 @@ TEST_CASE("a ray on a ball's outline may meet it or miss it, and a ray beside it
   CHECK_FALSE(explainer.may_show(9, 10, 0, half_way));
   CHECK_FALSE(explainer.may_show(10, 10, 0, half_way - 2000));
 }
+
+TEST_CASE("a primitive is nowhere outside the rectangle of its vertices, however coarse its numbers are") {
+  const Scenery scenery = make_curved_scenery(ball({0, 0, 0}, 4, 64), straight(41), {41, 41});
+  isa::Program program;
+  program.shape = {41, 41, 128};
+  program.facts.depth_scale = {false, straight_distance(41) - 4, straight_distance(41) + 4};
+  program.facts.compile.z_bits = 4;
+  program.facts.compile.fraction_bits = 0;
+  program.facts.compile.edge_on_fraction = 1.0 / 256;
+  const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
+  CHECK(explainer.may_show(20, 20, 0, 1));
+  for (const std::uint32_t column : {27U, 13U, 0U, 40U}) {
+    for (std::uint32_t depth = 0; depth < 15; ++depth) CHECK_FALSE(explainer.may_show(column, 20, 0, depth));
+    CHECK(explainer.may_show(column, 20, judges::nothing, 15));
+  }
+}
+
+TEST_CASE("a cone that is seen along its axis has its depths where its apex is in the middle of the depth range too") {
+  const std::string cone = placed(rotation(-90, 0), cylinder({0, 0, 0}, 8, 0, 6, 64));
+  const Scenery scenery = make_curved_scenery(cone, straight(21), {21, 21});
+  isa::Program program;
+  program.shape = {21, 21, 128};
+  program.facts.depth_scale = {false, straight_distance(21) - 8, straight_distance(21) + 8};
+  program.facts.compile.z_bits = 20;
+  program.facts.compile.fraction_bits = 12;
+  program.facts.compile.edge_on_fraction = 1.0 / 256;
+  const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
+  // Three pixels beside the axis it is met 4 units behind the apex.
+  constexpr std::uint32_t there = 1 + ((1U << 20) - 4) / 4 * 3;
+  CHECK((explainer.may_show(13, 10, 0, there) || explainer.may_show(13, 10, 0, there - 1)));
+  CHECK_FALSE(explainer.may_show(13, 10, 0, there + 100));
+  CHECK_FALSE(explainer.may_show(13, 10, 0, 0));
+  CHECK_FALSE(explainer.may_show(13, 10, judges::nothing, (1 << 20) - 1));
+}

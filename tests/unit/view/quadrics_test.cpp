@@ -251,8 +251,25 @@ TEST_CASE("bounds of a quadratic over a rectangle hold its values, and are met a
     RC_ASSERT(range.low >= low - slack);
     RC_ASSERT(range.high <= high + slack);
     const bool is_bowl = 4 * static_cast<double>(f.xx) * static_cast<double>(f.yy) > std::pow(f.xy, 2);
-    if (!is_bowl && is_low_at_side) RC_ASSERT(range.low == low);
-    if (!is_bowl && is_high_at_side) RC_ASSERT(range.high == high);
+    if (f.xy != 0 || is_bowl) return;
+    if (is_low_at_side) RC_ASSERT(range.low == low);
+    if (is_high_at_side) RC_ASSERT(range.high == high);
+  }));
+}
+
+TEST_CASE("bounds of a narrow ridge or valley at a slant hold a pixel that it passes between its sides") {
+  CHECK(rc::check([] {
+    const std::int64_t a = *rc::gen::inRange(1, 50);
+    const std::int64_t b = *rc::gen::inRange(-50, 50);
+    const std::int32_t x = *rc::gen::inRange(1, 9);
+    const std::int32_t y = *rc::gen::inRange(1, 9);
+    const std::int64_t c = -a * x - b * y;
+    const std::int64_t sign = *rc::gen::element(-1, 1);
+    // The square of a x + b y + c, which is 0 at that pixel.
+    const view::FixedQuadratic f{
+        sign * a * a, sign * 2 * a * b, sign * b * b, {sign * 2 * a * c, sign * 2 * b * c, sign * c * c}};
+    const view::Range range = view::range_over(f, {0, 0, 10, 10});
+    RC_ASSERT((sign > 0 ? range.low : -range.high) <= 0);
   }));
 }
 
@@ -330,7 +347,9 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
             for (const double dz : {-step, -step / 2, 0.0, step / 2, step}) {
               ++count;
               const Real distance = distance_at(view, static_cast<double>(z) + dz);
-              in += is_in(subject, met, distance) && distance > 0 ? 1 : 0;
+              // Orthographic views show what is behind the eye too.
+              const bool is_seen = distance > 0 || !view.depth.perspective;
+              in += is_in(subject, met, distance) && is_seen ? 1 : 0;
             }
           }
         }
@@ -375,6 +394,30 @@ TEST_CASE("a cylinder seen along its axis is an edge test of its circle, and fro
     }
     CHECK(view.extents[0].pixels == view::PixelRect{16, 16, 47, 47});
   }
+}
+
+TEST_CASE("a sheared cylinder seen exactly from its side is no edge test, whatever rounding makes of its section") {
+  int seen = 0;
+  for (int i = 0; i < 343; ++i) {
+    const glm::dvec3 other(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3);
+    for (const glm::dvec3& axis : {glm::dvec3(1, 1, 1), {1, 0, 2}, {3, -1, 2}, {1, -2, 0}}) {
+      const glm::dvec3 across = glm::cross(axis, other);
+      if (across == glm::dvec3(0)) continue;
+      glm::dmat4 place(1.0);
+      place[0] = glm::dvec4(1, 0, 1, 0);
+      place[1] = glm::dvec4(1, 3, 0, 0);
+      place[2] = glm::dvec4(axis, 0);
+      const model::Tree tree = single(model::Cylinder{6, 3, 3, true, {}}, place);
+      const facet::Scene scene = facet::make_scene(tree, exact());
+      view::Sampling sampling;
+      sampling.width = 24;
+      sampling.height = 16;
+      const view::Camera camera{glm::normalize(across) * 48.0, {0, 0, 0}, view::Projection::orthographic};
+      CHECK(view::make_view(scene, tree, camera, sampling).quadrics[0].kind != view::ScreenQuadricKind::edge);
+      ++seen;
+    }
+  }
+  CHECK(seen > 1000);
 }
 
 TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit that is less than an edge's width") {
@@ -446,6 +489,22 @@ TEST_CASE("a sphere's depths and pixels are its own, not its hull's") {
   const double radius = 10.0 / view::pixel_size(camera, 512, 100);
   const auto first = static_cast<std::int32_t>(std::ceil(255.5 - radius));
   CHECK(view.extents[0].pixels == view::PixelRect{first, first, 511 - first, 511 - first});
+}
+
+TEST_CASE("an extent's depths hold the back of a solid too, whose depth is no longer in it") {
+  const model::Tree tree = single(model::Sphere{3, {}}, glm::dmat4(1.0));
+  const facet::Scene scene = facet::make_scene(tree, exact());
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    view::Sampling sampling;
+    sampling.width = sampling.height = 24;
+    sampling.z_bits = 5;
+    const view::View view = view::make_view(scene, tree, {{1, 2, 16}, {0, 0, 0}, projection}, sampling);
+    const view::Extent& extent = view.extents[0];
+    const view::RootRanges ranges = view::ranges_over(view.quadrics[0], sampling.fraction_bits, extent.pixels);
+    CHECK(ranges.most_root > 10);
+    CHECK(extent.z_high >= ranges.far.high);
+    CHECK(extent.z_low <= std::max<std::int64_t>(ranges.near.low, 0));
+  }
 }
 
 TEST_CASE("equal surfaces of different solids are the same integers") {

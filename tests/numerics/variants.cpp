@@ -1,0 +1,85 @@
+#include "tests/numerics/variants.h"
+
+#include "hw/pixel_square/kind.h"
+#include "hw/scan_line/kind.h"
+
+namespace csgsim::testing {
+
+namespace {
+
+emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit::fewest_stack_bits) {
+  emit::Options options;
+  options.strategy = strategy;
+  options.stack_bits = stack_bits;
+  return options;
+}
+
+}  // namespace
+
+std::vector<emit::Options> all_options() {
+  using emit::Strategy;
+  std::vector<emit::Options> all{with_strategy(Strategy::stack), with_strategy(Strategy::list),
+                                 with_strategy(Strategy::products), with_strategy(Strategy::parallel),
+                                 with_strategy(Strategy::automatic)};
+  for (const unsigned bits : {3U, 4U, 5U, 6U, 7U, 9U}) all.push_back(with_strategy(Strategy::bits, bits));
+  for (const emit::Strategy strategy : {Strategy::stack, Strategy::list, Strategy::bits, Strategy::parallel}) {
+    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::automatic}) {
+      all.push_back(with_strategy(strategy, 5));
+      all.back().colouring = colouring;
+    }
+    all.push_back(with_strategy(strategy, 4));
+    all.back().pruning = csg::Pruning::none();
+  }
+  for (const emit::Strategy strategy : {Strategy::list, Strategy::bits, Strategy::products}) {
+    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
+      all.push_back(with_strategy(strategy));
+      all.back().colouring = colouring;
+      all.back().pruning.early_out = false;
+    }
+  }
+  for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
+                                             &csg::Pruning::halfspaces, &csg::Pruning::hidden, &csg::Pruning::sets,
+                                             &csg::Pruning::early_out, &csg::Pruning::near, &csg::Pruning::pixels}) {
+    all.push_back(with_strategy(Strategy::stack));
+    all.back().pruning.*switched = false;
+    all.push_back(with_strategy(Strategy::stack));
+    all.back().pruning = csg::Pruning::none();
+    all.back().pruning.*switched = true;
+  }
+  for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
+    all.push_back(with_strategy(Strategy::stack));
+    all.back().colouring = colouring;
+    all.back().pruning = csg::Pruning::divider();
+  }
+  return all;
+}
+
+std::vector<Setup> in_parts(Setup how) {
+  std::vector<Setup> all;
+  how.kind = &scan_line::kind;
+  all.push_back(how);
+  how.kind = &pixel_square::kind;
+  for (const machines::Size& square : {machines::Size{8, 8}, machines::Size{16, 16}, machines::Size{7, 3}}) {
+    how.square = square;
+    how.options = with_strategy(emit::Strategy::stack);
+    all.push_back(how);
+    how.options = with_strategy(emit::Strategy::list);
+    how.options.colouring = emit::Colouring::field;
+    all.push_back(how);
+  }
+  how.options = with_strategy(emit::Strategy::bits, 4);
+  how.options.pruning = csg::Pruning::none();
+  all.push_back(how);
+  return all;
+}
+
+std::vector<Setup> on_quadratic_machines(Setup how) {
+  std::vector<Setup> all;
+  for (const char* machine : {"pixel-powers", "pixel-planes-5+divider.kind=host", "pixel-square+divider.kind=host"}) {
+    how.machine = machine;
+    all.push_back(how);
+  }
+  return all;
+}
+
+}  // namespace csgsim::testing
