@@ -16,6 +16,7 @@
 #include "host/emit/drawing.h"
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
+#include "host/emit/fast_spheres.h"
 #include "host/emit/quadrics.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
@@ -112,6 +113,7 @@ isa::Segment compile_segment(const Context& context, std::span<const Drawing* co
   const std::size_t halfspaces = halfspaces_drawn(context);
   if (halfspaces >= many_halfspaces) segment.instructions.reserve(room_for_halfspace * halfspaces);
   Broadcast out(segment, sampling);
+  if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
   const Kept kept = emit_picture(context, out);
   segment.facts.kept_primitives = kept.primitives;
   segment.facts.kept_halfspaces = kept.halfspaces;
@@ -135,12 +137,21 @@ ClassificationBits bits_of(const std::vector<const Drawing*>& drawings, const Op
   return most;
 }
 
+/// Bits of the squares that fast spheres of a drawing need; 0 where it has none.
+unsigned bits_of_squares(const Drawing& drawing) {
+  unsigned bits = 0;
+  if (!drawing.scene->fast_spheres || drawing.scene->quadrics.quadrics().empty()) return bits;
+  for (const SegmentPlan& segment : drawing.plan.segments) bits = std::max(bits, squares_bits(segment.region));
+  return bits;
+}
+
 /// Bits for the quadrics of all drawings.
 QuadricBits bits_of_quadrics(const std::vector<const Drawing*>& drawings, unsigned colour_bits) {
   QuadricBits most;
   for (const Drawing* const one : drawings) {
     const QuadricBits bits = quadric_bits(*one->scene, one->view, colour_bits);
-    most = {std::max(most.root, bits.root), std::max(most.sum, bits.sum)};
+    most = {std::max(most.root, bits.root), std::max(most.squares, bits_of_squares(*one)),
+            std::max(most.sum, bits.sum)};
   }
   return most;
 }
