@@ -45,15 +45,19 @@ LeftFaceted left_faceted(const model::Tree& tree, const facet::Faceting& facetin
   return left;
 }
 
+std::string others(std::uint64_t count) {
+  if (count == 0) return "";
+  return count == 1 ? ", as is 1 more curved solid" : fmt::format(", as are {} more curved solids", count);
+}
+
 void tell_of(const LeftFaceted& left, const model::Tree& tree, bool is_perspective) {
   if (left.count == 0) return;
   const model::Primitive& first = tree.primitives[left.first];
   tell_line(
-      fmt::format("{}:{}:{}: warning: --curves fast draws spheres of orthographic pictures, turned and scaled alike in "
-                  "all directions; this is "
-                  "{} and is drawn in facets{}",
+      fmt::format("{}:{}:{}: warning: --curves fast draws spheres in orthographic pictures; this is {} and is drawn in "
+                  "facets{}",
                   tree.file, first.location.line, first.location.column, why_not(first, is_perspective),
-                  left.count == 1 ? "" : fmt::format(", as are {} more curved solids", left.count - 1)));
+                  others(left.count - 1)));
 }
 
 }  // namespace
