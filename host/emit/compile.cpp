@@ -174,9 +174,14 @@ isa::Program compile_as(const Input& input, const Options& options) {
   const bool has_owners = any_needs_owners(input.called);
   const bool second_colour = options.colouring == Colouring::field && !has_owners;
   const Workshop workshop{input.machine, options, input.called};
+  QuadricBits quadrics = bits_of_quadrics(drawings, options.colour_bits);
+  const bool is_plain = !second_colour && input.called.size() == 1;
+  quadrics.in_place =
+      is_plain && quadrics.squares > 0 && draws_in_place(input.scene, drawing.view, drawing.plan, options.colour_bits);
+  if (quadrics.in_place) quadrics.sum = 0;
   const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
                                      machines::second_buffer(options.colour_bits, input.machine),
-                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), bits_of_quadrics(drawings, options.colour_bits)},
+                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), quadrics},
                                     memory_bits);
   isa::Program program;
   program.shape = {sampling.width, sampling.height, memory_bits};

@@ -180,6 +180,8 @@ Planned plan(const Needs& needs) {
     put(planned.layout, request, field);
     next += request.width;
   }
+  planned.layout.light = needs.quadrics.in_place ? planned.layout.candidate : planned.layout.sum;
+  if (needs.quadrics.in_place) planned.layout.kept = planned.layout.mask;
   ScratchPlaces places(planned.layout.candidate, next);
   for (const EffectFields& effect : needs.effects) {
     places.begin_effect();
@@ -244,7 +246,7 @@ std::vector<isa::NamedField> named_fields(const Layout& layout) {
   add_in_parts(fields, sum_name, layout.sum);
   add(std::string(root_name), layout.root, isa::FieldRole::scratch);
   add(std::string(squares_name), layout.squares, isa::FieldRole::scratch);
-  add(std::string(kept_name), layout.kept, isa::FieldRole::scratch);
+  if (layout.kept != layout.mask) add(std::string(kept_name), layout.kept, isa::FieldRole::scratch);
   unsigned end = 0;
   for (const isa::NamedField& named : fields) end = std::max(end, named.field.end());
   for (const isa::NamedField& named : layout.effects) {

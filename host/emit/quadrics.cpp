@@ -157,6 +157,28 @@ QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsi
   return bits;
 }
 
+bool draws_in_place(const facet::Scene& scene, const view::View& view, const Plan& plan, unsigned colour_bits) {
+  const unsigned z_bits = view.sampling.z_bits;
+  const auto fits = [&](std::uint32_t primitive) {
+    const view::PixelRect& pixels = view.extents[primitive].pixels;
+    return std::all_of(scene.solids[primitive].quadrics.begin(), scene.solids[primitive].quadrics.end(),
+                       [&](const facet::QuadricSide& side) {
+                         const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
+                         if (!is_paraboloid(quadric) || quadric.factor.fraction() > 0) return false;
+                         const RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, pixels);
+                         return sum_bits(ranges.near, z_bits) == z_bits;
+                       });
+  };
+  return scene.fast_spheres && light_bits(colour_bits) <= z_bits &&
+         std::all_of(plan.segments.begin(), plan.segments.end(), [&](const SegmentPlan& segment) {
+           return std::all_of(segment.surfaces.begin(), segment.surfaces.end(), [&](const PlannedSurface& one) {
+             const bool is_alone = one.set.size() == 1 && one.active.operands.empty();
+             return is_alone && !plan.positive.nodes[plan.positive.leaf_of[one.primitive()]].complemented &&
+                    fits(one.primitive());
+           });
+         });
+}
+
 void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels) {
   const view::ScreenQuadric& quadric = screen(context, bound);
   if (is_paraboloid(quadric)) {

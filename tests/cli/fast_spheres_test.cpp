@@ -32,8 +32,8 @@ TEST_CASE("--curves fast draws a sphere on a machine of linear expressions, in a
 TEST_CASE("what is no sphere of an orthographic picture stays facets, and is told of once") {
   const Folder folder;
   const auto told = [&](const std::string& csg, const std::string& options) {
-    const Outcome outcome = run("render " + written(folder, csg) + small + "--curves fast " + options + " -o " +
-                                (folder / "p.png"));
+    const Outcome outcome =
+        run("render " + written(folder, csg) + small + "--curves fast " + options + " -o " + (folder / "p.png"));
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);
     return outcome.err;
@@ -54,9 +54,9 @@ TEST_CASE("what is no sphere of an orthographic picture stays facets, and is tol
 TEST_CASE("without a sphere that can be fast, --curves fast makes the very Program of --curves facets") {
   const Folder folder;
   const auto program = [&](const std::string& curves, const std::string& csg, const std::string& options) {
-    REQUIRE(run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " +
-                (folder / "p.csgt"))
-                .code == 0);
+    REQUIRE(
+        run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " + (folder / "p.csgt"))
+            .code == 0);
     return content(folder / "p.csgt");
   };
   const std::string pocket = content(model("thesis_fig_2_3"));
@@ -74,6 +74,14 @@ TEST_CASE("fast spheres and facets see a model from the same place") {
     return json(folder / "s.json")["camera"];
   };
   CHECK(box("fast") == box("facets"));
+}
+
+TEST_CASE("the 72 bits of Pixel-planes 4 hold 18 bits of depth and of colour for spheres that are joined alone") {
+  const Folder folder;
+  const std::string options = "render " + model("molecule") + " --view-all --curves fast --z-bits 18 -o " +
+                              (folder / "p.png") + " --colour-bits ";
+  CHECK(run(options + "18").code == 0);
+  CHECK(run(options + "19").code == 1);
 }
 
 TEST_CASE("where the bits of a machine do not hold the squares, or it divides the model itself, what to do is told") {

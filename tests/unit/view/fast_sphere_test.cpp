@@ -130,7 +130,8 @@ TEST_CASE("a fast sphere is a circle within a 256th of a pixel, and 0.3 of the r
   CHECK(worst > 0.2);
 }
 
-TEST_CASE("of fast spheres ranges are just their depths, blocks are rightly in or out, and extents hold all that is in") {
+TEST_CASE(
+    "of fast spheres ranges are just their depths, blocks are rightly in or out, and extents hold all that is in") {
   int in_blocks = 0;
   int out_blocks = 0;
   for (int round = 0; round < 5; ++round) {
@@ -157,8 +158,8 @@ TEST_CASE("of fast spheres ranges are just their depths, blocks are rightly in o
           const auto [near, far] = depths_at(view, quadric, value);
           const bool in_rect = x >= rect.x0 && x <= rect.x1 && y >= rect.y0 && y <= rect.y1;
           if (value >= 0) {
-            const bool in_extent = x >= extent.pixels.x0 && x <= extent.pixels.x1 && y >= extent.pixels.y0 &&
-                                   y <= extent.pixels.y1;
+            const bool in_extent =
+                x >= extent.pixels.x0 && x <= extent.pixels.x1 && y >= extent.pixels.y0 && y <= extent.pixels.y1;
             RC_ASSERT(in_extent);
             RC_ASSERT(std::max<std::int64_t>(0, near) >= extent.z_low);
             RC_ASSERT(std::min(top, far - 1) <= extent.z_high);
@@ -183,7 +184,8 @@ TEST_CASE("of fast spheres ranges are just their depths, blocks are rightly in o
   CHECK(out_blocks > 50);
 }
 
-TEST_CASE("rotations, reflections and uniform scales keep balls, as far as OpenSCAD writes them, and other matrices do not") {
+TEST_CASE(
+    "rotations, reflections and uniform scales keep balls, as far as OpenSCAD writes them, and other matrices do not") {
   CHECK(rc::check([] {
     glm::dmat4 place = glm::translate(glm::dmat4(1.0), vector(20));
     place = glm::rotate(place, real(0, 6.28), glm::normalize(vector(1) + glm::dvec3(1e-3)));
