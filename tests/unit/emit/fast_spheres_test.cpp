@@ -313,7 +313,7 @@ TEST_CASE("fast spheres are the same on machines of all kinds, on all engines, w
     const machines::Machine machine = machine_of("pixel-planes-4", sampling);
     RC_ASSERT(run(*sim::make_reference_engine(machine), drawn.program) == drawn.frame);
     for (const char* const name : {"scan-line", "pixel-powers", "pixel-square+divider.kind=host",
-         "pixel-square+divider.kind=host+array.width=16+array.height=8"}) {
+                                   "pixel-square+divider.kind=host+array.width=16+array.height=8"}) {
       const sim::Frame other = draw(model, sampling, name).frame;
       RC_ASSERT(other.depth == drawn.frame.depth);
       RC_ASSERT(other.owner == drawn.frame.owner);
