@@ -16,6 +16,7 @@
 #include "host/emit/drawing.h"
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
+#include "host/emit/fast_spheres.h"
 #include "host/emit/quadrics.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
@@ -112,6 +113,7 @@ isa::Segment compile_segment(const Context& context, std::span<const Drawing* co
   const std::size_t halfspaces = halfspaces_drawn(context);
   if (halfspaces >= many_halfspaces) segment.instructions.reserve(room_for_halfspace * halfspaces);
   Broadcast out(segment, sampling);
+  if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
   const Kept kept = emit_picture(context, out);
   segment.facts.kept_primitives = kept.primitives;
   segment.facts.kept_halfspaces = kept.halfspaces;
@@ -135,12 +137,21 @@ ClassificationBits bits_of(const std::vector<const Drawing*>& drawings, const Op
   return most;
 }
 
+/// Bits of the squares that fast spheres of a drawing need; 0 where it has none.
+unsigned bits_of_squares(const Drawing& drawing) {
+  unsigned bits = 0;
+  if (!drawing.scene->fast_spheres || drawing.scene->quadrics.quadrics().empty()) return bits;
+  for (const SegmentPlan& segment : drawing.plan.segments) bits = std::max(bits, squares_bits(segment.region));
+  return bits;
+}
+
 /// Bits for the quadrics of all drawings.
 QuadricBits bits_of_quadrics(const std::vector<const Drawing*>& drawings, unsigned colour_bits) {
   QuadricBits most;
   for (const Drawing* const one : drawings) {
     const QuadricBits bits = quadric_bits(*one->scene, one->view, colour_bits);
-    most = {std::max(most.root, bits.root), std::max(most.sum, bits.sum)};
+    most = {std::max(most.root, bits.root), std::max(most.squares, bits_of_squares(*one)),
+            std::max(most.sum, bits.sum)};
   }
   return most;
 }
@@ -163,9 +174,14 @@ isa::Program compile_as(const Input& input, const Options& options) {
   const bool has_owners = any_needs_owners(input.called);
   const bool second_colour = options.colouring == Colouring::field && !has_owners;
   const Workshop workshop{input.machine, options, input.called};
+  QuadricBits quadrics = bits_of_quadrics(drawings, options.colour_bits);
+  const bool is_plain = !second_colour && input.called.size() == 1;
+  quadrics.in_place =
+      is_plain && quadrics.squares > 0 && draws_in_place(input.scene, drawing.view, drawing.plan, options.colour_bits);
+  if (quadrics.in_place) quadrics.sum = 0;
   const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
                                      machines::second_buffer(options.colour_bits, input.machine),
-                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), bits_of_quadrics(drawings, options.colour_bits)},
+                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), quadrics},
                                     memory_bits);
   isa::Program program;
   program.shape = {sampling.width, sampling.height, memory_bits};

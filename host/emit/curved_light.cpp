@@ -79,8 +79,8 @@ class Painter {
         pixels_(pixels),
         finish_(context.look.finishes[facet.primitive]) {
     const unsigned bits = widest_channel(field.width) + more_bits;
-    cosine_ = part_of(context.layout.sum, 0, bits);
-    sum_ = part_of(context.layout.sum, bits, bits);
+    cosine_ = part_of(context.layout.light, 0, bits);
+    sum_ = part_of(context.layout.light, bits, bits);
   }
 
   void paint() {
@@ -126,7 +126,8 @@ class Painter {
 
   /// Where it is below 0 there is no light.
   void emit_cosine(const ScaledCosine& cosine) {
-    const Field z1 = context_.layout.candidate;
+    const Layout& layout = context_.layout;
+    const Field z1 = layout.light == layout.candidate ? layout.depth : layout.candidate;
     const unsigned taken = cosine.has_depth ? std::min<unsigned>(cosine_.width, z1.width - cosine.drop) : 0;
     if (taken > 0) out_.plain(Opcode::copy, part_of(cosine_, 0, taken), part_of(z1, cosine.drop, taken));
     if (taken < cosine_.width) out_.plain(Opcode::set_constant, part_of(cosine_, taken, cosine_.width - taken));

@@ -12,6 +12,7 @@ namespace csgsim::emit {
 std::string_view name_of(Curves curves) {
   switch (curves) {
     case Curves::facets: return "facets";
+    case Curves::fast: return "fast";
     case Curves::exact: return "exact";
     case Curves::automatic: break;
   }
@@ -24,6 +25,10 @@ std::optional<std::string> why_no_quadrics(const machines::Machine& machine, con
         "{} evaluates linear expressions alone, and a curved surface takes quadratic ones; take a machine whose "
         "evaluator.degree is 2, as pixel-powers",
         machine.name);
+  return why_no_curves(machine, options, look);
+}
+
+std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look) {
   if (machines::division(machine))
     return fmt::format(
         "{} divides the model itself, and its divider knows half-spaces alone; take a machine for which the host "

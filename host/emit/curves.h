@@ -15,16 +15,20 @@ namespace csgsim::emit {
 /// How spheres, cylinders and cones are drawn.
 enum class Curves : std::uint8_t {
   facets,     ///< as polyhedra
+  fast,       ///< spheres as fast spheres (host/view/fast_sphere.h), on any machine; the rest as polyhedra
   exact,      ///< as quadrics
   automatic,  ///< as quadrics wherever the machine and the scene's effects can, else as polyhedra
 };
 
-inline constexpr std::array curve_choices{Curves::facets, Curves::exact, Curves::automatic};
+inline constexpr std::array curve_choices{Curves::facets, Curves::fast, Curves::exact, Curves::automatic};
 
 /// The choice's name on the command line and in the stats.
 std::string_view name_of(Curves curves);
 
 /// Why the machine cannot draw quadrics, or the scene's effects not on them, and what to do; nothing if they can.
 std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look);
+
+/// The same but for the machine's evaluator: why there can be no surfaces but facets.
+std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look);
 
 }  // namespace csgsim::emit

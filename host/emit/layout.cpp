@@ -20,6 +20,7 @@ constexpr std::string_view one_buffer = "take a machine whose scan_out.buffers i
 // Of quadrics.
 constexpr std::string_view sum_name = "sum";
 constexpr std::string_view root_name = "root";
+constexpr std::string_view squares_name = "squares";
 constexpr std::string_view kept_name = "kept";
 
 /// All that is asked for but the second buffer, which has its place. What a strategy, a colouring or an effect adds is
@@ -39,6 +40,7 @@ std::vector<FieldRequest> requests_of(const Needs& needs) {
   all.push_back({"owner", FieldRole::owner, needs.owner_bits, "owner"});
   all.push_back({std::string(sum_name), FieldRole::scratch, needs.quadrics.sum, "sum", no_quadrics});
   all.push_back({std::string(root_name), FieldRole::scratch, needs.quadrics.root, "root", no_quadrics});
+  all.push_back({std::string(squares_name), FieldRole::scratch, needs.quadrics.squares, "squares", no_quadrics});
   all.push_back({std::string(kept_name), FieldRole::scratch, needs.quadrics.sum > 0 ? 1U : 0U, "kept", no_quadrics});
   for (const EffectFields& effect : needs.effects)
     for (const FieldRequest& request : effect.requests) {
@@ -137,6 +139,7 @@ std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
 isa::Field* quadric_field(Layout& layout, std::string_view name) {
   if (name == sum_name) return &layout.sum;
   if (name == root_name) return &layout.root;
+  if (name == squares_name) return &layout.squares;
   return name == kept_name ? &layout.kept : nullptr;
 }
 
@@ -177,6 +180,8 @@ Planned plan(const Needs& needs) {
     put(planned.layout, request, field);
     next += request.width;
   }
+  planned.layout.light = needs.quadrics.in_place ? planned.layout.candidate : planned.layout.sum;
+  if (needs.quadrics.in_place) planned.layout.kept = planned.layout.mask;
   ScratchPlaces places(planned.layout.candidate, next);
   for (const EffectFields& effect : needs.effects) {
     places.begin_effect();
@@ -240,7 +245,8 @@ std::vector<isa::NamedField> named_fields(const Layout& layout) {
   add("owner", layout.owner, isa::FieldRole::owner);
   add_in_parts(fields, sum_name, layout.sum);
   add(std::string(root_name), layout.root, isa::FieldRole::scratch);
-  add(std::string(kept_name), layout.kept, isa::FieldRole::scratch);
+  add(std::string(squares_name), layout.squares, isa::FieldRole::scratch);
+  if (layout.kept != layout.mask) add(std::string(kept_name), layout.kept, isa::FieldRole::scratch);
   unsigned end = 0;
   for (const isa::NamedField& named : fields) end = std::max(end, named.field.end());
   for (const isa::NamedField& named : layout.effects) {

@@ -37,7 +37,9 @@ struct EffectFields {
 /// Bits that the depths of quadrics are worked out in.
 struct QuadricBits {
   unsigned root = 0;  ///< of the square root
+  unsigned squares = 0;  ///< of the squares that fast spheres need at each pixel (fast_spheres.h)
   unsigned sum = 0;   ///< of the depth before it is a depth, more than of the root; 0 where there is no quadric
+  bool in_place = false;  ///< needs no sum and no bit for E: light is worked out over Z1, and E is the mask then
 
   bool operator==(const QuadricBits&) const = default;
 };
@@ -67,6 +69,8 @@ struct Layout {
   isa::Field owner;                      ///< number of the surface that Z2 is of, 0 for none
   isa::Field sum;   ///< a depth of a quadric, or the low part of its discriminant while the root is taken
   isa::Field root;  ///< of a quadric, right above the sum; with that the discriminant
+  isa::Field light;    ///< where light on quadrics is worked out: the sum; or Z1, which Z2 is a copy of then
+  isa::Field squares;  ///< of the pixel's place, throughout; see fast_spheres.h
   isa::Field kept;  ///< E, while some pixels of it are worked on
   isa::Field shown;                      ///< the picture before, which no instruction meets
   std::vector<isa::NamedField> effects;  ///< as `EFFECT.NAME`

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/emit/facet_geometry.h"
+#include "host/view/fast_sphere.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
 
@@ -78,6 +79,14 @@ double cosine_at(const lighting::SeenLight& light, const glm::dvec3& place, cons
   return glm::dot(light.is_point ? glm::normalize(light.where - place) : light.where, normal);
 }
 
+/// The depth at which a place of the surface is drawn; `place` is a column, a row and a distance from the eye.
+double drawn_depth(const view::View& view, const Facet& facet, const glm::dvec3& place) {
+  const view::ScreenQuadric& quadric = view.quadrics[facet.quadric.quadric];
+  if (quadric.kind == view::ScreenQuadricKind::paraboloid)
+    return view::paraboloid_depth(quadric, view.sampling, place.x, place.y, facet.at == At::quadric_near);
+  return isa::depth_of(view.depth, view.sampling.z_bits, place.z);
+}
+
 std::vector<Sample> samples_of(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(primitive.transform)));
@@ -91,7 +100,7 @@ std::vector<Sample> samples_of(const Context& context, const Facet& facet, const
     const glm::dvec3 from_eye = space.perspective ? in_eye : glm::dvec3(0, 0, 1);
     if (glm::dot(normal, from_eye) >= 0 || (space.perspective && in_eye.z < view.depth.near)) continue;
     const glm::dvec3 place = space.to_picture(in_eye);
-    const double depth = isa::depth_of(view.depth, view.sampling.z_bits, in_eye.z);
+    const double depth = drawn_depth(view, facet, place);
     samples.push_back({{1.0, place.x - (view.sampling.width - 1.0) / 2.0, place.y - (view.sampling.height - 1.0) / 2.0, depth},
                        cosine_at(light, in_eye, normal)});
   }

@@ -6,7 +6,9 @@
 #include <bit>
 
 #include "host/emit/curved_light.h"
+#include "host/emit/fast_spheres.h"
 #include "host/emit/fields.h"
+#include "host/emit/wide_fields.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 
@@ -27,6 +29,8 @@ RootRanges ranges_of(const Context& context, const QuadricBound& bound, const vi
   return view::ranges_over(screen(context, bound), context.view.sampling.fraction_bits, pixels);
 }
 
+bool is_paraboloid(const view::ScreenQuadric& quadric) { return quadric.kind == view::ScreenQuadricKind::paraboloid; }
+
 /// Bits of the root over those pixels.
 unsigned root_bits(const RootRanges& ranges) {
   return std::max(1U, static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(ranges.most_root))));
@@ -43,14 +47,6 @@ unsigned sum_bits(const view::Range& range, unsigned z_bits) {
   return std::max({z_bits + 1, width(range.low), width(range.high)});
 }
 
-/// A constant in a field of any width.
-void set(Broadcast& out, isa::Field field, std::uint64_t constant) {
-  for (unsigned first = 0; first < field.width; first += isa::max_field_width) {
-    const unsigned width = std::min<unsigned>(field.width - first, isa::max_field_width);
-    out.plain(Opcode::set_constant, part_of(field, first, width), {}, constant >> first & ((std::uint64_t{1} << width) - 1));
-  }
-}
-
 /// Makes a depth of a two's complement number: 0 of one below, the farthest of one beyond. E is kept.
 void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const view::Range& range) {
   const std::int64_t farthest = context.farthest();
@@ -60,7 +56,7 @@ void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const vi
   out.plain(Opcode::enable_store, context.layout.kept);
   if (range.low < 0) {
     out.plain(Opcode::enable_and, sign);
-    set(out, depth, 0);
+    emit_constant(out, depth, 0);
     out.plain(Opcode::enable_load, context.layout.kept);
   }
   if (range.high <= farthest) return;
@@ -70,17 +66,8 @@ void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const vi
     out.bitwise(Opcode::bit_or, beyond, beyond, part_of(sum, bit, 1));
   out.plain(Opcode::enable_and, beyond);
   if (range.low < 0) out.plain(Opcode::enable_and_not, sign);
-  set(out, depth, static_cast<std::uint64_t>(farthest));
+  emit_constant(out, depth, static_cast<std::uint64_t>(farthest));
   out.plain(Opcode::enable_load, context.layout.kept);
-}
-
-/// The root, in units of 2^unit, in a field of any width.
-void emit_shifted_root(Broadcast& out, isa::Field root, isa::Field sum, unsigned unit) {
-  const unsigned low = std::min<unsigned>(unit, sum.width);
-  const unsigned width = std::min<unsigned>(root.width, sum.width - low);
-  set(out, part_of(sum, 0, low), 0);
-  if (width > 0) out.plain(Opcode::copy, part_of(sum, low, width), part_of(root, 0, width));
-  set(out, part_of(sum, low + width, sum.width - low - width), 0);
 }
 
 bool may_miss(const QuadricBound& bound, const RootRanges& ranges) {
@@ -163,10 +150,11 @@ QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsi
     const view::PixelRect& pixels = view.extents[primitive].pixels;
     for (const facet::QuadricSide& side : scene.solids[primitive].quadrics) {
       const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
-      if (quadric.kind != view::ScreenQuadricKind::roots || pixels.empty()) continue;
+      if ((quadric.kind != view::ScreenQuadricKind::roots && !is_paraboloid(quadric)) || pixels.empty()) continue;
       const RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, pixels);
-      const unsigned root = root_bits(ranges);
-      const unsigned sum = std::max(sum_bits(ranges.near, view.sampling.z_bits), sum_bits(ranges.far, view.sampling.z_bits));
+      const unsigned root = is_paraboloid(quadric) ? 0 : root_bits(ranges);
+      const unsigned sum = quadric.factor.fraction() + std::max(sum_bits(ranges.near, view.sampling.z_bits),
+                                                                sum_bits(ranges.far, view.sampling.z_bits));
       bits.root = std::max(bits.root, root);
       bits.sum = std::max({bits.sum, sum, root + 1, light_bits(colour_bits)});
     }
@@ -174,12 +162,43 @@ QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsi
   return bits;
 }
 
+bool draws_in_place(const facet::Scene& scene, const view::View& view, const Plan& plan, unsigned colour_bits) {
+  const unsigned z_bits = view.sampling.z_bits;
+  const auto fits = [&](std::uint32_t primitive) {
+    const view::PixelRect& pixels = view.extents[primitive].pixels;
+    return std::all_of(scene.solids[primitive].quadrics.begin(), scene.solids[primitive].quadrics.end(),
+                       [&](const facet::QuadricSide& side) {
+                         const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
+                         if (!is_paraboloid(quadric) || quadric.factor.fraction() > 0) return false;
+                         const RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, pixels);
+                         return sum_bits(ranges.near, z_bits) == z_bits;
+                       });
+  };
+  return scene.fast_spheres && light_bits(colour_bits) <= z_bits &&
+         std::all_of(plan.segments.begin(), plan.segments.end(), [&](const SegmentPlan& segment) {
+           return std::all_of(segment.surfaces.begin(), segment.surfaces.end(), [&](const PlannedSurface& one) {
+             const bool is_alone = one.set.size() == 1 && one.active.operands.empty();
+             return is_alone && !plan.positive.nodes[plan.positive.leaf_of[one.primitive()]].complemented &&
+                    fits(one.primitive());
+           });
+         });
+}
+
 void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels) {
-  out.quadratic(Opcode::edge_not_negative, {}, screen(context, bound).discriminant, 0, pixels);
+  const view::ScreenQuadric& quadric = screen(context, bound);
+  if (is_paraboloid(quadric)) {
+    emit_circle(context, out, quadric, pixels);
+  } else {
+    out.quadratic(Opcode::edge_not_negative, {}, quadric.discriminant, 0, pixels);
+  }
 }
 
 void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels) {
   const view::ScreenQuadric& quadric = screen(context, bound);
+  if (is_paraboloid(quadric)) {
+    emit_circle(context, out, quadric, pixels);
+    return;
+  }
   const RootRanges ranges = ranges_of(context, bound, pixels);
   const unsigned bits = root_bits(ranges);
   const isa::Field& root = context.layout.root;
@@ -196,17 +215,23 @@ isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound
   const unsigned z_bits = context.layout.candidate.width;
   const bool is_near = root == Root::near;
   const view::Range& range = is_near ? ranges.near : ranges.far;
-  const unsigned bits = sum_bits(range, z_bits);
-  const isa::Field sum = into.width == bits ? into : part_of(context.layout.sum, 0, bits);
+  const unsigned fraction = quadric.factor.fraction();
+  const unsigned bits = fraction + sum_bits(range, z_bits);
+  const isa::Field all = into.width == bits && fraction == 0 ? into : part_of(context.layout.sum, 0, bits);
+  const isa::Field sum = part_of(all, fraction, bits - fraction);
   const isa::Field depth = part_of(sum, 0, z_bits);
-  emit_shifted_root(out, part_of(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
-  view::FixedLinear middle = quadric.middle;
-  if (!is_near) middle.c += std::int64_t{1} << (context.view.sampling.fraction_bits + quadric.unit);
-  out.surface(is_near ? Opcode::linear_minus : Opcode::linear_plus, sum, middle, pixels);
+  if (is_paraboloid(quadric)) {
+    emit_paraboloid(context, out, quadric, is_near, all, pixels);
+  } else {
+    emit_shifted(out, part_of(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
+    view::FixedLinear middle = quadric.middle;
+    if (!is_near) middle.c += std::int64_t{1} << (context.view.sampling.fraction_bits + quadric.unit);
+    out.surface(is_near ? Opcode::linear_minus : Opcode::linear_plus, sum, middle, pixels);
+  }
   if (may_miss(bound, ranges)) {
     // Where the ray does not meet the quadric, all of it is inside.
     out.plain(Opcode::enable_xor, context.layout.kept);
-    set(out, sum, static_cast<std::uint64_t>(context.farthest()));
+    emit_constant(out, sum, static_cast<std::uint64_t>(context.farthest()));
     out.plain(Opcode::enable_load, context.layout.kept);
   }
   emit_clamp(context, out, sum, range);

@@ -4,6 +4,7 @@
 
 #include "host/csg/locate.h"
 #include "host/emit/context.h"
+#include "host/emit/plan.h"
 #include "host/view/quadrics.h"
 
 namespace csgsim::emit {
@@ -26,6 +27,11 @@ bool may_reach_near(const Context& context, const QuadricBound& bound, const vie
 
 /// Bits that the quadrics of the scene take, and light on them in colours of that many bits.
 QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsigned colour_bits);
+
+/// Whether all that is drawn of the scene's quadrics is the nearer depth of a paraboloid that fits Z1 as it is, of
+/// primitives that are compared with no other, and Z1 has room to work out light on them (QuadricBits::in_place). There
+/// must be no colour beside Z1 and no effect.
+bool draws_in_place(const facet::Scene& scene, const view::View& view, const Plan& plan, unsigned colour_bits);
 
 enum class Root : std::uint8_t { near, far };
 

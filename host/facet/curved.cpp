@@ -112,12 +112,25 @@ void add_edges(Solid& solid, const std::vector<std::uint32_t>& ring) {
 
 }  // namespace
 
+bool keeps_balls(const glm::dmat4& transform) {
+  const std::array<glm::dvec3, 3> columns{glm::dvec3(transform[0]), glm::dvec3(transform[1]), glm::dvec3(transform[2])};
+  const double square = glm::dot(columns[0], columns[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    if (!(std::abs(glm::dot(columns[i], columns[i]) - square) <= 2 * ball_tolerance * square)) return false;
+    if (!(std::abs(glm::dot(columns[i], columns[next])) <= ball_tolerance * square)) return false;
+  }
+  return true;
+}
+
 bool stays_curved(const model::Primitive& primitive, const Faceting& faceting) {
   const auto is_round = [&](const model::FacetControl& own) {
     return std::isfinite(own.fn) && !(own.fn > 0.0 && own.fn < faceting.fewest_round);
   };
   if (!faceting.exact_curves) return false;
-  if (const auto* sphere = std::get_if<model::Sphere>(&primitive.shape)) return is_round(sphere->facets);
+  if (const auto* sphere = std::get_if<model::Sphere>(&primitive.shape))
+    return is_round(sphere->facets) && (!faceting.fast_spheres || keeps_balls(primitive.transform));
+  if (faceting.fast_spheres) return false;
   const auto* cylinder = std::get_if<model::Cylinder>(&primitive.shape);
   return cylinder != nullptr && is_round(cylinder->facets);
 }

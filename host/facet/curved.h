@@ -11,6 +11,13 @@ namespace csgsim::facet {
 /// part of it away at most: its apex, as a place in double precision, would be known no better.
 inline constexpr double least_taper = 0x1p-26;
 
+/// By which part of its size a ball may become longer or askew and still count as one: what is left of a rotation in
+/// the six digits that OpenSCAD writes.
+inline constexpr double ball_tolerance = 1e-5;
+
+/// Whether a matrix is a rotation or reflection, a uniform scale and a shift.
+bool keeps_balls(const glm::dmat4& transform);
+
 /// Whether that stays a curved surface.
 bool stays_curved(const model::Primitive& primitive, const Faceting& faceting);
 

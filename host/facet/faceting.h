@@ -14,6 +14,9 @@ struct Faceting {
   std::optional<double> fragments{};
   /// Spheres and cylinders stay curved surfaces: quadrics. The other two hold for what is faceted still.
   bool exact_curves = false;
+  /// With exact curves: of all these only spheres that are seen as circles, which are drawn as fast spheres
+  /// (host/view/fast_sphere.h); the rest is faceted.
+  bool fast_spheres = false;
   /// With exact curves: solids whose own $fn is above 0 and less than this are meant as polygons, and are faceted.
   double fewest_round = 13;
   /// With exact curves: by primitive, those that are faceted all the same; none if empty.

@@ -137,6 +137,7 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
       PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : glm::length(all.high - all.low)),
       {}};
   scene.quadrics = QuadricTable(scene.planes.centre(), scene.planes.diagonal());
+  scene.fast_spheres = faceting.exact_curves && faceting.fast_spheres;
   Maker maker(scene.planes, scene.quadrics);
   scene.solids.reserve(solids.size());
   for (Solid& solid : solids) scene.solids.push_back(maker.make(std::exchange(solid, {})));

@@ -40,6 +40,7 @@ struct Scene {
   PlaneTable planes;
   Box box;  ///< holds what the tree leaves of its primitives
   QuadricTable quadrics{};
+  bool fast_spheres = false;  ///< the quadrics are spheres, to be drawn as fast spheres (host/view/fast_sphere.h)
 };
 
 /// Facets every primitive, but for those that stay curved. Throws InputError, naming the primitive's place in the file,

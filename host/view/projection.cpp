@@ -11,6 +11,7 @@
 
 #include "host/view/extent.h"
 #include "host/view/eye_space.h"
+#include "host/view/fast_sphere.h"
 #include "host/view/screen_quadric.h"
 #include "hw/base/error.h"
 #include "hw/isa/depth_scale.h"
@@ -190,7 +191,8 @@ void add_quadrics(View& view, const facet::Scene& scene, const EyeSpace& space) 
   }
   view.quadrics.reserve(quadrics.size());
   for (std::size_t i = 0; i < quadrics.size(); ++i) {
-    view.quadrics.push_back(make_screen_quadric(space, view, quadrics[i], scene.quadrics.centre(), touched[i]));
+    const auto make = scene.fast_spheres ? make_fast_sphere : make_screen_quadric;
+    view.quadrics.push_back(make(space, view, quadrics[i], scene.quadrics.centre(), touched[i]));
   }
 }
 

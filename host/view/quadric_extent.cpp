@@ -57,6 +57,15 @@ bool is_concave(const FixedQuadratic& f) {
   return xx < 0.0 && yy < 0.0 && 4.0 * xx * yy > 1.000001 * xy * xy;
 }
 
+/// Of a paraboloid: z is off by 2 steps at most, for the floors of its middle and of the depth, and F = |z - M| - k D
+/// is convex.
+double growth_of_paraboloid(const ScreenQuadric& quadric, const Around& here) {
+  const double k =
+      std::ldexp(static_cast<double>(quadric.factor.scaled()), -static_cast<int>(quadric.factor.fraction()));
+  const double slack = k * here.d - here.from_middle;
+  return slack > 0.0 ? (2.0 + 2.0 * k * here.error) / slack : infinite;
+}
+
 double growth_between(const ScreenQuadric& quadric, const Around& here, const View& view, const PixelRect& pixels) {
   const double half_depth = here.unit * std::sqrt(std::max(0.0, here.d));
   if (!(here.from_middle < half_depth)) return infinite;
@@ -122,8 +131,10 @@ void narrow_pixels(PixelRect& pixels, const ScreenQuadric& quadric) {
 /// - From within, z < near and z >= far are convex too, and move by e at the most.
 double growth_of(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside, const View& view,
                  const PixelRect& pixels) {
-  if (quadric.kind != ScreenQuadricKind::roots || pixels.empty() || !is_in(inside, quadric.pixels)) return infinite;
+  const bool has_depths = quadric.kind == ScreenQuadricKind::roots || quadric.kind == ScreenQuadricKind::paraboloid;
+  if (!has_depths || pixels.empty() || !is_in(inside, quadric.pixels)) return infinite;
   const Around here = around(quadric, inside, view, pixels);
+  if (quadric.kind == ScreenQuadricKind::paraboloid) return growth_of_paraboloid(quadric, here);
   const QuadricRole role = role_of(quadric, side);
   return role == QuadricRole::between ? growth_between(quadric, here, view, pixels)
                                       : growth_beyond(quadric, role, inside, here, pixels);

@@ -75,6 +75,18 @@ void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect)
   }
 }
 
+/// Of a paraboloid.
+void set_depths(RootRanges& ranges, const ScreenQuadric& quadric, const Range& discriminant, unsigned fraction_bits) {
+  const std::int64_t middle = quadric.middle.c >> fraction_bits;
+  const Wide factor = quadric.factor.scaled();
+  const unsigned shift = quadric.discriminant_shift + quadric.factor.fraction();
+  const auto floor_of = [&](Wide value) { return static_cast<std::int64_t>(value >> shift); };
+  const Wide least = factor * std::max<std::int64_t>(0, discriminant.low);
+  const Wide most = factor * discriminant.high;
+  ranges.near = {middle + floor_of(-most), middle + floor_of(-least)};
+  ranges.far = {middle + floor_of(least) + 1, middle + floor_of(most) + 1};
+}
+
 }  // namespace
 
 std::int64_t value_at(const FixedQuadratic& f, std::int32_t x, std::int32_t y) {
@@ -111,12 +123,28 @@ QuadricRole role_of(const ScreenQuadric& quadric, facet::QuadricSide side) {
   return side.along_axis == quadric.eye_on_axis_nappe ? QuadricRole::until : QuadricRole::from;
 }
 
+unsigned TwoPowers::fraction() const {
+  if (is_zero) return 0;
+  return static_cast<unsigned>(std::max(0, -(signs == 0 ? first : second)));
+}
+
+std::int64_t TwoPowers::scaled() const {
+  if (is_zero) return 0;
+  const int up = static_cast<int>(fraction());
+  const std::int64_t greater = std::int64_t{1} << (first + up);
+  return signs == 0 ? greater : greater + signs * (std::int64_t{1} << (second + up));
+}
+
 RootRanges ranges_over(const ScreenQuadric& quadric, unsigned fraction_bits, const PixelRect& rect) {
   const Range discriminant = range_over(quadric.discriminant, rect);
   RootRanges ranges;
   ranges.discriminant = {discriminant.low >> quadric.discriminant_shift,
                          discriminant.high >> quadric.discriminant_shift};
   if (ranges.discriminant.high < 0) return ranges;
+  if (quadric.kind == ScreenQuadricKind::paraboloid) {
+    set_depths(ranges, quadric, discriminant, fraction_bits);
+    return ranges;
+  }
   const Range middle = range_over(quadric.middle, rect);
   const std::int64_t low = middle.low >> fraction_bits;
   const std::int64_t high = middle.high >> fraction_bits;

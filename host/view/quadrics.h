@@ -24,9 +24,23 @@ std::int64_t value_at(const FixedQuadratic& quadratic, std::int32_t x, std::int3
 Range range_over(const FixedQuadratic& quadratic, const PixelRect& rect);
 
 enum class ScreenQuadricKind : std::uint8_t {
-  roots,  ///< two depths on every ray, where the discriminant is not negative
-  edge,   ///< seen along its axis, or from its apex: whole rays are in it or are not
-  unfit,  ///< none of both within the machine's numbers: its solids have to be faceted
+  roots,       ///< two depths on every ray, where the discriminant is not negative
+  paraboloid,  ///< a fast sphere: two depths on every ray, without a root (fast_sphere.h)
+  edge,        ///< seen along its axis, or from its apex: whole rays are in it or are not
+  unfit,       ///< none of both within the machine's numbers: its solids have to be faceted
+};
+
+/// 0, a power of two, or a sum or difference of two powers of two: what a field is multiplied by in one or two steps.
+struct TwoPowers {
+  int first = 0;   ///< exponent of the greater one
+  int second = 0;  ///< exponent of the other
+  int signs = 0;   ///< 1: the sum; -1: the difference; 0: the first alone
+  bool is_zero = true;
+
+  /// Bits after the point.
+  [[nodiscard]] unsigned fraction() const;
+  /// The number with those bits: an integer.
+  [[nodiscard]] std::int64_t scaled() const;
 };
 
 /// A canonical quadric in the picture: the same integers for every solid that it bounds.
@@ -35,6 +49,11 @@ enum class ScreenQuadricKind : std::uint8_t {
 /// else, with q = floor(sqrt(D)) and M = middle >> fraction_bits, floor, its depths are
 ///
 ///     near = M - (q << unit),    far = M + ((q + 1) << unit)    (depth steps)
+///
+/// Paraboloid: middle is a constant, an integer c. Where the discriminant is not negative, with its value v and the
+/// factor k,
+///
+///     near = floor(c - k v),    far = floor(c + k v) + 1    (depth steps)
 ///
 /// Edge: the ray is in the quadric where the discriminant is not negative; D is of no unit then.
 ///
@@ -50,6 +69,7 @@ struct ScreenQuadric {
   double middle_error = 0;  ///< bounds of what rounding does before the floor, over `pixels`: of the middle,
   double discriminant_error = 0;  ///< and of D, in its own units
   PixelRect pixels;               ///< that solids which it bounds can touch
+  TwoPowers factor;               ///< of a paraboloid
   bool eye_on_axis_nappe = true;  ///< eye_inside of a cone: the eye is in the nappe that the axis points into
 };
 

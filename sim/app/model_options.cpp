@@ -23,6 +23,7 @@
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
+#include "sim/app/fast_curves.h"
 #include "sim/app/memory.h"
 #include "sim/app/numbers.h"
 #include "sim/app/paths.h"
@@ -216,7 +217,8 @@ void ModelOptions::add_view_to(Command& command) {
       "of as OpenSCAD does");
   command
       .option("--curves", curves,
-              "How spheres, cylinders and cones are drawn: facets; exact (without facets, on a machine whose "
+              "How spheres, cylinders and cones are drawn: facets; fast (spheres as circles and paraboloids, on any "
+              "machine); exact (without facets, on a machine whose "
               "evaluator.degree is 2); auto (exact where the machine and the scene's effects can)")
       .one_of(by_name(emit::curve_choices), "curve drawing");
   command.option("--colour-bits", colour_bits, "Bits of a colour")
@@ -262,7 +264,8 @@ facet::Faceting planar_faceting_of(const ModelOptions& options, const machines::
   return {.tolerance = tolerance};
 }
 
-/// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
+}  // namespace
+
 std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& view) {
   std::vector<bool> unfit(scene.solids.size());
   bool any = false;
@@ -276,8 +279,6 @@ std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& 
   return any ? unfit : std::vector<bool>{};
 }
 
-}  // namespace
-
 facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree) {
   facet::Faceting faceting = planar_faceting_of(options, machine, tree);
   const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
@@ -286,6 +287,8 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
   const emit::Options emit = emit_options_of(options);
   const view::Camera camera = camera_of(options, machine, tree, facet::make_scene(tree));
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  if (curves == emit::Curves::fast)
+    return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(options, machine), machine, emit, look);
   const std::optional<std::string> reason = emit::why_no_quadrics(machine, emit, look);
   if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or draw facets by --curves auto");
   if (reason) return faceting;

@@ -94,6 +94,9 @@ machines::Machine machine_of(const ModelOptions& options);
 /// what was chosen is printed.
 facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree);
 
+/// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
+std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& view);
+
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine);
 emit::Options emit_options_of(const ModelOptions& options);
 

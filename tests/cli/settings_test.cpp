@@ -85,7 +85,6 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"tolerances", "\"0.5,1\""},
                                                  {"levels", "\"4\""},
                                                  {"sides", "\"64\""},
-                                                 {"curves", "\"facets\""},
                                                  {"fragments", "\"12\""},
                                                  {"stack-bits", "5"},
                                                  {"colour-bits", "15"},

@@ -58,7 +58,6 @@ constexpr auto options = std::to_array<OptionSubject>({
     {accuracy, "z-bits", ""},
     {accuracy, "fraction-bits", ""},
     {accuracy, "edge-on", "PART"},
-    {accuracy, "curves", "WORD"},
     {accuracy, "check", ""},
     {accuracy, "max-wrong-pixels", ""},
     {varied, "max-bits", ""},

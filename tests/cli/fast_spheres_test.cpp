@@ -1,0 +1,98 @@
+#include <string>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+const std::string ball = "sphere($fn = 0, $fa = 12, $fs = 2, r = 10);\n";
+const std::string small = " --size 64x64 --view-all --memory-bits 128 ";
+
+std::string written(const Folder& folder, const std::string& csg) {
+  write(folder / "model.csg", csg);
+  return folder / "model.csg";
+}
+
+std::uint64_t clocks_of(const Folder& folder, const std::string& options) {
+  REQUIRE(run("render " + options + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")).code == 0);
+  return json(folder / "s.json")["clocks"];
+}
+
+}  // namespace
+
+TEST_CASE("--curves fast draws a sphere on a machine of linear expressions, in a tenth of the clocks of its facets") {
+  const Folder folder;
+  const std::string options = written(folder, ball) + " --view-all --memory-bits 128 --curves ";
+  const std::uint64_t fast = clocks_of(folder, options + "fast");
+  CHECK(clocks_of(folder, options + "facets") > 10 * fast);
+  CHECK(run("render --help").out.find("fast (spheres as circles and paraboloids") != std::string::npos);
+}
+
+TEST_CASE("what is no sphere of an orthographic picture stays facets, and is told of once") {
+  const Folder folder;
+  const auto told = [&](const std::string& csg, const std::string& options) {
+    const Outcome outcome =
+        run("render " + written(folder, csg) + small + "--curves fast " + options + " -o " + (folder / "p.png"));
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    return outcome.err;
+  };
+  CHECK(told(ball, "").empty());
+  CHECK(told("cube(size=[1,2,3]);\n", "").empty());
+  const std::string three = ball + "multmatrix([[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {\n" + ball + "}\n" +
+                            "cylinder($fn=0,$fa=12,$fs=2,h=30,r1=4,r2=4,center=true);\n";
+  const std::string of_three = told(three, "");
+  CHECK(one_line(of_three));
+  CHECK(of_three.find("model.csg:3:1: warning: ") != std::string::npos);
+  CHECK(of_three.find("this is an ellipsoid and is drawn in facets, as is 1 more curved solid") != std::string::npos);
+  CHECK(told(ball, "--projection p").find("is an ellipse in a perspective picture and is drawn in facets") !=
+        std::string::npos);
+  CHECK(told("sphere($fn=5,$fa=12,$fs=2,r=10);\n", "").empty());
+}
+
+TEST_CASE("without a sphere that can be fast, --curves fast makes the very Program of --curves facets") {
+  const Folder folder;
+  const auto program = [&](const std::string& curves, const std::string& csg, const std::string& options) {
+    REQUIRE(
+        run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " + (folder / "p.csgt"))
+            .code == 0);
+    return content(folder / "p.csgt");
+  };
+  const std::string pocket = content(model("thesis_fig_2_3"));
+  CHECK(program("fast", pocket, "") == program("facets", pocket, ""));
+  CHECK(program("fast", ball, "--projection p") == program("facets", ball, "--projection p"));
+  CHECK(program("fast", ball, "") != program("facets", ball, ""));
+}
+
+TEST_CASE("fast spheres and facets see a model from the same place") {
+  const Folder folder;
+  const auto box = [&](const std::string& curves) {
+    REQUIRE(run("render " + written(folder, ball) + " --size 256x256 --view-all --memory-bits 128 --curves " + curves +
+                " --stats " + (folder / "s.json") + " -o " + (folder / "p.png"))
+                .code == 0);
+    return json(folder / "s.json")["camera"];
+  };
+  CHECK(box("fast") == box("facets"));
+}
+
+TEST_CASE("the 72 bits of Pixel-planes 4 hold 18 bits of depth and of colour for spheres that are joined alone") {
+  const Folder folder;
+  const std::string options = "render " + model("molecule") + " --view-all --curves fast --z-bits 18 -o " +
+                              (folder / "p.png") + " --colour-bits ";
+  CHECK(run(options + "18").code == 0);
+  CHECK(run(options + "19").code == 1);
+}
+
+TEST_CASE("where the bits of a machine do not hold the squares, or it divides the model itself, what to do is told") {
+  const Folder folder;
+  const std::string options = "render " + written(folder, ball) + " --view-all --curves fast -o " + (folder / "p.png");
+  const Outcome narrow = run(options);
+  CHECK(narrow.code == 1);
+  CHECK(one_line(narrow.err));
+  CHECK(narrow.err.find("17 squares") != std::string::npos);
+  CHECK(narrow.err.find("--curves facets") != std::string::npos);
+  const Outcome divides = run(options + " --machine pixel-square");
+  CHECK(divides.code == 1);
+  CHECK(divides.err.find("draw facets by --curves facets") != std::string::npos);
+}

@@ -1,0 +1,34 @@
+"""docs/curves.md."""
+
+from figures import point, ruled
+
+VIEWS = {
+    "a sphere of radius 10": "tests/models/sphere.csg --view-all",
+    "molecule, 26 spheres": "tests/models/molecule.csg --camera 300,-400,250,0,0,0 --view-all",
+}
+WAYS = {
+    "facets": "--curves facets --memory-bits 128",
+    "fast": "--curves fast --check --memory-bits 128",
+    "fast, 18 bits of depth and of colour": "--curves fast --check --z-bits 18 --colour-bits 18",
+    "exact, on `pixel-powers`": "--curves exact --check --machine pixel-powers",
+}
+
+
+def wrong(figures, view, way, stats):
+    """Pixels that show another surface than the true one."""
+    if way != "facets":
+        return stats.accuracy.silhouette + stats.accuracy.owner
+    points = figures.accuracy(VIEWS[view], "--curves facets --views 1")
+    return point(points, knob="size", value="512x512").facet_wrong
+
+
+def fast(figures):
+    rows = []
+    for view, model in VIEWS.items():
+        for way, options in WAYS.items():
+            stats = figures.render(model, options)
+            clocks = stats.by_purpose
+            rows.append((f"{view}: {way}" if way == "facets" else way, f"{stats.clocks:,}", f"{clocks.render.clocks:,}",
+                         f"{clocks.shade.clocks:,}", f"{clocks.setup.clocks:,}", stats.memory_bits.used,
+                         f"{wrong(figures, view, way, stats):,}"))
+    return ruled(("", "clocks", "surfaces", "light", "setup", "bits", "pixels of another surface"), rows)
