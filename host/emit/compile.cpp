@@ -179,6 +179,8 @@ isa::Program compile_as(const Input& input, const Options& options) {
   quadrics.in_place =
       is_plain && quadrics.squares > 0 && draws_in_place(input.scene, drawing.view, drawing.plan, options.colour_bits);
   if (quadrics.in_place) quadrics.sum = 0;
+  quadrics.root_in_candidate =
+      is_plain && quadrics.root > 0 && takes_roots_in_candidate(input.scene, drawing.view, drawing.plan);
   const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
                                      machines::second_buffer(options.colour_bits, input.machine),
                                      has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), quadrics},

@@ -153,11 +153,13 @@ class Painter {
     const double most = top * channel.brightest + 2;
     unsigned fraction = most_sum_fraction;
     while (fraction > 0 && most >= std::ldexp(1.0, static_cast<int>(sum_.width - fraction))) --fraction;
-    const auto needed = static_cast<unsigned>(std::ilogb(most)) + 1 + fraction;
-    const Field sum =
-        part_of(sum_, 0, std::min<unsigned>(std::max(needed, fraction + channel.field.width), sum_.width));
+    const unsigned needed = std::min<unsigned>(static_cast<unsigned>(std::ilogb(most)) + 1 + fraction, sum_.width);
+    const Field sum = part_of(sum_, 0, needed);
     emit_sum(channel, sum, fraction, multiple_of(channel, one, fraction));
-    out_.plain(Opcode::copy, channel.field, part_of(sum, fraction, channel.field.width));
+    const unsigned held = held_of(channel, sum, fraction);
+    out_.plain(Opcode::copy, part_of(channel.field, 0, held), part_of(sum, fraction, held));
+    if (held < channel.field.width)
+      out_.plain(Opcode::set_constant, part_of(channel.field, held, channel.field.width - held));
     for (unsigned bit = fraction + channel.field.width; bit < sum.width; ++bit) {
       if (most < std::ldexp(1.0, static_cast<int>(bit - fraction))) break;
       out_.plain(Opcode::enable_and, part_of(sum, bit, 1));
@@ -213,12 +215,18 @@ class Painter {
 
   /// The channel as it is, with as much more as its fraction holds.
   void begin_sum(const Channel& channel, Field sum, unsigned fraction, std::uint64_t more) {
-    const unsigned end = fraction + channel.field.width;
+    const unsigned held = held_of(channel, sum, fraction);
+    const unsigned end = fraction + held;
     if (fraction > 0)
       out_.plain(Opcode::set_constant, part_of(sum, 0, fraction), {},
                  std::min(more, (std::uint64_t{1} << fraction) - 1));
-    out_.plain(Opcode::copy, part_of(sum, fraction, channel.field.width), channel.field);
+    out_.plain(Opcode::copy, part_of(sum, fraction, held), part_of(channel.field, 0, held));
     if (end < sum.width) out_.plain(Opcode::set_constant, part_of(sum, end, sum.width - end));
+  }
+
+  /// Bits of the channel that the sum has; those above stay 0.
+  static unsigned held_of(const Channel& channel, Field sum, unsigned fraction) {
+    return std::min<unsigned>(channel.field.width, sum.width - fraction);
   }
 
   /// A part of the cosine, which is not negative, and where in the sum it goes.

@@ -38,8 +38,11 @@ std::vector<FieldRequest> requests_of(const Needs& needs) {
   for (unsigned i = 0; i < needs.classification.stack; ++i)
     all.push_back({"stack" + std::to_string(i), FieldRole::stack, 1, "stack", fewer_bits});
   all.push_back({"owner", FieldRole::owner, needs.owner_bits, "owner"});
-  all.push_back({std::string(sum_name), FieldRole::scratch, needs.quadrics.sum, "sum", no_quadrics});
-  all.push_back({std::string(root_name), FieldRole::scratch, needs.quadrics.root, "root", no_quadrics});
+  const FieldRequest sum{std::string(sum_name), FieldRole::scratch, needs.quadrics.sum, "sum", no_quadrics};
+  const bool is_below_candidate = needs.quadrics.root_in_candidate;
+  all.insert(is_below_candidate ? all.begin() + 1 : all.end(), sum);
+  const unsigned root = is_below_candidate ? 0 : needs.quadrics.root;
+  all.push_back({std::string(root_name), FieldRole::scratch, root, "root", no_quadrics});
   all.push_back({std::string(squares_name), FieldRole::scratch, needs.quadrics.squares, "squares", no_quadrics});
   all.push_back({std::string(kept_name), FieldRole::scratch, needs.quadrics.sum > 0 ? 1U : 0U, "kept", no_quadrics});
   for (const EffectFields& effect : needs.effects)
@@ -180,6 +183,7 @@ Planned plan(const Needs& needs) {
     put(planned.layout, request, field);
     next += request.width;
   }
+  if (needs.quadrics.root_in_candidate) planned.layout.root = part_of(planned.layout.candidate, 0, needs.quadrics.root);
   planned.layout.light = needs.quadrics.in_place ? planned.layout.candidate : planned.layout.sum;
   if (needs.quadrics.in_place) planned.layout.kept = planned.layout.mask;
   ScratchPlaces places(planned.layout.candidate, next);
@@ -244,7 +248,7 @@ std::vector<isa::NamedField> named_fields(const Layout& layout) {
   }
   add("owner", layout.owner, isa::FieldRole::owner);
   add_in_parts(fields, sum_name, layout.sum);
-  add(std::string(root_name), layout.root, isa::FieldRole::scratch);
+  if (!layout.root.overlaps(layout.candidate)) add(std::string(root_name), layout.root, isa::FieldRole::scratch);
   add(std::string(squares_name), layout.squares, isa::FieldRole::scratch);
   if (layout.kept != layout.mask) add(std::string(kept_name), layout.kept, isa::FieldRole::scratch);
   unsigned end = 0;

@@ -36,9 +36,10 @@ struct EffectFields {
 
 /// Bits that the depths of quadrics are worked out in.
 struct QuadricBits {
-  unsigned root = 0;  ///< of the square root
+  unsigned root = 0;     ///< of the square root
   unsigned squares = 0;  ///< of the squares that fast spheres need at each pixel (fast_spheres.h)
-  unsigned sum = 0;   ///< of the depth before it is a depth, more than of the root; 0 where there is no quadric
+  unsigned sum = 0;      ///< of the depth before it is a depth, more than of the root; 0 where there is no quadric
+  bool root_in_candidate = false;  ///< no depth but Z1 is worked out: a root is taken where Z1 is, and the bits below
   bool in_place = false;  ///< needs no sum and no bit for E: light is worked out over Z1, and E is the mask then
 
   bool operator==(const QuadricBits&) const = default;
@@ -58,21 +59,21 @@ struct Needs {
 
 /// Which bits of pixel memory hold what. Fields that are not needed have no width.
 struct Layout {
-  isa::Field depth;                      ///< Z2: the nearest surface so far
-  isa::Field candidate;                  ///< Z1: the surface being classified
-  isa::Field colour;                     ///< of Z2
-  isa::Field candidate_colour;           ///< of Z1
-  isa::Field mask;                       ///< 1 where Z1 holds a surface that is still visible
-  isa::Field product;                    ///< 1 where Z1 is in the product so far
-  isa::Field label;                      ///< the leaf that a pixel waits for
-  std::vector<isa::Field> stack;         ///< results of the classification, one bit each
-  isa::Field owner;                      ///< number of the surface that Z2 is of, 0 for none
-  isa::Field sum;   ///< a depth of a quadric, or the low part of its discriminant while the root is taken
-  isa::Field root;  ///< of a quadric, right above the sum; with that the discriminant
+  isa::Field depth;               ///< Z2: the nearest surface so far
+  isa::Field candidate;           ///< Z1: the surface being classified
+  isa::Field colour;              ///< of Z2
+  isa::Field candidate_colour;    ///< of Z1
+  isa::Field mask;                ///< 1 where Z1 holds a surface that is still visible
+  isa::Field product;             ///< 1 where Z1 is in the product so far
+  isa::Field label;               ///< the leaf that a pixel waits for
+  std::vector<isa::Field> stack;  ///< results of the classification, one bit each
+  isa::Field owner;               ///< number of the surface that Z2 is of, 0 for none
+  isa::Field sum;                 ///< a depth of a quadric, or the low part of its discriminant while the root is taken
+  isa::Field root;     ///< of a quadric, right above the sum, with that the discriminant; it may be a part of Z1
   isa::Field light;    ///< where light on quadrics is worked out: the sum; or Z1, which Z2 is a copy of then
   isa::Field squares;  ///< of the pixel's place, throughout; see fast_spheres.h
-  isa::Field kept;  ///< E, while some pixels of it are worked on
-  isa::Field shown;                      ///< the picture before, which no instruction meets
+  isa::Field kept;     ///< E, while some pixels of it are worked on
+  isa::Field shown;    ///< the picture before, which no instruction meets
   std::vector<isa::NamedField> effects;  ///< as `EFFECT.NAME`
 
   /// A field that an effect asked for.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "host/emit/curved_light.h"
@@ -74,6 +75,19 @@ bool may_miss(const QuadricBound& bound, const RootRanges& ranges) {
   return bound.role == QuadricRole::until && ranges.discriminant.low < 0;
 }
 
+/// Whether every surface of the picture is that of one primitive that is compared with no other, nor subtracted, and
+/// fits.
+template <class Fits>
+bool draws_alone(const Plan& plan, const Fits& fits) {
+  const auto is_alone = [&](const PlannedSurface& one) {
+    return one.set.size() == 1 && one.active.operands.empty() &&
+           !plan.positive.nodes[plan.positive.leaf_of[one.primitive()]].complemented && fits(one.primitive());
+  };
+  return std::all_of(plan.segments.begin(), plan.segments.end(), [&](const SegmentPlan& segment) {
+    return std::all_of(segment.surfaces.begin(), segment.surfaces.end(), is_alone);
+  });
+}
+
 /// What of a bound matters to points of a block.
 struct Matters {
   bool outline = true;
@@ -94,7 +108,8 @@ Matters what_matters(const Context& context, const QuadricBound& bound, const cs
   if (ends_at_near && ranges.discriminant.high < 0) return {false, false, false};
   matters.outline = matters.outline && ranges.discriminant.low < 0;
   matters.near = matters.near && !(ends_at_near ? ranges.near.low > block.z_high : ranges.near.high <= block.z_low);
-  matters.far = matters.far && !(bound.role == QuadricRole::from ? ranges.far.high <= block.z_low : ranges.far.low > block.z_high);
+  matters.far = matters.far &&
+                !(bound.role == QuadricRole::from ? ranges.far.high <= block.z_low : ranges.far.low > block.z_high);
   return matters;
 }
 
@@ -174,14 +189,22 @@ bool draws_in_place(const facet::Scene& scene, const view::View& view, const Pla
                          return sum_bits(ranges.near, z_bits) == z_bits;
                        });
   };
-  return scene.fast_spheres && light_bits(colour_bits) <= z_bits &&
-         std::all_of(plan.segments.begin(), plan.segments.end(), [&](const SegmentPlan& segment) {
-           return std::all_of(segment.surfaces.begin(), segment.surfaces.end(), [&](const PlannedSurface& one) {
-             const bool is_alone = one.set.size() == 1 && one.active.operands.empty();
-             return is_alone && !plan.positive.nodes[plan.positive.leaf_of[one.primitive()]].complemented &&
-                    fits(one.primitive());
-           });
-         });
+  return scene.fast_spheres && light_bits(colour_bits) <= z_bits && draws_alone(plan, fits);
+}
+
+bool takes_roots_in_candidate(const facet::Scene& scene, const view::View& view, const Plan& plan) {
+  const unsigned z_bits = view.sampling.z_bits;
+  return draws_alone(plan, [&](std::uint32_t primitive) {
+    const facet::Convex& solid = scene.solids[primitive];
+    if (solid.quadrics.empty()) return true;
+    const view::ScreenQuadric& quadric = view.quadrics[solid.quadrics.front().quadric];
+    const bool is_ellipsoid = solid.quadrics.size() == 1 && solid.halfspaces.empty() &&
+                              quadric.kind == view::ScreenQuadricKind::roots &&
+                              view::role_of(quadric, solid.quadrics.front()) == QuadricRole::between;
+    if (!is_ellipsoid || quadric.unit > 0) return false;
+    const RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, view.extents[primitive].pixels);
+    return root_bits(ranges) <= z_bits && ranges.near.low > 0 && sum_bits(ranges.near, z_bits) == z_bits;
+  });
 }
 
 void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels) {
@@ -193,10 +216,22 @@ void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bo
   }
 }
 
-void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels) {
+bool is_met_within(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels,
+                   const view::PixelRect& rect) {
+  const std::array<view::PixelRect, 4> around{{{rect.x0, rect.y0, rect.x1, pixels.y0 - 1},
+                                               {rect.x0, pixels.y1 + 1, rect.x1, rect.y1},
+                                               {rect.x0, pixels.y0, pixels.x0 - 1, pixels.y1},
+                                               {pixels.x1 + 1, pixels.y0, rect.x1, pixels.y1}}};
+  return std::all_of(around.begin(), around.end(), [&](const view::PixelRect& strip) {
+    return strip.empty() || ranges_of(context, bound, strip).discriminant.high < 0;
+  });
+}
+
+void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels,
+               const view::PixelRect& enabled) {
   const view::ScreenQuadric& quadric = screen(context, bound);
   if (is_paraboloid(quadric)) {
-    emit_circle(context, out, quadric, pixels);
+    emit_circle(context, out, quadric, enabled);
     return;
   }
   const RootRanges ranges = ranges_of(context, bound, pixels);
@@ -204,7 +239,7 @@ void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound
   const isa::Field& root = context.layout.root;
   const isa::Field field{static_cast<std::uint16_t>(root.base - bits - 1), static_cast<std::uint16_t>(2 * bits + 1)};
   if (may_miss(bound, ranges)) out.plain(Opcode::enable_store, context.layout.kept);
-  out.quadratic(Opcode::load_linear, field, quadric.discriminant, quadric.discriminant_shift, pixels);
+  out.quadratic(Opcode::load_linear, field, quadric.discriminant, quadric.discriminant_shift, enabled);
   out.plain(Opcode::root, field);
 }
 
@@ -250,7 +285,7 @@ void emit_comparison(const Context& context, Broadcast& out, const QuadricBound&
     return;
   }
   const isa::Field z1 = context.layout.candidate;
-  emit_root(context, out, bound, block.pixels);
+  emit_root(context, out, bound, block.pixels, block.pixels);
   if (matters.near) {
     const isa::Field near = emit_depth(context, out, bound, Root::near, block.pixels);
     if (bound.role == QuadricRole::until)

@@ -33,6 +33,11 @@ QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsi
 /// must be no colour beside Z1 and no effect.
 bool draws_in_place(const facet::Scene& scene, const view::View& view, const Plan& plan, unsigned colour_bits);
 
+/// Whether all that is drawn of the scene's quadrics is the nearer depth of ellipsoids that fits Z1 as it is, of
+/// primitives that are compared with no other (QuadricBits::root_in_candidate). There must be no colour beside Z1 and
+/// no effect.
+bool takes_roots_in_candidate(const facet::Scene& scene, const view::View& view, const Plan& plan);
+
 enum class Root : std::uint8_t { near, far };
 
 /// E stays 1 where the ray meets the quadric, or is in it if it is an edge test: no depths.
@@ -40,7 +45,13 @@ void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bo
 
 /// The root of the discriminant. E stays 1 where the ray meets the quadric, and for QuadricRole::until, whose
 /// emit_depth has to follow, everywhere that it needs.
-void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels);
+/// E has to be 0 outside `enabled`, which is `pixels` or a rectangle around them in which no other ray meets it.
+void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels,
+               const view::PixelRect& enabled);
+
+/// Whether no ray of the rectangle meets the quadric but those through `pixels`, as far as bounds tell.
+bool is_met_within(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels,
+                   const view::PixelRect& rect);
 
 /// A depth of the quadric where E is 1, after emit_root: returns the field that it is in, as wide as Z1: `into`, if one
 /// is given that may be written, or the low part of the layout's sum. What is before

@@ -85,7 +85,7 @@ void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& f
 void emit_seen_at(const Context& context, Broadcast& out, const Facet& facet, isa::Field depth,
                   const view::PixelRect& pixels) {
   if (is_curved(facet.at)) {
-    out.plain(Opcode::field_eq, depth, emit_facet_depth(context, out, facet, pixels));
+    out.plain(Opcode::field_eq, depth, emit_facet_depth(context, out, facet, pixels, pixels));
   } else {
     out.surface(Opcode::linear_eq, depth, plane_of(context, facet), pixels);
   }

@@ -28,11 +28,14 @@ bool fits(const Context& context, const Facet& facet, const csg::Block& block, b
 /// range.
 class Extreme {
  public:
-  Extreme(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface)
+  /// E is 0 outside `enabled`.
+  Extreme(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
+          const view::PixelRect& enabled)
       : context_(context),
         out_(out),
         planned_(planned),
         surface_(surface),
+        enabled_(enabled),
         farthest_front_(!context.complemented(planned.primitive())),
         first_(first_facet()) {}
 
@@ -90,7 +93,7 @@ class Extreme {
   /// E stays 1 where the curved facet is.
   isa::Field depth_of(const Facet& facet, isa::Field into = {}) {
     rooted_ = &facet;
-    return emit_facet_depth(context_, out_, facet, surface_.block.pixels, into);
+    return emit_facet_depth(context_, out_, facet, surface_.block.pixels, enabled_, into);
   }
 
   /// Z1 := the depth where that is more extreme, or equal, to where E is left.
@@ -156,6 +159,7 @@ class Extreme {
   Broadcast& out_;
   const PlannedSurface& planned_;
   const Surface& surface_;
+  const view::PixelRect enabled_;
   bool farthest_front_;
   const Facet* first_;  ///< what Z1 begins with, if any
   const Facet* rooted_ = nullptr;
@@ -176,6 +180,15 @@ bool is_own_other_side(const Surface& surface, const QuadricBound& bound) {
          surface.facets.front().quadric == bound.side && bound.role == view::QuadricRole::between;
 }
 
+/// Whether the test for the only quadric leaves no pixel outside the block, so that no edges have to cut it out.
+bool is_cut_out_by_outline(const Context& context, const PlannedSurface& planned, const Sides& sides,
+                           const Surface& surface) {
+  if (planned.set.size() != 1 || sides.quadrics.size() != 1) return false;
+  return context.scene.solids[planned.primitive()].halfspaces.empty() &&
+         is_own_other_side(surface, sides.quadrics.front()) &&
+         is_met_within(context, sides.quadrics.front(), planned.block.pixels, context.plan.pixels());
+}
+
 /// Where the other side of a quadric is before Z1, or behind it, there is nothing. Of the facet `rooted`, if any, the
 /// root is there.
 void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
@@ -188,7 +201,7 @@ void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurfa
     const bool is_there =
         rooted != nullptr && rooted->quadric == bound.side && bound.role == view::QuadricRole::between;
     rooted = nullptr;
-    if (!is_there) emit_root(context, out, bound, planned.block.pixels);
+    if (!is_there) emit_root(context, out, bound, planned.block.pixels, planned.block.pixels);
     const Root root = other->at == At::quadric_near ? Root::near : Root::far;
     const isa::Field depth = emit_depth(context, out, bound, root, planned.block.pixels);
     complemented ? out.plain(Opcode::field_lt, depth, z1) : out.plain(Opcode::field_lt, z1, depth);
@@ -209,10 +222,10 @@ bool may_be_at_near(const Context& context, const PlannedSurface& planned, const
 }  // namespace
 
 isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,
-                            isa::Field into) {
+                            const view::PixelRect& enabled, isa::Field into) {
   const QuadricBound bound{facet.primitive, facet.quadric,
                            view::role_of(context.view.quadrics[facet.quadric.quadric], facet.quadric)};
-  emit_root(context, out, bound, pixels);
+  emit_root(context, out, bound, pixels, enabled);
   return emit_depth(context, out, bound, facet.at == At::quadric_near ? Root::near : Root::far, pixels, into);
 }
 
@@ -240,10 +253,11 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
   if (surface.nothing) return surface;
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
   enable_drawing(context, out);
-  out.clip(block.pixels, context.plan.pixels());
+  const bool is_cut_out = is_cut_out_by_outline(context, planned, sides, surface);
+  if (!is_cut_out) out.clip(block.pixels, context.plan.pixels());
   surface.begin = out.size();
   for (const std::uint32_t primitive : planned.set) emit_edges(context, out, primitive, sides.column);
-  Extreme extreme(context, out, planned, surface);
+  Extreme extreme(context, out, planned, surface, is_cut_out ? context.plan.pixels() : block.pixels);
   context.layout.candidate_colour.width > 0 ? extreme.emit_with_colours() : extreme.emit();
   for (const Facet& other : complemented ? sides.fronts.facets : sides.backs.facets) {
     out.surface(complemented ? Opcode::linear_lt : Opcode::linear_gt, context.layout.candidate,

@@ -18,9 +18,9 @@ struct Surface {
 };
 
 /// The depth of a curved facet where E is 1, in the field that it returns: `into`, if one is given that may be written,
-/// or another. E stays 1 where the ray meets the quadric.
+/// or another. E stays 1 where the ray meets the quadric; before, it has to be 0 outside `enabled`, as for emit_root.
 isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,
-                            isa::Field into = {});
+                            const view::PixelRect& enabled, isa::Field into = {});
 
 /// What emit_surface would draw, without drawing it.
 Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides);

@@ -21,7 +21,9 @@ void emit_shifted(Broadcast& out, isa::Field source, isa::Field target, unsigned
   const unsigned low = std::min<unsigned>(up, target.width);
   const unsigned width = std::min<unsigned>(source.width, target.width - low);
   emit_constant(out, part_of(target, 0, low), 0);
-  if (width > 0) out.plain(Opcode::copy, part_of(target, low, width), part_of(source, 0, width));
+  const isa::Field to = part_of(target, low, width);
+  const isa::Field from = part_of(source, 0, width);
+  if (width > 0 && to != from) out.plain(Opcode::copy, to, from);
   emit_constant(out, part_of(target, low + width, target.width - low - width), 0);
 }
 
