@@ -48,7 +48,8 @@ Range parabola(std::int64_t square, std::int64_t slope, std::uint32_t first, std
 
 /// Bounds of the sum: those of its parts in x, in y and in both. They are reached in a row.
 Range bounds(const Expression& expression, const Box& box) {
-  const auto& [linear, squares] = expression;
+  const isa::Linear& linear = expression.linear;
+  const isa::Linear& squares = expression.squares;
   const auto cross = [&](std::uint32_t x, std::uint32_t y) { return static_cast<Wide>(squares.b) * x * y; };
   if (box.top == box.bottom) {
     const Wide y = box.top;
