@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
+#include <vector>
 
 #include "host/emit/effect.h"
 #include "host/emit/halfspaces.h"
@@ -195,7 +195,8 @@ void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurfa
                       const Surface& surface, const Facet* rooted) {
   const bool complemented = context.complemented(planned.primitive());
   const isa::Field z1 = context.layout.candidate;
-  for (const QuadricBound& bound : sides.quadrics | std::views::reverse) {
+  const std::vector<QuadricBound> backwards(sides.quadrics.rbegin(), sides.quadrics.rend());
+  for (const QuadricBound& bound : backwards) {
     const std::optional<Facet> other = seen_of(bound, !complemented);
     if (!other || is_own_other_side(surface, bound)) continue;
     const bool is_there =
