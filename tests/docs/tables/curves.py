@@ -14,6 +14,26 @@ WAYS = {
 }
 
 
+SCENES = {
+    "a sphere of radius 10": "sphere",
+    "fig. 2.3": "thesis_fig_2_3",
+    "carburettor": "carburettor",
+    "vehicle": "terrain_vehicle",
+    "connecting rod": "connecting_rod",
+    "molecule": "molecule",
+}
+
+
+def models(figures):
+    rows = []
+    for name, model in SCENES.items():
+        facets, exact = (figures.render(f"tests/models/{model}.csg --view-all --machine pixel-powers --curves {way}")
+                         for way in ("facets", "exact"))
+        rows.append((name, exact.model.primitives, f"{facets.clocks:,}", f"{exact.clocks:,}", f"{facets.clocks / exact.clocks:.1f}",
+                     facets.memory_bits.used, exact.memory_bits.used))
+    return ruled(("", "primitives", "facets: clocks", "exact: clocks", "facets / exact", "facets: bits", "exact: bits"), rows)
+
+
 def wrong(figures, view, way, stats):
     """Pixels that show another surface than the true one."""
     if way != "facets":
