@@ -35,10 +35,16 @@ struct Drawn {
   std::uint64_t clocks = 0;
 };
 
+/// Solids are named by 0 and 1: whether they are faceted in spite of what the others are.
 std::string name_of(const facet::Faceting& faceting) {
-  if (faceting.exact_curves) return "exact";
-  if (faceting.tolerance) return fmt::format("tolerance {}", *faceting.tolerance);
-  return faceting.fragments ? fmt::format("fn {}", *faceting.fragments) : "openscad";
+  std::string name = faceting.exact_curves ? faceting.fast_spheres ? "fast, " : "exact, " : "";
+  if (faceting.tolerance) {
+    name += fmt::format("tolerance {}", *faceting.tolerance);
+  } else {
+    name += faceting.fragments ? fmt::format("fn {}", *faceting.fragments) : "openscad";
+  }
+  for (const bool is_faceted : faceting.faceted) name += is_faceted ? '1' : '0';
+  return name;
 }
 
 isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
@@ -93,45 +99,48 @@ Meter::~Meter() = default;
 
 namespace {
 
-/// Curved solids whose quadrics do not fit the machine's numbers as the camera sees them are faceted.
-facet::Scene scene_that_fits(const model::Tree& tree, facet::Faceting faceting, const view::Camera& camera,
-                             const view::Sampling& finest) {
-  facet::Scene scene = facet::make_scene(tree, faceting);
-  if (scene.quadrics.quadrics().empty()) return scene;
-  const view::View view = view::make_view(scene, tree, camera, finest);
-  const auto is_unfit = [&](const facet::QuadricSide& side) {
-    return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
-  };
-  faceting.faceted.resize(scene.solids.size());
-  for (std::size_t i = 0; i < scene.solids.size(); ++i)
-    faceting.faceted[i] = faceting.faceted[i] || std::ranges::any_of(scene.solids[i].quadrics, is_unfit);
-  return facet::make_scene(tree, faceting);
+/// The finest arithmetic in place of that which the settings ask for.
+view::Sampling finest(view::Sampling sampling) {
+  sampling.z_bits = finest_z_bits;
+  sampling.fraction_bits = finest_fraction_bits;
+  return sampling;
 }
 
-/// What facets or curved surfaces are drawn: pictures of the same are judged alike.
-std::string drawn_as(const Settings& settings) {
-  return settings.knob == "curves" ? "curves " + settings.value : name_of(settings.faceting);
+/// Curved solids whose quadrics, as the camera sees them, do not fit the machine's numbers with the settings or with
+/// the finest arithmetic are faceted.
+facet::Faceting faceting_that_fits(const model::Tree& tree, const Settings& settings, const view::Camera& camera) {
+  facet::Faceting faceting = settings.faceting;
+  if (!faceting.exact_curves) return faceting;
+  const facet::Scene scene = facet::make_scene(tree, faceting);
+  faceting.faceted.resize(scene.solids.size());
+  for (const view::Sampling& sampling : {settings.sampling, finest(settings.sampling)}) {
+    const view::View view = view::make_view(scene, tree, camera, sampling);
+    const auto is_unfit = [&](const facet::QuadricSide& side) {
+      return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
+    };
+    for (std::size_t i = 0; i < scene.solids.size(); ++i)
+      faceting.faceted[i] = faceting.faceted[i] || std::ranges::any_of(scene.solids[i].quadrics, is_unfit);
+  }
+  return faceting;
 }
 
 }  // namespace
 
 Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   const view::Sampling& sampling = settings.sampling;
-  const std::string key = fmt::format("{} {}x{} {}", drawn_as(settings), sampling.width, sampling.height, camera);
+  const facet::Faceting faceting = faceting_that_fits(tree_, settings, cameras_[camera]);
+  const std::string key = fmt::format("{} {}x{} {}", name_of(faceting), sampling.width, sampling.height, camera);
   const auto known = subjects_.find(key);
   if (known != subjects_.end()) return known->second;
 
-  view::Sampling finest = sampling;
-  finest.z_bits = finest_z_bits;
-  finest.fraction_bits = finest_fraction_bits;
-  facet::Scene scene = scene_that_fits(tree_, settings.faceting, cameras_[camera], finest);
+  facet::Scene scene = facet::make_scene(tree_, faceting);
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, ample_memory_bits);
-  Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest, machine, options_), machine);
+  Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
   const isa::DepthScale& depth = drawn.program.facts.depth_scale;
   judges::Truth exact = judges::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
   judges::Truth analytic =
-      judges::analytic_truth(tree_, settings.faceting, cameras_[camera], sampling.width, sampling.height, depth);
+      judges::analytic_truth(tree_, faceting, cameras_[camera], sampling.width, sampling.height, depth);
   return subjects_
       .emplace(key, Subject{std::move(scene), std::move(exact), std::move(analytic), std::move(drawn.frame)})
       .first->second;
@@ -162,7 +171,7 @@ Measurement Meter::measure(const Settings& settings) {
     const judges::Errors errors = judges::judge(subject.exact, drawn.frame, drawn.program, explainer);
     const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
     sum.clocks += drawn.clocks;
-    sum.halfspaces = drawn.program.facts.model.halfspaces;
+    sum.halfspaces = std::max(sum.halfspaces, drawn.program.facts.model.halfspaces);
     sum.memory_bits = std::max(sum.memory_bits, sim::used_memory_bits(drawn.program));
     sum.covered += errors.covered;
     sum.wrong += errors.wrong();

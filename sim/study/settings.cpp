@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "host/facet/curved.h"
+
 namespace csgsim::study {
 
 namespace {
@@ -21,24 +23,45 @@ constexpr unsigned grid_fraction_bits[] = {2, 4, 6, 8, 10, 12};
 facet::Faceting as_facets(const facet::Faceting& base) {
   facet::Faceting faceting = base;
   faceting.exact_curves = false;
+  faceting.fast_spheres = false;
   faceting.faceted.clear();
   return faceting;
 }
 
+facet::Faceting as_fast_spheres(const facet::Faceting& base) {
+  facet::Faceting faceting = as_facets(base);
+  faceting.exact_curves = true;
+  faceting.fast_spheres = true;
+  return faceting;
+}
+
 facet::Faceting as_quadrics(const facet::Faceting& base) {
-  facet::Faceting faceting = base;
+  facet::Faceting faceting = as_facets(base);
   faceting.exact_curves = true;
   return faceting;
 }
 
-std::optional<std::string> no_reason(const machines::Machine& /*machine*/, const emit::Options& /*options*/,
-                                     const emit::Look& /*look*/) {
-  return std::nullopt;
+std::optional<std::string> no_reason(const CurvesSubject& /*subject*/) { return std::nullopt; }
+
+std::optional<std::string> why_no_fast_spheres(const CurvesSubject& subject) {
+  if (subject.camera.projection == view::Projection::perspective)
+    return "a fast sphere is seen as a circle, and in a perspective picture spheres are ellipses; take --projection "
+           "ortho";
+  const facet::Faceting fast = as_fast_spheres({});
+  const bool has_sphere = std::ranges::any_of(
+      subject.tree.primitives, [&](const model::Primitive& primitive) { return facet::stays_curved(primitive, fast); });
+  if (!has_sphere) return "the model has no sphere that is seen as a circle";
+  return emit::why_no_curves(subject.machine, subject.options, subject.look);
+}
+
+std::optional<std::string> why_no_quadrics(const CurvesSubject& subject) {
+  return emit::why_no_quadrics(subject.machine, subject.options, subject.look);
 }
 
 constexpr CurvesChoice choices_of_curves[] = {
     {emit::Curves::facets, as_facets, no_reason},
-    {emit::Curves::exact, as_quadrics, emit::why_no_quadrics},
+    {emit::Curves::fast, as_fast_spheres, why_no_fast_spheres},
+    {emit::Curves::exact, as_quadrics, why_no_quadrics},
 };
 
 /// Adds points of one knob.

@@ -10,6 +10,8 @@
 #include "host/emit/look.h"
 #include "host/emit/options.h"
 #include "host/facet/faceting.h"
+#include "host/model/tree.h"
+#include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
 
@@ -23,13 +25,21 @@ struct Settings {
   view::Sampling sampling;
 };
 
+/// What curved surfaces are drawn of, and by what.
+struct CurvesSubject {
+  const model::Tree& tree;
+  const view::Camera& camera;
+  const machines::Machine& machine;
+  const emit::Options& options;
+  const emit::Look& look;
+};
+
 /// A way to draw curved surfaces.
 struct CurvesChoice {
   emit::Curves curves = emit::Curves::facets;
   facet::Faceting (*faceting)(const facet::Faceting& base) = nullptr;  ///< that `base` is with it
-  /// Why the machine, or the scene's effects, do not allow it; nothing if they do.
-  std::optional<std::string> (*why_not)(const machines::Machine& machine, const emit::Options& options,
-                                        const emit::Look& look) = nullptr;
+  /// Why the model, its view, the machine, or the scene's effects do not allow it; nothing if they do.
+  std::optional<std::string> (*why_not)(const CurvesSubject& subject) = nullptr;
 };
 
 std::span<const CurvesChoice> curves_choices();
@@ -41,7 +51,7 @@ std::vector<std::string> knob_names();
 struct Knobs {
   std::vector<std::string> names = knob_names();
   std::vector<double> tolerances{};    ///< model units
-  std::vector<CurvesChoice> curves{};  ///< those that the machine can draw
+  std::vector<CurvesChoice> curves{};  ///< those that can be drawn
 };
 
 /// The tolerances that are usual: parts of the diagonal, model units.

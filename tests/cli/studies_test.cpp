@@ -62,6 +62,30 @@ TEST_CASE(
   CHECK(run(command + "x --machine pixel-powers --tolerances 0").code != 0);
 }
 
+TEST_CASE("accuracy holds fast spheres beside facets on any machine, and says which curves it leaves out") {
+  const Folder folder;
+  const std::string command =
+      "accuracy " + model("molecule") + " --view-all --size 48x48 --views 1 --knobs curves --no-plots -o ";
+  const Outcome linear = run(command + (folder / "a"));
+  REQUIRE(linear.code == 0);
+  const auto points = json(folder / "a/accuracy.json")["points"];
+  REQUIRE(points.size() == 2);
+  CHECK(points[0]["value"] == "facets");
+  CHECK(points[1]["value"] == "fast");
+  CHECK(points[1]["halfspaces"] == 26);
+  CHECK(points[1]["facet_wrong"] > points[0]["facet_wrong"]);
+  CHECK(linear.out.find("\nfast curves: ") != std::string::npos);
+  CHECK(linear.err.find("--knobs curves, not exact: pixel-planes-4") != std::string::npos);
+  const Outcome near = run(command + (folder / "b") + " --projection perspective --machine pixel-powers");
+  REQUIRE(near.code == 0);
+  CHECK(near.err.find("--knobs curves, not fast: ") != std::string::npos);
+  CHECK(json(folder / "b/accuracy.json")["points"][1]["value"] == "exact");
+  const Outcome alone = run(command + (folder / "c") + " --projection perspective");
+  CHECK(alone.code == 1);
+  CHECK(alone.err.find("not fast: ") != std::string::npos);
+  CHECK(alone.err.find("not exact: ") != std::string::npos);
+}
+
 TEST_CASE("sweep writes a table, JSON and plots for every model, and measures nothing twice") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") + " " + model("thesis_fig_2_3") +

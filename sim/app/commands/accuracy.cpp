@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -110,20 +111,25 @@ bool names_knob(const Options& options, const std::string& knob) {
   return std::ranges::find(named, knob) != named.end();
 }
 
-/// Those that the machine and the scene's effects allow; none if that is facets alone, unless they are asked for.
+/// Those that can be drawn; none if that is facets alone, unless they are asked for. Says what is left out, and why.
 std::vector<study::CurvesChoice> curves_of(const Options& options, const machines::Machine& machine,
                                            const model::Tree& tree, const view::Camera& camera) {
   const emit::Options emit = emit_options_of(options.model);
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
   std::vector<study::CurvesChoice> possible;
-  std::optional<std::string> reason;
+  std::vector<std::string> left_out;
   for (const study::CurvesChoice& choice : study::curves_choices()) {
-    const std::optional<std::string> why_not = choice.why_not(machine, emit, look);
-    if (!why_not) possible.push_back(choice);
-    if (why_not) reason = why_not;
+    if (const auto reason = choice.why_not({tree, camera, machine, emit, look}))
+      left_out.push_back(fmt::format("not {}: {}", emit::name_of(choice.curves), *reason));
+    else
+      possible.push_back(choice);
   }
-  if (possible.size() > 1) return possible;
-  if (names_knob(options, "curves")) throw InputError(reason.value_or("curved surfaces have one way to be drawn"));
+  if (possible.size() > 1) {
+    for (const std::string& reason : left_out) tell_line("--knobs curves, " + reason);
+    return possible;
+  }
+  if (names_knob(options, "curves"))
+    throw InputError(fmt::format("--knobs curves, facets alone; {}", fmt::join(left_out, "; ")));
   return {};
 }
 

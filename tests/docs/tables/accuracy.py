@@ -9,17 +9,20 @@ FACETS = (("as modelled", "size 512x512"), ("`$fn` = 16", "fn 16"), ("`$fn` = 64
 
 
 SPHERE = "tests/budgets/sphere_32.csg --camera 0,-1286.98,0,0,0,0"
-CURVED = {"sphere": (SPHERE, "1,0.1,0.02,0.005,0.002,0.001"), "fig. 2.3": ("fig_2_3", "0.05,0.01,0.002,0.0004,0.0001"),
-          "carburettor": ("carburettor", "0.11,0.06,0.0278,0.01,0.002,0.0005"),
-          "vehicle": ("vehicle", "0.4,0.1,0.02,0.005,0.002,0.001")}
+MOLECULE = "tests/models/molecule.csg --camera 300,-400,250,0,0,0 --view-all"
+CURVED = {"sphere": (SPHERE, "fn,tolerance,curves", "1,0.1,0.02,0.005,0.002,0.001"),
+          "molecule": (MOLECULE, "tolerance,curves", "1,0.3,0.1"),
+          "fig. 2.3": ("fig_2_3", "fn,tolerance,curves", "0.05,0.01,0.002,0.0004,0.0001"),
+          "carburettor": ("carburettor", "fn,tolerance,curves", "0.11,0.06,0.0278,0.01,0.002,0.0005"),
+          "vehicle": ("vehicle", "fn,tolerance,curves", "0.4,0.1,0.02,0.005,0.002,0.001")}
 # Table 7.3 of the thesis: half-spaces in the model, seconds of scan conversion and in all.
 TABLE_7_3 = {0.11: (1258, 32.6, 89.7), 0.06: (2042, 34.5, 102.5), 0.0278: (3876, 42.3, 139.7)}
 
 
 def curves_of(figures, name):
     """The points of facets and of curved surfaces without them, of four views."""
-    model, tolerances = CURVED[name]
-    return figures.accuracy(model, f"--machine pixel-powers --knobs fn,tolerance,curves --tolerances {tolerances}")
+    model, knobs, tolerances = CURVED[name]
+    return figures.accuracy(model, f"--machine pixel-powers --knobs {knobs} --tolerances {tolerances}")
 
 
 def nearest(points, exact):
@@ -33,7 +36,7 @@ def compared(figures, name):
     points = curves_of(figures, name)
     own = {each.value: each for each in points if each.knob == "curves"}
     best = nearest(points, own["exact"])
-    return Record(points=points, exact=own["exact"], own=own["facets"], nearest=best, times=best.clocks / own["exact"].clocks,
+    return Record(points=points, exact=own["exact"], fast=own.get("fast"), own=own["facets"], nearest=best, times=best.clocks / own["exact"].clocks,
                   drawn=[*(each for value, each in own.items() if value != "facets"), own["facets"], best])
 
 

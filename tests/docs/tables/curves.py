@@ -38,7 +38,7 @@ def wrong(figures, view, way, stats):
     """Pixels that show another surface than the true one."""
     if way != "facets":
         return stats.accuracy.silhouette + stats.accuracy.owner
-    points = figures.accuracy(VIEWS[view], "--curves facets --views 1")
+    points = figures.accuracy(VIEWS[view], "--curves facets --views 1 --knobs size")
     return point(points, knob="size", value="512x512").facet_wrong
 
 
