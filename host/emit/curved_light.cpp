@@ -30,8 +30,10 @@ constexpr unsigned fraction_bits = 8;
 /// Fraction bits of the sum, if it is not too bright for them.
 constexpr unsigned most_sum_fraction = 2;
 
-/// By which a fitted cosine may be more than what it comes to at the places that it was fitted to.
+/// By which a fitted cosine may be more than what it comes to at the places that it was fitted to, and by how many
+/// steps the depth that it meets may be off.
 constexpr double slack = 0.1;
+constexpr double slack_steps = 2;
 
 unsigned widest_channel(unsigned colour_bits) {
   const std::array<unsigned, 3> widths = isa::channel_widths(colour_bits);
@@ -92,7 +94,8 @@ class Painter {
       const glm::dvec3 brightness = finish_.colour * light.colour * finish_.material.diffuse;
       const auto cosine = scaled(fit, std::ldexp(1.0, static_cast<int>(cosine_.width) - 3), context_.view.sampling);
       const bool is_seen = (brightness.r > 0 || brightness.g > 0 || brightness.b > 0) && fit.greatest > 0;
-      if (cosine && is_seen) lights.push_back({*cosine, brightness, fit.greatest});
+      const double most = fit.greatest + slack + slack_steps * std::abs(fit.per_step);
+      if (cosine && is_seen) lights.push_back({*cosine, brightness, fit.greatest, most});
     }
     if (lights.empty()) out_.plain(Opcode::set_constant, field_, {}, ambient);
     for (std::size_t i = 0; i < lights.size(); ++i) add(lights[i], i == 0 ? std::optional(ambient) : std::nullopt);
@@ -104,6 +107,7 @@ class Painter {
     ScaledCosine cosine;
     glm::dvec3 brightness;  ///< of its colour on the surface
     double greatest;        ///< cosine
+    double most;            ///< that the cosine in pixel memory may come to
   };
 
   /// `begun`: what the field would hold, if it is to be taken as that.
@@ -114,14 +118,24 @@ class Painter {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const Field channel = channels.at(i);
       if (channel.width == 0) continue;
-      const auto c = static_cast<glm::length_t>(i);
-      const double brightest = brightest_[c] + light.brightness[c] * (light.greatest + slack);
       const unsigned place = channel.base - field_.base;
-      add_to({channel, begun ? std::optional(*begun >> place & ((1U << channel.width) - 1)) : std::nullopt,
-              light.brightness[c], brightest, light.greatest},
-             light.cosine.one);
+      const auto level = begun ? std::optional(*begun >> place & ((1U << channel.width) - 1)) : std::nullopt;
+      add_in_parts(channel, level, light, static_cast<glm::length_t>(i));
     }
-    brightest_ = glm::min(brightest_ + light.brightness * light.greatest, 1.0);
+    brightest_ = glm::min(brightest_ + light.brightness * light.most, 1.0);
+  }
+
+  /// What a sum has no room for comes in parts, each of which is cut off where the channel is full.
+  void add_in_parts(Field channel, std::optional<std::uint32_t> begun, const Light& light, glm::length_t c) {
+    double before = brightest_[c];
+    int parts = 1;
+    const auto brightness = [&] { return light.brightness[c] / parts; };
+    const auto brightest = [&] { return before + brightness() * light.most; };
+    while (most_of(channel, brightest()) >= std::ldexp(1.0, sum_.width)) ++parts;
+    for (int part = 0; part < parts; ++part) {
+      add_to({channel, part == 0 ? begun : std::nullopt, brightness(), brightest(), light.greatest}, light.cosine.one);
+      before = std::min(brightest(), 1.0);
+    }
   }
 
   /// Where it is below 0 there is no light.
@@ -147,15 +161,24 @@ class Painter {
     double greatest;   ///< cosine
   };
 
+  static double top_of(Field channel) { return std::ldexp(1.0, channel.width) - 1; }
+
+  /// Levels that a sum for a channel may come to.
+  static double most_of(Field channel, double brightest) { return top_of(channel) * brightest + 2; }
+
   /// channel += brightness * cosine, but no more than it holds.
   void add_to(const Channel& channel, double one) {
-    const double top = std::ldexp(1.0, static_cast<int>(channel.field.width)) - 1;
-    const double most = top * channel.brightest + 2;
+    const double most = most_of(channel.field, channel.brightest);
     unsigned fraction = most_sum_fraction;
     while (fraction > 0 && most >= std::ldexp(1.0, static_cast<int>(sum_.width - fraction))) --fraction;
     const unsigned needed = std::min<unsigned>(static_cast<unsigned>(std::ilogb(most)) + 1 + fraction, sum_.width);
     const Field sum = part_of(sum_, 0, needed);
-    emit_sum(channel, sum, fraction, multiple_of(channel, one, fraction));
+    const Multiple multiple = multiple_of(channel, one, fraction);
+    if (multiple.digits.plus.empty()) {
+      if (channel.begun) out_.plain(Opcode::set_constant, channel.field, {}, *channel.begun);
+      return;
+    }
+    emit_sum(channel, sum, fraction, multiple);
     const unsigned held = held_of(channel, sum, fraction);
     out_.plain(Opcode::copy, part_of(channel.field, 0, held), part_of(sum, fraction, held));
     if (held < channel.field.width)
@@ -163,7 +186,7 @@ class Painter {
     for (unsigned bit = fraction + channel.field.width; bit < sum.width; ++bit) {
       if (most < std::ldexp(1.0, static_cast<int>(bit - fraction))) break;
       out_.plain(Opcode::enable_and, part_of(sum, bit, 1));
-      out_.plain(Opcode::set_constant, channel.field, {}, static_cast<std::uint64_t>(top));
+      out_.plain(Opcode::set_constant, channel.field, {}, static_cast<std::uint64_t>(top_of(channel.field)));
       out_.plain(Opcode::enable_load, context_.layout.kept);
     }
   }
@@ -172,15 +195,14 @@ class Painter {
   struct Multiple {
     Digits digits;
     double lost =
-        0;  ///< what comes back: the half of what the digits leave at the greatest cosine, and of what they cut off
+        0;  ///< what comes back: half of what the digits leave at the greatest cosine, and of what they cut off
   };
 
   /// Within half a level of light, when what is lost has come back.
   Multiple multiple_of(const Channel& channel, double one, unsigned fraction) const {
     const double level = std::ldexp(1.0, static_cast<int>(fraction));
-    const double top = std::ldexp(1.0, static_cast<int>(channel.field.width)) - 1;
     const double greatest = channel.greatest * one;
-    Multiple multiple{fewest_digits(level * top * channel.brightness / one, level / greatest)};
+    Multiple multiple{fewest_digits(level * top_of(channel.field) * channel.brightness / one, level / greatest)};
     const auto cut = [](int exponent) { return exponent < 0; };
     const auto half = [&](const std::vector<int>& digits) {
       return 0.5 * static_cast<double>(std::count_if(digits.begin(), digits.end(), cut));
@@ -197,9 +219,6 @@ class Painter {
     auto next = multiple.digits.plus.begin();
     if (!channel.begun) {
       begin_sum(channel, sum, fraction, static_cast<std::uint64_t>(more));
-    } else if (next == multiple.digits.plus.end()) {
-      out_.plain(Opcode::set_constant, sum, {},
-                 (std::uint64_t{*channel.begun} << fraction) + static_cast<std::uint64_t>(more));
     } else {
       copy_shifted(sum, *next++);
       out_.expression(Opcode::linear_plus, sum, {0, 0, (std::int64_t{*channel.begun} << fraction) + more}, 0, pixels_);

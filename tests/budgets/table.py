@@ -10,6 +10,8 @@ import tempfile
 HERE = pathlib.Path(__file__).parent
 LINEAR = ("edge_", "linear_", "load_linear", "keep_")
 CLOCKS_A_SECOND = 1e7
+POWERS = ["--machine", "pixel-powers", "--view-all"]
+TWO_PORTS = ["--machine", "pixel-powers+memory.reads=2", "--view-all"]
 SPHERE_CAMERA = ["--camera", "0,-1286.98,0,0,0,0"]
 
 
@@ -33,7 +35,7 @@ def an_expression(report):
 
 
 def row(name, published, ours, digits=0):
-    print(f"| {name} | {published:.{digits}f} | {ours:,.{digits}f} | {ours / published:.2f} |")
+    print(f"| {name} | {published:,.{digits}f} | {ours:,.{digits}f} | {ours / published:.2f} |")
 
 
 def main():
@@ -48,6 +50,12 @@ def main():
     for facets in (16, 32):
         report = stats(csgsim, "render", HERE / f"sphere_{facets}.csg", *SPHERE_CAMERA)
         row(f"sphere of {report['model']['halfspaces']} facets", CLOCKS_A_SECOND / 25_000, dearest_primitive(report))
+    for name, options in (
+        ("sphere without facets", POWERS),
+        ("the same, two read ports", TWO_PORTS),
+        ("the same, 14 bits of depth", [*TWO_PORTS, "--z-bits", "14"]),
+    ):
+        row(name, CLOCKS_A_SECOND / 25_000, dearest_primitive(stats(csgsim, "render", models / "sphere.csg", *options)))
     for name, camera in (
         ("carburettor", "220,-255,135,2,0,5"),
         ("terrain_vehicle", "560,-590,420,-5,0,68"),
@@ -55,6 +63,8 @@ def main():
     ):
         report = stats(csgsim, "render", models / f"{name}.csg", "--camera", camera)
         row(f"an expression of {name}", 7.5e-3 * CLOCKS_A_SECOND / 1_900, an_expression(report), 1)
+    rod = stats(csgsim, "render", models / "connecting_rod.csg", *POWERS)
+    row("connecting rod", 7.5e-3 * CLOCKS_A_SECOND, rod["clocks"])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,34 @@
+#include "tests/budgets/page.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace csgsim::budgets {
+
+namespace {
+
+std::string with_commas(std::uint64_t value) {
+  return value < 1000 ? fmt::format("{}", value) : fmt::format("{},{:03}", value / 1000, value % 1000);
+}
+
+}  // namespace
+
+std::string row_of_page(const std::string& name) {
+  std::ifstream page(std::string(CSGSIM_SOURCE_DIR) + "/docs/budgets.md");
+  const std::string begin = "| " + name + " |";
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with(begin)) return line.substr(begin.size());
+  }
+  return "(no such row)";
+}
+
+void check_row(const std::string& name, double published, std::uint64_t ours) {
+  INFO("if the change is meant: tests/budgets/table.py build/release/csgsim, and docs/budgets.md");
+  CHECK(row_of_page(name) == fmt::format(" {} | {} | {:.2f} |",
+                                         with_commas(static_cast<std::uint64_t>(published + 0.5)), with_commas(ours),
+                                         static_cast<double>(ours) / published));
+}
+
+}  // namespace csgsim::budgets

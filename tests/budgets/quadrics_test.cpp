@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/convex/extent.h"
+#include "host/csg/positive_tree.h"
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "hw/isa/opcodes.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/clocks.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/stats.h"
+#include "tests/budgets/page.h"
+#include "tests/support/drawing.h"
+
+// Spheres and a part without facets, on Pixel-Powers. As in counts_test.cpp, the judge of what can be summed by hand is
+// such a sum.
+
+using namespace csgsim;
+
+namespace {
+
+struct Drawn {
+  isa::Program program;
+  machines::Machine machine;
+  std::uint64_t clocks;  ///< of the array, with clearing, latency, and waiting for the link
+  sim::Stats stats;
+};
+
+/// As `csgsim render tests/models/NAME.csg --machine MACHINE --view-all` draws it.
+Drawn draw(const std::string& name, const std::string& machine, unsigned z_bits = 20) {
+  const model::Tree tree = read::read_csg_file(testing::model_path(name));
+  const facet::Box box = convex::extent(facet::make_scene(tree), csg::make_positive(tree));
+  testing::Setup setup;
+  setup.exact_curves = true;
+  setup.machine = machine;
+  setup.memory_bits = 128;
+  setup.sampling.z_bits = z_bits;
+  setup.camera = view::default_camera(box, setup.sampling.width, setup.sampling.height);
+  Drawn drawn{testing::compile_file(testing::model_path(name), setup).program, kinds::load(machine), 0, {}};
+  sim::StatsObserver stats(drawn.program);
+  const std::array<sim::Observer*, 1> observers{&stats};
+  const sim::RunResult result = sim::make_functional_engine(drawn.machine)->run(drawn.program, observers);
+  REQUIRE(result.overflows == 0);
+  drawn.clocks = result.clocks;
+  drawn.stats = stats.stats();
+  return drawn;
+}
+
+std::uint64_t clocks_for(const Drawn& drawn, isa::Purpose purpose) {
+  return drawn.stats.by_purpose.at(static_cast<std::size_t>(purpose)).clocks;
+}
+
+std::size_t count(const isa::Program& program, isa::Opcode opcode) {
+  const auto& all = program.segments.at(0).instructions;
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [&](const isa::Instruction& one) { return one.opcode == opcode; }));
+}
+
+constexpr std::uint64_t enable = 1;
+constexpr std::uint64_t depth = 20;
+constexpr std::uint64_t root = 19;  // bits: the radius is 2^19 depth steps but two
+
+/// Enable, squares, the discriminant, its root, and the middle less the root, whose top bit is 0.
+constexpr std::uint64_t surface(std::uint64_t root_clocks) {
+  constexpr std::uint64_t discriminant = 42;
+  return enable + 1 + discriminant + root_clocks + 1 + (depth + 1);
+}
+
+}  // namespace
+
+TEST_CASE("a sphere without facets takes 993 clocks of Pixel-Powers, 773 of them its own, and 88 bits") {
+  const Drawn sphere = draw("sphere", "pixel-powers");
+  static_assert(root * root + 2 * root == 399);
+  static_assert(surface(399) == 465);
+  CHECK(clocks_for(sphere, isa::Purpose::setup) == enable + depth + 24);
+  CHECK(clocks_for(sphere, isa::Purpose::render) == surface(399));
+  CHECK(clocks_for(sphere, isa::Purpose::merge) == 2 * depth + enable + depth);
+  CHECK(clocks_for(sphere, isa::Purpose::shade) == 247);
+  CHECK(sphere.stats.by_primitive.at(0).clocks == 465 + 61 + 247);
+  CHECK(sphere.clocks == 993);  // the promise is 1,000; what takes fewer is to be explained too
+  unsigned bits = 0;
+  for (const isa::NamedField& one : sphere.program.facts.fields)
+    bits = std::max<unsigned>(bits, one.field.base + one.field.width);
+  CHECK(bits == 88);
+}
+
+TEST_CASE("a second read port takes 246 clocks from a sphere, 171 of them of the root") {
+  static_assert((root * root + 5 * root) / 2 == 399 - 171);
+  const Drawn sphere = draw("sphere", "pixel-powers+memory.reads=2");
+  CHECK(clocks_for(sphere, isa::Purpose::render) == surface(399 - 171));
+  CHECK(clocks_for(sphere, isa::Purpose::merge) == depth + enable + depth);
+  CHECK(clocks_for(sphere, isa::Purpose::shade) == 192);
+  CHECK(sphere.clocks == 993 - 246);
+}
+
+TEST_CASE("the page of budgets has what spheres without facets take") {
+  const auto own = [](const Drawn& drawn) { return drawn.stats.by_primitive.at(0).clocks; };
+  budgets::check_row("sphere without facets", budgets::published_sphere, own(draw("sphere", "pixel-powers")));
+  const std::string two = "pixel-powers+memory.reads=2";
+  budgets::check_row("the same, two read ports", budgets::published_sphere, own(draw("sphere", two)));
+  budgets::check_row("the same, 14 bits of depth", budgets::published_sphere, own(draw("sphere", two, 14)));
+}
+
+TEST_CASE("the page of budgets has what the connecting rod takes") {
+  const Drawn rod = draw("connecting_rod", "pixel-powers");
+  CHECK(rod.program.facts.primitives.size() == 24);
+  CHECK(count(rod.program, isa::Opcode::squares) == 132);
+  budgets::check_row("connecting rod", 75'000, rod.clocks);
+}

@@ -1,0 +1,124 @@
+#include "host/emit/digits.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+using namespace csgsim;
+using emit::Digits;
+
+namespace {
+
+double value_of(const Digits& digits) {
+  double value = 0;
+  for (const int exponent : digits.plus) value += std::ldexp(1.0, exponent);
+  for (const int exponent : digits.minus) value -= std::ldexp(1.0, exponent);
+  return value;
+}
+
+/// Additions of the number's binary digits, from the greatest down, as far as the error wants them.
+std::size_t binary_additions(double number, double error) {
+  std::size_t count = 0;
+  while (number > error) {
+    number -= std::exp2(std::floor(std::log2(number)));
+    ++count;
+  }
+  return count;
+}
+
+void check_hand_case(double number, double error, const Digits& expected) {
+  const Digits digits = emit::fewest_digits(number, error);
+  CAPTURE(number);
+  CHECK(digits.plus == expected.plus);
+  CHECK(digits.minus == expected.minus);
+  CHECK(digits.rest == expected.rest);
+}
+
+/// What sums and differences of `count` powers of two, with exponents in a range, come to: the fewest additions for
+/// each multiple of the least power that they reach.
+class Reached {
+ public:
+  Reached(int lowest, int highest, unsigned most) : lowest_(lowest), highest_(highest), most_(most) { add(0, 0, 0); }
+
+  /// The fewest additions for a number within that error; `most` + 2 if there are none.
+  [[nodiscard]] std::size_t fewest(double number, double error) const {
+    std::size_t best = most_ + 2;
+    for (const auto& [value, additions] : sums_)
+      if (std::abs(number - value) <= error) best = std::min(best, additions);
+    return best;
+  }
+
+ private:
+  struct Sum {
+    double value;
+    std::size_t additions;
+  };
+
+  void add(double value, unsigned plus, unsigned minus) {
+    sums_.push_back({value, plus + minus + (minus > 0 ? 1U : 0U)});
+    if (plus + minus == most_) return;
+    for (int exponent = lowest_; exponent <= highest_; ++exponent) {
+      const double power = std::ldexp(1.0, exponent);
+      if (minus == 0) add(value + power, plus + 1, 0);
+      add(value - power, plus, minus + 1);
+    }
+  }
+
+  int lowest_;
+  int highest_;
+  unsigned most_;
+  std::vector<Sum> sums_;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "digits of numbers by hand: powers, runs of ones that a difference is shorter than, what the error swallows") {
+  check_hand_case(0, 0.01, {{}, {}, 0});
+  check_hand_case(0.25, 0.25, {{}, {}, 0.25});
+  check_hand_case(8, 0.01, {{3}, {}, 0});
+  check_hand_case(5, 0.01, {{2, 0}, {}, 0});
+  check_hand_case(7, 0.01,
+                  {{2, 1, 0}, {}, 0});  // 8 - 1 turns the sum about, which is as dear; in binary nothing is cut
+  check_hand_case(15, 0.01, {{4}, {0}, 0});
+  check_hand_case(7.9, 0.2, {{3}, {}, 7.9 - 8});
+  check_hand_case(0.125 + 1.0 / 64, 0.001, {{-3, -6}, {}, 0});
+  check_hand_case(59, 0.01, {{6}, {2, 0}, 0});
+}
+
+TEST_CASE("what digits leave of a number is within the error, and they are never more additions than binary digits") {
+  for (int round = 0; round < 5; ++round) {
+    CHECK(rc::check([] {
+      const auto real = [] { return *rc::gen::inRange(1, 1'000'001) / 1e6; };
+      const double number = std::ldexp(real(), *rc::gen::inRange(-12, 13));
+      const double error = number * std::ldexp(real(), -*rc::gen::inRange(0, 13));
+      const Digits digits = emit::fewest_digits(number, error);
+      RC_ASSERT(std::abs(digits.rest) <= error);
+      RC_ASSERT(std::abs(number - value_of(digits) - digits.rest) <= 1e-12 * number);
+      RC_ASSERT(emit::additions(digits) <= binary_additions(number, error));
+      RC_ASSERT(std::is_sorted(digits.plus.rbegin(), digits.plus.rend()));
+      RC_ASSERT(std::is_sorted(digits.minus.rbegin(), digits.minus.rend()));
+    }));
+  }
+}
+
+TEST_CASE("no other digits with exponents from -5 to 5 take fewer additions, up to four digits") {
+  const Reached reached(-5, 5, 4);
+  int differences = 0;
+  int dearer = 0;
+  for (int i = 1; i < 600; ++i) {
+    const double number = i * 13.0 / 600;
+    for (const double error : {1.0 / 32, 1.0 / 9, 0.4}) {
+      const Digits digits = emit::fewest_digits(number, error);
+      differences += digits.minus.empty() ? 0 : 1;
+      if (emit::additions(digits) > reached.fewest(number, error)) ++dearer;
+    }
+  }
+  CHECK(dearer == 0);
+  CHECK(differences > 20);
+}
