@@ -163,13 +163,18 @@ void Broadcast::quadratic(isa::Opcode opcode, isa::Field field, const view::Fixe
   const unsigned drop = shared_zeros(quadratic, shift);
   const view::FixedQuadratic q = without_low_bits(quadratic, drop);
   const unsigned fraction = shift - drop;
-  const unsigned needed = std::max(signed_width(view::range_over(q, pixels)), field.width > 0 ? fraction + field.width + 1 : 1);
+  const unsigned needed =
+      std::max(signed_width(view::range_over(q, pixels)), field.width > 0 ? fraction + field.width + 1 : 1);
   if (needed > isa::max_linear_width)
     throw std::logic_error("a quadratic expression wider than the evaluator was not caught");
   const auto width = static_cast<std::uint16_t>(needed);
   const view::FixedQuadratic local = moved(q, segment_.region.x, segment_.region.y);
   append({isa::Opcode::squares, {}, {local.xx, local.xy, local.yy, width, 0}, 0, origin});
-  append({opcode, {field, {}, {}}, {local.linear.a, local.linear.b, local.linear.c, width, static_cast<std::uint16_t>(fraction)}, 0, origin});
+  append({opcode,
+          {field, {}, {}},
+          {local.linear.a, local.linear.b, local.linear.c, width, static_cast<std::uint16_t>(fraction)},
+          0,
+          origin});
 }
 
 void Broadcast::stripe(const view::FixedLinear& line, unsigned width) {

@@ -60,8 +60,8 @@ class Broadcast {
   /// E stays 1 where the line is not negative (or is negative); E has to be 0 outside `pixels`.
   void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
 
-  /// A quadratic expression, of which the low `shift` bits are the fraction, against a field or, of width 0, none, by an
-  /// instruction that takes a linear one; E has to be 0 outside `pixels`.
+  /// A quadratic expression, of which the low `shift` bits are the fraction, against a field or, of width 0, none, by
+  /// an instruction that takes a linear one; E has to be 0 outside `pixels`.
   void quadratic(isa::Opcode opcode, isa::Field field, const view::FixedQuadratic& quadratic, unsigned shift,
                  const view::PixelRect& pixels);
 

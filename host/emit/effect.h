@@ -39,9 +39,9 @@ struct Effect {
   /// Bits of pixel memory besides those of every picture; of `drawing`, the camera's own.
   std::vector<FieldRequest> (*fields)(const std::any& settings, const Drawing& drawing,
                                       const Workshop& workshop) = nullptr;
-  bool needs_owners = false;  ///< colours are found after all surfaces, by the number of the surface that is seen
+  bool needs_owners = false;    ///< colours are found after all surfaces, by the number of the surface that is seen
   bool takes_quadrics = false;  ///< works where curved surfaces are drawn without facets
-  bool sees_through = false;  ///< a primitive whose opacity is below 1 hides nothing
+  bool sees_through = false;    ///< a primitive whose opacity is below 1 hides nothing
 
   /// Before a surface's depth test, where E is 1 at the pixels that have the surface: may clear E.
   void (*admit)(const EffectCall& call, Broadcast& out, const PlannedSurface& planned) = nullptr;

@@ -101,8 +101,9 @@ std::vector<Sample> samples_of(const Context& context, const Facet& facet, const
     if (glm::dot(normal, from_eye) >= 0 || (space.perspective && in_eye.z < view.depth.near)) continue;
     const glm::dvec3 place = space.to_picture(in_eye);
     const double depth = drawn_depth(view, facet, place);
-    samples.push_back({{1.0, place.x - (view.sampling.width - 1.0) / 2.0, place.y - (view.sampling.height - 1.0) / 2.0, depth},
-                       cosine_at(light, in_eye, normal)});
+    samples.push_back(
+        {{1.0, place.x - (view.sampling.width - 1.0) / 2.0, place.y - (view.sampling.height - 1.0) / 2.0, depth},
+         cosine_at(light, in_eye, normal)});
   }
   return samples;
 }

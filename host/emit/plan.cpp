@@ -91,7 +91,8 @@ void count_active(std::vector<SegmentPlan>& segments, const std::vector<isa::Reg
     if (extent.empty()) continue;
     index.for_each(extent.pixels, [&](std::uint32_t region) {
       ++segments[region].active_primitives;
-      segments[region].active_halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size() + scene.solids[primitive].quadrics.size());
+      segments[region].active_halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size() +
+                                                                       scene.solids[primitive].quadrics.size());
     });
   }
 }

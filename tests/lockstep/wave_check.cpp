@@ -31,7 +31,8 @@ std::vector<isa::NamedField> slices(std::uint32_t memory_bits) {
 
 /// Bits of what has that name in which the instruction works while it is carried out: a root's steps write in its field
 /// what is neither there before nor after.
-std::uint64_t working_bits(const isa::Program& program, std::uint32_t segment, std::size_t index, std::string_view name) {
+std::uint64_t working_bits(const isa::Program& program, std::uint32_t segment, std::size_t index,
+                           std::string_view name) {
   const isa::Instruction& instruction = program.segments[segment].instructions[index];
   if (instruction.opcode != isa::Opcode::root) return 0;
   const isa::Field& root = instruction.fields[0];

@@ -39,8 +39,8 @@ using Table = study::Table<SweepRow>;
 
 /// Everything that all points share; tables of other sweeps are refused by it. The rest is in each point.
 std::string title_of(const Command& command) {
-  return study_title(command,
-                     {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machine", "memory-bits", "no-draw"});
+  return study_title(command, {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machine",
+                               "memory-bits", "no-draw"});
 }
 
 study::WantedPoint wanted(const SweepOptions& options, const study::SweepJob& job) {

@@ -29,12 +29,14 @@ Instruction squares(const Linear& linear) { return {Opcode::squares, {}, linear,
 
 TEST_CASE("squares are read term by term, in any order, and printed so that they read back") {
   const std::string next = "\nedge_negative x (w35)\n";
-  for (const auto& [text, linear] :
+  for (const auto& [line, read] :
        {std::pair{"squares 3*x*x - 2*x*y + 5*y*y (w35)", Linear{3, -2, 5, 35, 0}},
         {"squares - y*y+7 * x * x (w35)", Linear{7, 0, -1, 35, 0}},
         {"squares x*y ( w35 )", Linear{0, 1, 0, 35, 0}},
         {"squares 0*x*x (w35)", Linear{0, 0, 0, 35, 0}},
         {"squares -4611686018427387903*x*x (w35)", Linear{-4611686018427387903, 0, 0, 35, 0}}}) {
+    const std::string text = line;
+    const Linear& linear = read;
     CAPTURE(text);
     // The last is out of range of the segment, but as an instruction it is sound.
     if (linear.a > -4) CHECK(first_of(text + next) == squares(linear));
