@@ -94,17 +94,31 @@ sim::Frame run(sim::Engine& engine, const isa::Program& program) {
   return frame.frame();
 }
 
+/// A model in the picture.
+struct Viewed {
+  Viewed(const Model& model, const view::Sampling& sampling)
+      : tree(read::read_csg_text(model.text(), "test")),
+        scene(facet::make_scene(tree, {.exact_curves = true, .fast_spheres = true})),
+        view(view::make_view(scene, tree, {model.eye, {0, 0, 0}, view::Projection::orthographic}, sampling)) {}
+
+  model::Tree tree;
+  facet::Scene scene;
+  view::View view;
+};
+
+/// Whether all its spheres fit the integers: others have to be faceted.
+bool fits(const Model& model, const view::Sampling& sampling) {
+  const Viewed viewed(model, sampling);
+  return std::none_of(viewed.view.quadrics.begin(), viewed.view.quadrics.end(), [](const view::ScreenQuadric& quadric) {
+    return quadric.kind == view::ScreenQuadricKind::unfit;
+  });
+}
+
 Drawn draw(const Model& model, const view::Sampling& sampling, const std::string& machine_name = "pixel-planes-4",
            const emit::Options& options = {}) {
-  const model::Tree tree = read::read_csg_text(model.text(), "test");
-  facet::Faceting fast;
-  fast.exact_curves = true;
-  fast.fast_spheres = true;
-  const facet::Scene scene = facet::make_scene(tree, fast);
-  const view::Camera camera{model.eye, {0, 0, 0}, view::Projection::orthographic};
-  const view::View view = view::make_view(scene, tree, camera, sampling);
+  const Viewed viewed(model, sampling);
   const machines::Machine machine = machine_of(machine_name, sampling);
-  Drawn drawn{view, emit::compile(tree, scene, view, machine, options), {}};
+  Drawn drawn{viewed.view, emit::compile(viewed.tree, viewed.scene, viewed.view, machine, options), {}};
   isa::validate(drawn.program);
   drawn.frame = run(*sim::make_functional_engine(machine, 1), drawn.program);
   return drawn;
@@ -233,6 +247,7 @@ TEST_CASE("unions, differences and intersections of fast spheres are what circle
     CHECK(rc::check([&] {
       const Model model = random_model();
       const view::Sampling sampling = random_sampling();
+      RC_PRE(fits(model, sampling));
       const Drawn drawn = draw(model, sampling);
       const Plain plain(model, drawn.view);
       const std::uint64_t nothing = (std::uint64_t{1} << sampling.z_bits) - 1;
@@ -271,6 +286,7 @@ TEST_CASE(
       model.balls[1] = {model.balls[0].at + glm::normalize(model.eye) * radius, radius * real(0.2, 1.2)};
       model.operators = {'-'};
       const view::Sampling sampling = random_sampling();
+      RC_PRE(fits(model, sampling));
       const Drawn drawn = draw(model, sampling);
       const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
       struct Depths {
@@ -309,6 +325,7 @@ TEST_CASE("fast spheres are the same on machines of all kinds, on all engines, w
   CHECK(rc::check([] {
     const Model model = random_model();
     const view::Sampling sampling = random_sampling();
+    RC_PRE(fits(model, sampling));
     const Drawn drawn = draw(model, sampling);
     const machines::Machine machine = machine_of("pixel-planes-4", sampling);
     RC_ASSERT(run(*sim::make_reference_engine(machine), drawn.program) == drawn.frame);
