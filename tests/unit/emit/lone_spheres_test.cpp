@@ -14,6 +14,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "tests/support/drawing.h"
+#include "tests/support/usual_cases.h"
 
 // Spheres that nothing is compared with. The judge of depth is the formula of host/view/quadrics.h, worked out for
 // every pixel of the picture, so that it knows neither extents nor regions.
@@ -153,9 +154,9 @@ TEST_CASE("spheres alone are their formula's depths on whole pictures, lines and
   }
   MESSAGE(seen, " pixels with a sphere, ", in_candidate, " pictures with roots in Z1, ", fewer_edges,
           " with fewer edges");
-  CHECK(seen > 15'000);
-  CHECK(in_candidate > 50);
-  CHECK(fewer_edges > 50);
+  CHECK((!testing::draws_usual_cases() || seen > 15'000));
+  CHECK((!testing::draws_usual_cases() || in_candidate > 50));
+  CHECK((!testing::draws_usual_cases() || fewer_edges > 50));
 }
 
 TEST_CASE("the root of spheres alone has no bits of its own, and one that is subtracted from gives it some") {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/numerics/solids.h"
+#include "tests/support/usual_cases.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;
@@ -108,7 +109,7 @@ void check_models(const view::Camera& camera, double near) {
     total.grazed += one.grazed;
     RC_ASSERT(one.wrong == 0);
   }));
-  CHECK(total.seen > 5000);
+  CHECK((!testing::draws_usual_cases() || total.seen > 5000));
   CHECK(total.grazed < total.clear / 500);
 }
 

@@ -13,6 +13,7 @@
 #include "host/facet/scene.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
+#include "tests/support/usual_cases.h"
 #include "tests/unit/view/held.h"
 
 using namespace csgsim;
@@ -311,8 +312,8 @@ TEST_CASE("middle and discriminant are within their bounds of the truth") {
     }
   }));
   MESSAGE("with roots ", fit, ", of these from inside ", inside);
-  CHECK(fit > 60);
-  CHECK(inside > 0);
+  CHECK((!testing::draws_usual_cases() || fit > 60));
+  CHECK((!testing::draws_usual_cases() || inside > 0));
 }
 
 TEST_CASE("what the integers hold is what the shape holds, but for rounding, from every eye and on every nappe") {
@@ -369,9 +370,9 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
     }));
   }
   MESSAGE("roles ", roles[0], " ", roles[1], " ", roles[2], " ", roles[3], ", unfit ", unfit, ", surely in ", ins);
-  CHECK(roles[0] > 100);
-  CHECK(roles[1] > 10);
-  CHECK(ins > 100);
+  CHECK((!testing::draws_usual_cases() || roles[0] > 100));
+  CHECK((!testing::draws_usual_cases() || roles[1] > 10));
+  CHECK((!testing::draws_usual_cases() || ins > 100));
 }
 
 TEST_CASE("a cylinder seen along its axis is an edge test of its circle, and from a slant far below a pixel too") {
@@ -417,7 +418,7 @@ TEST_CASE("a sheared cylinder seen exactly from its side is no edge test, whatev
       ++seen;
     }
   }
-  CHECK(seen > 1000);
+  CHECK((!testing::draws_usual_cases() || seen > 1000));
 }
 
 TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit that is less than an edge's width") {
