@@ -24,8 +24,14 @@ HWY_ATTR HWY_INLINE Vector load(const std::uint64_t* words) { return hn::Load(Bl
 
 HWY_ATTR HWY_INLINE void store(Vector value, std::uint64_t* words) { hn::Store(value, BlockTag(), words); }
 
-/// a where the mask is 1, b elsewhere.
-HWY_ATTR HWY_INLINE Vector select(Vector mask, Vector a, Vector b) { return hn::IfVecThenElse(mask, a, b); }
+/// a where the mask is 1, b elsewhere, bit by bit: IfVecThenElse looks at whole bytes or words on targets that blend.
+HWY_ATTR HWY_INLINE Vector select(Vector mask, Vector a, Vector b) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::IfVecThenElse(mask, a, b);
+#else
+  return hn::Xor(b, hn::And(mask, hn::Xor(a, b)));
+#endif
+}
 
 HWY_ATTR HWY_INLINE Vector majority(Vector a, Vector b, Vector c) { return select(hn::Xor(a, b), c, a); }
 

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <hwy/targets.h>
 
 #include <cstdint>
 #include <string>
@@ -93,10 +94,8 @@ bool all_right(const PixelArray& array, AluFunction function, bool constant) {
   return right;
 }
 
-}  // namespace
-
-TEST_CASE(
-    "every ALU function does what its meaning says, for every state of a pixel and whether one has looked before") {
+/// Each function, on pixels in all states.
+void check_functions() {
   for (std::size_t row = 0; row < std::size(csgsim::array::alu_table); ++row) {
     const auto function = static_cast<AluFunction>(row);
     CAPTURE(std::string(csgsim::array::info(function).name));
@@ -116,6 +115,22 @@ TEST_CASE(
         }
       }
     }
+  }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "every ALU function does what its meaning says, for every state of a pixel and whether one has looked before, on "
+    "all vectors that the processor has") {
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+    const std::int64_t target = left & -left;
+    CAPTURE(std::string(hwy::TargetName(target)));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    check_functions();
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   }
 }
 
