@@ -91,14 +91,14 @@ double QuadricBounds::drift(std::uint32_t index) const {
 }
 
 /// The greatest unit that the design allows: of a cylinder whose root is some bits longer than depth is, in an
-/// orthographic view, as many steps as the surface passes in a part of a pixel.
+/// orthographic view, as many steps as the surface passes in a part of a pixel: 0 where it has no slope.
 int QuadricBounds::most_unit(std::uint32_t index, double greatest_square) const {
   if (table_.quadrics()[index].kind != facet::QuadricKind::cylinder || sight_.perspective()) return 0;
   const FilterQuadratic& middle = sight_.quadrics().quadric(index).middle;
   const double slope = 2.0 * line_.z_per_q * std::hypot(middle.x, middle.y);
   const double passed = std::log2(slope * line_.edge_on_fraction) + 0x1p-30;
   const double beyond = std::log2(std::max(1.0, greatest_square)) / 2.0 + 1.0 - line_.z_bits - 2.0;
-  return std::max(0, static_cast<int>(std::floor(std::min(passed, beyond))));
+  return static_cast<int>(std::max(0.0, std::floor(std::min(passed, beyond))));
 }
 
 QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceRect& reach) const {
