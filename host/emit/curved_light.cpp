@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
@@ -49,7 +48,7 @@ struct ScaledCosine {
   unsigned drop = 0;
 };
 
-/// The unit is such that a step of depth is a power of two of it, and 1 is from `least_one` to twice that many.
+/// A step of depth is a power of two of the unit; 1 is from `least_one` to twice that, or less where a step is coarser.
 std::optional<ScaledCosine> scaled(const LightFit& fit, double least_one, const view::Sampling& sampling) {
   ScaledCosine cosine;
   const double per_step = std::abs(fit.per_step);
@@ -61,10 +60,13 @@ std::optional<ScaledCosine> scaled(const LightFit& fit, double least_one, const 
     cosine.drop = static_cast<unsigned>(std::max(0.0, std::floor(std::log2(1.0 / (least_one * per_step)))));
     cosine.one = std::ldexp(1.0, -static_cast<int>(cosine.drop)) / per_step;
   }
-  // Of a sum of two floors the half that each loses comes back; of a difference they cancel.
-  const double lost = !cosine.has_depth ? 0.5 : cosine.is_minus ? 0.0 : 1.0;
+  // The half that the expression's floor loses comes back, and what depth loses by the bits that it drops.
+  const double dropped = std::ldexp(1.0, -static_cast<int>(cosine.drop));
+  const double lost = (1.0 - dropped) / 2 - fit.off_steps * dropped;
+  const double back =
+      cosine.has_depth ? (cosine.is_minus ? -lost : lost) : fit.per_step * fit.middle_depth * cosine.one;
   const view::RealLinear plane{fit.plane.a * cosine.one, fit.plane.b * cosine.one,
-                               fit.plane.at_centre * cosine.one + lost};
+                               fit.plane.at_centre * cosine.one + 0.5 + back};
   const auto fixed = view::to_fixed(plane, fraction_bits, sampling.width, sampling.height);
   if (!fixed) return std::nullopt;
   cosine.plane = *fixed;
@@ -194,8 +196,7 @@ class Painter {
   /// Of the cosine, in units of the sum.
   struct Multiple {
     Digits digits;
-    double lost =
-        0;  ///< what comes back: half of what the digits leave at the greatest cosine, and of what they cut off
+    double lost = 0;  ///< comes back: half of what the digits leave at the greatest cosine, and of what they cut off
   };
 
   /// Within half a level of light, when what is lost has come back.

@@ -87,6 +87,16 @@ double drawn_depth(const view::View& view, const Facet& facet, const glm::dvec3&
   return isa::depth_of(view.depth, view.sampling.z_bits, place.z);
 }
 
+/// By which the floors of a depth take it behind drawn_depth, in steps, on average (host/view/quadrics.h). Those of a
+/// middle and a root cancel, but for a middle that is the same at all pixels.
+double off_steps(const view::View& view, const Facet& facet) {
+  const view::ScreenQuadric& quadric = view.quadrics[facet.quadric.quadric];
+  if (quadric.kind == view::ScreenQuadricKind::paraboloid) return facet.at == At::quadric_near ? -0.5 : 0.5;
+  if (quadric.middle.a != 0 || quadric.middle.b != 0) return 0;
+  const std::int64_t one = std::int64_t{1} << view.sampling.fraction_bits;
+  return 0.5 - static_cast<double>(quadric.middle.c & (one - 1)) / static_cast<double>(one);
+}
+
 std::vector<Sample> samples_of(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(primitive.transform)));
@@ -160,9 +170,14 @@ LightFit fit_light(const Context& context, const Facet& facet, const lighting::S
   Coordinates found = solve(rows);
   for (std::size_t i = 0; i < found.size(); ++i) found[i] /= sizes[i];
   double greatest = 0;
-  for (const Sample& one : samples)
+  double nearest = samples.empty() ? 0.0 : samples.front().at[3];
+  double farthest = nearest;
+  for (const Sample& one : samples) {
     greatest = std::max(greatest, std::inner_product(found.begin(), found.end(), one.at.begin(), 0.0));
-  return {{found[1], found[2], found[0]}, found[3], greatest};
+    nearest = std::min(nearest, one.at[3]);
+    farthest = std::max(farthest, one.at[3]);
+  }
+  return {{found[1], found[2], found[0]}, found[3], greatest, (nearest + farthest) / 2, off_steps(context.view, facet)};
 }
 
 }  // namespace csgsim::emit

@@ -10,7 +10,9 @@ namespace csgsim::emit {
 struct LightFit {
   view::RealLinear plane;
   double per_step = 0;
-  double greatest = 0;  ///< about what it comes to on the facet, at least 0
+  double greatest = 0;      ///< about what it comes to on the facet, at least 0
+  double middle_depth = 0;  ///< halfway through the facet's depths, steps
+  double off_steps = 0;     ///< by which the facet is drawn behind the depths that were fitted, on average
 };
 
 /// The cosine between a light and the normal of a curved facet, not below -1, as the linear function that is nearest to
