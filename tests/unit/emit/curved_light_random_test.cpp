@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tests/support/usual_cases.h"
 #include "tests/unit/emit/lambert.h"
 
 using namespace csgsim;
@@ -65,5 +66,5 @@ TEST_CASE("balls and rods that are turned at random, under random lights, are li
     RC_ASSERT(here.part <= 1);
   }));
   MESSAGE(errors.looked_at, " pixels, ", errors.part, " of what is promised at most");
-  CHECK(errors.looked_at > 20'000);
+  CHECK((!testing::draws_usual_cases() || errors.looked_at > 20'000));
 }
