@@ -31,13 +31,16 @@ Usage: ./setup.sh COMMAND
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
   report-test
          install a Chromium (300 MB) and open pages of --report in it
+  openscad-tests DIR [WORDS...]
+         hold pictures of OpenSCAD's own tests and examples against OpenSCAD's meshes: DIR is a checkout, which
+         git clone --depth 1 https://github.com/openscad/openscad DIR makes; with WORDS those with a word in their path
   lint [BASE]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
          changed since
   cluster
          run a study on a Slurm of its own with two nodes, kill one of them, and compare with one process; the same
          with srun, mpirun and GNU Parallel (as root)
-  mutate test the tests: 200 small wrong edits, one at a time; more options: tests/mutation/README.md
+  mutate test the tests: 400 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
 
@@ -45,7 +48,7 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
   libcgal-dev libpolyclipping-dev libpugixml-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
-test_packages="fonts-dejavu-core doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
+test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
   python3 man-db mandoc zsh fish"
 clang_packages="clang libclang-rt-14-dev"
 
@@ -136,10 +139,10 @@ lint() {
     }
   fi
   git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
-  cmake --preset release -DCSGSIM_BUILD_TESTS=ON
-  sources "${1:-}" >build/lint
-  echo "clang-tidy on $(wc -l <build/lint) files"
-  xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/release --quiet --extra-arg=-Wno-unknown-warning-option <build/lint
+  cmake --preset lint
+  sources "${1:-}" >build/linted
+  echo "clang-tidy on $(wc -l <build/linted) files"
+  xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/lint --quiet --extra-arg=-Wno-unknown-warning-option <build/linted
 }
 
 demo() {
@@ -277,6 +280,14 @@ case "${1:-}" in
     need $build_packages gnuplot-nox slurmctld slurmd slurm-client munge parallel openmpi-bin procps
     build release -DCSGSIM_BUILD_TESTS=OFF
     as_root tests/cluster/slurm.sh build/release/csgsim build/cluster.log
+    ;;
+  openscad-tests)
+    [ "$#" -ge 2 ] || { usage; exit 2; }
+    shift
+    # shellcheck disable=SC2086
+    need $build_packages python3-numpy openscad
+    build release -DCSGSIM_BUILD_TESTS=OFF
+    exec /usr/bin/python3 tests/corpus/openscad_tests.py "$@"
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;

@@ -1,5 +1,7 @@
 # With CSGSIM_PRECOMPILE the headers that most of the code includes are compiled once: for the libraries, and for the
-# tests. The release build goes without, so that each file is seen to include what it names.
+# tests. The presets debug and lint go without, so that each file is seen to include what it names. What only some files
+# include, as nlohmann/json and CLI11, stays out: GCC would instantiate its templates, and copy its virtual functions, in
+# every file.
 option(CSGSIM_PRECOMPILE "Compile the headers that most files include once" OFF)
 
 # csgsim_precompiled_headers(NAME LINK... HEADERS...): the library that holds them; csgsim_use_precompiled names it.
@@ -21,10 +23,9 @@ function(csgsim_use_precompiled target name)
   endif()
 endfunction()
 
-csgsim_precompiled_headers(rooms
-  LINK fmt::fmt glm::glm
-  HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <optional> <set> <span>
-    <stdexcept> <string> <string_view> <utility> <variant> <vector> <fmt/format.h> <glm/geometric.hpp>)
+set(csgsim_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <optional>
+  <set> <span> <stdexcept> <string> <string_view> <utility> <variant> <vector> <fmt/format.h> <glm/geometric.hpp>)
+csgsim_precompiled_headers(rooms LINK fmt::fmt glm::glm HEADERS ${csgsim_common_headers})
 if(CSGSIM_PRECOMPILE)
   set_target_properties(csgsim_precompiled_rooms PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endif()

@@ -20,20 +20,20 @@ constexpr double next_tolerance(double times) {
   return times > 1.0 ? times * 8.0 : times / 8.0;
 }
 
-using Corners = std::vector<std::uint32_t>;
+using FaceCorners = std::vector<std::uint32_t>;
 using DirectedEdge = std::array<std::uint32_t, 2>;
 
 /// What is left of a face that is not wholly in; no corners if nothing.
 struct CutFace {
   std::size_t face = 0;
-  Corners corners;
+  FaceCorners corners;
 };
 
 /// How a plane cuts a polytope: what faces become, and the polygon that closes it.
 struct Cut {
   std::vector<CutFace> faces;
   std::vector<glm::dvec3> added;
-  Corners cap;
+  FaceCorners cap;
 };
 
 /// One cut of one polytope. Keeps references to its arguments.
@@ -68,11 +68,11 @@ class Cutter {
 
   /// False if the face leaves the half-space more than once.
   bool cut_face(std::size_t face) {
-    const Corners& corners = polytope_.faces[face].corners;
+    const FaceCorners& corners = polytope_.faces[face].corners;
     const auto inside = std::count_if(corners.begin(), corners.end(),
                                       [this](std::uint32_t corner) { return side(corner) == Side::in; });
     if (inside == static_cast<std::ptrdiff_t>(corners.size())) return true;
-    Corners& kept = cut_.faces.emplace_back(CutFace{face, {}}).corners;
+    FaceCorners& kept = cut_.faces.emplace_back(CutFace{face, {}}).corners;
     if (inside == 0) return true;
     int leaves = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -181,6 +181,12 @@ facet::Plane outward_plane(facet::Halfspace halfspace, const facet::PlaneTable& 
   return halfspace.positive ? plane : facet::Plane{-plane.normal, -plane.offset};
 }
 
+std::uint64_t clip_steps(const Polytope& polytope) {
+  constexpr std::uint64_t of_any = 200;
+  constexpr std::uint64_t of_vertex = 40;
+  return of_any + of_vertex * polytope.vertices.size();
+}
+
 Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneTable& planes) {
   const facet::Plane plane = outward_plane(halfspace, planes);
   std::vector<double> distances;
@@ -188,10 +194,10 @@ Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneT
   for (const glm::dvec3& vertex : polytope.vertices) distances.push_back(glm::dot(plane.normal, vertex) + plane.offset);
   if (distances.empty()) return {};
   const auto [deepest, farthest] = std::minmax_element(distances.begin(), distances.end());
-  // Ends, since with a tolerance beyond all distances no vertex is in.
+  // Ends, since with a tolerance beyond all distances no vertex is in, and where one is not a number none is either.
   for (double times = 1.0;; times = next_tolerance(times)) {
     const double near = times * tolerance(planes);
-    if (*deepest >= -near) return {};
+    if (!(*deepest < -near)) return {};
     if (*farthest <= near) return polytope;
     if (std::optional<Cut> cut = Cutter(polytope, distances, sides_of(distances, near))()) {
       return apply(std::move(polytope), std::move(*cut), halfspace);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "host/convex/polytope.h"
 #include "host/facet/planes.h"
 
@@ -20,6 +22,9 @@ double tolerance(const facet::PlaneTable& planes);
 /// Should vertices that are on a face only by the tolerance make the cut other than one polygon, it is made with parts
 /// of the tolerance, and then with multiples, until it is one.
 Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneTable& planes);
+
+/// Steps of work (hw/base/work.h) that it takes to cut such a polytope once, about.
+std::uint64_t clip_steps(const Polytope& polytope);
 
 /// The other side of the plane.
 constexpr facet::Halfspace opposite(facet::Halfspace halfspace) { return {halfspace.plane, !halfspace.positive}; }

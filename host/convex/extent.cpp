@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,21 +28,23 @@ facet::Box moved(const facet::Box& box, const glm::dvec3& by) {
   return box.empty() ? box : facet::Box{box.low + by, box.high + by};
 }
 
+constexpr std::string_view searching = "searching for the extent";
+
 /// A convex part of a product, and what has yet to be taken away from it; the last one goes first.
-struct Part {
+struct Rest {
   Polytope polytope;
   std::vector<std::uint32_t> taken_away;
 };
 
 /// Boxes are relative to PlaneTable::centre().
-class Search {
+class BoxSearch {
  public:
-  Search(const facet::Scene& scene, std::size_t most) : scene_(scene), most_(most) {
+  BoxSearch(const facet::Scene& scene, std::size_t most, const Work& work) : scene_(scene), most_(most), work_(work) {
     for (const facet::Convex& solid : scene.solids) boxes_.push_back(moved(solid.box, -scene.planes.centre()));
   }
 
   void add(SolidProduct product) {
-    Part part{std::move(product.whole), std::move(product.taken_away)};
+    Rest part{std::move(product.whole), std::move(product.taken_away)};
     find_corners(part);
     if (!is_found(part)) open_.push_back(std::move(part));
   }
@@ -49,7 +52,7 @@ class Search {
   /// The box of all that was added.
   facet::Box find() {
     while (!open_.empty()) {
-      const Part part = std::move(open_.back());
+      const Rest part = std::move(open_.back());
       open_.pop_back();
       if (is_found(part)) continue;
       if (part.taken_away.empty() || cuts_ >= most_) {
@@ -62,13 +65,14 @@ class Search {
   }
 
  private:
-  [[nodiscard]] bool is_found(const Part& part) const { return are_equal(hull(found_, box_of(part.polytope)), found_); }
+  [[nodiscard]] bool is_found(const Rest& part) const { return are_equal(hull(found_, box_of(part.polytope)), found_); }
 
   /// Corners that are off everything that is taken away are corners of the model.
-  void find_corners(const Part& part) {
+  void find_corners(const Rest& part) {
     for (const glm::dvec3& corner : part.polytope.vertices) {
       const facet::Box more = hull(found_, corner);
       if (are_equal(more, found_)) continue;
+      work_.charge(part.taken_away.size(), searching);
       const bool stays = std::none_of(part.taken_away.begin(), part.taken_away.end(),
                                       [&](std::uint32_t primitive) { return touches(primitive, corner); });
       if (stays) found_ = more;
@@ -77,18 +81,20 @@ class Search {
 
   [[nodiscard]] bool touches(std::uint32_t primitive, const glm::dvec3& point) const {
     const std::vector<facet::Halfspace>& halfspaces = scene_.solids[primitive].halfspaces;
+    work_.charge(halfspaces.size(), searching);
     return std::all_of(halfspaces.begin(), halfspaces.end(), [&](facet::Halfspace halfspace) {
       const facet::Plane plane = outward_plane(halfspace, scene_.planes);
       return glm::dot(plane.normal, point) + plane.offset <= tolerance(scene_.planes);
     });
   }
 
-  void cut(const Part& part) {
+  void cut(const Rest& part) {
     ++cuts_;
     const std::uint32_t taken = part.taken_away.back();
-    for (Polytope& polytope : outside(part.polytope, scene_.solids[taken], scene_.planes)) {
+    for (Polytope& polytope : outside(part.polytope, scene_.solids[taken], scene_.planes, work_)) {
+      work_.charge(polytope.vertices.size() + part.taken_away.size(), searching);
       const facet::Box box = box_of(polytope);
-      Part rest{std::move(polytope), {}};
+      Rest rest{std::move(polytope), {}};
       std::copy_if(part.taken_away.begin(), std::prev(part.taken_away.end()), std::back_inserter(rest.taken_away),
                    [&](std::uint32_t primitive) { return !common(boxes_[primitive], box).empty(); });
       find_corners(rest);
@@ -98,9 +104,10 @@ class Search {
 
   const facet::Scene& scene_;
   std::size_t most_;
+  const Work& work_;
   std::size_t cuts_ = 0;
   std::vector<facet::Box> boxes_;  ///< of the primitives
-  std::vector<Part> open_;
+  std::vector<Rest> open_;
   facet::Box found_;
 };
 
@@ -193,22 +200,25 @@ class Corners {
   std::vector<Known> known_;  ///< of each node
 };
 
-facet::Box searched(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most) {
-  Search search(scene, most);
+facet::Box searched(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most,
+                    std::uint64_t most_steps) {
+  const Work work(most_steps);
+  BoxSearch search(scene, most, work);
   try {
     for_each_product(
-        scene, tree, [&](SolidProduct product) { search.add(std::move(product)); }, most);
+        scene, tree, [&](SolidProduct product) { search.add(std::move(product)); }, most, work);
+    return moved(search.find(), scene.planes.centre());
   } catch (const InputError&) {
-    return scene.box;  // more choices than that
+    return scene.box;  // more choices or steps than that
   }
-  return moved(search.find(), scene.planes.centre());
 }
 
 }  // namespace
 
-facet::Box extent(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most) {
+facet::Box extent(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most,
+                  std::uint64_t most_steps) {
   if (scene.box.empty() || is_union(tree) || Corners(scene, tree).reach_all_sides()) return scene.box;
-  const facet::Box found = common(scene.box, searched(scene, tree, most));
+  const facet::Box found = common(scene.box, searched(scene, tree, most, most_steps));
   if (found.empty()) return scene.box;
   const double near = tolerance(scene.planes);
   facet::Box box = scene.box;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "host/csg/positive_tree.h"
 #include "host/facet/scene.h"
@@ -10,11 +11,15 @@ namespace csgsim::convex {
 /// Cuts of one convex part by one primitive, and operands of unions chosen, before what is left is taken as it is.
 inline constexpr std::size_t most_extent_cuts = 2'000;
 
+/// Steps of work (hw/base/work.h) before it is enough.
+inline constexpr std::uint64_t most_extent_steps = 500'000'000;
+
 /// The box of what the tree leaves of its primitives, within scene.box. That is scene.box where a corner of a primitive
 /// on each of its sides is one of the model; else the box of the products' convex parts. A part that is within the box
 /// of what is found already is not cut any further, and most are found by a corner that nothing takes away. Loose, but
-/// never too small, where that takes more than `most` cuts or choices. Sides that are scene.box's within the tolerance
-/// of clip() are scene.box's; the box of a model of which nothing is left is.
-facet::Box extent(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most = most_extent_cuts);
+/// never too small, where that takes more than `most` cuts or choices, and scene.box past `most_steps`. Sides that are
+/// scene.box's within the tolerance of clip() are scene.box's; the box of a model of which nothing is left is.
+facet::Box extent(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most = most_extent_cuts,
+                  std::uint64_t most_steps = most_extent_steps);
 
 }  // namespace csgsim::convex

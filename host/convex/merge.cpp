@@ -1,7 +1,9 @@
 #include "host/convex/merge.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -10,6 +12,11 @@
 namespace csgsim::convex {
 
 namespace {
+
+constexpr std::string_view merging = "merging convex pieces";
+
+/// Of two polytopes whose boxes are looked at.
+constexpr std::uint64_t pair_steps = 4;
 
 /// A polytope's place in the list by one of its planes.
 struct Entry {
@@ -24,7 +31,8 @@ struct Entry {
 
 class Merging {
  public:
-  Merging(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes) : polytopes_(polytopes), planes_(planes) {}
+  Merging(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work)
+      : polytopes_(polytopes), planes_(planes), work_(work) {}
 
   void operator()() {
     while (pass()) std::erase_if(polytopes_, [](const Polytope& polytope) { return polytope.empty(); });
@@ -47,6 +55,7 @@ class Merging {
       const auto end = std::find_if(begin, entries.end(), [&](const Entry& one) { return one.plane != begin->plane; });
       const auto middle = std::find_if(begin, end, [](const Entry& one) { return one.negative; });
       for (auto one = begin; one != middle; ++one) {
+        work_.charge(pair_steps * static_cast<std::uint64_t>(end - middle), merging);
         for (auto other = middle; other != end; ++other) joined |= join(one->polytope, other->polytope, one->plane);
       }
       begin = end;
@@ -59,6 +68,7 @@ class Merging {
     Polytope& first = polytopes_[one];
     Polytope& second = polytopes_[other];
     if (common(boxes_[one], boxes_[other]).empty()) return false;
+    work_.charge(first.faces.size() * second.vertices.size() + second.faces.size() * first.vertices.size(), merging);
     if (!has_face(first, {plane, true}) || !has_face(second, {plane, false})) return false;
     if (!holds(first, second, plane) || !holds(second, first, plane)) return false;
     // Where all other half-spaces of both hold both, each of them is the intersection of all on its side of the plane.
@@ -69,7 +79,7 @@ class Merging {
       }
     }
     const facet::Box box = hull(boxes_[one], boxes_[other]);
-    Polytope both = intersection(box, halfspaces, planes_);
+    Polytope both = intersection(box, halfspaces, planes_, work_);
     if (both.empty()) return false;
     first = std::move(both);
     second = {};
@@ -96,11 +106,14 @@ class Merging {
 
   std::vector<Polytope>& polytopes_;
   const facet::PlaneTable& planes_;
+  const Work& work_;
   std::vector<facet::Box> boxes_;  ///< of the polytopes
 };
 
 }  // namespace
 
-void merge(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes) { Merging(polytopes, planes)(); }
+void merge(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work) {
+  Merging(polytopes, planes, work)();
+}
 
 }  // namespace csgsim::convex

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/convex/polytope.h"
+#include "host/convex/face_polygon.h"
 
 namespace csgsim::convex {
 
@@ -113,9 +113,9 @@ bool overlap_across(const Outline& one, const Outline& other, double least) {
   return true;
 }
 
-class Search {
+class PairSearch {
  public:
-  Search(const model::Tree& tree, const facet::Scene& scene)
+  PairSearch(const model::Tree& tree, const facet::Scene& scene)
       : tree_(tree), scene_(scene), users_(scene), nodes_(nodes_of(tree)) {}
 
   NearFaces find() {
@@ -170,10 +170,7 @@ class Search {
   }
 
   bool faces_overlap(std::uint32_t one, std::uint32_t in, std::uint32_t other, std::uint32_t in_other) {
-    const glm::dvec3 normal = scene_.planes.planes()[in].normal;
-    const glm::dvec3 least = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(normal, least));
-    const glm::dvec3 up = glm::cross(normal, right);
+    const auto [right, up] = axes_in(scene_.planes.planes()[in].normal);
     const Outline a = outline(one, in, right, up);
     const Outline b = outline(other, in_other, right, up);
     if (a.empty() || b.empty()) return false;
@@ -183,17 +180,11 @@ class Search {
 
   /// Of a primitive's face in a plane; of no corners if it only touches the plane.
   Outline outline(std::uint32_t primitive, std::uint32_t plane, const glm::dvec3& right, const glm::dvec3& up) {
-    const auto [found, is_new] = polytopes_.try_emplace(primitive);
-    if (is_new) found->second = make_polytope(scene_.solids[primitive], scene_.planes);
+    const auto [found, is_new] = polygons_.try_emplace(std::uint64_t{primitive} << 32U | plane);
+    if (is_new) found->second = face_polygon(scene_.solids[primitive], plane, scene_.planes);
     Outline outline;
-    for (const Face& face : found->second.faces) {
-      if (face.halfspace.plane != plane) continue;
-      for (const std::uint32_t corner : face.corners) {
-        const glm::dvec3& point = found->second.vertices[corner];
-        outline.emplace_back(glm::dot(right, point), glm::dot(up, point));
-      }
-      break;
-    }
+    outline.reserve(found->second.size());
+    for (const glm::dvec3& point : found->second) outline.emplace_back(glm::dot(right, point), glm::dot(up, point));
     return outline;
   }
 
@@ -201,7 +192,7 @@ class Search {
   const facet::Scene& scene_;
   Users users_;
   std::vector<std::uint32_t> nodes_;
-  std::unordered_map<std::uint32_t, Polytope> polytopes_;
+  std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> polygons_;  ///< of faces, by primitive and plane
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   std::uint64_t planes_looked_at_ = 0;
   std::uint64_t faces_looked_at_ = 0;
@@ -210,6 +201,6 @@ class Search {
 
 }  // namespace
 
-NearFaces near_faces(const model::Tree& tree, const facet::Scene& scene) { return Search(tree, scene).find(); }
+NearFaces near_faces(const model::Tree& tree, const facet::Scene& scene) { return PairSearch(tree, scene).find(); }
 
 }  // namespace csgsim::convex

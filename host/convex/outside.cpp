@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <string_view>
 #include <utility>
 
 #include "host/convex/clip.h"
@@ -9,6 +10,8 @@
 namespace csgsim::convex {
 
 namespace {
+
+constexpr std::string_view taking_away = "taking solids away from convex pieces";
 
 /// Whether the plane is between the common part, which has a face on it, and some of the rest.
 bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& rest, const facet::PlaneTable& planes) {
@@ -22,10 +25,12 @@ bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& r
 
 }  // namespace
 
-std::vector<Polytope> outside(Polytope polytope, const facet::Convex& solid, const facet::PlaneTable& planes) {
+std::vector<Polytope> outside(Polytope polytope, const facet::Convex& solid, const facet::PlaneTable& planes,
+                              const Work& work) {
   std::vector<Polytope> parts;
   Polytope both = polytope;
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    work.charge(clip_steps(both), taking_away);
     both = clip(std::move(both), halfspace, planes);
     if (!both.empty()) continue;
     parts.push_back(std::move(polytope));
@@ -33,7 +38,9 @@ std::vector<Polytope> outside(Polytope polytope, const facet::Convex& solid, con
   }
   Polytope rest = std::move(polytope);
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
+    work.charge(both.faces.size() + rest.vertices.size(), taking_away);
     if (!is_wall(halfspace, both, rest, planes)) continue;
+    work.charge(2 * clip_steps(rest), taking_away);
     Polytope part = clip(rest, opposite(halfspace), planes);
     if (!part.empty()) parts.push_back(std::move(part));
     rest = clip(std::move(rest), halfspace, planes);

@@ -22,7 +22,7 @@ struct Part {
 
 class Division {
  public:
-  Division(const facet::Scene& scene, std::size_t most) : scene_(scene), most_(most) {
+  Division(const facet::Scene& scene, std::size_t most, const Work& work) : scene_(scene), most_(most), work_(work) {
     for (const facet::Convex& solid : scene.solids) {
       boxes_.push_back({solid.box.low - scene.planes.centre(), solid.box.high - scene.planes.centre()});
     }
@@ -43,7 +43,7 @@ class Division {
       }
       require_few(pieces_.size() + done.size() + open_.size());
     }
-    merge(done, scene_.planes);
+    merge(done, scene_.planes, work_);
     for (Polytope& polytope : done) pieces_.push_back({std::move(polytope), product.primitive, product_});
     if (!done.empty()) ++product_;
   }
@@ -62,11 +62,12 @@ class Division {
   void take_away(Part part) {
     const facet::Convex& solid = scene_.solids[part.taken_away.back()];
     part.taken_away.pop_back();
-    for (Polytope& polytope : outside(std::move(part.polytope), solid, scene_.planes))
+    for (Polytope& polytope : outside(std::move(part.polytope), solid, scene_.planes, work_))
       open(std::move(polytope), part.taken_away);
   }
 
   void open(Polytope polytope, const std::vector<std::uint32_t>& taken_away) {
+    work_.charge(polytope.vertices.size() + 4 * taken_away.size(), "taking solids away from convex pieces");
     const facet::Box box = box_of(polytope);
     Part part{std::move(polytope), {}};
     std::copy_if(taken_away.begin(), taken_away.end(), std::back_inserter(part.taken_away),
@@ -76,6 +77,7 @@ class Division {
 
   const facet::Scene& scene_;
   std::size_t most_;
+  const Work& work_;
   std::vector<facet::Box> boxes_;  ///< of the primitives, relative to PlaneTable::centre()
   std::vector<Part> open_;
   std::vector<Piece> pieces_;
@@ -84,9 +86,11 @@ class Division {
 
 }  // namespace
 
-std::vector<Piece> pieces(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most) {
-  Division division(scene, most);
-  for_each_product(scene, tree, [&](SolidProduct product) { division.add(std::move(product)); });
+std::vector<Piece> pieces(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most,
+                          const Work& work) {
+  Division division(scene, most, work);
+  for_each_product(
+      scene, tree, [&](SolidProduct product) { division.add(std::move(product)); }, most_operands, work);
   return division.take();
 }
 

@@ -7,6 +7,7 @@
 #include "host/convex/polytope.h"
 #include "host/csg/positive_tree.h"
 #include "host/facet/scene.h"
+#include "hw/base/work.h"
 
 namespace csgsim::convex {
 
@@ -22,7 +23,9 @@ inline constexpr std::size_t most_pieces = 100'000;
 /// The model as a union of convex pieces: each of its products (for_each_product) is cut by what is taken away from it.
 /// A - B is the union over B's half-spaces of A, outside of the i-th one and inside of those before it; only
 /// half-spaces that the common part of A and B has a face on take part. What of a product is left in the end is merged
-/// where it can be. Each cut may lose what clip() loses. Throws InputError if there are more than `most` before that.
-std::vector<Piece> pieces(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most = most_pieces);
+/// where it can be. Each cut may lose what clip() loses. Throws InputError if there are more than `most` before that,
+/// and WorkError past the limit on work.
+std::vector<Piece> pieces(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most = most_pieces,
+                          const Work& work = {});
 
 }  // namespace csgsim::convex

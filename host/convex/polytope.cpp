@@ -73,12 +73,13 @@ double volume(const Polytope& polytope) {
 }
 
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
-                      const facet::PlaneTable& planes) {
+                      const facet::PlaneTable& planes, const Work& work) {
   if (box.empty()) return {};
   // Wide enough for none of the box's faces to be left.
   const glm::dvec3 margin(0.1 * glm::length(box.high - box.low) + 10.0 * tolerance(planes));
   Polytope polytope = cuboid(box.low - margin, box.high + margin);
   for (const facet::Halfspace& halfspace : halfspaces) {
+    work.charge(clip_steps(polytope), "intersecting half-spaces");
     polytope = clip(std::move(polytope), halfspace, planes);
     if (polytope.empty()) return {};
   }
@@ -89,8 +90,9 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
   return polytope;
 }
 
-Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes) {
-  return intersection({solid.box.low - planes.centre(), solid.box.high - planes.centre()}, solid.halfspaces, planes);
+Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes, const Work& work) {
+  return intersection({solid.box.low - planes.centre(), solid.box.high - planes.centre()}, solid.halfspaces, planes,
+                      work);
 }
 
 }  // namespace csgsim::convex

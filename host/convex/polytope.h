@@ -8,6 +8,7 @@
 
 #include "host/facet/planes.h"
 #include "host/facet/scene.h"
+#include "hw/base/work.h"
 
 namespace csgsim::convex {
 
@@ -43,11 +44,11 @@ facet::Box box_of(const Polytope& polytope);
 double volume(const Polytope& polytope);
 
 /// The intersection of half-spaces, found by clipping a box. The box has to hold it, and is relative to
-/// PlaneTable::centre(). Empty if it is thinner than the tolerance of clip().
+/// PlaneTable::centre(). Empty if it is thinner than the tolerance of clip(). Throws WorkError past the limit on work.
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
-                      const facet::PlaneTable& planes);
+                      const facet::PlaneTable& planes, const Work& work = {});
 
 /// A primitive, as the intersection of its half-spaces.
-Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes);
+Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes, const Work& work = {});
 
 }  // namespace csgsim::convex

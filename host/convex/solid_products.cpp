@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "host/convex/clip.h"
@@ -16,6 +17,11 @@ namespace {
 using csg::PositiveNode;
 using csg::PositiveOperator;
 using csg::PositiveTree;
+
+constexpr std::string_view multiplying_out = "multiplying the model out to products";
+
+/// Of a node that is looked at.
+constexpr std::uint64_t visit_steps = 16;
 
 /// Outside its box a subtree is all or nothing.
 struct Reach {
@@ -69,8 +75,8 @@ struct Branch {
 class Enumeration {
  public:
   Enumeration(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
-              std::uint64_t most)
-      : scene_(scene), tree_(tree), use_(use), most_(most), reaches_(reaches(scene, tree)) {}
+              std::uint64_t most, const Work& work)
+      : scene_(scene), tree_(tree), use_(use), most_(most), work_(work), reaches_(reaches(scene, tree)) {}
 
   void operator()() {
     branches_.push_back({std::make_shared<const Partial>(), tree_.root});
@@ -78,6 +84,7 @@ class Enumeration {
       const Branch branch = std::move(branches_.back());
       branches_.pop_back();
       Partial partial = *branch.parent;
+      work_.charge(partial.taken_away.size() + partial.unions.size(), multiplying_out);
       if (absorb(partial, branch.node)) choose(std::move(partial));
     }
   }
@@ -96,9 +103,10 @@ class Enumeration {
   bool narrow(Partial& partial, std::uint32_t primitive) const {
     const facet::Convex& solid = scene_.solids[primitive];
     if (!partial.whole) {
-      partial.whole = make_polytope(solid, scene_.planes);
+      partial.whole = make_polytope(solid, scene_.planes, work_);
     } else {
       for (const facet::Halfspace& halfspace : solid.halfspaces) {
+        work_.charge(clip_steps(*partial.whole), multiplying_out);
         partial.whole = clip(std::move(*partial.whole), halfspace, scene_.planes);
       }
     }
@@ -112,6 +120,7 @@ class Enumeration {
     while (!open.empty()) {
       const std::uint32_t at = open.back();
       open.pop_back();
+      work_.charge(visit_steps + tree_.nodes[at].children.size(), multiplying_out);
       const Known about = known(at, partial);
       if (about == Known::out) return false;
       if (about == Known::in) continue;
@@ -190,6 +199,7 @@ class Enumeration {
   const PositiveTree& tree_;
   const std::function<void(SolidProduct)>& use_;
   std::uint64_t most_;
+  const Work& work_;
   std::vector<Reach> reaches_;
   std::vector<Branch> branches_;
   std::uint64_t operands_ = 0;
@@ -198,8 +208,8 @@ class Enumeration {
 }  // namespace
 
 void for_each_product(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
-                      std::uint64_t most) {
-  if (tree.root != model::no_index) Enumeration(scene, tree, use, most)();
+                      std::uint64_t most, const Work& work) {
+  if (tree.root != model::no_index) Enumeration(scene, tree, use, most, work)();
 }
 
 }  // namespace csgsim::convex

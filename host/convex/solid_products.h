@@ -7,6 +7,7 @@
 #include "host/convex/polytope.h"
 #include "host/csg/positive_tree.h"
 #include "host/facet/scene.h"
+#include "hw/base/work.h"
 
 namespace csgsim::convex {
 
@@ -26,8 +27,9 @@ inline constexpr std::uint64_t most_operands = 1'000'000;
 ///
 /// A union of complements, from A - (B * C), is worked out without overlap, A - B and A * B - C: intersections of many
 /// of them then have many empty products. Other unions overlap as their operands do. Throws InputError past
-/// `most` operands chosen.
+/// `most` operands chosen, and WorkError past the limit on work.
 void for_each_product(const facet::Scene& scene, const csg::PositiveTree& tree,
-                      const std::function<void(SolidProduct)>& use, std::uint64_t most = most_operands);
+                      const std::function<void(SolidProduct)>& use, std::uint64_t most = most_operands,
+                      const Work& work = {});
 
 }  // namespace csgsim::convex

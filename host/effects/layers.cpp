@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/effects/blend.h"
+#include "host/effects/pane_pieces.h"
 #include "host/emit/early_out.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/opcodes.h"
@@ -23,6 +24,10 @@ constexpr std::string_view without =
     "take --set effects.transparency.method=screen-door, or draw what is see-through as if it were opaque by --set "
     "effects.transparency.on=false";
 
+/// Which sim/observe/frame.h knows.
+constexpr std::string_view nearest_depth = "nearest_depth";
+constexpr std::string_view nearest_colour = "nearest_colour";
+
 constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
 
 /// Peels the panes off, nearest first (Everitt, Interactive Order-Independent Transparency, 2001, after Mammen,
@@ -36,8 +41,8 @@ class Peeling {
         out_(out),
         panes_(panes),
         layers_(panes.layers[context.segment]),
-        last_(field("last")),
-        pane_colour_(field("colour")),
+        last_(field(nearest_depth)),
+        pane_colour_(field(nearest_colour)),
         product_(field("product")),
         glass_(channels_of(pane_colour_)),
         colour_(channels_of(context.layout.colour)) {}
@@ -219,6 +224,7 @@ Panes panes_of(const emit::Drawing& drawing, unsigned most_layers) {
   all.erase(std::unique(all.begin(), all.end()), all.end());
   for (const unsigned one : of_primitives)
     panes.kinds.push_back(static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), one) - all.begin()));
+  panes.pieces = touching_pieces(drawing, panes.drawn);
   for (const emit::SegmentPlan& segment : drawing.plan.segments) {
     panes.layers.push_back(std::min(most_layers, layers_of(segment, panes.drawn)));
     panes.surfaces = std::max(panes.surfaces, static_cast<std::uint32_t>(segment.surfaces.size()));
@@ -240,8 +246,8 @@ std::vector<FieldRequest> layer_fields(unsigned z_bits, unsigned colour_bits, st
   if (layers == 0) return {};
   const std::array<unsigned, 3> widths = isa::channel_widths(colour_bits);
   std::vector<FieldRequest> all{
-      {"last", FieldRole::effect, z_bits, "depth", without},
-      {"colour", FieldRole::effect, colour_bits, "colour", without},
+      {std::string(nearest_depth), FieldRole::effect, z_bits, "depth", without},
+      {std::string(nearest_colour), FieldRole::effect, colour_bits, "colour", without},
       {"opacity", FieldRole::effect, static_cast<unsigned>(std::bit_width(opacities - 1)), "opacity", without},
       {"product", FieldRole::scratch, 2 * part_bits, "product", without, true}};
   if (has_owners)
@@ -258,6 +264,12 @@ std::vector<FieldRequest> layer_fields(unsigned z_bits, unsigned colour_bits, st
 
 void emit_layers(const emit::Context& context, emit::Broadcast& out, const Panes& panes) {
   if (panes.layers[context.segment] > 0) Peeling(context, out, panes).run();
+}
+
+void emit_joints(const emit::Context& context, emit::Broadcast& out, const Panes& panes,
+                 const emit::PlannedSurface& planned) {
+  if (context.drawn != &panes.drawn) return;
+  emit_outside(context, out, planned, panes.pieces[planned.primitive()], context.layout.mask);
 }
 
 void emit_opacity(const emit::Context& context, emit::Broadcast& out, const Panes& panes, std::uint32_t primitive) {

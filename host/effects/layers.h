@@ -11,11 +11,12 @@ namespace csgsim::effects {
 
 /// The see-through surfaces of a drawing, and how many may be seen behind one another.
 struct Panes {
-  std::vector<unsigned> opacities;   ///< that there are, in 1/256, from 1 to 255, ascending
-  std::vector<std::uint32_t> kinds;  ///< by primitive: place among them; any for those that are not drawn
-  std::vector<bool> drawn;           ///< by primitive: whether it is see-through, and not wholly clear
-  std::vector<unsigned> layers;      ///< by segment: surfaces behind one another at a pixel, at most
-  std::uint32_t surfaces = 0;        ///< most that a segment has
+  std::vector<unsigned> opacities;                 ///< that there are, in 1/256, from 1 to 255, ascending
+  std::vector<std::uint32_t> kinds;                ///< by primitive: place among them; any for those that are not drawn
+  std::vector<bool> drawn;                         ///< by primitive: whether it is see-through, and not wholly clear
+  std::vector<unsigned> layers;                    ///< by segment: surfaces behind one another at a pixel, at most
+  std::uint32_t surfaces = 0;                      ///< most that a segment has
+  std::vector<std::vector<std::uint32_t>> pieces;  ///< by primitive: touching_pieces
 };
 
 /// Rectangles that have a pixel in common, the most that there are.
@@ -35,6 +36,10 @@ std::vector<emit::FieldRequest> layer_fields(unsigned z_bits, unsigned colour_bi
 /// does, and once at the end: with n layers a channel of 8 bits is off from exact blending of the rounded colours by n
 /// levels at most, half a level more if an opacity is above 511/512.
 void emit_layers(const emit::Context& context, emit::Broadcast& out, const Panes& panes);
+
+/// Before the depth test of a pane, where E is 1 at the pixels that have its surface.
+void emit_joints(const emit::Context& context, emit::Broadcast& out, const Panes& panes,
+                 const emit::PlannedSurface& planned);
 
 /// After the merge of a pane.
 void emit_opacity(const emit::Context& context, emit::Broadcast& out, const Panes& panes, std::uint32_t primitive);

@@ -97,7 +97,7 @@ class Shadowing {
   template <class Emit>
   [[nodiscard]] std::uint64_t clocks_of(const Emit& emit) const {
     isa::Segment segment{context_.plan.region, {}, {}};
-    emit::Broadcast out(segment, context_.view.sampling);
+    emit::Broadcast out(segment, context_.view.sampling, context_.options.work);
     emit(out);
     return machines::clocks(segment.instructions, context_.machine);
   }

@@ -1,6 +1,7 @@
 #include "host/effects/shadow_parts.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "host/effects/plane_comparison.h"
@@ -15,6 +16,11 @@ constexpr std::uint64_t most_work = 20'000'000;
 
 /// Parts of an outline that others have not covered yet, beyond which it counts as not covered.
 constexpr std::size_t most_open = 24;
+
+/// Of clipping an outline by a plane, in steps of work.
+constexpr std::uint64_t clip_steps = 4;
+
+constexpr std::string_view finding_shadows = "finding where shadows fall";
 
 bool overlap(const view::PixelRect& a, const view::PixelRect& b) { return !view::common(a, b).empty(); }
 
@@ -34,8 +40,8 @@ struct Volume {
 /// Volumes over receivers, which are made fewer and simpler while what they take together stays the same.
 class Covering {
  public:
-  Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits)
-      : receivers_(receivers.facets), fraction_bits_(fraction_bits), volumes_of_(receivers.facets.size()) {
+  Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits, const Work& work)
+      : receivers_(receivers.facets), fraction_bits_(fraction_bits), work_(work), volumes_of_(receivers.facets.size()) {
     for (const SeenVolume& one : volumes) {
       Volume volume{one.planes, one.primitive, {}};
       volume.touches = touches(volume.planes);
@@ -83,6 +89,7 @@ class Covering {
   }
 
   [[nodiscard]] std::vector<Touch> touches(const std::vector<ShadowPlane>& planes) const {
+    work_.charge(clip_steps * receivers_.size() * planes.size(), finding_shadows);
     std::vector<Touch> found;
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
       Outline inside = clipped(receivers_[i].outline, comparison(i), planes, planes.size());
@@ -96,7 +103,7 @@ class Covering {
   /// Appends the parts of an outline that the planes may leave out.
   void subtract(Outline outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
                 std::vector<Outline>& left) {
-    work_ += planes.size();
+    covering_work_ += planes.size();
     if (std::any_of(planes.begin(), planes.end(),
                     [&](const ShadowPlane& plane) { return outline.is_beyond(compared.in(plane)); })) {
       left.push_back(std::move(outline));
@@ -112,7 +119,7 @@ class Covering {
 
   /// Whether the volumes but one take all of that part of a receiver.
   [[nodiscard]] bool is_covered(std::size_t receiver, const Outline& part, std::size_t but) {
-    if (work_ > most_work) return false;
+    if (covering_work_ > most_work) return false;
     const PlaneComparison compared = comparison(receiver);
     const view::PixelRect pixels = part.pixels();
     std::vector<Outline> open{part};
@@ -153,6 +160,7 @@ class Covering {
 
   [[nodiscard]] bool is_plane_redundant(std::size_t index, std::size_t plane) {
     const std::vector<ShadowPlane>& planes = volumes_[index].planes;
+    work_.charge(clip_steps * receivers_.size() * planes.size(), finding_shadows);
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
       const PlaneComparison compared = comparison(i);
       const view::FixedLinear out = compared.out(planes[plane]);
@@ -165,16 +173,17 @@ class Covering {
 
   const std::vector<Receiver>& receivers_;
   unsigned fraction_bits_;
+  const Work& work_;
   std::vector<Volume> volumes_;  ///< those that are left out touch nothing
   std::vector<std::vector<std::pair<std::size_t, view::PixelRect>>> volumes_of_;  ///< by receiver
-  std::uint64_t work_ = 0;
+  std::uint64_t covering_work_ = 0;
 };
 
 }  // namespace
 
-ShadowParts parts_that_touch(const std::vector<SeenVolume>& volumes, const Receivers& receivers,
-                             unsigned fraction_bits) {
-  Covering covering(volumes, receivers, fraction_bits);
+ShadowParts parts_that_touch(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
+                             const Work& work) {
+  Covering covering(volumes, receivers, fraction_bits, work);
   covering.reduce();
   ShadowParts result = covering.take();
   std::sort(result.touched.begin(), result.touched.end());

@@ -6,6 +6,7 @@
 
 #include "host/effects/shadow_receivers.h"
 #include "host/effects/shadow_volumes.h"
+#include "hw/base/work.h"
 
 namespace csgsim::effects {
 
@@ -23,8 +24,9 @@ struct ShadowParts {
 };
 
 /// The volumes that touch receivers, but for those that take nothing that others do not take, each with as few planes
-/// as will do: what one takes too much, another one takes anyway. `fraction_bits`: of surfaces.
-ShadowParts parts_that_touch(const std::vector<SeenVolume>& volumes, const Receivers& receivers,
-                             unsigned fraction_bits);
+/// as will do: what one takes too much, another one takes anyway. `fraction_bits`: of surfaces. Throws WorkError past
+/// the limit on work.
+ShadowParts parts_that_touch(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
+                             const Work& work);
 
 }  // namespace csgsim::effects

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "host/convex/clip.h"
 #include "host/convex/pieces.h"
 #include "host/convex/shadow_volume.h"
 #include "host/csg/locate.h"
@@ -48,11 +49,10 @@ class Volume {
   bool decides(const view::ScreenPlane& plane, bool positive) {
     const csg::Known known = csg::locate(drawing_.view, plane, positive, picture_);
     if (known == csg::Known::depends) {
-      const model::Location& location = drawing_.tree->primitives[volume_.primitive].location;
       throw InputError(fmt::format(
-          "{}:{}:{}: a plane of this primitive's shadow is too large for the picture: its coefficients do not fit {} "
+          "{}: a plane of this primitive's shadow is too large for the picture: its coefficients do not fit {} "
           "bits; move the camera back, give up --z-bits or --fraction-bits, or turn the light a little",
-          drawing_.tree->file, location.line, location.column, isa::max_linear_width));
+          model::place_of(*drawing_.tree, volume_.primitive), isa::max_linear_width));
     }
     is_empty_ = is_empty_ || known == csg::Known::out;
     return false;
@@ -83,14 +83,16 @@ bool is_caster(const model::Primitive& primitive, const Casters& casters) {
 }  // namespace
 
 std::vector<ShadowLight> shadow_lights(const emit::Drawing& drawing, const std::vector<std::size_t>& lights,
-                                       const Casters& casters) {
-  const std::vector<convex::Piece> pieces = convex::pieces(*drawing.scene, drawing.plan.positive);
+                                       const Casters& casters, const Work& work) {
+  const std::vector<convex::Piece> pieces =
+      convex::pieces(*drawing.scene, drawing.plan.positive, convex::most_pieces, work);
   std::vector<ShadowLight> result;
   for (const std::size_t light : lights) {
     ShadowLight one{light, {}};
     const convex::Light from = in_model(drawing.look.lighting.lights[light], drawing.view.camera);
     for (const convex::Piece& piece : pieces) {
       if (!is_caster(drawing.tree->primitives[piece.primitive], casters)) continue;
+      work.charge(convex::clip_steps(piece.polytope), "finding what is in the shadow");
       const convex::ShadowVolume volume = convex::shadow_volume(piece.polytope, from, drawing.scene->planes);
       if (auto found = seen(drawing, volume, piece.primitive)) one.volumes.push_back(*std::move(found));
     }

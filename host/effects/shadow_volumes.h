@@ -7,6 +7,7 @@
 
 #include "host/emit/drawing.h"
 #include "host/view/projection.h"
+#include "hw/base/work.h"
 
 namespace csgsim::effects {
 
@@ -46,8 +47,8 @@ struct Casters {
 };
 
 /// The volumes of the lights with those numbers, of the pieces that are of the casters. Throws InputError, naming the
-/// primitive, where a plane's coefficients do not fit the machine.
+/// primitive, where a plane's coefficients do not fit the machine, and WorkError past the limit on work.
 std::vector<ShadowLight> shadow_lights(const emit::Drawing& drawing, const std::vector<std::size_t>& lights,
-                                       const Casters& casters);
+                                       const Casters& casters, const Work& work);
 
 }  // namespace csgsim::effects

@@ -58,10 +58,11 @@ std::vector<std::size_t> lights_of(const Settings& settings, const lighting::Lig
 
 using Prepared = std::vector<ShadowLight>;
 
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
+emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
   const auto& own = std::any_cast<const Settings&>(settings);
   emit::EffectState state;
-  state.own = Prepared(shadow_lights(drawing, lights_of(own, drawing.look.lighting), own.casters));
+  state.own =
+      Prepared(shadow_lights(drawing, lights_of(own, drawing.look.lighting), own.casters, workshop.options.work));
   return state;
 }
 
@@ -93,7 +94,8 @@ emit::Shadows light(const emit::EffectCall& call, emit::Broadcast& out) {
   const auto& lights = std::any_cast<const Prepared&>(call.state.own);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Receivers receivers = receivers_of(context, lights[i].light);
-    const ShadowParts found = parts_that_touch(lights[i].volumes, receivers, context.view.sampling.fraction_bits);
+    const ShadowParts found =
+        parts_that_touch(lights[i].volumes, receivers, context.view.sampling.fraction_bits, context.options.work);
     if (found.parts.empty()) continue;
     emit::ShadowBit bit{lights[i].light, field(flag_name(i)), {}};
     emit_shadows(context, out, found.parts, bit.bit, field("marks"));

@@ -100,14 +100,15 @@ const Texture* texture_of(const Settings& settings, const model::Primitive& prim
 }
 
 emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
-  for (const model::Primitive& primitive : drawing.tree->primitives) {
-    const Texture* const texture = texture_of(settings_of(settings), primitive);
+  const std::vector<model::Primitive>& primitives = drawing.tree->primitives;
+  for (std::uint32_t i = 0; i < primitives.size(); ++i) {
+    const Texture* const texture = texture_of(settings_of(settings), primitives[i]);
     const bool is_named = texture != nullptr && (texture->of_colour || texture->from_line);
-    if (!is_named || !std::holds_alternative<model::Sphere>(primitive.shape)) continue;
+    if (!is_named || !std::holds_alternative<model::Sphere>(primitives[i].shape)) continue;
     throw InputError(
-        fmt::format("{}:{}:{}: textures are for flat facets, and this is a sphere; name cubes, polyhedra or cylinders, "
+        fmt::format("{}: textures are for flat facets, and this is a sphere; name cubes, polyhedra or cylinders, "
                     "whose ends are flat, in [[effects.textures]]",
-                    drawing.tree->file, primitive.location.line, primitive.location.column));
+                    model::place_of(*drawing.tree, i)));
   }
   return {};
 }
@@ -155,8 +156,7 @@ class Shader {
   [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const { return part_of(texel_, begin, width); }
 
   [[noreturn]] void fail(std::string_view what) const {
-    const model::Location& location = context_.tree.primitives[facet_.primitive].location;
-    throw InputError(fmt::format("{}:{}:{}: {}", context_.tree.file, location.line, location.column, what));
+    throw InputError(fmt::format("{}: {}", model::place_of(context_.tree, facet_.primitive), what));
   }
 
   [[noreturn]] void fail_size() const {

@@ -76,7 +76,8 @@ std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Dra
 }
 
 void admit(const emit::EffectCall& call, emit::Broadcast& out, const emit::PlannedSurface& planned) {
-  if (settings_of(call.settings).method != Method::screen_door) return;
+  if (settings_of(call.settings).method == Method::layers)
+    return emit_joints(call.context, out, prepared(call).panes, planned);
   out.origin = {isa::Purpose::merge, planned.primitive(), isa::no_node};
   emit_screen_door(out, prepared(call).pattern[planned.primitive()], call.context.layout.mask);
 }
@@ -91,6 +92,17 @@ void compose(const emit::EffectCall& call, emit::Broadcast& out) {
 }
 
 }  // namespace
+
+std::optional<scene::Scene> by_screen_door(scene::Scene scene) {
+  const bool says_how = std::any_of(scene.effects.begin(), scene.effects.end(), [](const scene::CalledEffect& one) {
+    return one.name == transparency.section.name;
+  });
+  const bool lets_through = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                        [](const scene::MaterialRule& one) { return one.opacity.value_or(1) < 1; });
+  if (says_how || lets_through) return std::nullopt;
+  scene.effects.push_back({transparency.section.name, Settings{Method::screen_door, {}}});
+  return scene;
+}
 
 const emit::Effect transparency{
     .section = {"effects.transparency",

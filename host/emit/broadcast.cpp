@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
+#include <utility>
 
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 
 namespace {
+
+/// An instruction appended, in steps of work.
+constexpr std::uint64_t instruction_steps = 40;
 
 /// Bits of the shortest two's complement number that holds every value of the range.
 unsigned signed_width(const view::Range& range) {
@@ -99,8 +103,8 @@ isa::Field equal_after(const isa::Instruction& instruction, isa::Field equal) {
 
 }  // namespace
 
-Broadcast::Broadcast(isa::Segment& segment, const view::Sampling& sampling)
-    : segment_(segment), fraction_bits_(sampling.fraction_bits) {}
+Broadcast::Broadcast(isa::Segment& segment, const view::Sampling& sampling, Work work)
+    : segment_(segment), fraction_bits_(sampling.fraction_bits), work_(std::move(work)) {}
 
 void Broadcast::plain(isa::Opcode opcode, isa::Field first, isa::Field second, std::uint64_t constant) {
   append({opcode, {first, second, {}}, {}, constant, origin});
@@ -117,6 +121,7 @@ void Broadcast::append(const isa::Instruction& instruction) {
       (instruction.opcode == isa::Opcode::enable_load || instruction.opcode == isa::Opcode::enable_store) &&
       instruction.fields[0] == equal_;
   if (meets_equal) return;
+  work_.charge(instruction_steps, "broadcasting the model");
   segment_.instructions.push_back(instruction);
   segment_.instructions.back().origin.effect = effect;
   equal_ = equal_after(instruction, equal_);

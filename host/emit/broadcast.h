@@ -8,6 +8,7 @@
 #include "host/view/fixed_point.h"
 #include "host/view/projection.h"
 #include "host/view/quadrics.h"
+#include "hw/base/work.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::emit {
@@ -23,7 +24,8 @@ struct ScanConversions {
 /// change nothing is left out: to load the bit that E is known to be equal to, or to store E there.
 class Broadcast {
  public:
-  Broadcast(isa::Segment& segment, const view::Sampling& sampling);
+  /// Instructions are charged to `work`: what appends one may throw WorkError.
+  Broadcast(isa::Segment& segment, const view::Sampling& sampling, Work work = {});
 
   isa::Origin origin;
   std::uint8_t effect = isa::no_effect;  ///< that instructions are billed to
@@ -82,6 +84,7 @@ class Broadcast {
 
   isa::Segment& segment_;
   unsigned fraction_bits_;
+  Work work_;
   isa::Field equal_;  ///< a bit that E is equal to at every pixel; of width 0 if none is known
 };
 

@@ -14,7 +14,7 @@ using Indices = std::vector<std::size_t>;
 using Pixel = std::pair<std::int32_t, std::int32_t>;
 
 /// The corners of a cell, and of the half-spaces that are open there the first that leads at each.
-struct Corners {
+struct CellCorners {
   std::array<Pixel, 4> pixels;
   std::array<std::size_t, 4> leaders{};
 };
@@ -26,7 +26,7 @@ class Counting {
 
   /// The cell's tests and, with `quarters`, those of its quarters.
   void count(const PixelRect& cell, const Indices& open, bool quarters) {
-    const Corners corners = corners_of(cell, open);
+    const CellCorners corners = corners_of(cell, open);
     for (const std::size_t leader : corners.leaders) settled_[leader] = true;
     if (is_settled(open)) return;
     tests += open.size();
@@ -52,8 +52,8 @@ class Counting {
     return sign_ * (planes_[one].a * pixel.first + planes_[one].b * pixel.second + planes_[one].c);
   }
 
-  [[nodiscard]] Corners corners_of(const PixelRect& cell, const Indices& open) const {
-    Corners corners{{{{cell.x0, cell.y0}, {cell.x1, cell.y0}, {cell.x0, cell.y1}, {cell.x1, cell.y1}}}};
+  [[nodiscard]] CellCorners corners_of(const PixelRect& cell, const Indices& open) const {
+    CellCorners corners{{{{cell.x0, cell.y0}, {cell.x1, cell.y0}, {cell.x0, cell.y1}, {cell.x1, cell.y1}}}};
     std::transform(corners.pixels.begin(), corners.pixels.end(), corners.leaders.begin(), [&](const Pixel& corner) {
       return *std::max_element(open.begin(), open.end(),
                                [&](std::size_t a, std::size_t b) { return value(a, corner) < value(b, corner); });
@@ -62,7 +62,7 @@ class Counting {
   }
 
   /// Whether it comes as near as a depth step to the leader at a corner.
-  [[nodiscard]] bool is_near(std::size_t one, const Corners& corners) const {
+  [[nodiscard]] bool is_near(std::size_t one, const CellCorners& corners) const {
     for (std::size_t i = 0; i < corners.pixels.size(); ++i) {
       const Pixel& corner = corners.pixels[i];
       if (value(one, corner) + step_ > value(corners.leaders[i], corner)) return true;
@@ -71,7 +71,7 @@ class Counting {
   }
 
   /// Whether one of the leaders is beyond it by a depth step at every corner.
-  [[nodiscard]] bool is_behind_a_leader(std::size_t one, const Corners& corners) const {
+  [[nodiscard]] bool is_behind_a_leader(std::size_t one, const CellCorners& corners) const {
     return std::any_of(corners.leaders.begin(), corners.leaders.end(), [&](std::size_t leader) {
       return std::all_of(corners.pixels.begin(), corners.pixels.end(),
                          [&](const Pixel& corner) { return value(one, corner) + step_ <= value(leader, corner); });

@@ -19,6 +19,7 @@
 #include "host/emit/fast_spheres.h"
 #include "host/emit/quadrics.h"
 #include "hw/base/error.h"
+#include "hw/isa/extents.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/pieces.h"
 #include "hw/machines/clocks.h"
@@ -99,6 +100,18 @@ std::size_t halfspaces_drawn(const Context& context) {
   return count;
 }
 
+/// What the function returns. Where work reaches its limit, the error names the primitive that is being drawn.
+template <class Function>
+auto placed(const model::Tree& tree, const Broadcast& out, const Function& function) {
+  try {
+    return function();
+  } catch (const WorkError& error) {
+    const std::uint32_t primitive = out.origin.primitive;
+    if (primitive >= tree.primitives.size()) throw;
+    throw InputError(fmt::format("{}: {}", model::place_of(tree, primitive), error.what()));
+  }
+}
+
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
 isa::Segment compile_segment(const Context& context, std::span<const Drawing* const> drawings,
                              ScanConversions& counts) {
@@ -112,9 +125,9 @@ isa::Segment compile_segment(const Context& context, std::span<const Drawing* co
   if (is_empty && !is_whole) return segment;
   const std::size_t halfspaces = halfspaces_drawn(context);
   if (halfspaces >= many_halfspaces) segment.instructions.reserve(room_for_halfspace * halfspaces);
-  Broadcast out(segment, sampling);
+  Broadcast out(segment, sampling, context.options.work);
   if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
-  const Kept kept = emit_picture(context, out);
+  const Kept kept = placed(context.tree, out, [&] { return emit_picture(context, out); });
   segment.facts.kept_primitives = kept.primitives;
   segment.facts.kept_halfspaces = kept.halfspaces;
   const bool draws = std::any_of(segment.instructions.begin(), segment.instructions.end(),
@@ -186,7 +199,9 @@ isa::Program compile_as(const Input& input, const Options& options) {
                                      has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), quadrics},
                                     memory_bits);
   isa::Program program;
+  program.machine = machines::record_of(input.machine);
   program.shape = {sampling.width, sampling.height, memory_bits};
+  program.colour = layout.colour;
   name_primitives(drawings, program.facts);
   program.facts.depth_scale = drawing.view.depth;
   program.facts.model = model_facts(input.tree, input.scene);
@@ -202,6 +217,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
     context.states = &drawing.states;
     program.segments.push_back(compile_segment(context, drawings, counts));
   }
+  if (machines::keeps_active_list(input.machine)) program.extents = isa::extents_of(program.segments);
   program.facts.compile = {std::string(name_of(options.strategy)),
                            has_owners ? "deferred" : std::string(name_of(options.colouring)),
                            sampling.z_bits,
@@ -217,7 +233,9 @@ isa::Program compile_as(const Input& input, const Options& options) {
 }
 
 /// With what the machine needs to divide the model itself, if it does.
-isa::Program compile_for_machine(const Input& input, const Options& options) {
+isa::Program compile_for_machine(const Input& input, const Options& chosen) {
+  Options options = chosen;
+  options.work = chosen.work.afresh();
   isa::Program program = compile_as(input, options);
   if (input.division)
     add_division(program, *input.division, input.tree, input.scene, input.drawing.view, input.machine, options);
@@ -272,12 +290,11 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   return all;
 }
 
-}  // namespace
-
-isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                     const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
+isa::Program compile_within(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                            const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
   const std::optional<machines::Division> division = machines::division(machine);
-  const Options options = division ? options_for(*division, wanted) : wanted;
+  Options options = division ? options_for(*division, wanted) : wanted;
+  options.work = wanted.work.afresh();
   const std::vector<CalledEffect> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
@@ -303,6 +320,17 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
   }
   if (!best) std::rethrow_exception(why_not);
   return std::move(*best);
+}
+
+}  // namespace
+
+isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                     const machines::Machine& machine, const Options& options, const ClockCounter& count) {
+  try {
+    return compile_within(tree, scene, view, machine, options, count);
+  } catch (const WorkError& error) {
+    throw InputError(fmt::format("{}: {}", tree.file, error.what()));
+  }
 }
 
 }  // namespace csgsim::emit

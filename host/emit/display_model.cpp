@@ -18,8 +18,7 @@ namespace csgsim::emit {
 namespace {
 
 [[noreturn]] void refuse_face(const model::Tree& tree, std::uint32_t primitive) {
-  const model::Location& location = tree.primitives[primitive].location;
-  throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
+  throw InputError(model::place_of(tree, primitive) +
                    ": a face of this primitive is too large for the divider: its coefficients do not fit " +
                    std::to_string(isa::max_linear_width) +
                    " bits; move the camera back or the picture's centre onto it, give up --z-bits or "

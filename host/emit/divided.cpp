@@ -24,13 +24,13 @@ std::vector<std::uint8_t> bytes_of(const division::Bits& bits) {
 
 void put(const SquareCounts& square, isa::Segment& segment) {
   const division::Counts& counts = square.counts;
-  isa::DivisionFacts& facts = segment.facts.division;
-  facts.boxes = counts.boxes;
-  facts.halfspaces = counts.halfspaces;
-  facts.cells = counts.cells;
-  facts.nodes = counts.nodes;
-  facts.most_halfspaces = square.at_hand.halfspaces;
-  facts.most_nodes = square.at_hand.nodes;
+  isa::DivisionCounts& division = segment.division;
+  division.boxes = counts.boxes;
+  division.halfspaces = counts.halfspaces;
+  division.cells = counts.cells;
+  division.nodes = counts.nodes;
+  division.most_halfspaces = square.at_hand.halfspaces;
+  division.most_nodes = square.at_hand.nodes;
 }
 
 std::vector<isa::Region> regions_of(std::span<const isa::Segment> segments) {
@@ -98,11 +98,11 @@ void add_division(isa::Program& program, const machines::Division& division, con
     const bool fits = counts.entries <= division.list_entries;
     const auto of_squares = fits ? counts.squares : count_division(tree, scene, view, options, regions);
     for (std::size_t i = 0; i < squares.size(); ++i) put(of_squares[i], squares[i]);
-    isa::DivisionFacts& facts = squares.front().facts.division;
-    facts.group_boxes = counts.group.boxes;
-    facts.group_halfspaces = counts.group.halfspaces;
-    facts.group_cells = counts.group.cells;
-    facts.group_entries = counts.entries;
+    isa::DivisionCounts& of_group = squares.front().division;
+    of_group.group_boxes = counts.group.boxes;
+    of_group.group_halfspaces = counts.group.halfspaces;
+    of_group.group_cells = counts.group.cells;
+    of_group.group_entries = counts.entries;
   }
 }
 

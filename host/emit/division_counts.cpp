@@ -88,7 +88,8 @@ class Counter {
   }
 
   std::vector<SquareCounts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
-    const Plan plan = make_plan(tree_, scene_, view_, {squares.begin(), squares.end()}, options_.pruning);
+    const Plan plan =
+        make_plan(tree_, scene_, view_, {squares.begin(), squares.end()}, options_.pruning, {}, options_.work);
     std::vector<SquareCounts> counts;
     const csg::Pruner pruner(scene_, view_, positive_, options_.pruning);
     const std::vector<csg::ConvexSet> sets = csg::convex_sets(positive_, true);

@@ -87,7 +87,7 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
     pruning.hidden = false;
   }
   drawing->plan = make_plan(*drawing->tree, *drawing->scene, drawing->view, machines::regions(workshop.machine),
-                            pruning, opacities(drawing->look, workshop.called));
+                            pruning, opacities(drawing->look, workshop.called), options.work);
   if (drawing->reflection) drop_unseen(*drawing);
   for (const CalledEffect& one : workshop.called) {
     drawing->states.push_back(one.effect->prepare != nullptr ? one.effect->prepare(one.settings, *drawing, workshop)

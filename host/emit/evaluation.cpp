@@ -47,8 +47,7 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
       const std::uint64_t products = products_of(one, options);
       if (products <= 1) continue;
       if (!__builtin_add_overflow(total, products, &total) && total <= most_products) continue;
-      const model::Location& location = tree.primitives[one.primitive()].location;
-      throw InputError(tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
+      throw InputError(model::place_of(tree, one.primitive()) +
                        ": with this primitive the tree multiplies out to more than " + std::to_string(most_products) +
                        " products; take --strategy stack, list or auto" +
                        (options.strategy == Strategy::bits ? ", or more --stack-bits" : ""));

@@ -19,8 +19,7 @@ using view::Side;
 /// Throws InputError, naming the primitive, unless the plane's coefficients fit the machine.
 void require_representable(const Context& context, std::uint32_t primitive, facet::Halfspace halfspace) {
   if (context.view.planes[halfspace.plane].representable) return;
-  const model::Location& location = context.tree.primitives[primitive].location;
-  throw InputError(context.tree.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column) +
+  throw InputError(model::place_of(context.tree, primitive) +
                    ": a face of this primitive is too large for the picture: its coefficients do not fit " +
                    std::to_string(isa::max_linear_width) +
                    " bits; move the camera back or the picture's centre onto it, give up --z-bits or --fraction-bits, "

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "host/emit/fields.h"
+#include "host/emit/no_room.h"
 #include "host/view/projection.h"
-#include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 
 namespace csgsim::emit {
@@ -224,9 +224,10 @@ unsigned total_bits(const Needs& needs) { return plan(needs).bits + needs.shown.
 Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
   const Planned planned = plan(needs);
   if (total_bits(needs) > memory_bits) {
-    throw InputError("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
+    throw NoRoom("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
                      parts(needs, planned.bits - planned.without_scratch) + ") and the machine has " +
-                     std::to_string(memory_bits) + "; " + what_to_do(needs, memory_bits));
+                     std::to_string(memory_bits) + "; " + what_to_do(needs, memory_bits),
+                 total_bits(needs));
   }
   return planned.layout;
 }

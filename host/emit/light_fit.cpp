@@ -130,27 +130,28 @@ Coordinates sizes_of(const std::vector<Sample>& samples) {
 constexpr std::size_t none = 4;
 
 /// Solves the symmetric equations of least squares; an unknown that the others leave undetermined is 0.
-Coordinates solve(std::array<std::array<double, 5>, 4> rows) {
+Coordinates solve(std::array<std::array<double, 5>, 4> equations) {
   std::array<bool, 4> used{};
   std::array<std::size_t, 4> pivot_of{none, none, none, none};
   double greatest = 0;
-  for (std::size_t i = 0; i < 4; ++i) greatest = std::max(greatest, rows[i][i]);
+  for (std::size_t i = 0; i < 4; ++i) greatest = std::max(greatest, equations[i][i]);
   for (std::size_t column = 0; column < 4; ++column) {
     std::size_t best = none;
     for (std::size_t row = 0; row < 4; ++row)
-      if (!used[row] && (best == none || std::abs(rows[row][column]) > std::abs(rows[best][column]))) best = row;
-    if (std::abs(rows[best][column]) <= least_pivot * greatest) continue;
+      if (!used[row] && (best == none || std::abs(equations[row][column]) > std::abs(equations[best][column])))
+        best = row;
+    if (std::abs(equations[best][column]) <= least_pivot * greatest) continue;
     used[best] = true;
     pivot_of[column] = best;
     for (std::size_t row = 0; row < 4; ++row) {
       if (row == best) continue;
-      const double factor = rows[row][column] / rows[best][column];
-      for (std::size_t i = column; i < 5; ++i) rows[row][i] -= factor * rows[best][i];
+      const double factor = equations[row][column] / equations[best][column];
+      for (std::size_t i = column; i < 5; ++i) equations[row][i] -= factor * equations[best][i];
     }
   }
   Coordinates result{};
   for (std::size_t column = 0; column < 4; ++column)
-    if (pivot_of[column] != none) result[column] = rows[pivot_of[column]][4] / rows[pivot_of[column]][column];
+    if (pivot_of[column] != none) result[column] = equations[pivot_of[column]][4] / equations[pivot_of[column]][column];
   return result;
 }
 
@@ -159,15 +160,15 @@ Coordinates solve(std::array<std::array<double, 5>, 4> rows) {
 LightFit fit_light(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
   const std::vector<Sample> samples = samples_of(context, facet, light);
   const Coordinates sizes = sizes_of(samples);
-  std::array<std::array<double, 5>, 4> rows{};
+  std::array<std::array<double, 5>, 4> equations{};
   for (const Sample& one : samples) {
     for (std::size_t row = 0; row < 4; ++row) {
       const double at = one.at[row] / sizes[row];
-      for (std::size_t column = 0; column < 4; ++column) rows[row][column] += at * one.at[column] / sizes[column];
-      rows[row][4] += at * one.cosine;
+      for (std::size_t column = 0; column < 4; ++column) equations[row][column] += at * one.at[column] / sizes[column];
+      equations[row][4] += at * one.cosine;
     }
   }
-  Coordinates found = solve(rows);
+  Coordinates found = solve(equations);
   for (std::size_t i = 0; i < found.size(); ++i) found[i] /= sizes[i];
   double greatest = 0;
   double nearest = samples.empty() ? 0.0 : samples.front().at[3];

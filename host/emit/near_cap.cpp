@@ -10,7 +10,7 @@ namespace csgsim::emit {
 namespace {
 
 /// Pixels by which places in double precision may be off.
-constexpr double slack = 1e-6;
+constexpr double integer_slack = 1e-6;
 
 using Polygon = std::vector<glm::dvec2>;
 
@@ -35,7 +35,7 @@ Polygon clip(const Polygon& polygon, const Value& value) {
   return kept;
 }
 
-bool has_integer(double low, double high) { return std::ceil(low - slack) <= std::floor(high + slack); }
+bool has_integer(double low, double high) { return std::ceil(low - integer_slack) <= std::floor(high + integer_slack); }
 
 }  // namespace
 
@@ -54,7 +54,7 @@ bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, co
     const auto b = static_cast<double>(plane.b);
     const double beyond = static_cast<double>(plane.c) - step;
     polygon = clip(polygon, [&](const glm::dvec2& place) {
-      return a * place.x + b * place.y + beyond - slack * (std::abs(a) + std::abs(b) + step);
+      return a * place.x + b * place.y + beyond - integer_slack * (std::abs(a) + std::abs(b) + step);
     });
   }
   if (polygon.empty()) return false;

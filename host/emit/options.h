@@ -7,6 +7,7 @@
 
 #include "host/csg/pruning.h"
 #include "host/scene/scene.h"
+#include "hw/base/work.h"
 #include "hw/isa/colour_format.h"
 
 namespace csgsim::emit {
@@ -58,6 +59,7 @@ struct Options {
   csg::Pruning pruning;
   scene::Scene scene;
   std::span<const Effect* const> effects = flat_alone();  ///< all that there are, in the order of their work
+  Work work{};  ///< that compiling is charged to; each strategy and colouring that is tried counts alone
 };
 
 }  // namespace csgsim::emit

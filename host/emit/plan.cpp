@@ -1,9 +1,12 @@
 #include "host/emit/plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
 #include "host/emit/region_index.h"
+#include "hw/base/error.h"
 
 namespace csgsim::emit {
 
@@ -82,6 +85,29 @@ std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, con
   return result;
 }
 
+/// Of comparing a surface with others, each of which is kept for it: so much for each half-space, and for each solid as
+/// for some half-spaces.
+std::uint64_t comparison_steps(const csg::ActiveTree& active, const facet::Scene& scene) {
+  constexpr std::uint64_t of_halfspace = 100;
+  constexpr std::uint64_t of_solid = 20;
+  std::uint64_t count = 0;
+  for (const csg::ActiveNode& node : active.nodes) {
+    if (!node.is_leaf) continue;
+    count += of_solid + scene.solids[node.primitive].halfspaces.size();
+    for (const std::uint32_t other : node.others) count += scene.solids[other].halfspaces.size();
+  }
+  return of_halfspace * count;
+}
+
+void charge_comparisons(const csg::ActiveTree& active, const facet::Scene& scene, const model::Tree& tree,
+                        std::uint32_t primitive, const Work& work) {
+  try {
+    work.charge(comparison_steps(active, scene), "comparing primitives with others");
+  } catch (const WorkError& error) {
+    throw InputError(fmt::format("{}: from this primitive on, {}", model::place_of(tree, primitive), error.what()));
+  }
+}
+
 /// Counts the primitives that have pixels in each region, pruned or not.
 void count_active(std::vector<SegmentPlan>& segments, const std::vector<isa::Region>& regions,
                   const facet::Scene& scene, const view::View& view) {
@@ -110,8 +136,8 @@ std::uint32_t Plan::depth() const {
 }
 
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-               const std::vector<isa::Region>& regions, const csg::Pruning& pruning,
-               const std::vector<double>& opacity) {
+               const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
+               const Work& work) {
   Plan plan;
   plan.positive = csg::make_positive(tree);
   const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), opacity);
@@ -127,7 +153,9 @@ Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::V
       const csg::Block block = pruner.block_of(set, segment.pixels());
       if (block.pixels.empty()) continue;
       csg::ActiveTree active = pruner.active_tree(set, block);
-      if (!active.nothing) segment.surfaces.push_back({set, block, std::move(active), 0});
+      if (active.nothing) continue;
+      charge_comparisons(active, scene, tree, set.front(), work);
+      segment.surfaces.push_back({set, block, std::move(active), 0});
     }
     if (pruning.hidden) drop_hidden(segment, plan.positive, scene, view, opacity);
     std::uint32_t number = 0;

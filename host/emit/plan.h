@@ -7,6 +7,7 @@
 #include "host/emit/options.h"
 #include "host/facet/scene.h"
 #include "host/view/projection.h"
+#include "hw/base/work.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::emit {
@@ -40,9 +41,10 @@ struct Plan {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// `opacity`, by primitive: those below 1 hide nothing, and no set mixes different ones; empty if all are 1.
+/// `opacity`, by primitive: those below 1 hide nothing, and no set mixes different ones; empty if all are 1. Throws
+/// InputError, naming the primitive, past the limit on work.
 Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-               const std::vector<isa::Region>& regions, const csg::Pruning& pruning,
-               const std::vector<double>& opacity = {});
+               const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
+               const Work& work);
 
 }  // namespace csgsim::emit

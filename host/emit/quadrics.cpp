@@ -126,11 +126,10 @@ bool is_out(const QuadricBound& bound, const RootRanges& ranges, const csg::Bloc
 }
 
 void refuse_unfit(const Context& context, std::uint32_t primitive) {
-  const model::Location& location = context.tree.primitives[primitive].location;
   throw InputError(fmt::format(
-      "{}:{}:{}: the surface of this primitive is seen so that its depths do not fit the machine's numbers (along a "
+      "{}: the surface of this primitive is seen so that its depths do not fit the machine's numbers (along a "
       "straight line in it, or from a point on it); move the camera, or draw it in facets by --curves auto",
-      context.tree.file, location.line, location.column));
+      model::place_of(context.tree, primitive)));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ lighting::Lighting without(lighting::Lighting lighting, std::size_t light) {
 std::vector<isa::Instruction> colour_under(const Context& context, const Facet& facet, const view::PixelRect& pixels,
                                            const lighting::Lighting& lights) {
   isa::Segment segment{context.plan.region, {}, {}};
-  Broadcast out(segment, context.view.sampling);
+  Broadcast out(segment, context.view.sampling, context.options.work);
   Context lit = context;
   lit.lights = &lights;
   emit_colour(lit, out, facet, context.layout.colour, pixels);

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "host/model/limits.h"
 #include "hw/base/error.h"
 
 namespace csgsim::facet {
@@ -38,9 +39,9 @@ Box box_of(const Solid& solid) {
 }
 
 /// Turns solids into convexes one after another.
-class Maker {
+class SceneMaker {
  public:
-  Maker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
+  SceneMaker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
 
   Convex make(Solid solid) {
     Convex convex;
@@ -69,12 +70,27 @@ class Maker {
   std::vector<std::array<std::uint32_t, 2>> last_of_;  ///< by plane and side: the number of the last solid that has it
 };
 
-Solid make_solid_at(const model::Tree& tree, const model::Primitive& primitive, const Faceting& faceting) {
+/// Whether each coordinate is a number that is not too large.
+bool is_at_hand(const glm::dvec3& point) {
+  return std::abs(point.x) <= model::most_coordinate && std::abs(point.y) <= model::most_coordinate &&
+         std::abs(point.z) <= model::most_coordinate;
+}
+
+void refuse_far(const Solid& solid) {
+  const bool is_near = !solid.curved || (is_at_hand(solid.curved->low) && is_at_hand(solid.curved->high));
+  if (is_near && std::all_of(solid.vertices.begin(), solid.vertices.end(), is_at_hand)) return;
+  throw InputError(
+      "it reaches farther than 1e12 from the origin, where numbers are too coarse to draw it; move it "
+      "nearer, or scale it down");
+}
+
+Solid make_solid_at(const model::Tree& tree, std::uint32_t primitive, const Faceting& faceting) {
   try {
-    return make_solid(primitive, faceting);
+    Solid solid = make_solid(tree.primitives[primitive], faceting);
+    refuse_far(solid);
+    return solid;
   } catch (const InputError& error) {
-    throw InputError(tree.file + ":" + std::to_string(primitive.location.line) + ":" +
-                     std::to_string(primitive.location.column) + ": " + error.what());
+    throw InputError(model::place_of(tree, primitive) + ": " + error.what());
   }
 }
 
@@ -126,9 +142,9 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
   Box all;
   solids.reserve(tree.primitives.size());
   boxes.reserve(tree.primitives.size());
-  for (const model::Primitive& primitive : tree.primitives) {
-    const bool is_faceted = solids.size() < faceting.faceted.size() && faceting.faceted[solids.size()];
-    solids.push_back(make_solid_at(tree, primitive, is_faceted ? in_all_facets : faceting));
+  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i) {
+    const bool is_faceted = i < faceting.faceted.size() && faceting.faceted[i];
+    solids.push_back(make_solid_at(tree, i, is_faceted ? in_all_facets : faceting));
     boxes.push_back(box_of(solids.back()));
     all = hull(all, boxes.back());
   }
@@ -138,7 +154,7 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
       {}};
   scene.quadrics = QuadricTable(scene.planes.centre(), scene.planes.diagonal());
   scene.fast_spheres = faceting.exact_curves && faceting.fast_spheres;
-  Maker maker(scene.planes, scene.quadrics);
+  SceneMaker maker(scene.planes, scene.quadrics);
   scene.solids.reserve(solids.size());
   for (Solid& solid : solids) scene.solids.push_back(maker.make(std::exchange(solid, {})));
   scene.box = fold_boxes(tree, boxes);

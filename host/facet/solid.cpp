@@ -150,7 +150,7 @@ Solid polyhedron(const model::Polyhedron& shape) {
   return solid;
 }
 
-struct Maker {
+struct SolidMaker {
   Local local;
   bool is_curved;
 
@@ -190,7 +190,7 @@ Solid make_solid(const model::Primitive& primitive, const Faceting& faceting) {
   Local local{std::nullopt, faceting.fragments};
   if (faceting.tolerance) local.tolerance = *faceting.tolerance / stretch(linear);
   const bool is_curved = stays_curved(primitive, faceting);
-  Solid solid = std::visit(Maker{local, is_curved}, primitive.shape);
+  Solid solid = std::visit(SolidMaker{local, is_curved}, primitive.shape);
   require_size(solid, linear);
   const glm::dvec3 shift(primitive.transform[3]);
   const glm::dmat3 normals = glm::transpose(glm::inverse(linear));

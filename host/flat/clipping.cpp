@@ -1,8 +1,11 @@
 #include "host/flat/clipping.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
+#include "host/flat/clip_steps.h"
 #include "hw/base/error.h"
 
 namespace csgsim::flat {
@@ -31,11 +34,11 @@ bool is_empty(ClipperLib::Clipper& clipper) {
   return box.left == box.right && box.top == box.bottom;
 }
 
-Area united(const ClipperLib::Paths& paths, ClipperLib::PolyFillType rule) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+Area united(const ClipperLib::Paths& paths, ClipperLib::PolyFillType rule, const Work& work) {
+  Clipping clipping;
+  clipping.add(paths, ClipperLib::ptSubject);
   ClipperLib::PolyTree tree;
-  execute(clipper, ClipperLib::ctUnion, rule, tree);
+  clipping.execute(ClipperLib::ctUnion, rule, tree, work);
   return area_of(tree);
 }
 
@@ -55,13 +58,19 @@ ClipperLib::Paths paths_of(const Area& area) {
   return paths;
 }
 
-void execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType rule,
-             ClipperLib::PolyTree& result) {
+void Clipping::add(ClipperLib::Paths paths, ClipperLib::PolyType type) {
+  clipper_.AddPaths(paths, type, true);
+  std::move(paths.begin(), paths.end(), std::back_inserter(paths_));
+}
+
+void Clipping::execute(ClipperLib::ClipType operation, ClipperLib::PolyFillType rule, ClipperLib::PolyTree& result,
+                       const Work& work) {
   result.Clear();
-  if (is_empty(clipper)) return;
+  if (is_empty(clipper_)) return;
+  charge_clipping(paths_, work);
   bool done = false;
   try {
-    done = clipper.Execute(operation, result, rule, rule);
+    done = clipper_.Execute(operation, result, rule, rule);
   } catch (const ClipperLib::clipperException&) {
     done = false;
   }
@@ -78,8 +87,8 @@ Area area_of(const ClipperLib::PolyTree& tree) {
   return area;
 }
 
-Area even_odd(const ClipperLib::Paths& paths) { return united(paths, ClipperLib::pftEvenOdd); }
+Area even_odd(const ClipperLib::Paths& paths, const Work& work) { return united(paths, ClipperLib::pftEvenOdd, work); }
 
-Area non_zero(const ClipperLib::Paths& paths) { return united(paths, ClipperLib::pftNonZero); }
+Area non_zero(const ClipperLib::Paths& paths, const Work& work) { return united(paths, ClipperLib::pftNonZero, work); }
 
 }  // namespace csgsim::flat

@@ -3,6 +3,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "host/flat/area.h"
+#include "hw/base/work.h"
 
 namespace csgsim::flat {
 
@@ -17,17 +18,27 @@ inline constexpr double largest_coordinate = 1e12;
 ClipperLib::Path path_of(const Outline& outline);
 ClipperLib::Paths paths_of(const Area& area);
 
-/// Fills `result`. Throws InputError where Clipper gives up.
-void execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType rule,
-             ClipperLib::PolyTree& result);
+/// Closed paths that are to be combined.
+class Clipping {
+ public:
+  void add(ClipperLib::Paths paths, ClipperLib::PolyType type);
+
+  /// Fills `result`. Throws InputError where Clipper gives up, and WorkError past the limit on work, before it begins.
+  void execute(ClipperLib::ClipType operation, ClipperLib::PolyFillType rule, ClipperLib::PolyTree& result,
+               const Work& work = {});
+
+ private:
+  ClipperLib::Clipper clipper_;
+  ClipperLib::Paths paths_;
+};
 
 /// The area of a tree as Clipper makes it, without corners that are on the line of their neighbours within 1.4 units.
 Area area_of(const ClipperLib::PolyTree& tree);
 
 /// What lies within an odd number of the paths.
-Area even_odd(const ClipperLib::Paths& paths);
+Area even_odd(const ClipperLib::Paths& paths, const Work& work = {});
 
 /// What the paths run around more often one way than the other.
-Area non_zero(const ClipperLib::Paths& paths);
+Area non_zero(const ClipperLib::Paths& paths, const Work& work = {});
 
 }  // namespace csgsim::flat

@@ -18,38 +18,38 @@ ClipperLib::Paths contours(const ClipperLib::PolyTree& tree) {
 }
 
 /// The first as subject, all others as clips.
-Area clip_at_once(std::span<const Area> areas, ClipperLib::ClipType operation) {
-  ClipperLib::Clipper clipper;
+Area clip_at_once(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work) {
+  Clipping clipping;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    clipper.AddPaths(paths_of(areas[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip, true);
+    clipping.add(paths_of(areas[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip);
   }
   ClipperLib::PolyTree result;
-  execute(clipper, operation, ClipperLib::pftNonZero, result);
+  clipping.execute(operation, ClipperLib::pftNonZero, result, work);
   return area_of(result);
 }
 
 }  // namespace
 
-Area unite(std::span<const Area> areas) {
+Area unite(std::span<const Area> areas, const Work& work) {
   if (areas.empty()) return {};
-  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctUnion);
+  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctUnion, work);
 }
 
-Area subtract(std::span<const Area> areas) {
+Area subtract(std::span<const Area> areas, const Work& work) {
   if (areas.empty()) return {};
-  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctDifference);
+  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctDifference, work);
 }
 
-Area intersect(std::span<const Area> areas) {
+Area intersect(std::span<const Area> areas, const Work& work) {
   if (areas.empty()) return {};
   if (areas.size() == 1) return areas.front();
   ClipperLib::Paths common = paths_of(areas.front());
   ClipperLib::PolyTree result;
   for (const Area& area : areas.subspan(1)) {
-    ClipperLib::Clipper clipper;
-    clipper.AddPaths(common, ClipperLib::ptSubject, true);
-    clipper.AddPaths(paths_of(area), ClipperLib::ptClip, true);
-    execute(clipper, ClipperLib::ctIntersection, ClipperLib::pftNonZero, result);
+    Clipping clipping;
+    clipping.add(common, ClipperLib::ptSubject);
+    clipping.add(paths_of(area), ClipperLib::ptClip);
+    clipping.execute(ClipperLib::ctIntersection, ClipperLib::pftNonZero, result, work);
     common = contours(result);
   }
   return area_of(result);

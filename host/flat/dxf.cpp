@@ -25,9 +25,9 @@ const std::set<std::string, std::less<>>& bare_entities() {
   return names;
 }
 
-class Reader {
+class DxfReader {
  public:
-  explicit Reader(const DxfOptions& options) : options_(options) {}
+  explicit DxfReader(const DxfOptions& options) : options_(options) {}
 
   Imported read(std::string_view bytes);
 
@@ -54,7 +54,7 @@ class Reader {
   std::set<std::string> left_out_;
 };
 
-void Reader::begin(const dxf::Tag& tag) {
+void DxfReader::begin(const dxf::Tag& tag) {
   entity_ = {};
   entity_.type = tag.value;
   entity_.line = tag.line;
@@ -63,7 +63,7 @@ void Reader::begin(const dxf::Tag& tag) {
 }
 
 /// Coordinates and lengths of blocks stay as they are until they are inserted.
-void Reader::take(const dxf::Tag& tag) {
+void DxfReader::take(const dxf::Tag& tag) {
   if (tag.code == 2) entity_.name = tag.value;
   if (tag.code == 8) entity_.layer = tag.value;
   if (section_ == Section::other) return;
@@ -86,7 +86,7 @@ void Reader::take(const dxf::Tag& tag) {
   }
 }
 
-void Reader::add(const dxf::Segment& segment) {
+void DxfReader::add(const dxf::Segment& segment) {
   if (section_ == Section::entities) {
     segments_.add(segment[0], segment[1]);
   } else if (!block_.empty()) {
@@ -97,7 +97,7 @@ void Reader::add(const dxf::Segment& segment) {
   }
 }
 
-void Reader::insert() {
+void DxfReader::insert() {
   const auto found = blocks_.find(entity_.name);
   if (found == blocks_.end()) {
     leave_out("INSERT of " + printable(entity_.name) + ", a block of no lines");
@@ -115,7 +115,7 @@ void Reader::insert() {
   for (const dxf::Segment& segment : block) add({placed(segment[0]), placed(segment[1])});
 }
 
-void Reader::finish_entity() {
+void DxfReader::finish_entity() {
   if (section_ == Section::other || !is_asked_for()) return;
   if (dxf::is_drawn(entity_.type)) {
     dxf::draw(entity_, options_.facets, [&](const dxf::Segment& segment) { add(segment); });
@@ -127,7 +127,7 @@ void Reader::finish_entity() {
   }
 }
 
-void Reader::finish() {
+void DxfReader::finish() {
   if (entity_.type == "SECTION") {
     section_ = entity_.name == "ENTITIES" ? Section::entities
                : entity_.name == "BLOCKS" ? Section::blocks
@@ -145,7 +145,7 @@ void Reader::finish() {
   }
 }
 
-Imported Reader::read(std::string_view bytes) {
+Imported DxfReader::read(std::string_view bytes) {
   dxf::Tags tags(bytes);
   bool any = false;
   while (const std::optional<dxf::Tag> tag = tags.next()) {
@@ -159,7 +159,7 @@ Imported Reader::read(std::string_view bytes) {
   }
   if (!any) throw InputError("line 1: this is not DXF: it has no section");
   if (entity_.type != "EOF") throw InputError("the DXF file is cut short: its last group is not 0, EOF");
-  return {even_odd(paths_of({segments_.outlines()})), {left_out_.begin(), left_out_.end()}};
+  return {even_odd(paths_of({segments_.outlines()}), options_.work), {left_out_.begin(), left_out_.end()}};
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ Imported read_dxf(std::string_view bytes, const DxfOptions& options) {
       !std::isfinite(options.origin.y)) {
     throw InputError("scale of import() must be above 0, and its origin of finite numbers");
   }
-  return Reader(options).read(bytes);
+  return DxfReader(options).read(bytes);
 }
 
 }  // namespace csgsim::flat

@@ -6,6 +6,7 @@
 
 #include "host/flat/imported.h"
 #include "host/model/tree.h"
+#include "hw/base/work.h"
 
 namespace csgsim::flat {
 
@@ -14,6 +15,7 @@ struct DxfOptions {
   glm::dvec2 origin{0};  ///< where in the drawing the origin is
   double scale = 1;      ///< model units of a unit of the drawing
   model::FacetControl facets{};
+  Work work{};
 };
 
 /// What OpenSCAD 2021.01 makes of an ASCII DXF file: lines, polylines, circles, arcs, ellipses and inserted blocks, cut

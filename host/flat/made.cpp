@@ -49,11 +49,11 @@ Area circle(double radius, const model::FacetControl& facets) {
   return {{std::move(outline)}};
 }
 
-Area polygon(std::span<const glm::dvec2> points, std::span<const std::vector<std::uint32_t>> paths) {
+Area polygon(std::span<const glm::dvec2> points, std::span<const std::vector<std::uint32_t>> paths, const Work& work) {
   Area area;
   if (paths.empty()) area.outlines.emplace_back(points.begin(), points.end());
   for (std::size_t i = 0; i < paths.size(); ++i) area.outlines.push_back(outline_of(points, paths[i], i));
-  return even_odd(paths_of(area));
+  return even_odd(paths_of(area), work);
 }
 
 }  // namespace csgsim::flat

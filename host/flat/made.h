@@ -7,6 +7,7 @@
 
 #include "host/flat/area.h"
 #include "host/model/tree.h"
+#include "hw/base/work.h"
 
 namespace csgsim::flat {
 
@@ -19,7 +20,8 @@ Area circle(double radius, const model::FacetControl& facets);
 
 /// What lies within an odd number of the paths, which index the points; without paths, within all points in order.
 /// Paths may cross, and run either way. Throws InputError for an index that is no point's, and for coordinates that are
-/// not finite or too large.
-Area polygon(std::span<const glm::dvec2> points, std::span<const std::vector<std::uint32_t>> paths);
+/// not finite or too large, and WorkError past the limit on work.
+Area polygon(std::span<const glm::dvec2> points, std::span<const std::vector<std::uint32_t>> paths,
+             const Work& work = {});
 
 }  // namespace csgsim::flat

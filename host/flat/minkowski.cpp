@@ -49,7 +49,7 @@ void add_inner(ClipperLib::Paths& terms, const ClipperLib::Paths& area, const Cl
   }
 }
 
-Area sum(const Area& one, const Area& other) {
+Area sum(const Area& one, const Area& other, const Work& work) {
   const ClipperLib::Paths a = paths_of(one);
   const ClipperLib::Paths b = paths_of(other);
   if (corners(a) * corners(b) > max_pairs) {
@@ -63,19 +63,19 @@ Area sum(const Area& one, const Area& other) {
   }
   add_inner(terms, a, b);
   add_inner(terms, b, a);
-  return non_zero(terms);
+  return non_zero(terms, work);
 }
 
 }  // namespace
 
-Area minkowski(std::span<const Area> areas) {
+Area minkowski(std::span<const Area> areas, const Work& work) {
   if (areas.empty()) return {};
   if (areas.size() == 1) return areas.front();
   Area result = areas.front();
   bool alone = true;
   for (const Area& area : areas.subspan(1)) {
     if (area.empty()) continue;
-    result = sum(result, area);
+    result = sum(result, area, work);
     alone = false;
   }
   return alone ? Area{} : result;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "host/flat/clip_steps.h"
 #include "host/flat/clipping.h"
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
@@ -45,13 +46,15 @@ double arc_tolerance(const Area& area, double radius, const model::FacetControl&
 
 }  // namespace
 
-Area offset(const Area& area, double distance, Corner corner, const model::FacetControl& facets) {
+Area offset(const Area& area, double distance, Corner corner, const model::FacetControl& facets, const Work& work) {
   if (!(std::abs(distance) <= largest_distance)) {
     throw InputError("the distance of offset() is not a number or beyond 1e7; make it smaller");
   }
   const double tolerance = corner == Corner::round ? arc_tolerance(area, std::abs(distance), facets) : 0;
   ClipperLib::ClipperOffset clipper(sharp_limit, tolerance * clipper_scale);
-  clipper.AddPaths(paths_of(area), join_type(corner), ClipperLib::etClosedPolygon);
+  const ClipperLib::Paths paths = paths_of(area);
+  charge_clipping(paths, work);
+  clipper.AddPaths(paths, join_type(corner), ClipperLib::etClosedPolygon);
   ClipperLib::PolyTree tree;
   clipper.Execute(tree, distance * clipper_scale);
   return area_of(tree);

@@ -31,9 +31,9 @@ struct Box {
 };
 
 /// What the elements say, in their order.
-class Reader {
+class SvgReader {
  public:
-  Reader(std::string_view bytes, const SvgOptions& options) : bytes_(bytes), options_(options) {}
+  SvgReader(std::string_view bytes, const SvgOptions& options) : bytes_(bytes), options_(options) {}
 
   Imported read();
 
@@ -54,12 +54,12 @@ class Reader {
   std::set<std::string> left_out_;
 };
 
-std::string Reader::place(std::ptrdiff_t offset) const {
+std::string SvgReader::place(std::ptrdiff_t offset) const {
   const std::string_view before = bytes_.substr(0, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
   return "line " + std::to_string(1 + std::ranges::count(before, '\n')) + ": ";
 }
 
-void Reader::add(std::vector<Outline> outlines) {
+void SvgReader::add(std::vector<Outline> outlines) {
   for (Outline& outline : outlines) {
     corners_ += outline.size();
     for (glm::dvec2& corner : outline) {
@@ -74,7 +74,7 @@ void Reader::add(std::vector<Outline> outlines) {
   shapes_.push_back(std::move(outlines));
 }
 
-void Reader::enter(pugi::xml_node element) {
+void SvgReader::enter(pugi::xml_node element) {
   const std::string_view name = element.name();
   const bool outermost = matrices_.size() == 1;
   matrices_.push_back(matrices_.back());
@@ -88,7 +88,7 @@ void Reader::enter(pugi::xml_node element) {
   if (shape) add(std::move(*shape));
 }
 
-void Reader::walk(pugi::xml_node root) {
+void SvgReader::walk(pugi::xml_node root) {
   matrices_.assign(1, glm::dmat3(1));
   pugi::xml_node node = root;
   while (!node.empty()) {
@@ -117,11 +117,11 @@ void Reader::walk(pugi::xml_node root) {
 }
 
 /// On the page, whose y axis runs up. OpenSCAD subtracts the y of the box's low corner where it should be added.
-Area Reader::laid_out() const {
+Area SvgReader::laid_out() const {
   const glm::dvec2 centre = (box_.low + box_.high) / 2.0;
   const double x = options_.center ? -centre.x : page_.margin.x;
   const double y = options_.center ? centre.y : page_.height - page_.margin.y;
-  ClipperLib::Clipper clipper;
+  Clipping clipping;
   bool first = true;
   for (const std::vector<Outline>& shape : shapes_) {
     Area area;
@@ -132,15 +132,15 @@ Area Reader::laid_out() const {
                              -page_.scale.y * (corner.y + page_.origin.y) + y);
       }
     }
-    clipper.AddPaths(paths_of(even_odd(paths_of(area))), first ? ClipperLib::ptSubject : ClipperLib::ptClip, true);
+    clipping.add(paths_of(even_odd(paths_of(area), options_.work)), first ? ClipperLib::ptSubject : ClipperLib::ptClip);
     first = false;
   }
   ClipperLib::PolyTree tree;
-  execute(clipper, ClipperLib::ctUnion, ClipperLib::pftNonZero, tree);
+  clipping.execute(ClipperLib::ctUnion, ClipperLib::pftNonZero, tree, options_.work);
   return area_of(tree);
 }
 
-Imported Reader::read() {
+Imported SvgReader::read() {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(bytes_.data(), bytes_.size());
   if (!parsed) throw InputError(place(parsed.offset) + "this is not XML: " + parsed.description());
@@ -157,7 +157,7 @@ Imported read_svg(std::string_view bytes, const SvgOptions& options) {
   if (!(options.dpi >= 0.001) || !std::isfinite(options.dpi)) {
     throw InputError("dpi of import() must be at least 0.001");
   }
-  return Reader(bytes, options).read();
+  return SvgReader(bytes, options).read();
 }
 
 }  // namespace csgsim::flat

@@ -65,12 +65,12 @@ std::uint32_t sides_of_curves(const Text& text) {
 
 /// What any of the letters covers; whatever way its outlines run.
 Area unite_letters(std::span<const Area> letters) {
-  ClipperLib::Clipper clipper;
+  Clipping clipping;
   for (std::size_t i = 0; i < letters.size(); ++i) {
-    clipper.AddPaths(paths_of(letters[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip, true);
+    clipping.add(paths_of(letters[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip);
   }
   ClipperLib::PolyTree tree;
-  execute(clipper, ClipperLib::ctUnion, ClipperLib::pftNonZero, tree);
+  clipping.execute(ClipperLib::ctUnion, ClipperLib::pftNonZero, tree);
   return area_of(tree);
 }
 
@@ -81,6 +81,12 @@ Area text(const Text& text) {
   const lettering::Lettering lettering = opened_module().draw(text, sides_of_curves(text), max_corners);
   if (!lettering.error.empty()) throw InputError(lettering.error);
   return unite_letters(lettering.letters);
+}
+
+std::optional<std::string> replacement_font(const std::string& font) {
+  std::string family = opened_module().replacement(font);
+  if (family.empty()) return std::nullopt;
+  return family;
 }
 
 }  // namespace csgsim::flat

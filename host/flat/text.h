@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host/flat/area.h"
@@ -25,5 +26,9 @@ struct Text {
 /// for is not installed, fontconfig chooses another, as it does for OpenSCAD. Opens csgsim_text.so when first called.
 /// Throws InputError for an unknown alignment, sizes that are not finite, too much text, and fonts that cannot be read.
 Area text(const Text& text);
+
+/// The family that fontconfig has instead of what a Text's `font` names, if that is not installed. Nothing if it is, if
+/// none is named but such as any font may stand for (`sans`), or if there is no font at all, which text() tells of.
+std::optional<std::string> replacement_font(const std::string& font);
 
 }  // namespace csgsim::flat

@@ -1,5 +1,7 @@
 #include "host/model/tree.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace csgsim::model {
@@ -18,6 +20,11 @@ Counts count(const Tree& tree) {
     }
   }
   return counts;
+}
+
+std::string place_of(const Tree& tree, std::uint32_t primitive) {
+  const Location& at = tree.primitives[primitive].location;
+  return fmt::format("{}:{}:{}", tree.file, at.line, at.column);
 }
 
 }  // namespace csgsim::model

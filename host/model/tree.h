@@ -105,4 +105,7 @@ struct Counts {
 
 Counts count(const Tree& tree);
 
+/// Where the file has the primitive, as messages begin: file:line:column.
+std::string place_of(const Tree& tree, std::uint32_t primitive);
+
 }  // namespace csgsim::model

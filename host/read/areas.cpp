@@ -1,7 +1,8 @@
 #include "host/read/areas.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "host/flat/combine.h"
@@ -11,6 +12,8 @@
 #include "host/read/indices.h"
 #include "host/read/measures.h"
 #include "host/read/only.h"
+#include "hw/base/error.h"
+#include "hw/base/text.h"
 
 namespace csgsim::read {
 
@@ -18,10 +21,8 @@ namespace {
 
 /// A node without children.
 Maker leaf(flat::Area area) {
-  return [area = std::move(area)](const Operands& /*none*/) { return Made{{}, area}; };
+  return [area = std::move(area)](const Operands& /*none*/) { return Made{{}, area, {}, 2}; };
 }
-
-bool is_finite(const glm::dvec2& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
 std::vector<std::vector<std::uint32_t>> read_paths(const Arguments& arguments, std::size_t points) {
   std::vector<std::vector<std::uint32_t>> paths;
@@ -33,6 +34,22 @@ std::vector<std::vector<std::uint32_t>> read_paths(const Arguments& arguments, s
   if (is_one) return {read_indices(arguments, *list, points)};
   list->for_each([&](ValueView value) { paths.push_back(read_indices(arguments, value, points)); });
   return paths;
+}
+
+/// Fonts are the user's, so that what is drawn may not be what the model's author saw. OpenSCAD does the same, and does
+/// not tell.
+void tell_replacement(const Arguments& arguments, const flat::Text& text) {
+  if (text.text.empty()) return;
+  try {
+    if (const std::optional<std::string> family = flat::replacement_font(text.font)) {
+      arguments.tell_once(
+          "warning: the font {} of text() is not installed, and {} is drawn instead, as OpenSCAD does; install it, or "
+          "name one that fc-list shows",
+          printable(shown(text.font)), printable(*family));
+    }
+  } catch (const InputError&) {
+    // There is no module to ask; making the text tells so.
+  }
 }
 
 }  // namespace
@@ -59,15 +76,19 @@ Maker read_polygon(const Arguments& arguments) {
   const ValueView list = arguments.required("points", "points = [[x, y], ...]");
   if (!list.is(ValueKind::vector)) arguments.fail(list, "points of polygon() must be a vector of [x, y]");
   std::vector<glm::dvec2> points;
+  std::optional<ValueView> bad;
   list.for_each([&](ValueView value) {
-    std::array<double, 2> point{};
-    arguments.read_numbers(value, 2, point, "a point");
-    points.emplace_back(point[0], point[1]);
+    const auto point = finite_numbers<2>(value);
+    if (point) points.emplace_back((*point)[0], (*point)[1]);
+    if (!point && !bad) bad = value;
   });
+  if (bad) {
+    arguments.tell(*bad, "warning: a point of polygon() is no [x, y] of finite numbers; it is empty, as in OpenSCAD");
+    return leaf({});
+  }
   const std::vector<std::vector<std::uint32_t>> paths = read_paths(arguments, points.size());
-  if (!std::ranges::all_of(points, is_finite)) return leaf({});
-  return [points = std::move(points), paths](const Operands& /*none*/) {
-    return Made{{}, flat::polygon(points, paths)};
+  return [points = std::move(points), paths](const Operands& operands) {
+    return Made{{}, flat::polygon(points, paths, operands.work), {}, 2};
   };
 }
 
@@ -88,7 +109,8 @@ Maker read_text(const Arguments& arguments) {
   text.size = arguments.number("size").value_or(text.size);
   text.spacing = arguments.number("spacing").value_or(text.spacing);
   text.facets = read_facets(arguments);
-  return [text](const Operands& /*none*/) { return Made{{}, flat::text(text)}; };
+  tell_replacement(arguments, text);
+  return [text](const Operands& /*none*/) { return Made{{}, flat::text(text), {}, 2}; };
 }
 
 Maker read_offset(const Arguments& arguments) {
@@ -99,7 +121,10 @@ Maker read_offset(const Arguments& arguments) {
   const flat::Corner corner = !delta ? flat::Corner::round : is_cut ? flat::Corner::cut : flat::Corner::sharp;
   const double distance = delta ? *delta : radius.value_or(1);
   return [=, facets = read_facets(arguments)](const Operands& operands) {
-    return Made{{}, flat::offset(only_area(operands), distance, corner, facets)};
+    return Made{{},
+                flat::offset(only_area(operands), distance, corner, facets, operands.work),
+                {},
+                has_area(operands) ? 2U : 0U};
   };
 }
 

@@ -10,8 +10,8 @@ std::size_t ValueView::size() const {
   return count;
 }
 
-Arguments::Arguments(Source& source, const Statement& statement, const NodeType& node)
-    : source_(&source), statement_(&statement), node_(&node) {
+Arguments::Arguments(Source& source, const Statement& statement, const NodeType& node, const solids::Standing& standing)
+    : source_(&source), statement_(&statement), node_(&node), standing_(standing) {
   std::size_t next_positional = 0;
   for (const Argument& argument : statement.arguments) {
     if (!argument.name.empty()) {
@@ -76,14 +76,13 @@ std::optional<std::string> Arguments::text(std::string_view name) const {
   return text;
 }
 
-bool Arguments::names_file() const {
+std::optional<ImportedFile> Arguments::file(const InputKind& kind) const {
   const std::optional<std::string> name = text("file");
-  const bool is_empty = name && name->empty();
-  if (is_empty) source_->tell(statement_->offset, fmt::format("{}() names no file, and is empty", node_->name));
-  return !is_empty;
+  if (!name) fail("there is no file; add file = \"name\"");
+  if (!name->empty()) return source_->import(*name, kind, node_->name, statement_->offset);
+  source_->tell(statement_->offset, fmt::format("{}() names no file, and is empty", node_->name));
+  return std::nullopt;
 }
-
-std::filesystem::path Arguments::file(std::string_view name) const { return source_->file(name, statement_->offset); }
 
 ValueView Arguments::required(std::string_view name, std::string_view form) const {
   const std::optional<ValueView> value = find(name);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
@@ -14,6 +15,7 @@
 #include "host/read/nodes.h"
 #include "host/read/source.h"
 #include "host/read/syntax.h"
+#include "host/solids/check.h"
 
 namespace csgsim::read {
 
@@ -40,12 +42,30 @@ class ValueView {
   std::uint32_t index_;
 };
 
+/// The numbers of a vector of N; none where it is something else, or one of them is not finite.
+template <std::size_t N>
+std::optional<std::array<double, N>> finite_numbers(ValueView vector) {
+  if (!vector.is(ValueKind::vector) || vector.size() != N) return std::nullopt;
+  std::array<double, N> numbers{};
+  auto out = numbers.begin();
+  bool all_finite = true;
+  vector.for_each([&](ValueView element) {
+    const double number = element.value().number;
+    all_finite = all_finite && element.is(ValueKind::number) && std::isfinite(number);
+    *out++ = number;
+  });
+  return all_finite ? std::optional(numbers) : std::nullopt;
+}
+
 /// The arguments of a statement by name. Every reader throws InputError at the place of a value of the wrong kind; an
 /// argument that is `undef` counts as absent.
 class Arguments {
  public:
   /// Gives names to positional arguments. Throws InputError if one is unknown, given twice or too many.
-  Arguments(Source& source, const Statement& statement, const NodeType& node);
+  Arguments(Source& source, const Statement& statement, const NodeType& node, const solids::Standing& standing);
+
+  /// Where what the node makes stands.
+  [[nodiscard]] const solids::Standing& standing() const { return standing_; }
 
   [[nodiscard]] std::optional<ValueView> find(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return find(name).has_value(); }
@@ -56,11 +76,13 @@ class Arguments {
   /// A string as it stands between its quotes, but for \\", which is a quote.
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
 
-  /// Whether a file is named; if its name is empty, that is told, and the node is empty as in OpenSCAD.
-  [[nodiscard]] bool names_file() const;
+  /// The file that the argument `file` names. None if the name is empty, or there is no file of that name: that is
+  /// told, and the node is empty as in OpenSCAD. Throws InputError, at the name of the node, as Source::import() does,
+  /// and where the argument is absent.
+  [[nodiscard]] std::optional<ImportedFile> file(const InputKind& kind) const;
 
-  /// See Source::file(); a refusal is at the name of the node.
-  [[nodiscard]] std::filesystem::path file(std::string_view name) const;
+  /// See Source::work().
+  [[nodiscard]] const Work& work() const { return source_->work(); }
 
   /// The vector of that name; absence is an error, which shows `form` (`size = [x, y, z]`).
   [[nodiscard]] ValueView required(std::string_view name, std::string_view form) const;
@@ -78,6 +100,12 @@ class Arguments {
 
   [[nodiscard]] double read_number(ValueView value, std::string_view what) const;
 
+  /// Tells it at a value, on standard error.
+  void tell(ValueView at, std::string_view message) const { source_->tell(at.value().offset, message); }
+
+  /// Tells it at the name of the node.
+  void tell(std::string_view message) const { source_->tell(statement_->offset, message); }
+
   /// Throws InputError at a value.
   template <typename... Parts>
   [[noreturn]] void fail(ValueView at, fmt::format_string<Parts...> message, Parts&&... parts) const {
@@ -88,6 +116,12 @@ class Arguments {
   template <typename... Parts>
   [[noreturn]] void fail(fmt::format_string<Parts...> message, Parts&&... parts) const {
     source_->fail(statement_->offset, fmt::format(message, std::forward<Parts>(parts)...));
+  }
+
+  /// Tells of something at the name of the node, unless the same has been told at another node.
+  template <typename... Parts>
+  void tell_once(fmt::format_string<Parts...> message, Parts&&... parts) const {
+    source_->tell_once(statement_->offset, fmt::format(message, std::forward<Parts>(parts)...));
   }
 
  private:
@@ -102,6 +136,7 @@ class Arguments {
   Source* source_;
   const Statement* statement_;
   const NodeType* node_;
+  solids::Standing standing_;
   std::vector<Bound> bound_;
 };
 

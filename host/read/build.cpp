@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "host/flat/combine.h"
@@ -44,8 +45,10 @@ model::Tree subtree(const model::Tree& tree, std::uint32_t root, std::uint32_t n
 
 }  // namespace
 
-TreeBuilder::TreeBuilder(Source& source, const Options& options) : source_(source), options_(options), open_(1) {
+TreeBuilder::TreeBuilder(Source& source, const Options& options, Meetings meetings)
+    : source_(source), options_(options), meetings_(std::move(meetings)), open_(1) {
   tree_.file = source.name();
+  open_.back().standing.meets_others = meetings_.on_top;
 }
 
 TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
@@ -53,6 +56,7 @@ TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
   open.offset = statement.offset;
   open.location = source_.locate(statement.offset);
   open.transform = open_.back().transform;
+  open.standing = open_.back().standing;
   open.colour = open_.back().colour;
   open.first_child = children_.size();
   open.first_node = tree_.nodes.size();
@@ -72,7 +76,7 @@ void TreeBuilder::begin(const Statement& statement) {
                  fmt::format("{0}() has no children; put {1}() beside it, in a union() or difference()",
                              open_.back().name, node.name));
   }
-  const Arguments arguments(source_, statement, node);
+  const Arguments arguments(source_, statement, node, open_.back().standing);
   open_.push_back(make_open(statement));
   OpenNode& open = open_.back();
   open.name = node.name;
@@ -80,10 +84,16 @@ void TreeBuilder::begin(const Statement& statement) {
     case NodeKind::unite: break;
     case NodeKind::subtract: open.op = model::Operator::subtract; break;
     case NodeKind::intersect: open.op = model::Operator::intersect; break;
-    case NodeKind::transform: open.transform = open.transform * placement(arguments); break;
+    case NodeKind::transform: {
+      const glm::dmat4 matrix = placement(arguments);
+      open.is_removed = std::isnan(matrix[0][0]);
+      open.transform = open.transform * matrix;
+      open.standing.transform = open.standing.transform * matrix;
+      break;
+    }
     case NodeKind::colour: {
-      const std::optional<Colour> colour = read_colour(arguments);
-      if (!open.colour) open.colour = colour;
+      const Colour colour = read_colour(arguments);
+      if (!open.colour || !open.colour->is_whole) open.colour = colour;
       break;
     }
     case NodeKind::solid: add_solid(node, arguments); break;
@@ -92,10 +102,12 @@ void TreeBuilder::begin(const Statement& statement) {
       open.takes_children = node.has_children;
       open.dimensions = node.dimensions;
       open.outer = std::exchange(open.transform, glm::dmat4(1));
+      open.standing.transform = glm::dmat4(1);
       break;
     case NodeKind::unsupported:
     case NodeKind::source: break;
   }
+  if (meetings_.statements.contains(statement.offset)) open.standing = {.meets_others = true};
 }
 
 /// The matrix of the innermost statement.
@@ -121,6 +133,7 @@ void TreeBuilder::tell_restored() const {
 void TreeBuilder::add_solid(const NodeType& node, const Arguments& arguments) {
   OpenNode& open = open_.back();
   open.takes_children = false;
+  open.made = 3;
   std::optional<model::Shape> shape = node.solid(arguments);
   if (shape && !empties(open.transform)) add_leaf(open, *std::move(shape), open.transform);
 }
@@ -151,7 +164,7 @@ void TreeBuilder::end() {
 
 /// The operands of a node, each as a tree of its own.
 Operands TreeBuilder::take_operands(OpenNode& open) {
-  Operands operands{std::exchange(open.areas, {}), {}};
+  Operands operands{std::exchange(open.areas, {}), {}, open.dimensions};
   auto node = static_cast<std::uint32_t>(open.first_node);
   auto primitive = static_cast<std::uint32_t>(open.first_primitive);
   for (std::size_t child = open.first_child; child < children_.size(); ++child) {
@@ -159,6 +172,7 @@ Operands TreeBuilder::take_operands(OpenNode& open) {
     node = children_[child] + 1;
     primitive += static_cast<std::uint32_t>(operands.solids.back().primitives.size());
   }
+  operands.work = options_.work;
   drop_operands(open);
   return operands;
 }
@@ -177,6 +191,7 @@ void TreeBuilder::make(OpenNode& open) {
   } catch (const InputError& error) {
     source_.fail(open.offset, fmt::format("{}(): {}", open.name, error.what()));
   }
+  open.made = made.dimensions;
   if (empties(open.outer)) return;
   add_pieces(open, std::move(made.pieces));
   if (!made.holes.empty()) open.op = model::Operator::subtract;
@@ -195,11 +210,16 @@ void TreeBuilder::add_pieces(const OpenNode& open, std::vector<model::Polyhedron
 
 /// What an operator makes of areas.
 flat::Area TreeBuilder::combined(OpenNode& open) const {
+  if (open.areas.empty()) return {};
   if (open.areas.size() == 1) return std::move(open.areas.front());
-  switch (open.op) {
-    case model::Operator::unite: return flat::unite(open.areas);
-    case model::Operator::subtract: return flat::subtract(open.areas);
-    case model::Operator::intersect: return flat::intersect(open.areas);
+  try {
+    switch (open.op) {
+      case model::Operator::unite: return flat::unite(open.areas, options_.work);
+      case model::Operator::subtract: return flat::subtract(open.areas, options_.work);
+      case model::Operator::intersect: return flat::intersect(open.areas, options_.work);
+    }
+  } catch (const InputError& error) {
+    source_.fail(open.offset, fmt::format("{}(): {}", open.name, error.what()));
   }
   return {};
 }
@@ -210,11 +230,29 @@ void TreeBuilder::close_innermost() {
   open_.pop_back();
   if (open.is_empty) {
     drop_operands(open);
-    open.areas.clear();
   } else {
     join_operands(open, static_cast<bool>(open.maker));
   }
-  hand_on(open, open.areas.empty() ? flat::Area{} : combined(open));
+  if (!open_.empty()) hand_on(open, result_of(open));
+}
+
+TreeBuilder::Result TreeBuilder::result_of(OpenNode& open) const {
+  Result result;
+  result.dimensions = dimensions_of(open);
+  result.area = combined(open);
+  result.is_empty = result.area.empty() && children_.size() == open.first_child;
+  return result;
+}
+
+/// As OpenSCAD has it: a single operand is taken as it is; of several areas an area comes, if an empty one; of solids
+/// that are all empty, nothing.
+std::uint32_t TreeBuilder::dimensions_of(const OpenNode& open) const {
+  if (open.is_removed) return 0;
+  if (children_.size() > open.first_child) return 3;
+  if (open.maker || !open.takes_children) return !open.areas.empty() ? 2 : open.made;
+  if (open.dimensions == 2) return open.areas.size() == 1 && open.areas.front().empty() ? 0 : 2;
+  if (open.dimensions == 0 || open.is_nothing) return 0;
+  return open.op == model::Operator::unite && open.operands > 1 ? 0 : open.dimensions;
 }
 
 /// Several trees become one.
@@ -230,35 +268,47 @@ void TreeBuilder::join_operands(const OpenNode& open, bool of_pieces) {
 }
 
 /// To the statement around it. Areas that are not in another node are plates, as OpenSCAD shows them.
-void TreeBuilder::hand_on(OpenNode& open, flat::Area area) {
-  if (open_.empty()) return;
+void TreeBuilder::hand_on(OpenNode& open, Result result) {
+  if (result.dimensions != 0 && !goes_with(open, result)) {
+    drop_operands(open);
+    result = {};
+  }
+  OpenNode& parent = open_.back();
+  count_operand(parent, result);
   const bool is_file = open_.size() == 1;
-  const std::uint32_t dimensions = !area.empty() ? 2 : children_.size() > open.first_child ? 3 : 0;
-  if (dimensions != 0 && !goes_with(open, dimensions)) return drop_operands(open);
-  if (is_file && dimensions == 2) {
+  if (is_file && !result.area.empty()) {
     open.outer = glm::dmat4(1);
-    add_pieces(open, solids::linear_extrude(area, {.height = 1, .center = true}));
+    add_pieces(open, solids::linear_extrude(result.area, {.height = 1, .center = true}, options_.work));
     open.op = model::Operator::unite;
     join_operands(open, true);
-  } else if (dimensions == 2) {
-    open_.back().areas.push_back(std::move(area));
+  } else if (!is_file && parent.dimensions != 3) {
+    parent.areas.push_back(std::move(result.area));
   }
-  OpenNode& parent = open_.back();
-  if (dimensions == 0) {
-    parent.is_empty |= parent.op == model::Operator::intersect;
-    parent.is_empty |= parent.op == model::Operator::subtract && !parent.has_operands;
-  }
-  parent.has_operands = true;
 }
 
-/// Whether an operand can be one of the statement around it; as in OpenSCAD the first says what goes with it.
-bool TreeBuilder::goes_with(const OpenNode& open, std::uint32_t dimensions) {
+/// An empty operand empties an intersection, and as the first one a difference.
+void TreeBuilder::count_operand(OpenNode& parent, const Result& result) {
+  const bool is_first = parent.operands++ == 0;
+  if (!result.is_empty) return;
+  const bool intersects = parent.op == model::Operator::intersect;
+  if (!intersects && !(is_first && parent.op == model::Operator::subtract)) return;
+  parent.is_empty = true;
+  parent.is_nothing |= result.dimensions == 0 || !is_first;
+}
+
+/// Whether an operand can be one of the statement around it; as in OpenSCAD the first that has dimensions, an empty one
+/// too, says what goes with it.
+bool TreeBuilder::goes_with(const OpenNode& open, const Result& result) {
   OpenNode& parent = open_.back();
-  if (parent.dimensions == 0) parent.dimensions = dimensions;
-  if (parent.dimensions == dimensions) return true;
+  if (parent.dimensions == 0) {
+    parent.dimensions = result.dimensions;
+    if (result.dimensions == 3) parent.areas.clear();
+  }
+  if (parent.dimensions == result.dimensions) return true;
+  if (result.is_empty) return false;
   source_.tell(open.offset,
                fmt::format("{}() is {}, and where {} shapes are taken it is left out, as OpenSCAD does", open.name,
-                           dimensions == 2 ? "flat" : "solid", dimensions == 2 ? "solid" : "flat"));
+                           result.dimensions == 2 ? "flat" : "solid", result.dimensions == 2 ? "solid" : "flat"));
   return false;
 }
 

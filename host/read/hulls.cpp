@@ -1,5 +1,6 @@
 #include "host/read/hulls.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -14,27 +15,29 @@
 #include "host/solids/minkowski.h"
 #include "host/solids/projection.h"
 #include "host/solids/resize.h"
-#include "hw/base/error.h"
 
 namespace csgsim::read {
 
 namespace {
 
 Made hull_of(Operands operands) {
-  if (operands.solids.empty()) return {{}, flat::hull(operands.areas)};
+  if (operands.dimensions == 2) return {{}, flat::hull(operands.areas), {}, 2};
+  if (operands.solids.empty()) return {};
+  const Work work = operands.work;
   const model::Tree all = only_solid(std::move(operands));
   Made made;
-  if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::vertices_of(all)))
+  if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::vertices_of(all, work), work))
     made.pieces.push_back(*std::move(piece));
   return made;
 }
 
 Made sum_of(const Operands& operands) {
-  if (operands.solids.empty()) return {{}, flat::minkowski(operands.areas)};
-  if (!operands.areas.empty()) throw InputError("it takes solids or 2-D children, not both");
+  if (operands.dimensions == 2)
+    return {{}, flat::minkowski(operands.areas, operands.work), {}, has_area(operands) ? 2U : 0U};
+  if (operands.solids.empty()) return {};
   std::vector<solids::Pieces> all;
-  for (const model::Tree& solid : operands.solids) all.push_back(solids::pieces_of(solid));
-  return {solids::minkowski(all), {}};
+  for (const model::Tree& solid : operands.solids) all.push_back(solids::pieces_of(solid, operands.work));
+  return {solids::minkowski(all, operands.work), {}};
 }
 
 model::Polyhedron scaled(model::Polyhedron piece, const glm::dvec3& scale) {
@@ -52,12 +55,23 @@ struct NewSize {
   std::array<bool, 3> automatic{};
 };
 
+/// Whether no Boolean has made it.
+bool is_one(const model::Tree& solid) {
+  return std::ranges::all_of(solid.nodes, [](const model::Node& node) { return node.is_leaf || node.of_pieces; });
+}
+
 Made resized(Operands operands, const NewSize& to) {
-  if (operands.solids.empty()) {
+  if (operands.dimensions == 2) {
     const flat::Area area = only_area(operands);
-    return {{}, flat::resized(area, glm::dvec2(to.size), {to.automatic[0], to.automatic[1]})};
+    return {{},
+            flat::resized(area, glm::dvec2(to.size), {to.automatic[0], to.automatic[1]}),
+            {},
+            has_area(operands) ? 2U : 0U};
   }
-  std::vector<model::Polyhedron> pieces = solids::pieces_of(only_solid(std::move(operands)));
+  if (operands.solids.empty()) return {};
+  const Work work = operands.work;
+  const model::Tree solid = only_solid(std::move(operands));
+  std::vector<model::Polyhedron> pieces = solids::pieces_of(solid, work);
   if (pieces.empty()) return {};
   glm::dvec3 low = pieces.front().points.front();
   glm::dvec3 high = low;
@@ -67,7 +81,8 @@ Made resized(Operands operands, const NewSize& to) {
       high = glm::max(high, point);
     }
   }
-  const glm::dvec3 scale = solids::resize_scale(high - low, to.size, to.automatic);
+  const glm::dvec3 scale = solids::resize_scale(high - low, to.size, to.automatic,
+                                                is_one(solid) ? solids::Resized::one : solids::Resized::combined);
   for (model::Polyhedron& piece : pieces) piece = scaled(std::move(piece), scale);
   return {std::move(pieces), {}};
 }
@@ -108,8 +123,9 @@ Maker read_resize(const Arguments& arguments) {
 Maker read_projection(const Arguments& arguments) {
   const bool cut = arguments.boolean("cut").value_or(false);
   return [cut](Operands operands) {
+    const Work work = operands.work;
     const model::Tree solid = only_solid(std::move(operands));
-    return Made{{}, cut ? solids::section(solid) : solids::shadow(solids::pieces_of(solid))};
+    return Made{{}, cut ? solids::section(solid, work) : solids::shadow(solids::pieces_of(solid, work), work)};
   };
 }
 

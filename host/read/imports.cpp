@@ -1,17 +1,21 @@
 #include "host/read/imports.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "host/flat/dxf.h"
 #include "host/flat/svg.h"
-#include "host/read/files.h"
 #include "host/read/measures.h"
 #include "host/read/mesh_pieces.h"
 #include "host/solids/read_mesh.h"
 #include "host/solids/surface.h"
 #include "hw/base/error.h"
+#include "hw/base/text.h"
 
 namespace csgsim::read {
 
@@ -19,16 +23,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr InputKind mesh_or_drawing{"a mesh or a drawing", solids::most_mesh_bytes, "make it coarser"};
+
+/// The ending of its name in small letters, as `.stl`.
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending;
+}
+
 flat::Area svg_area(const Arguments& arguments, const std::string& bytes) {
   flat::SvgOptions options;
   options.dpi = arguments.number("dpi").value_or(options.dpi);
   options.center = arguments.boolean("center").value_or(options.center);
+  options.work = arguments.work();
   return flat::read_svg(bytes, options).area;
 }
 
 }  // namespace
 
-flat::Area dxf_area(const Arguments& arguments, const fs::path& path, double scale) {
+flat::Area dxf_area(const Arguments& arguments, std::string_view bytes, double scale) {
   flat::DxfOptions options;
   options.layer = arguments.text("layer").value_or("");
   if (const std::optional<ValueView> origin = arguments.find("origin")) {
@@ -37,33 +52,38 @@ flat::Area dxf_area(const Arguments& arguments, const fs::path& path, double sca
     options.origin = {both[0], both[1]};
   }
   options.scale = scale;
+  options.work = arguments.work();
   options.facets = read_facets(arguments);
-  return flat::read_dxf(load(path.string()), options).area;
+  return flat::read_dxf(bytes, options).area;
 }
 
 namespace {
 
-Made mesh_made(const fs::path& path, const std::string& kind) {
+Made mesh_made(const Arguments& arguments, const ImportedFile& file, const std::string& kind) {
   const double tolerance =
       kind == ".stl" || kind == ".3mf" ? solids::single_precision_tolerance : solids::printed_tolerance;
   Made made;
-  for (const solids::Mesh& mesh : solids::read_meshes(path)) {
-    const MeshPieces found = pieces_of(mesh, tolerance);
+  made.dimensions = 3;
+  for (const solids::Mesh& mesh : solids::parse_meshes(file.bytes, file.path)) {
+    const MeshPieces found = pieces_of(mesh, tolerance, arguments.standing(), arguments.work());
     if (found.defect)
-      throw InputError(path.string() + ": face " + std::to_string(found.defect->face) + ": " + found.defect->what);
+      throw InputError(file.path.string() + ": face " + std::to_string(found.defect->face) + ": " + found.defect->what);
+    for (const Remark& remark : found.remarks)
+      arguments.tell(fmt::format("{}: {}", printable(file.path.native()), remark.what));
     made.pieces.insert(made.pieces.end(), found.pieces.begin(), found.pieces.end());
   }
   return made;
 }
 
 Made made_of(const Arguments& arguments) {
-  if (!arguments.names_file()) return {};
-  const fs::path path = file_of(arguments);
-  const std::string kind = ending_of(path);
+  const std::optional<ImportedFile> file = arguments.file(mesh_or_drawing);
+  const std::string kind = ending_of(file ? file->path : fs::path(arguments.text("file").value_or("")));
+  const bool is_drawing = kind == ".svg" || kind == ".dxf";
+  if (!file) return {{}, {}, {}, is_drawing ? 2U : 3U};
   try {
-    if (kind == ".svg") return {{}, svg_area(arguments, load(path.string()))};
-    if (kind == ".dxf") return {{}, dxf_area(arguments, path, arguments.number("scale").value_or(1))};
-    return mesh_made(path, kind);
+    if (kind == ".svg") return {{}, svg_area(arguments, file->bytes), {}, 2};
+    if (kind == ".dxf") return {{}, dxf_area(arguments, file->bytes, arguments.number("scale").value_or(1)), {}, 2};
+    return mesh_made(arguments, *file, kind);
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
@@ -74,15 +94,17 @@ Made made_of(const Arguments& arguments) {
 Maker read_surface(const Arguments& arguments) {
   const bool center = arguments.boolean("center").value_or(false);
   const bool invert = arguments.boolean("invert").value_or(false);
-  if (!arguments.names_file()) return [](const Operands& /*none*/) { return Made{}; };
+  const std::optional<ImportedFile> file = arguments.file(solids::surface_file);
+  if (!file) return [](const Operands& /*none*/) { return Made{{}, {}, {}, 3}; };
   MeshPieces found;
   try {
-    found = pieces_of(solids::read_surface(file_of(arguments), center, invert), solids::double_precision_tolerance);
+    found = pieces_of(solids::parse_surface_file(file->bytes, file->path, center, invert),
+                      solids::double_precision_tolerance, arguments.standing(), arguments.work());
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
   if (found.defect) arguments.fail("{}", found.defect->what);
-  return [pieces = std::move(found.pieces)](const Operands& /*none*/) { return Made{pieces, {}}; };
+  return [pieces = std::move(found.pieces)](const Operands& /*none*/) { return Made{pieces, {}, {}, 3}; };
 }
 
 Maker read_import(const Arguments& arguments) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <filesystem>
+#include <string_view>
 
 #include "host/flat/area.h"
 #include "host/read/arguments.h"
@@ -8,10 +8,10 @@
 
 namespace csgsim::read {
 
-// Nodes that other files stand for (files.h).
+// Nodes that other files stand for, see Arguments::file().
 
 /// What a DXF file draws, as the arguments `layer`, `origin` and $fn, $fa, $fs say. Throws InputError without a place.
-flat::Area dxf_area(const Arguments& arguments, const std::filesystem::path& path, double scale);
+flat::Area dxf_area(const Arguments& arguments, std::string_view bytes, double scale);
 
 /// import() of STL, OFF, AMF, 3MF, SVG and DXF files.
 Maker read_import(const Arguments& arguments);

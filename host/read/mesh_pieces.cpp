@@ -1,15 +1,96 @@
 #include "host/read/mesh_pieces.h"
 
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
 #include <utility>
+
+#include "host/solids/hull.h"
+#include "host/solids/nearly_convex.h"
 
 namespace csgsim::read {
 
-MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance) {
-  solids::Checked checked = solids::check(mesh, tolerance);
+namespace {
+
+/// Of a face: its edges are sorted and joined, and faces that cross are looked for.
+constexpr std::uint64_t check_steps = 3'000;
+
+Remark bent_faces(const solids::BentFaces& bent, bool is_hull) {
+  std::string what = bent.count == 1 ? fmt::format("faces[{}] is not flat: a corner is {:.3g} off its plane",
+                                                   bent.first, bent.most_off)
+                                     : fmt::format(
+                                           "faces[{}] and {} more are not flat: corners are up to {:.3g} off "
+                                           "their planes",
+                                           bent.first, bent.count - 1, bent.most_off);
+  what += is_hull ? "; the solid is nearly convex and meets others, where OpenSCAD takes it for its convex hull"
+                  : "; cut into triangles as OpenSCAD cuts it";
+  if (bent.unlike && !is_hull)
+    what += fmt::format(", but for faces[{}], which crosses itself as OpenSCAD looks at it", *bent.unlike);
+  return {bent.first, std::move(what)};
+}
+
+constexpr std::string_view what_is_wound =
+    "drawn is what the faces wind around, as OpenSCAD shows it alone; its Booleans leave it out";
+
+Remark crossing_faces(const solids::Crossing& crossing) {
+  const std::string more = crossing.count > 1 ? fmt::format(", and so do {} more pairs", crossing.count - 1) : "";
+  return {crossing.other, fmt::format("faces[{}] and faces[{}] cross by {:.3g}{}: {}", crossing.one, crossing.other,
+                                      crossing.depth, more, what_is_wound)};
+}
+
+Remark crossing_edges() { return {0, fmt::format("the faces cross along their edges: {}", what_is_wound)}; }
+
+Remark turned_faces(const solids::TurnedFaces& turned) {
+  const std::string which = turned.count == 1
+                                ? fmt::format("faces[{}] runs the other way than those around it", turned.first)
+                                : fmt::format("faces[{}] and {} more run the other way than those around them",
+                                              turned.first, turned.count - 1);
+  return {turned.first, which + "; turned, as OpenSCAD shows it alone; its Booleans leave the solid out"};
+}
+
+struct Divided {
+  std::vector<model::Polyhedron> pieces;
+  std::optional<Remark> crossing{};  ///< of a mesh that crosses itself
+};
+
+Divided divide(const solids::Checked& checked, const solids::Limits& limits) {
+  if (checked.crossing) return {solids::enclosed_pieces(checked.mesh, limits), crossing_faces(*checked.crossing)};
+  try {
+    return {solids::convex_pieces(checked.mesh, limits)};
+  } catch (const solids::WindingError&) {
+    return {solids::enclosed_pieces(checked.mesh, limits), crossing_edges()};
+  }
+}
+
+/// The hull of a mesh in several pieces that OpenSCAD takes for that.
+std::optional<model::Polyhedron> hull_of(const solids::Mesh& mesh, std::size_t pieces, const solids::Standing& standing,
+                                         const Work& work) {
+  if (pieces < 2 || !standing.meets_others || !solids::is_nearly_convex(mesh)) return std::nullopt;
+  return solids::hull_piece(mesh.points, work);
+}
+
+}  // namespace
+
+MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::Standing& standing, const Work& work) {
+  work.charge(check_steps * mesh.faces.size(), "checking a mesh of " + std::to_string(mesh.faces.size()) + " faces");
+  solids::Checked checked = solids::check(mesh, tolerance, standing);
   if (checked.defect) return {{}, std::move(checked.defect)};
   solids::Limits limits;
   limits.tolerance = tolerance;
-  return {solids::convex_pieces(checked.mesh, limits), std::nullopt};
+  limits.work = work;
+  Divided divided = divide(checked, limits);
+  MeshPieces made{std::move(divided.pieces)};
+  bool is_hull = false;
+  if (divided.crossing) {
+    made.remarks.push_back(*std::move(divided.crossing));
+  } else if (auto hull = hull_of(checked.mesh, made.pieces.size(), standing, work)) {
+    made.pieces = {*std::move(hull)};
+    is_hull = true;
+  }
+  if (checked.turned.count > 0) made.remarks.push_back(turned_faces(checked.turned));
+  if (checked.bent.count > 0) made.remarks.push_back(bent_faces(checked.bent, is_hull));
+  return made;
 }
 
 }  // namespace csgsim::read

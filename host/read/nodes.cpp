@@ -47,8 +47,8 @@ constexpr std::array projection_parameters{"cut"sv};
 constexpr std::array surface_parameters{"file"sv, "center"sv, "invert"sv};
 constexpr std::array import_parameters{"file"sv, "layer"sv, "convexity"sv, "origin"sv,   "scale"sv, "center"sv,
                                        "dpi"sv,  "width"sv, "height"sv,    "filename"sv, "id"sv};
-constexpr std::array rotate_extrude_parameters{"angle"sv, "file"sv, "layer"sv, "origin"sv,
-                                               "scale"sv, "$fn"sv,  "$fa"sv,   "$fs"sv};
+constexpr std::array rotate_extrude_parameters{"file"sv,  "layer"sv, "origin"sv, "scale"sv,
+                                               "angle"sv, "$fn"sv,   "$fa"sv,    "$fs"sv};
 
 constexpr NodeType operator_node(std::string_view name, NodeKind kind) { return {name, kind, {}, 0, common_extras}; }
 constexpr NodeType leaf(std::string_view name, Names parameters, MakerReader reader) {

@@ -21,7 +21,11 @@ void append(model::Tree tree, model::Tree& to) {
 
 }  // namespace
 
-flat::Area only_area(const Operands& operands) { return flat::unite(operands.areas); }
+flat::Area only_area(const Operands& operands) { return flat::unite(operands.areas, operands.work); }
+
+bool has_area(const Operands& operands) {
+  return operands.areas.size() > 1 || (operands.areas.size() == 1 && !operands.areas.front().empty());
+}
 
 model::Tree only_solid(Operands operands) {
   if (operands.solids.size() == 1) return std::move(operands.solids.front());

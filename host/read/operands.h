@@ -1,17 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "host/flat/area.h"
 #include "host/model/tree.h"
+#include "hw/base/work.h"
 
 namespace csgsim::read {
 
-/// What the children of a node that is not a Boolean are, in the node's own space. Empty ones are left out.
+/// What the children of a node that is not a Boolean are, in the node's own space.
 struct Operands {
-  std::vector<flat::Area> areas;
-  std::vector<model::Tree> solids;  ///< one a child
+  std::vector<flat::Area> areas;    ///< where flat children count: one a child, empty if it is or does not count
+  std::vector<model::Tree> solids;  ///< one a child that is not empty
+  std::uint32_t dimensions = 0;     ///< of the children that count; 0 if none has any
+  Work work{};                      ///< that making the node is charged to
 };
 
 /// What such a node is, in its own space: a solid in convex pieces, or an area, or nothing.
@@ -19,6 +23,8 @@ struct Made {
   std::vector<model::Polyhedron> pieces{};
   flat::Area area{};
   std::vector<model::Polyhedron> holes{};  ///< taken away from the one piece
+  std::uint32_t dimensions =
+      0;  ///< that it has though it is empty; 0 if it is nothing then, as a group() of nothing is
 };
 
 /// Makes it when the node has ended. Throws InputError without a place.

@@ -1,5 +1,7 @@
 #include "host/read/placement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -39,7 +41,11 @@ glm::dmat4 read_matrix(const Arguments& arguments) {
   });
   if (!is_finite(matrix)) return glm::dmat4(std::numeric_limits<double>::quiet_NaN());
   if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0) {
-    arguments.fail(rows, "the last row of the matrix must be 0, 0, 0, w; take the projection out");
+    arguments.tell(rows,
+                   fmt::format("the first three numbers of the matrix's last row, {:g}, {:g}, {:g}, are left out, "
+                               "as OpenSCAD leaves them out of what it renders",
+                               matrix[0][3], matrix[1][3], matrix[2][3]));
+    matrix[0][3] = matrix[1][3] = matrix[2][3] = 0;
   }
   return matrix[3][3] == 1 ? matrix : matrix / matrix[3][3];
 }
@@ -56,7 +62,7 @@ bool empties(const glm::dmat4& matrix) {
   return std::abs(glm::dot(columns[0], glm::cross(columns[1], columns[2]))) < singular_volume;
 }
 
-std::optional<Colour> read_colour(const Arguments& arguments) {
+Colour read_colour(const Arguments& arguments) {
   const ValueView value = arguments.required("c", "[red, green, blue], each from 0 to 1");
   if (value.is(ValueKind::string)) {
     arguments.fail(value, "color() does not know names; write [red, green, blue], each from 0 to 1");
@@ -64,9 +70,13 @@ std::optional<Colour> read_colour(const Arguments& arguments) {
   std::array<double, 4> components{0, 0, 0, 1};
   arguments.read_numbers(value, 3, components, "the colour");
   components[3] = arguments.number("alpha").value_or(components[3]);
-  if (!std::ranges::all_of(components, [](double component) { return component >= 0; })) return std::nullopt;
-  return Colour{glm::min(glm::dvec3(components[0], components[1], components[2]), glm::dvec3(1)),
-                std::min(components[3], 1.0)};
+  Colour colour;
+  const auto is_given = [](double component) { return component >= 0; };
+  colour.is_whole = std::ranges::all_of(components, is_given);
+  if (std::all_of(components.begin(), components.begin() + 3, is_given))
+    colour.rgb = glm::min(glm::dvec3(components[0], components[1], components[2]), glm::dvec3(1));
+  if (is_given(components[3])) colour.opacity = std::min(components[3], 1.0);
+  return colour;
 }
 
 }  // namespace csgsim::read

@@ -1,7 +1,7 @@
 #include "host/read/polyhedron.h"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "host/read/indices.h"
 #include "host/read/mesh_pieces.h"
@@ -14,15 +14,21 @@ namespace {
 
 using Points = std::vector<glm::dvec3>;
 
-Points read_points(const Arguments& arguments, ValueView list) {
+/// None if one is no point: that is told.
+std::optional<Points> read_points(const Arguments& arguments, ValueView list) {
   if (!list.is(ValueKind::vector)) arguments.fail(list, "points of polyhedron() must be a vector of [x, y, z]");
   Points points;
+  std::optional<ValueView> bad;
   list.for_each([&](ValueView value) {
-    std::array<double, 3> point{};
-    arguments.read_numbers(value, 3, point, "a point");
-    points.emplace_back(point[0], point[1], point[2]);
+    const auto point = finite_numbers<3>(value);
+    if (point) points.emplace_back((*point)[0], (*point)[1], (*point)[2]);
+    if (!point && !bad) bad = value;
   });
-  return points;
+  if (!bad) return points;
+  arguments.tell(*bad,
+                 "warning: a point of polyhedron() is no [x, y, z] of finite numbers; it is left out, as in "
+                 "OpenSCAD");
+  return std::nullopt;
 }
 
 struct Faces {
@@ -49,32 +55,34 @@ ValueView find_faces(const Arguments& arguments) {
   return *triangles;
 }
 
-bool is_finite(const glm::dvec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
 Made made_of(const Arguments& arguments) {
   // So OpenSCAD prints a polyhedron that was given none.
   if (arguments.is_undefined("points") || arguments.is_undefined("faces")) return {};
-  const Points points = read_points(arguments, arguments.required("points", "points = [[x, y, z], ...]"));
-  const Faces faces = read_faces(arguments, find_faces(arguments), points.size());
-  if (!std::ranges::all_of(points, is_finite)) return {};
-  const solids::Mesh mesh{points, faces.corners};
+  const std::optional<Points> points =
+      read_points(arguments, arguments.required("points", "points = [[x, y, z], ...]"));
+  if (!points) return {};
+  const Faces faces = read_faces(arguments, find_faces(arguments), points->size());
+  const solids::Mesh mesh{*points, faces.corners};
   if (auto solid = solids::as_convex_faces(solids::join_points(mesh).mesh)) return {{*std::move(solid)}, {}};
   MeshPieces found;
   try {
-    found = pieces_of(mesh, solids::printed_tolerance);
+    solids::Standing standing = arguments.standing();
+    standing.runs_back = true;
+    found = pieces_of(mesh, solids::printed_tolerance, standing, arguments.work());
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
   if (found.defect) arguments.fail(faces.places[found.defect->face], "{}", found.defect->what);
+  for (const Remark& remark : found.remarks) arguments.tell(faces.places[remark.face], remark.what);
   return {std::move(found.pieces), {}};
 }
 
 }  // namespace
 
 Maker read_polyhedron(const Arguments& arguments) {
-  return [made = made_of(arguments)](const Operands& /*none*/) { return made; };
+  Made made = made_of(arguments);
+  made.dimensions = 3;
+  return [made = std::move(made)](const Operands& /*none*/) { return made; };
 }
 
 }  // namespace csgsim::read

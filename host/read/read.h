@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 #include "host/model/tree.h"
+#include "hw/base/work.h"
 
 namespace csgsim::read {
 
@@ -12,8 +14,13 @@ struct Options {
   /// Rotations of multmatrix() nodes are restored from the six digits that OpenSCAD writes (restore.h), and how many
   /// are is told.
   bool restores_rotations = false;
-  /// Files that the model imports have to be in this folder or below it; empty: the model's own.
+  /// Files that the model imports have to be, when links are followed, in the model's folder, in this one, or below
+  /// them, and are looked for in both; empty: in the model's alone.
   std::filesystem::path imports_from{};
+  /// Is told the bytes of each file that is imported, in order.
+  std::function<void(std::string_view)> imported{};
+  /// Reading throws an InputError, with the place, past its limit.
+  Work work{};
 };
 
 /// Reads an OpenSCAD `.csg` file. Throws InputError with file:line:column.

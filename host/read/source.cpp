@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "host/read/limits.h"
+#include <utility>
+
 #include "hw/base/error.h"
-#include "hw/base/input_file.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 
@@ -18,35 +18,39 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
 
-constexpr InputKind model_file{"a .csg file", max_file_bytes, "split the model"};
-
-/// Complete, without `.` and `..`, and without a slash at the end.
-fs::path plain(const fs::path& path) {
-  const fs::path normal = fs::absolute(path.empty() ? "." : path).lexically_normal();
-  return normal.has_filename() ? normal : normal.parent_path();
-}
-
 }  // namespace
 
-Source::Source(std::string_view text, std::string_view name, const fs::path& imports_from)
+Source::Source(std::string_view text, std::string_view name, Options options)
     : text_(text),
       name_(name),
-      folder_(fs::path(name).parent_path()),
-      imports_from_(plain(imports_from.empty() ? folder_ : imports_from)) {
+      folders_(fs::path(name).parent_path(), options.imports_from),
+      imported_(std::move(options.imported)) {
   check_length(name_, text_.size(), model_file);
   if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
 }
 
-fs::path Source::file(std::string_view file, std::size_t offset) {
-  fs::path path = (folder_ / file).lexically_normal();
-  const fs::path below = plain(path).lexically_relative(imports_from_);
-  if (file.empty() || below.empty() || *below.begin() == "..") {
-    fail(offset, fmt::format("{} is not in the model's folder; put the file there, or below it, or name a folder that "
-                             "both are in: --imports-from FOLDER",
-                             printable(file)));
+std::optional<ImportedFile> Source::import(std::string_view file, const InputKind& kind, std::string_view node,
+                                           std::size_t offset) {
+  constexpr std::string_view mend = "put the file there, or below it, or name its folder: --imports-from FOLDER";
+  const std::vector<fs::path> places = folders_.places_of(file);
+  if (places.empty()) fail(offset, fmt::format("{} is not in the model's folder; {}", printable(file), mend));
+  for (const fs::path& place : places) {
+    std::optional<ImportedFile> found;
+    try {
+      const Descriptor opened = open_regular_file(place, kind);
+      if (!opened.is_open()) continue;
+      if (folders_.hold(opened)) found = ImportedFile{place, read_file(opened, place, kind)};
+    } catch (const InputError& error) {
+      fail(offset, error.what());
+    }
+    if (!found)
+      fail(offset, fmt::format("{} is not in the model's folder: a link leads out of it; {}", printable(file), mend));
+    files_.push_back(place);
+    if (imported_) imported_(found->bytes);
+    return found;
   }
-  files_.push_back(path);
-  return path;
+  tell(offset, fmt::format("warning: {} is not there; {}() is empty, as in OpenSCAD", printable(file), node));
+  return std::nullopt;
 }
 
 model::Location Source::locate(std::size_t offset) {
@@ -68,6 +72,10 @@ model::Location Source::locate(std::size_t offset) {
 void Source::tell(std::size_t offset, std::string_view message) {
   const model::Location place = locate(offset);
   tell_line(fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message));
+}
+
+void Source::tell_once(std::size_t offset, const std::string& message) {
+  if (told_.insert(message).second) tell(offset, message);
 }
 
 void Source::fail(std::size_t offset, std::string_view message) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "host/flat/combine.h"
-#include "host/read/files.h"
 #include "host/read/imports.h"
 #include "host/read/measures.h"
 #include "host/read/only.h"
@@ -18,6 +18,8 @@ namespace csgsim::read {
 namespace {
 
 constexpr double most_slices = 1'000'000;
+
+constexpr InputKind drawing_file{"a drawing, .dxf", max_file_bytes, "make it coarser"};
 
 /// A whole number of slices; 0 leaves it to the facets.
 std::uint32_t read_slices(const Arguments& arguments) {
@@ -36,25 +38,41 @@ glm::dvec2 read_scale(const Arguments& arguments) {
 }
 
 /// What the argument `file` draws: so files of old say what is extruded.
-std::vector<flat::Area> drawn(const Arguments& arguments, double scale) {
-  if (!arguments.has("file")) return {};
+std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
+  if (!arguments.has("file")) return std::nullopt;
+  const std::optional<ImportedFile> file = arguments.file(drawing_file);
+  if (!file) return flat::Area{};
   try {
-    return {dxf_area(arguments, file_of(arguments), scale)};
+    return dxf_area(arguments, file->bytes, scale);
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
 }
 
-flat::Area with(std::vector<flat::Area> drawn, const Operands& operands) {
-  drawn.push_back(only_area(operands));
-  return flat::unite(drawn);
+/// What is swept: what the file draws, beside which children do not count; else their union. Nothing as has_area()
+/// says.
+std::optional<flat::Area> swept(const std::optional<flat::Area>& drawn, const Operands& operands) {
+  if (drawn) return drawn;
+  if (!has_area(operands)) return std::nullopt;
+  return only_area(operands);
 }
 
-Made extruded(const flat::Area& area, const solids::LinearExtrude& sweep) {
+Made extruded(const flat::Area& area, const solids::LinearExtrude& sweep, const Work& work) {
   if (std::optional<solids::HoledPrism> prism = solids::holed_prism(area, sweep)) {
-    return {{std::move(prism->whole)}, {}, std::move(prism->holes)};
+    return {{std::move(prism->whole)}, {}, std::move(prism->holes), 3};
   }
-  return {solids::linear_extrude(area, sweep), {}, {}};
+  return {solids::linear_extrude(area, sweep, work), {}, {}, 3};
+}
+
+/// OpenSCAD takes what has no name for a file, though rotate_extrude(180) is meant as an angle.
+void tell_if_number(const Arguments& arguments) {
+  const std::optional<ValueView> value = arguments.find("file");
+  if (!value || !value->is(ValueKind::string)) return;
+  const std::string name = arguments.text("file").value_or("");
+  if (name.empty() || name.find_first_not_of("0123456789.-") != std::string::npos) return;
+  arguments.tell_once(
+      "warning: rotate_extrude() draws a file named {0}; a turn is an angle with its name: rotate_extrude(angle = {0})",
+      shown(name));
 }
 
 }  // namespace
@@ -71,8 +89,10 @@ Maker read_linear_extrude(const Arguments& arguments) {
       !std::isfinite(sweep.scale.y)) {
     arguments.fail("height, twist and scale of linear_extrude() must be finite");
   }
-  return
-      [sweep, areas = drawn(arguments, 1)](const Operands& operands) { return extruded(with(areas, operands), sweep); };
+  return [sweep, file = drawn(arguments, 1)](const Operands& operands) {
+    const std::optional<flat::Area> area = swept(file, operands);
+    return area ? extruded(*area, sweep, operands.work) : Made{};
+  };
 }
 
 Maker read_rotate_extrude(const Arguments& arguments) {
@@ -80,9 +100,12 @@ Maker read_rotate_extrude(const Arguments& arguments) {
   sweep.angle = arguments.number("angle").value_or(sweep.angle);
   if (!std::isfinite(sweep.angle)) sweep.angle = 360;
   sweep.facets = read_facets(arguments);
+  tell_if_number(arguments);
   const double scale = arguments.has("file") ? arguments.number("scale").value_or(1) : 1;
-  return [sweep, areas = drawn(arguments, scale)](const Operands& operands) {
-    return Made{solids::rotate_extrude(with(areas, operands), sweep), {}};
+  return [sweep, file = drawn(arguments, scale)](const Operands& operands) {
+    const std::optional<flat::Area> area = swept(file, operands);
+    if (!area || sweep.angle == 0) return Made{};
+    return Made{solids::rotate_extrude(*area, sweep), {}, {}, 3};
   };
 }
 

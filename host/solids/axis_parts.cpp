@@ -9,7 +9,7 @@ namespace csgsim::solids {
 namespace {
 
 /// A side of the area that is not horizontal.
-struct Side {
+struct AreaSide {
   glm::dvec2 low;
   glm::dvec2 high;
 
@@ -23,7 +23,7 @@ struct Side {
 /// One end of a convex polygon that grows upwards.
 struct Chain {
   std::vector<glm::dvec2> corners;
-  Side last;  ///< the side of the area that it ends with
+  AreaSide last;  ///< the side of the area that it ends with
 };
 
 /// A convex polygon from below up to some height.
@@ -32,19 +32,19 @@ struct Stack {
   Chain right;
 };
 
-bool operator==(const Side& a, const Side& b) { return a.low == b.low && a.high == b.high; }
+bool operator==(const AreaSide& a, const AreaSide& b) { return a.low == b.low && a.high == b.high; }
 
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
 
 /// How a chain turns where a side goes on from its end: to the left if above 0, and not at all if 0.
-double turn(const Chain& chain, const Side& side, double high) {
+double turn(const Chain& chain, const AreaSide& side, double high) {
   if (chain.last == side) return 0;
   return turn(chain.corners[chain.corners.size() - 2], chain.corners.back(), side.at(high));
 }
 
-void extend(Chain& chain, const Side& side, double high) {
+void extend(Chain& chain, const AreaSide& side, double high) {
   if (turn(chain, side, high) == 0.0) chain.corners.pop_back();
   chain.corners.push_back(side.at(high));
   chain.last = side;
@@ -58,18 +58,18 @@ class Sweep {
     }
     std::sort(levels_.begin(), levels_.end());
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
-    std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) { return a.low.y < b.low.y; });
+    std::sort(sides_.begin(), sides_.end(), [](const AreaSide& a, const AreaSide& b) { return a.low.y < b.low.y; });
   }
 
   std::vector<flat::Outline> operator()() {
-    std::vector<Side> active;
+    std::vector<AreaSide> active;
     auto next = sides_.begin();
     for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
       const double low = levels_[level];
       const double high = levels_[level + 1];
-      std::erase_if(active, [&](const Side& side) { return side.high.y <= low; });
+      std::erase_if(active, [&](const AreaSide& side) { return side.high.y <= low; });
       for (; next != sides_.end() && next->low.y <= low; ++next) active.push_back(*next);
-      std::stable_sort(active.begin(), active.end(), [&](const Side& a, const Side& b) {
+      std::stable_sort(active.begin(), active.end(), [&](const AreaSide& a, const AreaSide& b) {
         return a.at(low).x + a.at(high).x < b.at(low).x + b.at(high).x;
       });
       slab(active, low, high);
@@ -85,11 +85,11 @@ class Sweep {
     if (a.y > b.y) sides_.push_back({b, a});
   }
 
-  void slab(const std::vector<Side>& active, double low, double high) {
+  void slab(const std::vector<AreaSide>& active, double low, double high) {
     std::vector<Stack> grown;
     for (std::size_t i = 0; i + 1 < active.size(); i += 2) {
-      const Side& left = active[i];
-      const Side& right = active[i + 1];
+      const AreaSide& left = active[i];
+      const AreaSide& right = active[i + 1];
       if (left.at(low).x == right.at(low).x && left.at(high).x == right.at(high).x) continue;
       grown.push_back(grow(left, right, low, high));
     }
@@ -98,7 +98,7 @@ class Sweep {
   }
 
   /// A trapezoid, on top of the stack that it is convex with, if there is one.
-  Stack grow(const Side& left, const Side& right, double low, double high) {
+  Stack grow(const AreaSide& left, const AreaSide& right, double low, double high) {
     for (Stack& stack : open_) {
       if (stack.left.corners.empty() || left.at(low) == right.at(low)) continue;
       if (stack.left.corners.back() != left.at(low) || stack.right.corners.back() != right.at(low)) continue;
@@ -120,7 +120,7 @@ class Sweep {
   }
 
   std::vector<double> levels_;
-  std::vector<Side> sides_;
+  std::vector<AreaSide> sides_;
   std::vector<Stack> open_;
   std::vector<flat::Outline> parts_;
 };

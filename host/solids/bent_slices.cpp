@@ -15,6 +15,7 @@
 #include "host/flat/parts.h"
 #include "host/model/degrees.h"
 #include "host/solids/enclosed.h"
+#include "host/solids/height.h"
 #include "host/solids/limits.h"
 #include "host/solids/partition.h"
 #include "host/solids/side_lines.h"
@@ -26,7 +27,7 @@ namespace csgsim::solids {
 namespace {
 
 /// A cross-section: how it comes from the area.
-struct Level {
+struct SliceEnd {
   double z = 0;
   double turn = 0;  ///< degrees, clockwise
   glm::dvec2 scale{1};
@@ -39,8 +40,8 @@ struct Level {
 };
 
 struct Slice {
-  Level low;
-  Level high;
+  SliceEnd low;
+  SliceEnd high;
 
   [[nodiscard]] bool ends_in_nothing() const { return high.scale.x == 0.0 || high.scale.y == 0.0; }
   [[nodiscard]] bool ends_in_line() const { return ends_in_nothing() && high.scale.x != high.scale.y; }
@@ -50,8 +51,9 @@ Slice slice_at(const LinearExtrude& sweep, std::uint32_t index, std::uint32_t co
   const double start = sweep.center ? -sweep.height / 2.0 : 0.0;
   const double end = sweep.center ? sweep.height / 2.0 : sweep.height;
   const auto level = [&](std::uint32_t i) {
-    return Level{start + (end - start) * i / count, sweep.twist * i / count,
-                 glm::dvec2(1) - (glm::dvec2(1) - sweep.scale) * static_cast<double>(i) / static_cast<double>(count)};
+    return SliceEnd{
+        start + (end - start) * i / count, sweep.twist * i / count,
+        glm::dvec2(1) - (glm::dvec2(1) - sweep.scale) * static_cast<double>(i) / static_cast<double>(count)};
   };
   return {level(index), level(index + 1)};
 }
@@ -82,15 +84,12 @@ constexpr double relative_tolerance = double_precision_tolerance;
 /// thinner than 1e-10.
 constexpr double volume_tolerance = 1e-8;
 
-double height(const facet::Plane& plane, const glm::dvec3& point) {
-  return glm::dot(plane.normal, point) + plane.offset;
-}
-
 /// The sides of a slice as a soup of triangles, and the planes that they are in.
-class Sides {
+class SliceSides {
  public:
-  Sides(const flat::Area& area, const Slice& slice)
+  SliceSides(const flat::Area& area, const Slice& slice, const Work& work)
       : slice_(slice), box_(box_of(area, slice)), planes_(glm::dvec3(0), size()) {
+    limits_.work = work;
     for (const flat::Outline& outline : area.outlines) add(outline);
     for (const flat::Outline& part : flat::convex_parts(area)) add_caps(part);
   }
@@ -99,8 +98,8 @@ class Sides {
   std::vector<convex::Polytope> pieces() {
     const convex::Polytope space = around();
     std::optional<std::vector<convex::Polytope>> found = uncrossed(space);
-    if (!found) found = enclosed(soup_, space, planes_, Limits{});
-    convex::merge(*found, planes_);
+    if (!found) found = enclosed(soup_, space, planes_, convex::tolerance(planes_), limits_);
+    convex::merge(*found, planes_, limits_.work);
     return std::move(*found);
   }
 
@@ -136,11 +135,13 @@ class Sides {
   /// Nothing if sides cross each other: they leave holes then, or enclose space twice or from the wrong side.
   [[nodiscard]] std::optional<std::vector<convex::Polytope>> uncrossed(const convex::Polytope& space) const {
     try {
-      std::vector<convex::Polytope> found = partition(soup_, space, {}, planes_, convex::tolerance(planes_), Limits{});
+      std::vector<convex::Polytope> found = partition(soup_, space, {}, planes_, convex::tolerance(planes_), limits_);
       double sum = 0;
       for (const convex::Polytope& piece : found) sum += convex::volume(piece);
       const double most = volume_tolerance * size() * size() * size();
       if (std::abs(sum - volume()) <= most) return found;
+    } catch (const WorkError&) {
+      throw;
     } catch (const InputError&) {
       return std::nullopt;  // and if there are too many pieces, so there are of those that cross
     }
@@ -287,6 +288,7 @@ class Sides {
     soup_.fragments.push_back({planes_.add(triangle.plane), begin, begin + 3});
   }
 
+  Limits limits_;
   Slice slice_;
   facet::Box box_;
   facet::PlaneTable planes_;
@@ -304,8 +306,8 @@ model::Polyhedron polyhedron(const convex::Polytope& polytope, const facet::Plan
   return piece;
 }
 
-std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice) {
-  Sides sides(area, slice);
+std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice, const Work& work) {
+  SliceSides sides(area, slice, work);
   std::vector<model::Polyhedron> pieces;
   for (const convex::Polytope& polytope : sides.pieces()) {
     pieces.push_back(polyhedron(polytope, sides.planes()));
@@ -315,7 +317,7 @@ std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice) {
 
 /// A piece of one slice in the place that it has in another one, which is the same but for its turn.
 model::Polyhedron moved(const model::Polyhedron& piece, const Slice& from, const Slice& to) {
-  const Level turned{0, to.low.turn - from.low.turn, glm::dvec2(1)};
+  const SliceEnd turned{0, to.low.turn - from.low.turn, glm::dvec2(1)};
   const double shift = to.low.z - from.low.z;
   model::Polyhedron result = piece;
   for (glm::dvec3& point : result.points) {
@@ -344,27 +346,34 @@ bool is_straight(const flat::Area& area, const LinearExtrude& sweep) {
   });
 }
 
+/// Pieces that there are, or will be at least: one a slice.
+void require_few(std::size_t pieces) {
+  const std::size_t most = Limits{}.most_pieces;
+  if (pieces <= most) return;
+  throw InputError("linear_extrude() falls into more than " + std::to_string(most) +
+                   " convex pieces; ask for fewer slices, or raise $fa or $fs");
+}
+
 }  // namespace
 
-std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep) {
+std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep, const Work& work) {
   const std::uint32_t count = is_straight(area, sweep) ? 1 : slice_count(area, sweep);
-  std::vector<model::Polyhedron> pieces = cut(area, slice_at(sweep, 0, count));
+  require_few(count);
+  std::vector<model::Polyhedron> pieces = cut(area, slice_at(sweep, 0, count), work);
   const std::size_t a_slice = pieces.size();
-  const Limits limits;
+  const bool are_alike = sweep.scale == glm::dvec2(1);
+  if (are_alike) require_few(a_slice * count);
   for (std::uint32_t i = 1; i < count; ++i) {
     const Slice slice = slice_at(sweep, i, count);
-    if (sweep.scale == glm::dvec2(1)) {
+    if (are_alike) {
       for (std::size_t piece = 0; piece < a_slice; ++piece) {
         pieces.push_back(moved(pieces[piece], slice_at(sweep, 0, count), slice));
       }
     } else {
-      std::vector<model::Polyhedron> more = cut(area, slice);
+      std::vector<model::Polyhedron> more = cut(area, slice, work);
       std::move(more.begin(), more.end(), std::back_inserter(pieces));
     }
-    if (pieces.size() > limits.most_pieces) {
-      throw InputError("linear_extrude() falls into more than " + std::to_string(limits.most_pieces) +
-                       " convex pieces; ask for fewer slices, or raise $fa or $fs");
-    }
+    require_few(pieces.size() + (count - 1 - i));
   }
   return pieces;
 }

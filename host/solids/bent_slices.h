@@ -8,7 +8,8 @@
 
 namespace csgsim::solids {
 
-/// linear_extrude() where sides bend: twisted, or scaled by other factors in x than in y. The height is above 0.
-std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep);
+/// linear_extrude() where sides bend: twisted, or scaled by other factors in x than in y. The height is above 0. Throws
+/// as linear_extrude() does.
+std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep, const Work& work);
 
 }  // namespace csgsim::solids

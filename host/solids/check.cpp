@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "host/facet/scene.h"
 #include "host/solids/flat_faces.h"
 #include "host/solids/limits.h"
 #include "host/solids/neighbours.h"
@@ -108,6 +109,12 @@ double median_edge(const Mesh& mesh) {
   return *middle;
 }
 
+double diagonal(const Mesh& mesh) {
+  facet::Box box;
+  for (const glm::dvec3& point : mesh.points) box = facet::hull(box, point);
+  return mesh.points.empty() ? 0 : glm::length(box.high - box.low);
+}
+
 std::string open_edge(const Numbered& numbered, const DirectedEdge& edge) {
   return fmt::format("the mesh is open: no face joins faces[{}] from points[{}] to points[{}]; add one",
                      numbered.face_numbers[edge.face], numbered.point_numbers[edge.from],
@@ -194,17 +201,24 @@ void turn_shells(Mesh& mesh) {
   }
 }
 
-Checked check(const Mesh& mesh, double tolerance) {
+Checked check(const Mesh& mesh, double tolerance, const Standing& standing) {
   Numbered numbered = join_points(mesh);
   if (std::optional<Defect> defect = find_far_point(numbered)) return {std::move(numbered.mesh), std::move(defect)};
-  const double distance =
-      std::min(tolerance * largest_coordinate(numbered.mesh), largest_part_of_edge * median_edge(numbered.mesh));
+  Checked checked;
+  const double rounding = tolerance * largest_coordinate(numbered.mesh);
+  checked.bent = cut_bent_faces(numbered, std::min(rounding, largest_tolerance * diagonal(numbered.mesh)), standing);
+  const double distance = std::min(rounding, largest_part_of_edge * median_edge(numbered.mesh));
   join_near_points(numbered, distance);
   join_edges(numbered, distance);
-  std::optional<Defect> defect = find_open_edge(numbered);
-  if (!defect) defect = find_crossing(numbered, distance);
-  if (!defect) turn_shells(numbered.mesh);
-  return {std::move(numbered.mesh), std::move(defect)};
+  checked.defect = find_open_edge(numbered);
+  if (checked.defect) {
+    checked.turned = turn_faces(numbered);
+    if (checked.turned.count > 0) checked.defect = find_open_edge(numbered);
+  }
+  if (!checked.defect) checked.crossing = find_crossing(numbered, distance);
+  if (!checked.defect && !checked.crossing) turn_shells(numbered.mesh);
+  checked.mesh = std::move(numbered.mesh);
+  return checked;
 }
 
 }  // namespace csgsim::solids

@@ -6,13 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "host/solids/height.h"
+
 namespace csgsim::solids {
 
 namespace {
-
-double height(const facet::Plane& plane, const glm::dvec3& point) {
-  return glm::dot(plane.normal, point) + plane.offset;
-}
 
 class Shell {
  public:

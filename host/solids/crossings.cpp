@@ -1,11 +1,11 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "host/solids/check.h"
@@ -51,6 +51,7 @@ struct Plane {
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
+  double depth = 0;  ///< how far the triangle reaches to the side where it reaches less
 
   void hold(double place) {
     low = std::min(low, place);
@@ -63,19 +64,19 @@ class Crossings {
   Crossings(const Mesh& mesh, double tolerance)
       : mesh_(mesh), tolerance_(tolerance), triangles_(triangles_of(mesh, tolerance)) {}
 
-  /// The faces of the first two triangles that cross.
-  [[nodiscard]] std::optional<FacePair> find() const {
-    std::optional<FacePair> first;
+  /// How deep the faces cross that do.
+  [[nodiscard]] std::map<FacePair, double> find() const {
+    std::map<FacePair, double> found;
     std::vector<TriangleBox> boxes;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) boxes.emplace_back(box_of(triangles_[i]), i);
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const TriangleBox& a, const TriangleBox& b) {
       const Triangle& one = triangles_[a.triangle];
       const Triangle& other = triangles_[b.triangle];
       const FacePair faces = std::minmax(one.face, other.face);
-      if (faces.first == faces.second || (first && *first <= faces)) return;
-      if (cross(one, other)) first = faces;
+      if (faces.first == faces.second) return;
+      if (const double depth = crossing_depth(one, other); depth > 0) found[faces] = std::max(found[faces], depth);
     });
-    return first;
+    return found;
   }
 
  private:
@@ -110,6 +111,7 @@ class Crossings {
     const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
     if (*least >= -tolerance_ || *most <= tolerance_) return {};
     Interval interval;
+    interval.depth = std::min(-*least, *most);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;
       if (heights[i] == 0) interval.hold(places[i]);
@@ -119,19 +121,21 @@ class Crossings {
     return interval;
   }
 
-  /// Whether two triangles cross along more than the tolerance.
-  [[nodiscard]] bool cross(const Triangle& one, const Triangle& other) const {
-    if (shared_corners(one, other) > 1) return false;
+  /// How far two triangles reach past each other, or how long the line is along which they cross, if that is less and
+  /// more than the tolerance; or 0.
+  [[nodiscard]] double crossing_depth(const Triangle& one, const Triangle& other) const {
+    if (shared_corners(one, other) > 1) return 0;
     const Plane first = plane_of(one);
     const Plane second = plane_of(other);
     const glm::dvec3 along = glm::cross(first.normal, second.normal);
     const double slant = glm::length(along);
-    if (slant == 0) return false;
+    if (slant == 0) return 0;
     // Places along the line are measured from the same point.
     const Interval a = crossed(one, second, along / slant);
     const Interval b = crossed(other, first, along / slant);
     const double shift = glm::dot(along / slant, second.origin - first.origin);
-    return std::min(a.high + shift, b.high) - std::max(a.low + shift, b.low) > tolerance_;
+    const double length = std::min(a.high + shift, b.high) - std::max(a.low + shift, b.low);
+    return length > tolerance_ ? std::min({a.depth, b.depth, length}) : 0;
   }
 
   static int shared_corners(const Triangle& one, const Triangle& other) {
@@ -149,12 +153,13 @@ class Crossings {
 
 }  // namespace
 
-std::optional<Defect> find_crossing(const Numbered& numbered, double tolerance) {
-  const auto faces = Crossings(numbered.mesh, tolerance).find();
-  if (!faces) return std::nullopt;
-  const std::uint32_t one = numbered.face_numbers[faces->first];
-  const std::uint32_t other = numbered.face_numbers[faces->second];
-  return Defect{other, fmt::format("faces[{}] and faces[{}] cross; unite the solids that overlap there", one, other)};
+std::optional<Crossing> find_crossing(const Numbered& numbered, double tolerance) {
+  const std::map<FacePair, double> found = Crossings(numbered.mesh, tolerance).find();
+  if (found.empty()) return std::nullopt;
+  const auto deepest = std::ranges::max_element(found, {}, &std::pair<const FacePair, double>::second);
+  const auto [one, other] =
+      std::minmax(numbered.face_numbers[deepest->first.first], numbered.face_numbers[deepest->first.second]);
+  return Crossing{one, other, deepest->second, found.size()};
 }
 
 }  // namespace csgsim::solids

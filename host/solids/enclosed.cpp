@@ -5,14 +5,22 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "host/convex/clip.h"
+#include "host/solids/height.h"
+#include "host/solids/shells.h"
 #include "hw/base/error.h"
 
 namespace csgsim::solids {
 
 namespace {
+
+constexpr std::string_view dividing = "dividing what a surface that crosses itself encloses";
+
+/// Of a part of the surface that is cut, or seen from a point.
+constexpr std::uint64_t sheet_steps = 50;
 
 /// A part of the surface.
 struct Sheet {
@@ -21,14 +29,10 @@ struct Sheet {
 };
 
 /// A part of space, and what of the surface is within it.
-struct Cell {
+struct SheetCell {
   convex::Polytope space;
   std::vector<Sheet> sheets;
 };
-
-double height(const facet::Plane& plane, const glm::dvec3& point) {
-  return glm::dot(plane.normal, point) + plane.offset;
-}
 
 /// What of a sheet is behind a plane by more than `near`; no corners if nothing.
 std::vector<glm::dvec3> behind(const std::vector<glm::dvec3>& corners, const facet::Plane& plane, double near) {
@@ -49,24 +53,15 @@ std::vector<glm::dvec3> behind(const std::vector<glm::dvec3>& corners, const fac
   return kept;
 }
 
-/// The solid angle that a triangle is seen under from the origin (A. van Oosterom and J. Strackee, 1983).
-double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const double la = glm::length(a);
-  const double lb = glm::length(b);
-  const double lc = glm::length(c);
-  const double volume = glm::dot(a, glm::cross(b, c));
-  return 2.0 * std::atan2(volume, la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
-}
-
 class Enclosing {
  public:
-  Enclosing(const Soup& soup, const facet::PlaneTable& planes, const Limits& limits)
-      : soup_(soup), planes_(planes), limits_(limits), near_(convex::tolerance(planes)) {}
+  Enclosing(const Soup& soup, const facet::PlaneTable& planes, double near, const Limits& limits)
+      : soup_(soup), planes_(planes), limits_(limits), near_(near) {}
 
   std::vector<convex::Polytope> operator()(convex::Polytope space) {
     add({std::move(space), sheets()});
     while (!open_.empty()) {
-      Cell cell = std::move(open_.back());
+      SheetCell cell = std::move(open_.back());
       open_.pop_back();
       if (cell.sheets.empty()) {
         keep(std::move(cell.space));
@@ -91,7 +86,7 @@ class Enclosing {
     return soup_.points[soup_.corners[corner].point];
   }
 
-  void add(Cell cell) {
+  void add(SheetCell cell) {
     if (cell.space.empty()) return;
     fragments_ += cell.sheets.size();
     if (fragments_ > limits_.most_fragments) {
@@ -100,11 +95,12 @@ class Enclosing {
     open_.push_back(std::move(cell));
   }
 
-  void divide(Cell cell) {
+  void divide(SheetCell cell) {
     const facet::Halfspace wall = best_wall(cell.sheets);
-    Cell back{convex::clip(cell.space, wall, planes_), part(cell.sheets, wall)};
-    Cell front{convex::clip(std::move(cell.space), convex::opposite(wall), planes_),
-               part(cell.sheets, convex::opposite(wall))};
+    limits_.work.charge(2 * (convex::clip_steps(cell.space) + sheet_steps * cell.sheets.size()), dividing);
+    SheetCell back{convex::clip(cell.space, wall, planes_), part(cell.sheets, wall)};
+    SheetCell front{convex::clip(std::move(cell.space), convex::opposite(wall), planes_),
+                    part(cell.sheets, convex::opposite(wall))};
     add(std::move(front));
     add(std::move(back));
   }
@@ -127,6 +123,7 @@ class Enclosing {
     facet::Halfspace best = sheets.front().halfspace;
     std::size_t fewest = sheets.size() + 1;
     for (std::size_t i = 0; i < sheets.size(); i += step) {
+      limits_.work.charge(2 * sheet_steps * sheets.size(), dividing);
       const facet::Plane plane = convex::outward_plane(sheets[i].halfspace, planes_);
       const auto cut = static_cast<std::size_t>(std::count_if(sheets.begin(), sheets.end(), [&](const Sheet& sheet) {
         return !behind(sheet.corners, plane, near_).empty() &&
@@ -141,6 +138,7 @@ class Enclosing {
 
   /// Nothing of the surface is within the piece: it is all inside or all outside.
   void keep(convex::Polytope piece) {
+    limits_.work.charge(sheet_steps * soup_.fragments.size(), dividing);
     glm::dvec3 middle(0);
     for (const glm::dvec3& vertex : piece.vertices) middle += vertex;
     middle /= static_cast<double>(piece.vertices.size());
@@ -167,15 +165,15 @@ class Enclosing {
   const Limits& limits_;
   double near_;
   std::size_t fragments_ = 0;  ///< so far
-  std::vector<Cell> open_;
+  std::vector<SheetCell> open_;
   std::vector<convex::Polytope> pieces_;
 };
 
 }  // namespace
 
 std::vector<convex::Polytope> enclosed(const Soup& soup, convex::Polytope cell, const facet::PlaneTable& planes,
-                                       const Limits& limits) {
-  return Enclosing(soup, planes, limits)(std::move(cell));
+                                       double near, const Limits& limits) {
+  return Enclosing(soup, planes, near, limits)(std::move(cell));
 }
 
 }  // namespace csgsim::solids

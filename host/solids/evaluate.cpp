@@ -18,7 +18,7 @@ bool is_union(const model::Tree& tree) {
 
 }  // namespace
 
-std::vector<model::Polyhedron> pieces_of(const model::Tree& tree) {
+std::vector<model::Polyhedron> pieces_of(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
   const facet::Scene scene = facet::make_scene(tree);
   std::vector<model::Polyhedron> made;
@@ -26,14 +26,15 @@ std::vector<model::Polyhedron> pieces_of(const model::Tree& tree) {
     if (!polytope.empty()) made.push_back(polyhedron_of(polytope, scene.planes));
   };
   if (is_union(tree)) {
-    for (const facet::Convex& solid : scene.solids) add(convex::make_polytope(solid, scene.planes));
+    for (const facet::Convex& solid : scene.solids) add(convex::make_polytope(solid, scene.planes, work));
   } else {
-    for (const convex::Piece& piece : convex::pieces(scene, csg::make_positive(tree))) add(piece.polytope);
+    for (const convex::Piece& piece : convex::pieces(scene, csg::make_positive(tree), convex::most_pieces, work))
+      add(piece.polytope);
   }
   return made;
 }
 
-std::vector<glm::dvec3> vertices_of(const model::Tree& tree) {
+std::vector<glm::dvec3> vertices_of(const model::Tree& tree, const Work& work) {
   std::vector<glm::dvec3> vertices;
   if (tree.root == model::no_index) return vertices;
   if (is_union(tree)) {
@@ -42,7 +43,7 @@ std::vector<glm::dvec3> vertices_of(const model::Tree& tree) {
     }
     return vertices;
   }
-  for (const model::Polyhedron& piece : pieces_of(tree)) {
+  for (const model::Polyhedron& piece : pieces_of(tree, work)) {
     vertices.insert(vertices.end(), piece.points.begin(), piece.points.end());
   }
   return vertices;

@@ -12,11 +12,11 @@ namespace csgsim::solids {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_2;
+using FlatPoint = Kernel::Point_2;
 using Face = std::vector<std::uint32_t>;
 
 /// A face seen along the axis that it faces most, counter-clockwise.
-std::vector<Point> projection(const Mesh& mesh, const Face& face, const glm::dvec3& normal) {
+std::vector<FlatPoint> projection(const Mesh& mesh, const Face& face, const glm::dvec3& normal) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
@@ -24,19 +24,19 @@ std::vector<Point> projection(const Mesh& mesh, const Face& face, const glm::dve
   int u = (axis + 1) % 3;
   int v = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(u, v);
-  std::vector<Point> points;
+  std::vector<FlatPoint> points;
   points.reserve(face.size());
   for (const std::uint32_t corner : face) points.emplace_back(mesh.points[corner][u], mesh.points[corner][v]);
   return points;
 }
 
-bool is_convex(const std::vector<Point>& points) {
+bool is_convex(const std::vector<FlatPoint>& points) {
   int turns = 0;
   const std::size_t count = points.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const Point& here = points[i];
-    const Point& next = points[(i + 1) % count];
-    const Point& after = points[(i + 2) % count];
+    const FlatPoint& here = points[i];
+    const FlatPoint& next = points[(i + 1) % count];
+    const FlatPoint& after = points[(i + 2) % count];
     if (CGAL::orientation(here, next, after) != CGAL::LEFT_TURN) {
       if (CGAL::orientation(here, next, after) == CGAL::RIGHT_TURN) return false;
       if (!CGAL::collinear_are_ordered_along_line(here, next, after)) return false;
@@ -46,7 +46,7 @@ bool is_convex(const std::vector<Point>& points) {
   return turns == 2;
 }
 
-bool holds(const std::array<Point, 3>& triangle, const Point& point) {
+bool holds(const std::array<FlatPoint, 3>& triangle, const FlatPoint& point) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (CGAL::orientation(triangle[i], triangle[(i + 1) % 3], point) == CGAL::RIGHT_TURN) return false;
   }
@@ -56,7 +56,7 @@ bool holds(const std::array<Point, 3>& triangle, const Point& point) {
 /// Cuts a face into triangles. Holes may be joined to the outline by edges that it runs along both ways.
 class Ears {
  public:
-  Ears(const Face& face, const std::vector<Point>& points) : face_(face), points_(points) {
+  Ears(const Face& face, const std::vector<FlatPoint>& points) : face_(face), points_(points) {
     for (std::size_t i = 0; i < face.size(); ++i) left_.push_back(i);
   }
 
@@ -82,7 +82,7 @@ class Ears {
   }
 
   [[nodiscard]] bool is_ear(const std::array<std::size_t, 3>& at) const {
-    const std::array<Point, 3> triangle{points_[at[0]], points_[at[1]], points_[at[2]]};
+    const std::array<FlatPoint, 3> triangle{points_[at[0]], points_[at[1]], points_[at[2]]};
     if (CGAL::orientation(triangle[0], triangle[1], triangle[2]) != CGAL::LEFT_TURN) return false;
     return std::none_of(left_.begin(), left_.end(), [&](std::size_t other) { return holds(triangle, points_[other]); });
   }
@@ -95,18 +95,22 @@ class Ears {
   }
 
   const Face& face_;
-  const std::vector<Point>& points_;
+  const std::vector<FlatPoint>& points_;
   std::vector<std::size_t> left_;  ///< corners that no ear has taken away
   std::size_t from_ = 0;
   std::vector<Face> triangles_;
 };
 
-bool is_flat(const Mesh& mesh, const Face& face, const glm::dvec3& normal, double tolerance) {
-  glm::dvec3 mean(0);
-  for (const std::uint32_t corner : face) mean += mesh.points[corner] / static_cast<double>(face.size());
-  return std::all_of(face.begin(), face.end(), [&](std::uint32_t corner) {
-    return std::abs(glm::dot(normal, mesh.points[corner] - mean)) <= tolerance;
-  });
+/// Triangles from the first corner, of a face whose parts cancel each other as a bow's do; itself if all have no area.
+std::vector<Face> fan(const Mesh& mesh, const Face& face) {
+  std::vector<Face> triangles;
+  bool has_area = false;
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    const Face& triangle = triangles.emplace_back(Face{face[0], face[i], face[i + 1]});
+    has_area = has_area || glm::length(area_vector(mesh, triangle)) > 0;
+  }
+  if (!has_area) return {face};
+  return triangles;
 }
 
 }  // namespace
@@ -120,6 +124,19 @@ glm::dvec3 area_vector(const Mesh& mesh, const Face& face) {
   return sum;
 }
 
+double off_plane(const Mesh& mesh, const Face& face) {
+  const glm::dvec3 vector = area_vector(mesh, face);
+  const double length = glm::length(vector);
+  if (length == 0) return 0;
+  glm::dvec3 mean(0);
+  for (const std::uint32_t corner : face) mean += mesh.points[corner] / static_cast<double>(face.size());
+  double most = 0;
+  for (const std::uint32_t corner : face) {
+    most = std::max(most, std::abs(glm::dot(vector / length, mesh.points[corner] - mean)));
+  }
+  return most;
+}
+
 double largest_coordinate(const Mesh& mesh) {
   double largest = 0;
   for (const glm::dvec3& point : mesh.points) {
@@ -129,11 +146,11 @@ double largest_coordinate(const Mesh& mesh) {
 }
 
 std::vector<Face> flat_convex_parts(const Mesh& mesh, const Face& face, double tolerance) {
+  if (face.size() == 3) return {face};
   const glm::dvec3 vector = area_vector(mesh, face);
-  const double length = glm::length(vector);
-  if (face.size() == 3 || length == 0) return {face};
-  const std::vector<Point> points = projection(mesh, face, vector);
-  if (is_flat(mesh, face, vector / length, tolerance) && is_convex(points)) return {face};
+  if (glm::length(vector) == 0) return fan(mesh, face);
+  const std::vector<FlatPoint> points = projection(mesh, face, vector);
+  if (off_plane(mesh, face) <= tolerance && is_convex(points)) return {face};
   return Ears(face, points)();
 }
 

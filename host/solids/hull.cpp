@@ -18,6 +18,9 @@ namespace csgsim::solids {
 
 namespace {
 
+/// Of a point.
+constexpr std::uint64_t hull_steps = 3'000;
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
@@ -70,7 +73,8 @@ bool have_volume(const std::vector<Point>& points) {
 
 }  // namespace
 
-Mesh hull(std::span<const glm::dvec3> points) {
+Mesh hull(std::span<const glm::dvec3> points, const Work& work) {
+  work.charge(hull_steps * points.size(), "finding a convex hull");
   std::vector<Point> given;
   given.reserve(points.size());
   // -0 is 0 then, so that equal points are alike.
@@ -93,10 +97,11 @@ Mesh hull(std::span<const glm::dvec3> points) {
   return with_sorted_faces(made);
 }
 
-std::optional<model::Polyhedron> hull_piece(std::span<const glm::dvec3> points) {
+std::optional<model::Polyhedron> hull_piece(std::span<const glm::dvec3> points, const Work& work) {
   Limits limits;
+  limits.work = work;
   limits.tolerance = double_precision_tolerance;
-  std::vector<model::Polyhedron> pieces = convex_pieces(hull(points), limits);
+  std::vector<model::Polyhedron> pieces = convex_pieces(hull(points, work), limits);
   if (pieces.empty()) return std::nullopt;
   return std::move(pieces.front());
 }

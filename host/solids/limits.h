@@ -2,6 +2,9 @@
 
 #include <cstddef>
 
+#include "host/model/limits.h"
+#include "hw/base/work.h"
+
 namespace csgsim::solids {
 
 /// How far, in units of the largest coordinate, rounding may have moved a point. OpenSCAD prints 6 digits, which moves
@@ -23,7 +26,7 @@ inline constexpr double largest_tolerance = 1e-3;
 inline constexpr double largest_part_of_edge = 0.01;
 
 /// Farther from the origin, products of coordinates leave the range of doubles.
-inline constexpr double most_coordinate = 1e12;
+inline constexpr double most_coordinate = model::most_coordinate;
 
 /// How a solid is cut into convex pieces.
 struct Limits {
@@ -31,6 +34,7 @@ struct Limits {
   bool watches_cover = true;             ///< pieces that have grown past the surface are a hole (covered.h)
   std::size_t most_pieces = 100'000;
   std::size_t most_fragments = 4'000'000;  ///< parts of faces that cuts have made
+  Work work{};
 };
 
 }  // namespace csgsim::solids

@@ -99,10 +99,10 @@ std::size_t halfspaces_over(const std::vector<flat::Outline>& outlines) {
 
 }  // namespace
 
-std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& sweep) {
+std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& sweep, const Work& work) {
   const std::optional<LinearExtrude> made = used(area, sweep);
   if (!made) return {};
-  if (!is_straight(*made)) return extrude_bent(area, *made);
+  if (!is_straight(*made)) return extrude_bent(area, *made, work);
   std::vector<model::Polyhedron> pieces;
   SideLines lines(area);
   for (const flat::Outline& part : flat::convex_parts(area)) pieces.push_back(frustum(part, ends_of(*made), lines));

@@ -36,8 +36,8 @@ bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, doubl
   });
 }
 
-/// Of equal pieces the first stays.
-Pieces without_covered(Pieces pieces) {
+/// Of equal pieces the last stays.
+Pieces without_covered(Pieces pieces, const Work& work) {
   std::vector<facet::Box> boxes;
   facet::Box whole;
   for (const model::Polyhedron& piece : pieces) {
@@ -51,6 +51,7 @@ Pieces without_covered(Pieces pieces) {
   };
   std::vector<bool> covered(pieces.size(), false);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
+    work.charge(4 * pieces.size(), "finding pieces of a Minkowski sum within others");
     for (std::size_t other = 0; other < pieces.size() && !covered[i]; ++other) {
       covered[i] =
           other != i && !covered[other] && box_holds(boxes[other], boxes[i]) && holds(pieces[other], pieces[i], near);
@@ -63,7 +64,7 @@ Pieces without_covered(Pieces pieces) {
   return kept;
 }
 
-Pieces sum(const Pieces& first, const Pieces& second) {
+Pieces sum(const Pieces& first, const Pieces& second, const Work& work) {
   if (corners_of(first) > most_sums / std::max<std::size_t>(corners_of(second), 1)) {
     throw InputError("the Minkowski sum takes more than " + std::to_string(most_sums) +
                      " sums of corners; give its solids fewer facets ($fn)");
@@ -76,18 +77,18 @@ Pieces sum(const Pieces& first, const Pieces& second) {
       for (const glm::dvec3& a : one.points) {
         for (const glm::dvec3& b : other.points) sums.push_back(a + b);
       }
-      if (std::optional<model::Polyhedron> piece = hull_piece(sums)) made.push_back(std::move(*piece));
+      if (std::optional<model::Polyhedron> piece = hull_piece(sums, work)) made.push_back(std::move(*piece));
     }
   }
-  return without_covered(std::move(made));
+  return without_covered(std::move(made), work);
 }
 
 }  // namespace
 
-Pieces minkowski(std::span<const Pieces> solids) {
+Pieces minkowski(std::span<const Pieces> solids, const Work& work) {
   Pieces total;
   for (const Pieces& solid : solids) {
-    if (!solid.empty()) total = total.empty() ? solid : sum(total, solid);
+    if (!solid.empty()) total = total.empty() ? solid : sum(total, solid, work);
   }
   return total;
 }

@@ -8,18 +8,18 @@ namespace csgsim::solids {
 
 namespace {
 
-struct Side {
+struct EdgeSide {
   std::uint32_t low;
   std::uint32_t high;
   std::uint32_t number;
   std::uint32_t face;
   bool forward;  ///< from the lower corner to the higher one
 
-  [[nodiscard]] bool along(const Side& other) const { return low == other.low && high == other.high; }
+  [[nodiscard]] bool along(const EdgeSide& other) const { return low == other.low && high == other.high; }
 };
 
-std::vector<Side> sorted_sides(const Mesh& mesh) {
-  std::vector<Side> sides;
+std::vector<EdgeSide> sorted_sides(const Mesh& mesh) {
+  std::vector<EdgeSide> sides;
   for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
     const std::vector<std::uint32_t>& face = mesh.faces[i];
     for (std::size_t k = 0; k < face.size(); ++k) {
@@ -29,7 +29,7 @@ std::vector<Side> sorted_sides(const Mesh& mesh) {
           {std::min(here, next), std::max(here, next), static_cast<std::uint32_t>(sides.size()), i, here < next});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
     return std::tie(a.low, a.high, a.number) < std::tie(b.low, b.high, b.number);
   });
   return sides;
@@ -37,9 +37,9 @@ std::vector<Side> sorted_sides(const Mesh& mesh) {
 
 /// Calls visit(begin, end) for the sides along each edge.
 template <class Visit>
-void for_edges(const std::vector<Side>& sides, const Visit& visit) {
+void for_edges(const std::vector<EdgeSide>& sides, const Visit& visit) {
   for (auto begin = sides.begin(); begin != sides.end();) {
-    const auto end = std::find_if(begin, sides.end(), [&](const Side& side) { return !side.along(*begin); });
+    const auto end = std::find_if(begin, sides.end(), [&](const EdgeSide& side) { return !side.along(*begin); });
     visit(begin, end);
     begin = end;
   }
@@ -51,6 +51,14 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t at) {
 }
 
 }  // namespace
+
+std::vector<Joint> find_joints(const Mesh& mesh) {
+  std::vector<Joint> joints;
+  for_edges(sorted_sides(mesh), [&](auto begin, auto end) {
+    if (end - begin == 2) joints.push_back({begin->face, begin[1].face, begin->forward == begin[1].forward});
+  });
+  return joints;
+}
 
 Neighbours find_neighbours(const Mesh& mesh) {
   Neighbours found;

@@ -15,6 +15,16 @@ struct Neighbours {
   std::vector<std::uint32_t> face;        ///< of each side the face beyond it; `none` if it is not just one other
 };
 
+/// An edge that just two sides of faces run along.
+struct Joint {
+  std::uint32_t one;    ///< face
+  std::uint32_t other;  ///< face; the same one, if it runs along the edge twice
+  bool same_way;        ///< both run along the edge in the same direction
+};
+
+/// In order of the edges' corners.
+std::vector<Joint> find_joints(const Mesh& mesh);
+
 /// Two faces join at an edge that both run along, in opposite directions, and no third does.
 Neighbours find_neighbours(const Mesh& mesh);
 

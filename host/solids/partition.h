@@ -52,7 +52,7 @@ class HoleError : public InputError {
 /// faces, or by levels (in order of axis and place), until what of the surface is left in a cell is part of a convex
 /// solid's: each fragment is behind the planes of all. Points nearer to a plane than `near`, in model units, are on it.
 /// The cell has to hold the surface, at a distance. Throws InputError if there are more pieces or fragments than the
-/// limits allow, a HoleError if the surface is open.
+/// limits allow, a HoleError if the surface is open, and a WorkError past the limit on work.
 std::vector<convex::Polytope> partition(Soup soup, convex::Polytope cell, std::span<const Level> levels,
                                         const facet::PlaneTable& planes, double near, const Limits& limits);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "host/convex/merge.h"
 #include "host/facet/scene.h"
 #include "host/solids/convex_shell.h"
+#include "host/solids/enclosed.h"
 #include "host/solids/flat_faces.h"
 #include "host/solids/partition.h"
 #include "host/solids/polyhedra.h"
@@ -48,15 +50,23 @@ class Division {
   }
 
   std::vector<model::Polyhedron> operator()() {
-    for (const FaceList& solid : faces_of_solids(mesh_)) divide(solid);
+    for (const FaceList& solid : faces_of_solids(mesh_, limits_.work)) divide(solid);
     return std::move(pieces_);
   }
 
-  /// By how much the pieces have more volume than the solids that were cut.
-  [[nodiscard]] double gain() const { return gain_; }
+  /// All faces at once, which may cross.
+  std::vector<model::Polyhedron> enclosed_pieces() {
+    FaceList all(mesh_.faces.size());
+    std::iota(all.begin(), all.end(), 0U);
+    std::vector<convex::Polytope> polytopes = enclosed(soup_of(all), cell_around(all), planes_, near_, limits_);
+    convex::merge(polytopes, planes_, limits_.work);
+    for (const convex::Polytope& polytope : polytopes) pieces_.push_back(polyhedron_of(polytope, planes_));
+    return std::move(pieces_);
+  }
 
-  /// What corners that are off their planes may make of that.
-  [[nodiscard]] double largest_gain() const { return near_ * area_; }
+  /// Whether the pieces are as large as the solids that were cut, but for what corners that are off their planes may
+  /// make of that.
+  [[nodiscard]] bool keeps_volume() const { return std::abs(gain_) <= near_ * area_; }
 
  private:
   void divide(const FaceList& solid) {
@@ -70,7 +80,7 @@ class Division {
     const std::vector<Level> levels = levels_of(soup);
     std::vector<convex::Polytope> polytopes =
         partition(std::move(soup), cell_around(solid), levels, planes_, near_, left);
-    convex::merge(polytopes, planes_);
+    convex::merge(polytopes, planes_, limits_.work);
     weigh(solid, polytopes);
     for (const convex::Polytope& polytope : polytopes) pieces_.push_back(polyhedron_of(polytope, planes_));
   }
@@ -171,7 +181,7 @@ class Division {
   double near_;
   std::vector<facet::Halfspace> halfspaces_;  ///< of the regions
   std::vector<model::Polyhedron> pieces_;
-  double gain_ = 0;
+  double gain_ = 0;  ///< by how much the pieces have more volume than the solids that were cut
   double area_ = 0;  ///< of the surface of what was cut
 };
 
@@ -181,8 +191,7 @@ std::vector<model::Polyhedron> exact_pieces(const Mesh& mesh, const facet::Box& 
   limits.watches_cover = false;
   Division division(mesh, box, limits);
   std::vector<model::Polyhedron> pieces = division();
-  if (std::abs(division.gain()) > division.largest_gain())
-    throw HoleError("the faces leave a hole in the solid's surface; close it");
+  if (!division.keeps_volume()) throw WindingError("the faces cross along their edges; make a union of their parts");
   return pieces;
 }
 
@@ -192,10 +201,18 @@ std::vector<model::Polyhedron> convex_pieces(const Mesh& mesh, const Limits& lim
   if (mesh.faces.empty()) return {};
   const facet::Box box = box_of(mesh);
   try {
-    return Division(mesh, box, limits)();
+    Division division(mesh, box, limits);
+    std::vector<model::Polyhedron> pieces = division();
+    if (division.keeps_volume()) return pieces;
   } catch (const HoleError&) {
-    return exact_pieces(mesh, box, limits);
+    // Each face in its own plane may leave none.
   }
+  return exact_pieces(mesh, box, limits);
+}
+
+std::vector<model::Polyhedron> enclosed_pieces(const Mesh& mesh, const Limits& limits) {
+  if (mesh.faces.empty()) return {};
+  return Division(mesh, box_of(mesh), limits).enclosed_pieces();
 }
 
 }  // namespace csgsim::solids

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/facet/scene.h"
+#include "host/flat/clip_steps.h"
 #include "host/solids/limits.h"
 
 namespace csgsim::solids {
@@ -82,7 +83,10 @@ Path hull_of(const std::vector<glm::dvec2>& points, double scale) {
   return hull(std::move(path));
 }
 
-Paths combine(ClipperLib::ClipType how, const Paths& first, const Paths& others) {
+Paths combine(ClipperLib::ClipType how, const Paths& first, const Paths& others, const Work& work) {
+  Paths all = first;
+  all.insert(all.end(), others.begin(), others.end());
+  flat::charge_clipping(all, work);
   ClipperLib::Clipper clipper;
   clipper.AddPaths(first, ClipperLib::ptSubject, true);
   clipper.AddPaths(others, ClipperLib::ptClip, true);
@@ -91,15 +95,16 @@ Paths combine(ClipperLib::ClipType how, const Paths& first, const Paths& others)
   return made;
 }
 
-Paths combine(model::Operator op, const std::vector<Paths>& operands) {
+Paths combine(model::Operator op, const std::vector<Paths>& operands, const Work& work) {
   Paths made = operands.front();
   if (op == model::Operator::intersect) {
-    for (std::size_t i = 1; i < operands.size(); ++i) made = combine(ClipperLib::ctIntersection, made, operands[i]);
+    for (std::size_t i = 1; i < operands.size(); ++i)
+      made = combine(ClipperLib::ctIntersection, made, operands[i], work);
     return made;
   }
   Paths others;
   for (std::size_t i = 1; i < operands.size(); ++i) others.insert(others.end(), operands[i].begin(), operands[i].end());
-  return combine(op == model::Operator::unite ? ClipperLib::ctUnion : ClipperLib::ctDifference, made, others);
+  return combine(op == model::Operator::unite ? ClipperLib::ctUnion : ClipperLib::ctDifference, made, others, work);
 }
 
 flat::Area area_of(const Paths& paths, double scale) {
@@ -116,7 +121,7 @@ flat::Area area_of(const Paths& paths, double scale) {
 
 }  // namespace
 
-flat::Area shadow(std::span<const model::Polyhedron> pieces) {
+flat::Area shadow(std::span<const model::Polyhedron> pieces, const Work& work) {
   double largest = 0;
   for (const model::Polyhedron& piece : pieces) largest = std::max(largest, largest_of(piece.points));
   if (largest == 0) return {};
@@ -125,12 +130,12 @@ flat::Area shadow(std::span<const model::Polyhedron> pieces) {
   for (const model::Polyhedron& piece : pieces) {
     paths.push_back(hull_of({piece.points.begin(), piece.points.end()}, scale));
   }
-  Paths united = combine(ClipperLib::ctUnion, paths, {});
+  Paths united = combine(ClipperLib::ctUnion, paths, {}, work);
   ClipperLib::CleanPolygons(united);
   return area_of(united, scale);
 }
 
-flat::Area section(const model::Tree& tree) {
+flat::Area section(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
   const facet::Scene scene = facet::make_scene(tree);
   double largest = 0;
@@ -146,9 +151,9 @@ flat::Area section(const model::Tree& tree) {
     }
     std::vector<Paths> operands;
     for (const std::uint32_t child : node.children) operands.push_back(std::move(sections[child]));
-    sections.push_back(combine(node.op, operands));
+    sections.push_back(combine(node.op, operands, work));
   }
-  Paths made = combine(ClipperLib::ctUnion, sections[tree.root], {});
+  Paths made = combine(ClipperLib::ctUnion, sections[tree.root], {}, work);
   ClipperLib::CleanPolygons(made);
   return area_of(made, scale);
 }

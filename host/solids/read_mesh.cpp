@@ -22,17 +22,18 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-std::vector<Mesh> read_meshes(const std::filesystem::path& path) {
+std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path) {
   const std::string ending = lower(path.extension().string());
-  const bool is_known = ending == ".stl" || ending == ".off" || ending == ".amf" || ending == ".3mf";
-  if (!is_known) {
-    throw InputError(
-        fmt::format("{}: meshes are read from .stl, .off, .amf and .3mf files; convert it", printable(path.native())));
-  }
-  const std::string text = read_file(path, {"a mesh file", most_mesh_bytes, "make the mesh coarser"});
   if (ending == ".stl") return {parse_stl(text, path.native())};
   if (ending == ".off") return {parse_off(text, path.native())};
-  return ending == ".amf" ? parse_amf(text, path.native()) : parse_3mf(text, path.native());
+  if (ending == ".amf") return parse_amf(text, path.native());
+  if (ending == ".3mf") return parse_3mf(text, path.native());
+  throw InputError(
+      fmt::format("{}: meshes are read from .stl, .off, .amf and .3mf files; convert it", printable(path.native())));
+}
+
+std::vector<Mesh> read_meshes(const std::filesystem::path& path) {
+  return parse_meshes(read_file(path, {"a mesh file", most_mesh_bytes, "make the mesh coarser"}), path);
 }
 
 }  // namespace csgsim::solids

@@ -17,8 +17,9 @@ inline constexpr std::size_t most_mesh_faces = 4'000'000;
 /// Throws InputError that names the file, and the place in it where there is one.
 std::vector<Mesh> read_meshes(const std::filesystem::path& path);
 
-/// The parts of it. The text is the file's, and the name is for messages.
-///
+/// The parts of it: first by the name's ending, then each kind. The text is the file's, and the name is for messages.
+std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path);
+
 /// STL, both kinds. Normals are not looked at, as in OpenSCAD. A text has triangles only.
 Mesh parse_stl(std::string_view text, std::string_view name);
 

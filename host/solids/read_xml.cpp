@@ -22,7 +22,7 @@ class Document {
   Document(std::string text, std::string_view name) : text_(std::move(text)), name_(name) {
     if (text_.size() > most_unzipped_bytes) {
       throw InputError(
-          fmt::format("{}: longer than {} MiB; make the mesh coarser", printable(name_), most_unzipped_bytes >> 20U));
+          fmt::format("{}: longer than {}; make the mesh coarser", printable(name_), binary_size(most_unzipped_bytes)));
     }
     const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size(), pugi::parse_minimal);
     if (!result) fail(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), result.description());

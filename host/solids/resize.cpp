@@ -1,8 +1,12 @@
 #include "host/solids/resize.h"
 
+#include <glm/common.hpp>
+
 namespace csgsim::solids {
 
-glm::dvec3 resize_scale(const glm::dvec3& size, const glm::dvec3& new_size, const std::array<bool, 3>& automatic) {
+glm::dvec3 resize_scale(const glm::dvec3& size, const glm::dvec3& to, const std::array<bool, 3>& automatic,
+                        Resized what) {
+  const glm::dvec3 new_size = what == Resized::one ? glm::max(to, glm::dvec3(0)) : to;
   glm::dvec3 scale(1);
   int largest = 0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -20,7 +20,7 @@ namespace csgsim::solids {
 namespace {
 
 /// Corners nearer to the axis than this, in units of the farthest one's distance, are on it.
-constexpr double relative_tolerance = double_precision_tolerance;
+constexpr double axis_tolerance = double_precision_tolerance;
 
 /// The directions in which copies of the profile stand, counter-clockwise.
 struct Turn {
@@ -55,7 +55,7 @@ flat::Area on_the_right(const flat::Area& area, bool is_left, double radius) {
   flat::Area result = area;
   for (flat::Outline& outline : result.outlines) {
     for (glm::dvec2& corner : outline)
-      corner.x = std::abs(corner.x) <= relative_tolerance * radius ? 0 : std::abs(corner.x);
+      corner.x = std::abs(corner.x) <= axis_tolerance * radius ? 0 : std::abs(corner.x);
     if (is_left) std::reverse(outline.begin(), outline.end());
   }
   return result;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <string_view>
 
 #include "host/facet/scene.h"
 #include "host/solids/neighbours.h"
@@ -36,14 +37,20 @@ bool holds(const facet::Box& outer, const facet::Box& inner) {
   return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::lessThanEqual(inner.high, outer.high));
 }
 
+constexpr std::string_view nesting = "finding which shells of a mesh are within which";
+
+/// Of a face that a solid angle is worked out of.
+constexpr std::uint64_t angle_steps = 50;
+
 /// Whether one shell is within another: by the middle of a face that is clear of it.
-bool is_within(const Mesh& mesh, const FaceList& inner, const FaceList& outer) {
+bool is_within(const Mesh& mesh, const FaceList& inner, const FaceList& outer, const Work& work) {
   double sum = 0;
   for (const std::uint32_t face : inner) {
     glm::dvec3 middle(0);
     for (const std::uint32_t corner : mesh.faces[face]) {
       middle += mesh.points[corner] / static_cast<double>(mesh.faces[face].size());
     }
+    work.charge(angle_steps * outer.size(), nesting);
     sum = winding(mesh, outer, middle);
     constexpr double clear = 0.25;
     if (std::abs(std::abs(sum) - 0.5) > clear) break;
@@ -63,18 +70,18 @@ double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   return sum;
 }
 
+double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const double la = glm::length(a);
+  const double lb = glm::length(b);
+  const double lc = glm::length(c);
+  const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+  return 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), below);
+}
+
 double winding(const Mesh& mesh, std::span<const std::uint32_t> faces, const glm::dvec3& point) {
-  // The solid angle of a triangle: A. van Oosterom and J. Strackee, 1983.
   double angles = 0;
-  for_triangles(mesh, faces, [&](const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
-    const glm::dvec3 a = p - point;
-    const glm::dvec3 b = q - point;
-    const glm::dvec3 c = r - point;
-    const double la = glm::length(a);
-    const double lb = glm::length(b);
-    const double lc = glm::length(c);
-    const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
-    angles += 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), below);
+  for_triangles(mesh, faces, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    angles += solid_angle(a - point, b - point, c - point);
   });
   return angles / (4.0 * std::numbers::pi);
 }
@@ -89,20 +96,21 @@ std::vector<FaceList> faces_of_shells(const Mesh& mesh) {
   return faces;
 }
 
-std::vector<std::uint32_t> depths_of(const Mesh& mesh, const std::vector<FaceList>& shells) {
+std::vector<std::uint32_t> depths_of(const Mesh& mesh, const std::vector<FaceList>& shells, const Work& work) {
   std::vector<facet::Box> boxes;
   boxes.reserve(shells.size());
   for (const FaceList& shell : shells) boxes.push_back(box_of(mesh, shell));
   std::vector<std::uint32_t> depths(shells.size(), 0);
   for (std::size_t i = 0; i < shells.size(); ++i) {
+    work.charge(shells.size(), nesting);
     for (std::size_t other = 0; other < shells.size(); ++other) {
-      if (other != i && holds(boxes[other], boxes[i]) && is_within(mesh, shells[i], shells[other])) ++depths[i];
+      if (other != i && holds(boxes[other], boxes[i]) && is_within(mesh, shells[i], shells[other], work)) ++depths[i];
     }
   }
   return depths;
 }
 
-std::vector<FaceList> faces_of_solids(const Mesh& mesh) {
+std::vector<FaceList> faces_of_solids(const Mesh& mesh, const Work& work) {
   const std::vector<FaceList> shells = faces_of_shells(mesh);
   std::vector<double> volumes;
   std::vector<facet::Box> boxes;
@@ -120,10 +128,11 @@ std::vector<FaceList> faces_of_solids(const Mesh& mesh) {
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (volumes[i] >= 0) continue;
     std::size_t least = shells.size();
+    work.charge(shells.size(), nesting);
     for (std::size_t other = 0; other < shells.size(); ++other) {
       if (volumes[other] < -volumes[i] || !holds(boxes[other], boxes[i])) continue;
       if (least < shells.size() && volumes[least] <= volumes[other]) continue;
-      if (is_within(mesh, shells[i], shells[other])) least = other;
+      if (is_within(mesh, shells[i], shells[other], work)) least = other;
     }
     if (least == shells.size()) throw InputError("a shell faces inwards and is in no other; reverse its faces");
     FaceList& solid = solids[solid_of[least]];

@@ -9,14 +9,11 @@
 #include "host/solids/height_picture.h"
 #include "host/solids/words.h"
 #include "hw/base/error.h"
-#include "hw/base/input_file.h"
 #include "hw/base/text.h"
 
 namespace csgsim::solids {
 
 namespace {
-
-constexpr std::size_t most_bytes = std::size_t{1} << 26U;
 
 struct Heights {
   std::uint32_t columns = 0;
@@ -30,9 +27,9 @@ struct Heights {
 };
 
 /// The mesh has the corners of the grid, then the middles of its cells, then the corners of the floor along its rim.
-class Surface {
+class SurfaceMaker {
  public:
-  Surface(const Heights& heights, bool center) : heights_(heights) {
+  SurfaceMaker(const Heights& heights, bool center) : heights_(heights) {
     if (center) origin_ = {(1.0 - heights.columns) / 2, (1.0 - heights.rows) / 2};
   }
 
@@ -112,7 +109,7 @@ double floor_below(const std::vector<double>& given) {
   return least - 1;
 }
 
-void require_few(std::size_t heights, std::string_view name) {
+void require_few_heights(std::size_t heights, std::string_view name) {
   if (heights <= most_heights) return;
   throw InputError(fmt::format("{}: more than {} heights; make it coarser", printable(name), most_heights));
 }
@@ -130,7 +127,7 @@ std::vector<std::vector<double>> read_rows(std::string_view text, std::string_vi
     std::vector<double>& row = rows.emplace_back();
     for (; !word.empty(); word = words.next_on_line()) {
       row.push_back(words.number_of(word, "a height"));
-      require_few(++count, name);
+      require_few_heights(++count, name);
     }
   }
   return rows;
@@ -147,13 +144,13 @@ Mesh parse_surface(std::string_view text, std::string_view name, bool center) {
     columns = std::max(columns, row.size());
     heights.floor = std::min(heights.floor, floor_below(row));
   }
-  require_few(columns * rows.size(), name);
+  require_few_heights(columns * rows.size(), name);
   heights.columns = static_cast<std::uint32_t>(columns);
   for (const auto& row : rows) {
     heights.values.insert(heights.values.end(), row.begin(), row.end());
     heights.values.resize(heights.values.size() + columns - row.size(), 0);
   }
-  return Surface(heights, center)();
+  return SurfaceMaker(heights, center)();
 }
 
 Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool center, bool invert) {
@@ -167,17 +164,20 @@ Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool cente
     }
   }
   heights.floor = floor_below(heights.values);
-  return Surface(heights, center)();
+  return SurfaceMaker(heights, center)();
 }
 
-Mesh read_surface(const std::filesystem::path& path, bool center, bool invert) {
-  const std::string bytes = read_file(path, {"a surface file", most_bytes, "make it coarser"});
+Mesh parse_surface_file(std::string_view bytes, const std::filesystem::path& path, bool center, bool invert) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](char letter) {
     return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + ('a' - 'A')) : letter;
   });
   return ending == ".png" ? parse_surface_png(bytes, path.native(), center, invert)
                           : parse_surface(bytes, path.native(), center);
+}
+
+Mesh read_surface(const std::filesystem::path& path, bool center, bool invert) {
+  return parse_surface_file(read_file(path, surface_file), path, center, invert);
 }
 
 }  // namespace csgsim::solids

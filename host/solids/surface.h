@@ -5,11 +5,14 @@
 #include <string_view>
 
 #include "host/solids/mesh.h"
+#include "hw/base/input_file.h"
 
 namespace csgsim::solids {
 
 /// Heights at the corners of a grid.
 inline constexpr std::size_t most_heights = 1'000'000;
+
+inline constexpr InputKind surface_file{"a surface file", std::size_t{1} << 26U, "make it coarser"};
 
 /// What OpenSCAD's surface() makes of a file: heights above a grid of unit cells, each cell of four triangles that meet
 /// in its middle, at the mean of its corners; walls, and a floor one below the least height or one below 1. A file
@@ -17,8 +20,9 @@ inline constexpr std::size_t most_heights = 1'000'000;
 /// empty mesh. Throws InputError that names the file, and the place in it where there is one.
 Mesh read_surface(const std::filesystem::path& path, bool center, bool invert);
 
-/// The parts of it. The text is the file's, and the name is for messages.
-///
+/// The parts of it: first by the name's ending, then each kind. The text is the file's, and the name is for messages.
+Mesh parse_surface_file(std::string_view bytes, const std::filesystem::path& path, bool center, bool invert);
+
 /// Numbers between blanks, a row a line, the first along y = 0; lines that begin with # are left out. Rows that are too
 /// short end with zeros.
 Mesh parse_surface(std::string_view text, std::string_view name, bool center);

@@ -7,6 +7,7 @@
 
 #include "host/flat/area.h"
 #include "host/model/tree.h"
+#include "hw/base/work.h"
 
 namespace csgsim::solids {
 
@@ -29,8 +30,10 @@ struct RotateExtrude {
 /// The solid between an area and its turned and scaled copy, as OpenSCAD 2021.01 facets it: convex pieces that do not
 /// overlap, whose faces say their planes. Straight sides: a piece a convex part of the area. Bent sides: each slice's
 /// are two triangles a side of the outline, and what is between them is divided by planes of these triangles. None if
-/// the height is not above 0. Throws InputError if there are too many slices or pieces.
-std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& sweep);
+/// the height is not above 0. Throws InputError if there are too many slices or pieces, or they reach too far from the
+/// origin (model/limits.h), and WorkError past the limit on work.
+std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& sweep,
+                                              const Work& work = {});
 
 /// A convex prism, frustum or pyramid less others.
 struct HoledPrism {

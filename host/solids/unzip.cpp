@@ -138,8 +138,8 @@ class Archive {
   }
 
   [[noreturn]] void fail_too_long() const {
-    throw InputError(fmt::format("{}: unzipped it is longer than {} MiB; make the mesh coarser", printable(name_),
-                                 most_unzipped_bytes >> 20U));
+    throw InputError(fmt::format("{}: unzipped it is longer than {}; make the mesh coarser", printable(name_),
+                                 binary_size(most_unzipped_bytes)));
   }
 
   /// The size that the archive says is not trusted.

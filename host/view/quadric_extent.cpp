@@ -8,7 +8,7 @@ namespace csgsim::view {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// A quadric about a point, in doubles: bounds that hold for the unrounded one too.
 struct Around {
@@ -38,7 +38,7 @@ Around around(const ScreenQuadric& quadric, const glm::dvec3& inside, const View
                  static_cast<double>(quadric.middle.c)) *
                 ulp;
   here.from_middle = std::abs(inside.z - here.middle) + quadric.middle_error;
-  here.least_polar = infinite;
+  here.least_polar = unlimited;
   for (const std::int32_t x : {pixels.x0, pixels.x1}) {
     for (const std::int32_t y : {pixels.y0, pixels.y1}) {
       here.least_polar = std::min(here.least_polar,
@@ -63,12 +63,12 @@ double growth_of_paraboloid(const ScreenQuadric& quadric, const Around& here) {
   const double k =
       std::ldexp(static_cast<double>(quadric.factor.scaled()), -static_cast<int>(quadric.factor.fraction()));
   const double slack = k * here.d - here.from_middle;
-  return slack > 0.0 ? (2.0 + 2.0 * k * here.error) / slack : infinite;
+  return slack > 0.0 ? (2.0 + 2.0 * k * here.error) / slack : unlimited;
 }
 
 double growth_between(const ScreenQuadric& quadric, const Around& here, const View& view, const PixelRect& pixels) {
   const double half_depth = here.unit * std::sqrt(std::max(0.0, here.d));
-  if (!(here.from_middle < half_depth)) return infinite;
+  if (!(here.from_middle < half_depth)) return unlimited;
   if (is_concave(quadric.discriminant)) {
     const RootRanges ranges = ranges_over(quadric, view.sampling.fraction_bits, pixels);
     const double most = here.unit * (static_cast<double>(ranges.most_root) + 1.0) + here.depth_error;
@@ -76,18 +76,18 @@ double growth_between(const ScreenQuadric& quadric, const Around& here, const Vi
         2.0 * here.depth_error * most + here.depth_error * here.depth_error + here.error * here.unit * here.unit;
     return beyond / (half_depth * half_depth - here.from_middle * here.from_middle);
   }
-  if (here.least_polar <= 0.0) return infinite;
+  if (here.least_polar <= 0.0) return unlimited;
   return (here.depth_error + std::sqrt(here.error) * here.unit) / (half_depth - here.from_middle);
 }
 
 /// Beyond one of two depths that every ray has.
 double growth_beyond(const ScreenQuadric& quadric, QuadricRole role, const glm::dvec3& inside, const Around& here,
                      const PixelRect& pixels) {
-  if (range_over(quadric.discriminant, pixels).low <= 0 || !(here.d >= 0.0)) return infinite;
+  if (range_over(quadric.discriminant, pixels).low <= 0 || !(here.d >= 0.0)) return unlimited;
   const double half_depth = here.unit * std::sqrt(here.d + 2.0 * here.error) + quadric.middle_error;
   const double slack =
       role == QuadricRole::until ? here.middle - half_depth - inside.z : inside.z - here.middle - half_depth;
-  return slack > 0.0 ? here.depth_error / slack : infinite;
+  return slack > 0.0 ? here.depth_error / slack : unlimited;
 }
 
 bool is_in(const glm::dvec3& place, const PixelRect& pixels) {
@@ -132,7 +132,7 @@ void narrow_pixels(PixelRect& pixels, const ScreenQuadric& quadric) {
 double growth_of(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside, const View& view,
                  const PixelRect& pixels) {
   const bool has_depths = quadric.kind == ScreenQuadricKind::roots || quadric.kind == ScreenQuadricKind::paraboloid;
-  if (!has_depths || pixels.empty() || !is_in(inside, quadric.pixels)) return infinite;
+  if (!has_depths || pixels.empty() || !is_in(inside, quadric.pixels)) return unlimited;
   const Around here = around(quadric, inside, view, pixels);
   if (quadric.kind == ScreenQuadricKind::paraboloid) return growth_of_paraboloid(quadric, here);
   const QuadricRole role = role_of(quadric, side);

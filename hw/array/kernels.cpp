@@ -10,9 +10,17 @@ namespace csgsim::array::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of lambdas that work on vectors: out of line they would keep these in memory.
+// Of lambdas that work on vectors, and of loops that call them: out of line they would keep these in memory. With the
+// checks of sanitizers all of them in one function take minutes to compile.
 #undef CSGSIM_BODY
+#undef CSGSIM_LOOP
+#ifdef CSGSIM_SANITIZED
+#define CSGSIM_BODY HWY_ATTR
+#define CSGSIM_LOOP HWY_ATTR
+#else
 #define CSGSIM_BODY HWY_ATTR __attribute__((always_inline))
+#define CSGSIM_LOOP HWY_ATTR HWY_INLINE
+#endif
 
 using BlockTag = hn::CappedTag<std::uint64_t, block_words>;
 using Vector = hn::Vec<BlockTag>;
@@ -183,8 +191,8 @@ struct Registers {
 
 /// Calls body(i, x) for each step of a run, with its operand x.
 template <bool one_row, class Body>
-HWY_ATTR HWY_INLINE void with_x(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits, bool latch,
-                                Registers& r, Body body) {
+CSGSIM_LOOP void with_x(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits, bool latch, Registers& r,
+                        Body body) {
   if (run.from_tree) {
     adders.seek(run.stream_bit, r.next_bit, r.tree_carry);
     Vector carry = r.tree_carry;
@@ -209,8 +217,8 @@ HWY_ATTR HWY_INLINE void with_x(const Run& run, const Adders<one_row>& adders, s
 /// Carries out a run on a vector of pixels. `bits`: the vector's first word of bit 0. The flag is looked at only
 /// `with_flag`.
 template <bool one_row, bool with_flag>
-HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits,
-                                 const std::uint64_t* present, Effects effects, Registers& r) {
+CSGSIM_LOOP void run_one(const Run& run, const Adders<one_row>& adders, std::uint64_t* bits,
+                         const std::uint64_t* present, Effects effects, Registers& r) {
   const BlockTag d;
   const Vector zero = hn::Zero(d);
   const Vector ones = hn::Not(zero);
@@ -353,8 +361,8 @@ HWY_ATTR HWY_INLINE void run_one(const Run& run, const Adders<one_row>& adders, 
 }
 
 template <bool one_row, bool with_flag>
-HWY_ATTR HWY_INLINE void run_blocks(std::span<const Run> runs, std::span<const StreamTable> tables,
-                                    const Blocks& blocks, std::span<const std::uint32_t> numbers, Effects effects) {
+CSGSIM_LOOP void run_blocks(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
+                            std::span<const std::uint32_t> numbers, Effects effects) {
   const BlockTag d;
   static constexpr StreamTable no_stream;
   RowMasks<one_row> rows;

@@ -1,58 +1,167 @@
 #include "hw/base/child_process.h"
 
-#include <spawn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <vector>
+
+#include "hw/base/child_guard.h"
+#include "hw/base/descriptor.h"
+#include "hw/base/error.h"
+#include "hw/base/text.h"
 
 namespace csgsim {
 
 namespace {
 
-class Actions {
+using Clock = std::chrono::steady_clock;
+
+struct Pipe {
+  Descriptor out;  ///< read from
+  Descriptor in;   ///< written to
+};
+
+[[noreturn]] void fail(const std::string& program, int error) {
+  throw InputError(fmt::format("{}: cannot be run: {}; check the limits of this process (ulimit -a)", program,
+                               std::strerror(error)));
+}
+
+Pipe make_pipe(const std::string& program) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(program, errno);
+  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// The guard of a program. It is ended with the object, and the program with it.
+class Guard {
  public:
-  Actions() { ::posix_spawn_file_actions_init(&actions_); }
-  ~Actions() { ::posix_spawn_file_actions_destroy(&actions_); }
-  Actions(const Actions&) = delete;
-  Actions& operator=(const Actions&) = delete;
-  void connect(const MemoryFile& file, int number) {
-    ::posix_spawn_file_actions_adddup2(&actions_, file.descriptor().number(), number);
+  explicit Guard(pid_t number) : number_(number) {}
+  ~Guard() {
+    ::kill(number_, SIGTERM);
+    while (::waitpid(number_, nullptr, 0) < 0 && errno == EINTR) continue;
   }
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
 
  private:
-  posix_spawn_file_actions_t actions_{};
+  pid_t number_;
 };
+
+/// What comes out of a pipe, up to a limit.
+struct Stream {
+  Descriptor file;
+  std::string& bytes;
+  std::size_t most;
+  Exceeded exceeded;  ///< what more than that is
+
+  /// Takes what there is. More than the limit is left there, but for a byte that tells of it.
+  [[nodiscard]] bool take() {
+    std::array<char, std::size_t{1} << 16U> block{};
+    for (;;) {
+      const std::size_t wanted = std::min(block.size(), most - std::min(most, bytes.size()) + 1);
+      const ssize_t count = ::read(file.number(), block.data(), wanted);
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) return true;
+      if (count == 0) static_cast<void>(file.close());
+      if (count == 0) return true;
+      bytes.append(block.data(), static_cast<std::size_t>(count));
+      if (bytes.size() <= most) continue;
+      bytes.resize(most);
+      return false;
+    }
+  }
+};
+
+int milliseconds_until(Clock::time_point end) {
+  constexpr std::chrono::milliseconds longest = std::chrono::hours(1);
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+  return static_cast<int>(std::clamp(left, std::chrono::milliseconds(0), longest).count());
+}
+
+/// Takes what the program writes until the guard has told how it ended, or a limit is passed.
+Exceeded listen(const Descriptor& told, std::array<Stream, 2>& streams, Clock::time_point end) {
+  for (;;) {
+    std::array<pollfd, 3> files{pollfd{told.number(), POLLIN, 0}, pollfd{streams[0].file.number(), POLLIN, 0},
+                                pollfd{streams[1].file.number(), POLLIN, 0}};
+    const int ready = ::poll(files.data(), files.size(), milliseconds_until(end));
+    if (ready < 0 && errno != EINTR) return Exceeded::nothing;
+    for (Stream& stream : streams) {
+      if (stream.file.is_open() && !stream.take()) return stream.exceeded;
+    }
+    if (ready > 0 && files[0].revents != 0) return Exceeded::nothing;
+    if (Clock::now() >= end) return Exceeded::time;
+  }
+}
+
+std::vector<char*> arguments_of(std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
+bool is_missing(int error) { return error == ENOENT || error == ENOTDIR || error == EACCES || error == ENOEXEC; }
 
 }  // namespace
 
-std::optional<int> run_child(std::span<const std::string> words, const ChildFiles& files) {
-  Actions actions;
-  actions.connect(files.input, STDIN_FILENO);
-  actions.connect(files.output, STDOUT_FILENO);
-  actions.connect(files.errors, STDERR_FILENO);
+std::optional<ChildEnd> run_child(std::span<const std::string> words, const MemoryFile& input,
+                                  const ChildLimits& limits) {
   std::vector<std::string> owned(words.begin(), words.end());
-  std::vector<char*> arguments;
-  arguments.reserve(owned.size() + 1);
-  for (std::string& word : owned) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  if (::posix_spawnp(&child, arguments.front(), actions.get(), nullptr, arguments.data(), environ) != 0)
-    return std::nullopt;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return status;
+  const std::vector<char*> arguments = arguments_of(owned);
+  const std::string& program = words.front();
+  Pipe output = make_pipe(program);
+  Pipe errors = make_pipe(program);
+  Pipe told = make_pipe(program);
+  const Clock::time_point end = Clock::now() + limits.time;
+  const pid_t number = start_guard({arguments.data(), input.descriptor().number(), output.in.number(),
+                                    errors.in.number(), told.in.number(), limits.memory});
+  if (number < 0) fail(program, errno);
+  for (Pipe* const pipe : {&output, &errors, &told}) static_cast<void>(pipe->in.close());
+  ChildEnd ended;
+  {
+    const Guard guard(number);
+    std::array<Stream, 2> streams{Stream{std::move(output.out), ended.output, limits.output, Exceeded::output},
+                                  Stream{std::move(errors.out), ended.errors, limits.errors, Exceeded::errors}};
+    ended.exceeded = listen(told.out, streams, end);
+    // What it wrote last may have come after it was looked for.
+    for (Stream& stream : streams) {
+      if (ended.exceeded == Exceeded::nothing && stream.file.is_open() && !stream.take())
+        ended.exceeded = stream.exceeded;
+    }
+  }
+  GuardReport report{0, SIGKILL};  // of a guard that somebody has ended
+  static_cast<void>(!::read(told.out.number(), &report, sizeof report));
+  if (is_missing(report.error)) return std::nullopt;
+  if (report.error != 0) fail(program, report.error);
+  ended.status = report.status;
+  return ended;
 }
 
-std::string why_failed(int status, const MemoryFile& errors) {
-  if (WIFSIGNALED(status)) return ::strsignal(WTERMSIG(status));
-  const std::string all = errors.content();
-  const std::size_t begin = std::min(all.find_first_not_of(" \n"), all.size());
-  return all.substr(begin, all.find('\n', begin) - begin);
+bool is_done(const ChildEnd& end) { return end.exceeded == Exceeded::nothing && end.status == 0; }
+
+std::string why_failed(const ChildEnd& end, const ChildLimits& limits) {
+  switch (end.exceeded) {
+    case Exceeded::nothing: break;
+    case Exceeded::time: return fmt::format("it is not done after {} s", limits.time.count());
+    case Exceeded::output: return "it writes more than " + binary_size(limits.output);
+    case Exceeded::errors: return fmt::format("it writes more than {} of messages", binary_size(limits.errors));
+  }
+  if (WIFSIGNALED(end.status)) {
+    return std::string("it was ended by a signal: ") + ::strsignal(WTERMSIG(end.status)) +
+           (limits.memory == ChildLimits::none ? "" : "; it may have " + binary_size(limits.memory) + " of memory");
+  }
+  const std::size_t begin = std::min(end.errors.find_first_not_of(" \n"), end.errors.size());
+  return end.errors.substr(begin, end.errors.find('\n', begin) - begin);
 }
 
 }  // namespace csgsim

@@ -31,6 +31,23 @@ constexpr std::size_t most_said = 200;
                                folder.native(), holder.empty() ? "it has just begun" : printable(holder)));
 }
 
+[[noreturn]] void fail_foreign(const std::filesystem::path& path) {
+  throw InputError(
+      path.native() +
+      ": it is no lock of csgsim's, but a link, or a file with other names or of another kind; delete it, or "
+      "take another -o");
+}
+
+/// Opens or makes it, and never anything that it leads to: what it says is replaced.
+Descriptor open_lock(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666));
+  if (!file.is_open() && errno == ELOOP) fail_foreign(path);
+  struct stat status {};
+  if (!file.is_open() || ::fstat(file.number(), &status) != 0) fail(folder, last_error());
+  if (!S_ISREG(status.st_mode) || status.st_nlink > 1) fail_foreign(path);
+  return file;
+}
+
 /// A lock counts only if its file still has the name: the one that held it before may have deleted it meanwhile.
 bool has_name(const Descriptor& file, const std::filesystem::path& path) {
   struct stat open {};
@@ -43,8 +60,7 @@ bool has_name(const Descriptor& file, const std::filesystem::path& path) {
 
 FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view purpose) : path_(folder / ".csgsim-lock") {
   do {
-    file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    if (!file_.is_open()) fail(folder, last_error());
+    file_ = open_lock(folder, path_);
     if (::flock(file_.number(), LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK) fail_held(folder, file_);
       fail(folder, last_error());

@@ -6,13 +6,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <new>
 #include <optional>
 #include <system_error>
 
 #include "hw/base/descriptor.h"
 #include "hw/base/error.h"
+#include "hw/base/inputs_kept.h"
 #include "hw/base/standard_streams.h"
+#include "hw/base/text.h"
 
 namespace csgsim {
 
@@ -22,22 +25,16 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
-/// `1 MiB`, `64 KiB`: limits are whole numbers of these.
-std::string size_text(std::size_t bytes) {
-  constexpr std::size_t mib = std::size_t{1} << 20U;
-  return bytes >= mib ? fmt::format("{} MiB", bytes / mib) : fmt::format("{} KiB", bytes >> 10U);
-}
-
 }  // namespace
 
 void check_length(std::string_view name, std::size_t bytes, const InputKind& kind) {
   if (bytes <= kind.most_bytes) return;
-  throw InputError(fmt::format("{}: longer than {}; {}", name, size_text(kind.most_bytes), kind.advice));
+  throw InputError(fmt::format("{}: longer than {}; {}", name, binary_size(kind.most_bytes), kind.advice));
 }
 
 namespace {
 
-std::string read_open(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
+std::string all_of(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
   struct stat status {};
   if (!file.is_open() || ::fstat(file.number(), &status) != 0)
     fail(path, last_error().message() + "; check the path and its permissions");
@@ -60,13 +57,53 @@ std::string read_open(const Descriptor& file, const std::filesystem::path& path,
 
 }  // namespace
 
+std::string read_file(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
+  std::string bytes = all_of(file, path, kind);
+  if (!kind.is_continued) keep_input(path);
+  return bytes;
+}
+
 std::string read_file(const std::filesystem::path& path, const InputKind& kind) {
   if (path.native() != standard_stream)
-    return read_open(Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), path, kind);
+    return read_file(Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), path, kind);
   static std::optional<std::string> kept;
   if (kept) check_length("standard input", kept->size(), kind);
-  if (!kept) kept = read_open(Descriptor(::dup(STDIN_FILENO)), "standard input", kind);
+  if (!kept) {
+    kept = all_of(Descriptor(::dup(STDIN_FILENO)), "standard input", kind);
+    keep_input(standard_input_file);
+  }
   return *kept;
+}
+
+namespace {
+
+void require_regular(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) fail(path, last_error().message());
+  if (S_ISDIR(status.st_mode)) fail(path, fmt::format("it is a folder; name {}", kind.what));
+  if (!S_ISREG(status.st_mode)) fail(path, fmt::format("it is a pipe or a device; name {}", kind.what));
+}
+
+}  // namespace
+
+Descriptor open_regular_file(const std::filesystem::path& path, const InputKind& kind) {
+  // What is there is looked at before it is opened: that of a device may have effects.
+  const Descriptor seen(::open(path.c_str(), O_PATH | O_CLOEXEC));
+  if (!seen.is_open()) {
+    if (errno == ENOENT || errno == ENOTDIR) return {};
+    fail(path, last_error().message() + "; check the path and its permissions");
+  }
+  require_regular(seen, path, kind);
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (!file.is_open()) fail(path, last_error().message() + "; check the path and its permissions");
+  require_regular(file, path, kind);
+  return file;
+}
+
+std::string read_regular_file(const std::filesystem::path& path, const InputKind& kind) {
+  const Descriptor file = open_regular_file(path, kind);
+  if (!file.is_open()) fail(path, "there is no such file; check the path");
+  return read_file(file, path, kind);
 }
 
 }  // namespace csgsim

@@ -7,11 +7,13 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/inputs_kept.h"
 #include "hw/base/standard_streams.h"
 
 namespace csgsim {
@@ -31,6 +33,14 @@ void check_place(const fs::path& asked, const fs::path& place) {
   const bool is_there = ::faccessat(AT_FDCWD, place.c_str(), F_OK, AT_EACCESS) == 0;
   if (!is_there && errno != ENOENT) fail_to_write(asked, last_error());
   if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(asked, last_error());
+}
+
+/// Throws if this process has read what is there.
+void refuse_kept_input(const fs::path& asked, const fs::path& place) {
+  const std::optional<fs::path> input = kept_input(place);
+  if (!input) return;
+  throw InputError(fmt::format("{}: it is the same file as {}, which is read; name another output", asked.native(),
+                               input->native()));
 }
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
@@ -95,6 +105,7 @@ OutputFile::OutputFile(fs::path path) : asked_(std::move(path)), final_(asked_) 
   if (!is_stream_) {
     final_ = without_links(asked_);
     check_place(asked_, final_);
+    refuse_kept_input(asked_, final_);
   }
   const fs::path folder = is_stream_ ? fs::temp_directory_path(error) : folder_of(final_);
   check(asked_, error);
@@ -124,6 +135,7 @@ void OutputFile::write(std::string_view content) { check(asked_, write_all(file_
 
 void OutputFile::finish() {
   if (std::exchange(is_finished_, true) || is_stream_) return;
+  refuse_kept_input(asked_, final_);  // it may have been read since
   check(asked_, sync(file_));
   check(asked_, file_.close());
 }

@@ -94,4 +94,11 @@ std::string grouped(std::uint64_t value) {
   return digits;
 }
 
+std::string binary_size(std::uint64_t bytes) {
+  const std::uint64_t kib = bytes >> 10U;
+  const std::uint64_t mib = kib >> 10U;
+  if (mib == 0) return fmt::format("{} KiB", kib);
+  return mib % 1024 == 0 ? fmt::format("{} GiB", mib / 1024) : fmt::format("{} MiB", mib);
+}
+
 }  // namespace csgsim

@@ -21,4 +21,7 @@ std::string shell_word(std::string_view bytes);
 /// 1234567 as `1,234,567`.
 std::string grouped(std::uint64_t value);
 
+/// A limit as people say it: whole KiB, MiB or GiB (`64 KiB`, `16 MiB`, `1 GiB`); what is left over is dropped.
+std::string binary_size(std::uint64_t bytes);
+
 }  // namespace csgsim

@@ -6,16 +6,11 @@
 
 #include "hw/base/error.h"
 #include "hw/division/stream_parts.h"
+#include "hw/division/widths.h"
 
 namespace csgsim::division {
 
 namespace {
-
-unsigned unsigned_width(std::uint64_t most) { return static_cast<unsigned>(std::bit_width(most)); }
-
-unsigned signed_width(std::int64_t value) {
-  return unsigned_width(static_cast<std::uint64_t>(value < 0 ? ~value : value)) + 1;
-}
 
 std::uint64_t last_of(std::size_t count) { return count == 0 ? 0 : count - 1; }
 

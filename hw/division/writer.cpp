@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "hw/base/error.h"
+#include "hw/division/widths.h"
 
 namespace csgsim::division {
 
@@ -12,10 +13,6 @@ namespace {
 using isa::Opcode;
 
 /// Bits of the shortest two's complement number that holds the value.
-unsigned signed_width(std::int64_t value) {
-  return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value))) + 1;
-}
-
 /// Low zero bits that A and B share. Without them, and as many of C, rounded down, no floor and no sign of the sum
 /// changes.
 unsigned shared_zeros(const Plane& plane) {

@@ -10,6 +10,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/bytes.h"
+#include "hw/isa/extents.h"
 #include "hw/isa/metadata.h"
 #include "hw/isa/operands.h"
 
@@ -18,7 +19,8 @@ namespace csgsim::isa {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
-constexpr std::uint8_t version = 2;
+constexpr std::uint8_t version = 3;
+constexpr std::uint8_t first_version = 2;  ///< that can be read: it does not name its machine
 constexpr std::size_t checksum_size = 4;
 constexpr std::uint8_t same_origin = 0x80;
 constexpr std::uint8_t has_effect = 0x80;  ///< in a purpose's byte: an effect's index follows
@@ -129,13 +131,14 @@ Instruction read_instruction(ByteReader& in, Origin& before) {
   return instruction;
 }
 
-/// What stands between the magic and the checksum, after a check of both.
+/// What stands between the version and the checksum, after a check of all.
 std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
   if (!is_binary(bytes)) throw MalformedBytes("does not begin with CSGT");
   if (bytes.size() < magic.size() + 1 + checksum_size) throw MalformedBytes("ends too soon");
   const auto found_version = std::to_integer<unsigned>(bytes[magic.size()]);
-  if (found_version != version)
-    throw MalformedBytes(fmt::format("has format version {}, and this csgsim reads {}", found_version, version));
+  if (found_version < first_version || found_version > version)
+    throw MalformedBytes(
+        fmt::format("has format version {}, and this csgsim reads {} to {}", found_version, first_version, version));
   const auto summed = bytes.first(bytes.size() - checksum_size);
   std::uint32_t expected = 0;
   for (std::size_t i = 0; i < checksum_size; ++i)
@@ -144,9 +147,15 @@ std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
   return summed.subspan(magic.size() + 1);
 }
 
-Program decode_body(std::span<const std::byte> body) {
+bool is_in_lines(const Program& program) {
+  return std::ranges::all_of(program.segments, [&](const Segment& segment) {
+    return segment.region.width == program.shape.width && segment.region.height == 1;
+  });
+}
+
+Program decode_body(std::span<const std::byte> body, bool names_machine) {
   ByteReader in(body);
-  auto [program, counts] = decode_metadata(in.block(in.varint()));
+  auto [program, counts] = decode_metadata(in.block(in.varint()), names_machine);
   Origin before;
   for (std::size_t s = 0; s < counts.size(); ++s) {
     // An instruction takes a byte at least: a count beyond the bytes is a lie, and nothing is reserved for it.
@@ -156,6 +165,7 @@ Program decode_body(std::span<const std::byte> body) {
     for (std::uint64_t i = 0; i < counts[s]; ++i) instructions.push_back(read_instruction(in, before));
   }
   if (in.left() != 0) throw MalformedBytes(fmt::format("has {} bytes left over", in.left()));
+  if (!names_machine && is_in_lines(program)) program.extents = extents_of(program.segments);
   return std::move(program);
 }
 
@@ -184,7 +194,8 @@ std::vector<std::byte> encode(const Program& program) {
 
 Program decode(std::span<const std::byte> bytes, std::string_view name) {
   try {
-    Program program = decode_body(checked_body(bytes));
+    const auto body = checked_body(bytes);
+    Program program = decode_body(body, std::to_integer<unsigned>(bytes[magic.size()]) > first_version);
     validate(program);
     return program;
   } catch (const MalformedBytes& error) {

@@ -36,18 +36,36 @@ void describe(T& model, Visit&& visit) {
   visit("halfspaces", model.halfspaces);
 }
 
-/// How a Program was compiled, with the background, which stands among the settings.
+template <Any<MachineRecord> T, class Visit>
+void describe(T& machine, Visit&& visit) {
+  visit("name", machine.name);
+  visit("kind", machine.kind);
+  visit("figures", machine.figures);
+}
+
+/// What of a Program is shown.
 template <Any<Program> T>
-struct CompileRecord {
+struct ShownRecord {
   T& program;
 };
 
 template <class T, class Visit>
-void describe(const CompileRecord<T>& record, Visit&& visit) {
-  auto& compile = record.program.facts.compile;
+void describe(const ShownRecord<T>& record, Visit&& visit) {
+  visit("colour_base", record.program.colour.base);
+  visit("colour_bits", record.program.colour.width);
+  visit("background", record.program.background);
+}
+
+template <Any<RowExtent> T, class Visit>
+void describe(T& extent, Visit&& visit) {
+  visit("first", extent.first);
+  visit("last", extent.last);
+}
+
+template <Any<CompileFacts> T, class Visit>
+void describe(T& compile, Visit&& visit) {
   visit("strategy", compile.strategy);
   visit("colouring", compile.colouring);
-  visit("background", record.program.background);
   visit("z_bits", compile.z_bits);
   visit("fraction_bits", compile.fraction_bits);
   visit("edge_on_fraction", compile.edge_on_fraction);
@@ -73,7 +91,7 @@ void describe(T& segment, Visit&& visit) {
   visit("comparisons", segment.facts.comparisons);
 }
 
-template <Any<DivisionFacts> T, class Visit>
+template <Any<DivisionCounts> T, class Visit>
 void describe(T& division, Visit&& visit) {
   visit("boxes", division.boxes);
   visit("tests", division.halfspaces);
@@ -96,17 +114,19 @@ struct DividedSegment {
 template <class T, class Visit>
 void describe(const DividedSegment<T>& divided, Visit&& visit) {
   describe(divided.segment, visit);
-  describe(divided.segment.facts.division, visit);
+  describe(divided.segment.division, visit);
 }
 
 /// Calls visit(name, record) for each record of a Program that stands once.
 template <Any<Program> T, class Visit>
 void describe_header(T& program, Visit&& visit) {
   visit("array", program.shape);
+  visit("machine", program.machine);
+  const ShownRecord<T> shown{program};
+  visit("frame", shown);
   visit("depth", program.facts.depth_scale);
   visit("model", program.facts.model);
-  const CompileRecord<T> compile{program};
-  visit("compile", compile);
+  visit("compile", program.facts.compile);
 }
 
 }  // namespace csgsim::isa

@@ -262,9 +262,12 @@ void put_limits(std::string& page) {
 constexpr std::string_view sample = R"(.array width=512 height=512 memory_bits=72
 .depth perspective=false near=10.5 far=80
 .model file="gear.csg" primitives=2 unions=1 halfspaces=12
+.machine name="pixel-planes-4+alu.bits=4"
+.frame colour_base=41 colour_bits=8
 .compile strategy="auto" colouring="field" z_bits=20 fraction_bits=12 edge_on_fraction=0.5 stack_bits=1 tree_depth=1 rendered=2 classified=1
 .field Z1 [0+:20] candidate_depth
 .field in [40] stack
+.field colour [41+:8] colour
 .primitive "wheel"
 .primitive "tooth"
 .segment width=512 height=512 primitives=2 halfspaces=12
@@ -275,7 +278,7 @@ keep_max Z1, 12*x - 7*y + 991 (w35 >> 12) ; render p0
 skip_if_none 2 ; classify p0
 linear_le Z1, 3*x + 77 (w33 >> 12) ; classify p0 against p1
 enable_store in ; classify p0 against p1
-set_constant [41+:8], 0xff ; shade p0
+set_constant colour, 0xff ; shade p0
 )";
 
 template <class Record>
@@ -307,18 +310,33 @@ void put_text_form(std::string& page) {
       "  Primitives count from 0 in the order of the `.primitive` lines; where one is drawn in several convex pieces,\n"
       "  which its line tells by `pieces=3`, `pN.K` is one of them, from 0. Without `;` the purpose is `{}`.\n"
       "- In strings `\\\"` and `\\\\` stand for `\"` and `\\`, and `\\xNN` for the byte with that hexadecimal code.\n\n"
-      "`.array` comes first. `.field NAME PLACE ROLE` and `.primitive \"NAME\"` stand once for each, and before the "
-      "first\n`.segment`. The other directives take `key=value` pairs; what is left out is zero (`far`: 1):\n\n",
+      "`.array` comes first. `.field NAME PLACE ROLE`, `.primitive \"NAME\"` and `.extent` stand once for each, and "
+      "before the first\n`.segment`. The other directives take `key=value` pairs; what is left out is zero (`far`: "
+      "1).\n\n"
+      "What a machine acts on is in `.array`, `.frame`, `.extent`, `.display_model`, of a segment in its region and in "
+      "what its\ndivision takes, and in the instructions. All else is for people: `.depth`, `.model`, `.compile`, "
+      "`.field`, `.primitive`,\nthe numbers of primitives, half-spaces and comparisons of a segment, and origins. Who "
+      "takes all of it out gets\nthe same clocks, counts of instructions and picture.\n\n"
+      "- `.machine` names the machine that the Program was compiled for, with the figures that were changed, and its "
+      "figures,\n  `\"KEY=VALUE\"` each; those that are left out are the ones of that machine of csgsim. Commands run "
+      "the Program on it\n  and refuse another kind of machine, or one with less memory.\n"
+      "- `.frame` says where the colour stands that is shown; none if `colour_bits` is 0. Bases have 12 bits, widths "
+      "6.\n"
+      "- `.extent` lines are for a host that keeps a list of what is active on a line: of each primitive's piece the "
+      "first row\n  and the last that has instructions for it, 16 bits each.\n"
+      "- A number of a segment's region has 16 bits, each of what its division takes 64.\n\n"
+      "The keys:\n\n",
       info(Origin{}.purpose).name);
   const Program program;
   describe_header(program, [&](std::string_view name, const auto& record) { put_keys(page, name, record); });
+  put_keys(page, "extent", RowExtent{});
   put_keys(page, "segment", Segment{});
   put(page,
       "\nFor a machine that divides the model itself `.display_model \"DIGITS\"` lines, before the first `.segment`, "
       "hold "
       "what\nit is sent, two hexadecimal digits a byte. Then there is more to say of a segment, what its division "
       "takes:\n\n");
-  put_keys(page, "segment", DivisionFacts{});
+  put_keys(page, "segment", DivisionCounts{});
 }
 
 }  // namespace

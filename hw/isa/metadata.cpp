@@ -35,7 +35,7 @@ json segment_row(const Segment& segment, bool divided) {
   json row = json::array();
   const auto put = [&](const char*, const auto& member) { row.push_back(member); };
   describe(segment, put);
-  if (divided) describe(segment.facts.division, put);
+  if (divided) describe(segment.division, put);
   row.push_back(segment.instructions.size());
   return row;
 }
@@ -96,6 +96,12 @@ void read(const json& value, std::string_view what, NamedField& named) {
   read(row[3], what, named.role);
 }
 
+void read(const json& value, std::string_view what, RowExtent& extent) {
+  const json& row = row_of(value, what, 2);
+  read(row[0], what, extent.first);
+  read(row[1], what, extent.last);
+}
+
 template <class Element>
 void read(const json& value, std::string_view what, std::vector<Element>& member) {
   if (!value.is_array()) malformed(what, "a list");
@@ -117,12 +123,12 @@ void read_segment(const json& value, bool divided, Segment& segment, std::uint64
   std::size_t members = 0;
   const auto add = [&](const char*, auto&) { ++members; };
   describe(segment, add);
-  if (divided) describe(segment.facts.division, add);
+  if (divided) describe(segment.division, add);
   const json& row = row_of(value, "segments", members + 1);
   std::size_t column = 0;
   const auto take = [&](const char* key, auto& member) { read(row[column++], key, member); };
   describe(segment, take);
-  if (divided) describe(segment.facts.division, take);
+  if (divided) describe(segment.division, take);
   read(row[column], "instruction count", count);
 }
 
@@ -184,6 +190,23 @@ json parse_cbor(std::span<const std::byte> cbor) {
   return parsed;
 }
 
+/// Metadata of the first version that can be read, as this one has it: it names no machine, its background stands among
+/// the settings, and the field of role colour is shown.
+json upgraded(json root) {
+  json shown{
+      {"colour_base", 0}, {"colour_bits", 0}, {"background", member_of(member_of(root, "compile"), "background")}};
+  std::vector<NamedField> fields;
+  read(member_of(root, "fields"), "fields", fields);
+  const auto colour = std::ranges::find(fields, FieldRole::colour, &NamedField::role);
+  if (colour != fields.end()) {
+    shown["colour_base"] = colour->field.base;
+    shown["colour_bits"] = colour->field.width;
+  }
+  root["frame"] = std::move(shown);
+  root["machine"] = members_by_name(MachineRecord{});
+  return root;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_metadata(const Program& program) {
@@ -193,6 +216,10 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
   if (!program.facts.primitive_of_piece.empty()) root["pieces"] = piece_counts(program.facts);
   json& fields = root["fields"] = json::array();
   for (const NamedField& named : program.facts.fields) fields.push_back(field_row(named));
+  if (!program.extents.empty()) {
+    json& extents = root["extents"] = json::array();
+    for (const RowExtent& extent : program.extents) extents.push_back({extent.first, extent.last});
+  }
   json& segments = root["segments"] = json::array();
   const bool divided = !program.display_model.empty();
   for (const Segment& segment : program.segments) segments.push_back(segment_row(segment, divided));
@@ -200,8 +227,8 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
   return json::to_cbor(root);
 }
 
-Metadata decode_metadata(std::span<const std::byte> cbor) {
-  const json root = parse_cbor(cbor);
+Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
+  const json root = names_machine ? parse_cbor(cbor) : upgraded(parse_cbor(cbor));
   Metadata metadata;
   Program& program = metadata.program;
   describe_header(program, [&](const char* name, auto& record) {
@@ -212,6 +239,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor) {
   read(member_of(root, "primitives"), "primitives", program.facts.primitives);
   if (const auto pieces = root.find("pieces"); pieces != root.end()) read_pieces(*pieces, program.facts);
   read(member_of(root, "fields"), "fields", program.facts.fields);
+  if (const auto extents = root.find("extents"); extents != root.end()) read(*extents, "extents", program.extents);
   if (const auto model = root.find("display_model"); model != root.end()) {
     std::string digits;
     read(*model, "display_model", digits);

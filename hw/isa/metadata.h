@@ -17,7 +17,8 @@ struct Metadata {
   std::vector<std::uint64_t> instruction_counts;  ///< of each segment; as claimed, not checked
 };
 
-/// Throws MalformedBytes.
-Metadata decode_metadata(std::span<const std::byte> cbor);
+/// Metadata of before Programs named their machine and what is shown is told so; its rows' extents are left out. Throws
+/// MalformedBytes.
+Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine);
 
 }  // namespace csgsim::isa

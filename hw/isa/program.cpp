@@ -10,8 +10,6 @@ Field field_of(const Program& program, FieldRole role) {
   return found == program.facts.fields.end() ? Field{} : found->field;
 }
 
-FrameHeader frame_header(const Program& program) {
-  return {program.shape, field_of(program, FieldRole::colour), program.background};
-}
+FrameHeader frame_header(const Program& program) { return {program.shape, program.colour, program.background}; }
 
 }  // namespace csgsim::isa

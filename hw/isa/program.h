@@ -25,8 +25,9 @@ struct Region {
   constexpr bool operator==(const Region&) const = default;
 };
 
-/// What a machine that divides the model itself does for a region, as the host counts it (docs/division.md).
-struct DivisionFacts {
+/// What a machine that divides the model itself does for a region, as the host counts it (docs/division.md); each of up
+/// to 64 bits.
+struct DivisionCounts {
   std::uint64_t boxes = 0;
   std::uint64_t halfspaces = 0;
   std::uint64_t cells = 0;
@@ -38,7 +39,7 @@ struct DivisionFacts {
   std::uint64_t most_halfspaces = 0;   ///< for one surface
   std::uint64_t most_nodes = 0;        ///< the same
 
-  constexpr bool operator==(const DivisionFacts&) const = default;
+  constexpr bool operator==(const DivisionCounts&) const = default;
 };
 
 /// What the host knows of a region's part of the model and tells in the stats.
@@ -48,7 +49,6 @@ struct SegmentFacts {
   std::uint32_t kept_primitives = 0;  ///< of the primitives, those that pruning leaves to be drawn
   std::uint32_t kept_halfspaces = 0;  ///< of the half-spaces, those that pruning leaves to those primitives' surfaces
   std::uint32_t comparisons = 0;      ///< of primitives with Z1, to classify it
-  DivisionFacts division{};           ///< all 0 without a display model
 
   constexpr bool operator==(const SegmentFacts&) const = default;
 };
@@ -59,6 +59,7 @@ struct Segment {
   Region region;
   std::vector<Instruction> instructions;
   SegmentFacts facts{};
+  DivisionCounts division{};  ///< all 0 without a display model
 
   bool operator==(const Segment&) const = default;
 };
@@ -141,6 +142,23 @@ struct ArrayShape {
   constexpr bool operator==(const ArrayShape&) const = default;
 };
 
+/// The rows of the picture from the first to the last that have instructions for a primitive's piece.
+struct RowExtent {
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+
+  constexpr bool operator==(const RowExtent&) const = default;
+};
+
+/// The machine that a Program was compiled for. All empty: it does not say.
+struct MachineRecord {
+  std::string name;                  ///< as machines are named, with changed figures behind it
+  std::string kind;                  ///< empty: the one of the machine of that name that comes with csgsim
+  std::vector<std::string> figures;  ///< KEY=VALUE; those that are left out are as that machine has them
+
+  bool operator==(const MachineRecord&) const = default;
+};
+
 /// What people are told of a Program, in stats, pictures and waves. No hardware reads it.
 struct Facts {
   std::vector<NamedField> fields;
@@ -157,9 +175,14 @@ struct Facts {
 
 /// All that crosses from host to machine, and what is known of it.
 struct Program {
+  MachineRecord machine{};
   ArrayShape shape;              ///< the whole picture
+  Field colour{};                ///< of pixel memory, which is shown; of width 0 where nothing is
   std::uint32_t background = 0;  ///< colour where nothing is seen, as the colour field holds it
   std::vector<Segment> segments;
+  /// What a host that keeps a list of the pieces on a line sorts into buckets, a piece each, in no order that matters;
+  /// none for other machines.
+  std::vector<RowExtent> extents{};
   /// What a machine that divides the model itself is sent in place of the segments, the first bit in the lowest of the
   /// first byte; none for other machines. The segments are what it has to make of that.
   std::vector<std::uint8_t> display_model{};
@@ -171,7 +194,7 @@ struct Program {
 /// What a machine is told of a frame besides its segments.
 struct FrameHeader {
   ArrayShape shape;              ///< the whole picture
-  Field colour;                  ///< of pixel memory, which is shown; of width 0 where a Program has none
+  Field colour;                  ///< of pixel memory, which is shown; of width 0 where nothing is
   std::uint32_t background = 0;  ///< colour of a region without instructions
 
   constexpr bool operator==(const FrameHeader&) const = default;
@@ -179,7 +202,7 @@ struct FrameHeader {
 
 FrameHeader frame_header(const Program& program);
 
-/// The field with that role, or one of width 0 if there is none.
+/// The field that people are told has that role, or one of width 0 if there is none.
 Field field_of(const Program& program, FieldRole role);
 
 /// Throws InputError unless the instruction can run on an array of that memory: opcode in the table, fields inside the

@@ -1,9 +1,11 @@
 #include "hw/isa/program_file.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hw/base/input_file.h"
@@ -18,7 +20,24 @@ namespace {
 
 constexpr InputKind program_file{"a .csgt file", std::size_t{1} << 30U, "draw a smaller picture, or fewer primitives"};
 
+/// Without blank lines and comments before it.
+std::string_view first_statement(std::string_view text) {
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == text.npos) return "";
+    text.remove_prefix(begin);
+    if (text.front() != '#') return text;
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
 }  // namespace
+
+bool begins_as_program(std::span<const std::byte> bytes) {
+  if (is_binary(bytes)) return true;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return first_statement(text).starts_with('.');
+}
 
 Program load_program(const std::filesystem::path& path) {
   const std::string content = read_file(path, program_file);

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "hw/isa/program.h"
 
 namespace csgsim::isa {
 
 enum class ProgramForm : std::uint8_t { binary, text };
+
+/// Is what begins so a Program? In text form its first directive tells, behind blank lines and comments.
+bool begins_as_program(std::span<const std::byte> bytes);
 
 /// Reads a Program in either form; its first bytes tell which. Throws InputError.
 Program load_program(const std::filesystem::path& path);

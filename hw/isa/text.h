@@ -13,6 +13,8 @@ namespace csgsim::isa {
 ///
 ///     # csgsim program
 ///     .array width=512 height=512 memory_bits=72
+///     .machine name="pixel-planes-4" kind="frame-buffer" figures=["array.width=512", ...]
+///     .frame colour_base=41 colour_bits=24 background=16777189
 ///     .depth perspective=false near=10.5 far=80
 ///     .model file="gear.csg" primitives=2 unions=1 differences=0 intersections=0 halfspaces=12
 ///     .compile strategy="auto" z_bits=20 fraction_bits=12 ... effects=["shadow"]
@@ -32,6 +34,8 @@ namespace csgsim::isa {
 /// - Directives that begin with a dot come first, `.array` before all others, and then the segments. `key=value` pairs
 ///   come in any order; what is left out is zero (near 0, far 1). Values are numbers, `true` or `false`, strings, and
 ///   lists of strings.
+/// - `.frame` says which field is shown, before a `.field` of role colour, which has to be that. `.extent first=3
+///   last=40` lines say the rows of a piece each, for a host that keeps an active list.
 /// - `.display_model` lines hold hexadecimal digits, two a byte, for machines that divide the model themselves.
 ///   Segments then have keys for what that takes.
 /// - A field is the name of a `.field`, `[bit]`, or `[base+:width]`: width bits of pixel memory, the least significant

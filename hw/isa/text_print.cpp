@@ -163,7 +163,9 @@ void put_display_model(Buffer& out, std::span<const std::uint8_t> bytes) {
 
 void put_header(Buffer& out, const Program& program) {
   put(out, "# csgsim program\n");
-  describe_header(program, [&](std::string_view name, const auto& record) { put_record(out, name, record); });
+  describe_header(program, [&](std::string_view name, const auto& record) {
+    if (name != "machine" || program.machine != MachineRecord{}) put_record(out, name, record);
+  });
   for (const NamedField& named : program.facts.fields) {
     put(out, ".field {} ", word_or_quoted(named.name));
     put_place(out, named.field);
@@ -174,6 +176,7 @@ void put_header(Buffer& out, const Program& program) {
     if (const std::uint32_t pieces = pieces_of(program.facts, i).count; pieces > 1) put(out, " pieces={}", pieces);
     put(out, "  # p{}\n", i);
   }
+  for (const RowExtent& extent : program.extents) put_record(out, "extent", extent);
   put_display_model(out, program.display_model);
 }
 

@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::string_view field_directive = "field";
 constexpr std::string_view primitive_directive = "primitive";
+constexpr std::string_view extent_directive = "extent";
 constexpr std::string_view model_directive = "display_model";
 constexpr std::string_view segment_directive = "segment";
 
@@ -53,7 +54,8 @@ std::size_t index_in(const Table& table, std::string_view what, std::string_view
 }
 
 std::vector<std::string_view> directive_names(Program& program) {
-  std::vector<std::string_view> names{field_directive, primitive_directive, model_directive, segment_directive};
+  std::vector<std::string_view> names{field_directive, primitive_directive, extent_directive, model_directive,
+                                      segment_directive};
   describe_header(program, [&](std::string_view name, auto&) { names.push_back(name); });
   return names;
 }
@@ -95,6 +97,22 @@ void assign(const Value& value, std::string_view key, std::vector<std::string>& 
 }
 
 template <class Record>
+bool has_key(Record& record, std::string_view key) {
+  bool has = false;
+  describe(record, [&](std::string_view name, auto&) { has = has || name == key; });
+  return has;
+}
+
+/// Of the records that stand once, the one that has the key; empty if none has.
+std::string_view record_with(std::string_view key, Program& program) {
+  std::string_view found;
+  describe_header(program, [&](std::string_view name, auto& record) {
+    if (has_key(record, key)) found = name;
+  });
+  return found;
+}
+
+template <class Record>
 void assign_member(Record& record, const std::string& key, const Value& value) {
   std::vector<std::string_view> keys;
   bool known = false;
@@ -121,10 +139,12 @@ void Reading::begin_directive(const std::string& name) {
   if (directive == Directive::primitive && name != primitive_directive) set_pieces();
   directive = name == field_directive       ? Directive::field
               : name == primitive_directive ? Directive::primitive
+              : name == extent_directive    ? Directive::extent
               : name == model_directive     ? Directive::display_model
               : name == segment_directive   ? Directive::segment
                                             : Directive::record;
   if (records_seen_.empty() && name != "array") refuse(".{} comes before .array; begin with .array", name);
+  if (directive == Directive::extent) program_.extents.emplace_back();
   if (directive == Directive::segment) {
     program_.segments.emplace_back();
   } else if (!program_.segments.empty()) {
@@ -173,13 +193,17 @@ void Reading::set_value() {
     if (count == 0) refuse("a primitive has one piece at least");
     return;
   }
+  if (directive == Directive::extent) return assign_member(program_.extents.back(), key, value);
   if (directive == Directive::segment) {
     const DividedSegment<Segment> segment{program_.segments.back()};
     if (program_.display_model.empty()) return assign_member(segment.segment, key, value);
     return assign_member(segment, key, value);
   }
   describe_header(program_, [&](std::string_view name, auto& record) {
-    if (name == name_) assign_member(record, key, value);
+    if (name != name_) return;
+    const std::string_view other = has_key(record, key) ? "" : record_with(key, program_);
+    if (!other.empty()) refuse("{} is a key of .{}, not of .{}; put it there", key, other, name);
+    assign_member(record, key, value);
   });
 }
 
@@ -200,10 +224,11 @@ void Reading::end_directive() {
       program_.display_model.insert(program_.display_model.end(), bytes->begin(), bytes->end());
       return;
     }
+    case Directive::extent: return validate_extent(program_.extents.back(), program_.shape);
     case Directive::segment: return validate_region(program_.segments.back().region, program_.shape);
     case Directive::field:
       named_.field = field;
-      validate_field(named_, program_.shape);
+      validate_field(named_, program_);
       if (!fields_.emplace(named_.name, named_.field).second)
         refuse("field {} is named twice; give each field a name of its own", in_quotes(named_.name));
       program_.facts.fields.push_back(named_);

@@ -18,7 +18,7 @@
 namespace csgsim::isa {
 
 /// What a directive of the text form holds.
-enum class Directive : std::uint8_t { record, field, primitive, display_model, segment };
+enum class Directive : std::uint8_t { record, field, primitive, extent, display_model, segment };
 
 /// A value that is neither string nor list: a number, true or false.
 struct Bare {

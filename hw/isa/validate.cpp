@@ -209,11 +209,23 @@ void validate_ahead(const Segment& segment, std::size_t index) {
           "{} {} ends between squares and their instruction; skip both or neither", row.name, instruction.constant);
 }
 
-void validate_field(const NamedField& named, const ArrayShape& shape) {
+void validate_field(const NamedField& named, const Program& program) {
   require(!named.name.empty(), "field {} has an empty name; name it", show(named.field));
   require(static_cast<std::size_t>(named.role) < field_role_names.size(), "field role {} is undefined; there are {}",
           static_cast<unsigned>(named.role), field_role_names.size());
-  check_field(named.field, shape.memory_bits);
+  check_field(named.field, program.shape.memory_bits);
+  require(
+      named.role != FieldRole::colour || named.field == program.colour,
+      "field {} has the role colour, but the frame shows {}; show it by .frame colour_base={} colour_bits={}, which "
+      "comes before it",
+      show(named.field), program.colour.width == 0 ? "nothing" : show(program.colour), named.field.base,
+      named.field.width);
+}
+
+void validate_extent(const RowExtent& extent, const ArrayShape& shape) {
+  require(extent.first <= extent.last && extent.last < shape.height,
+          "the extent from row {} to row {} is none of a picture of {} rows; its first is not below its last",
+          extent.first, extent.last, shape.height);
 }
 
 void validate_region(const Region& region, const ArrayShape& shape) {
@@ -236,6 +248,7 @@ void validate_header(const Program& program) {
           "depth runs from {} to {}; give finite distances, near below far", depth.near, depth.far);
   require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
           "near is {} in perspective; put it before the eye, far enough above 0 for a reciprocal", depth.near);
+  if (program.colour != Field{}) at([&] { check_field(program.colour, shape.memory_bits); }, "the colour shown");
   require(program.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
           program.background, most_colour_bits);
   require(std::isfinite(program.facts.compile.edge_on_fraction),
@@ -246,14 +259,15 @@ void validate(const Program& program) {
   validate_header(program);
   std::set<std::string_view> names;
   for (const NamedField& named : program.facts.fields) {
-    at([&] { validate_field(named, program.shape); }, "field '{}'", named.name);
+    at([&] { validate_field(named, program); }, "field '{}'", named.name);
     require(names.insert(named.name).second, "field '{}' is named twice; give each field a name of its own",
             named.name);
   }
+  for (const RowExtent& extent : program.extents) validate_extent(extent, program.shape);
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const Segment& segment = program.segments[s];
     at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
-    require(!program.display_model.empty() || segment.facts.division == DivisionFacts{},
+    require(!program.display_model.empty() || segment.division == DivisionCounts{},
             "segment {} says what its division takes, but there is no display model", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const auto check = [&] { validate_placed(segment.instructions[i], segment.region, program); };

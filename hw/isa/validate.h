@@ -8,11 +8,15 @@ namespace csgsim::isa {
 
 /// The parts of validate(Program), for readers that can point at the place. Each throws InputError.
 
-/// Shape, depth scale and facts.
+/// Shape, what is shown, depth scale and facts.
 void validate_header(const Program& program);
 
-/// One named field, but for the uniqueness of its name.
-void validate_field(const NamedField& named, const ArrayShape& shape);
+/// One named field, but for the uniqueness of its name: it lies in memory, and if it is said to be the colour, it is
+/// the one that is shown.
+void validate_field(const NamedField& named, const Program& program);
+
+/// Rows of the picture, the last not above the first.
+void validate_extent(const RowExtent& extent, const ArrayShape& shape);
 
 /// The segment's region, not its instructions.
 void validate_region(const Region& region, const ArrayShape& shape);

@@ -9,6 +9,7 @@
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
+#include "hw/base/text.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
 
@@ -88,6 +89,67 @@ machines::Machine read_file_of(const std::string& file, std::span<const std::str
 }
 
 }  // namespace
+
+namespace {
+
+std::string_view key_of(std::string_view figure) { return figure.substr(0, figure.find('=')); }
+
+/// Of the record's figures those that the machine has otherwise.
+std::vector<std::string> other_figures(const isa::MachineRecord& record, const machines::Machine& machine) {
+  std::vector<std::string> others;
+  for (const std::string& said : record.figures) {
+    const auto same = [&](const machines::Figure& one) { return said == one.key + "=" + one.value; };
+    if (std::none_of(machine.figures.begin(), machine.figures.end(), same)) others.push_back(said);
+  }
+  return others;
+}
+
+machines::Machine read_built_in(const BuiltIn& known, std::string_view said, const isa::MachineRecord& record,
+                                const std::vector<std::string>& changes) {
+  std::vector<std::string> all_changes = changes_of(said);
+  machines::Machine machine = read(known, all_changes);
+  if (!record.kind.empty() && record.kind != machine.kind->name) {
+    throw InputError(fmt::format("the machine '{}' is of the kind {}, and not {}; name one by --machine",
+                                 printable(record.name), machine.kind->name, printable(record.kind)));
+  }
+  const std::vector<std::string> others = other_figures(record, machine);
+  all_changes.insert(all_changes.end(), others.begin(), others.end());
+  all_changes.insert(all_changes.end(), changes.begin(), changes.end());
+  return read(known, all_changes);
+}
+
+/// One that does not come with csgsim: the figures of another of its kind make way for its own.
+machines::Machine read_foreign(const isa::MachineRecord& record, const std::vector<std::string>& changes) {
+  const auto of_kind = [&](const BuiltIn& one) { return read(one, {}).kind->name == record.kind; };
+  const auto other = std::find_if(built_in().begin(), built_in().end(), of_kind);
+  if (other == built_in().end())
+    throw InputError(no_such("machine", record.name, built_in_names()) + "; name one by --machine");
+  std::vector<std::string> all_changes = record.figures;
+  for (const machines::Figure& figure : read(*other, {}).figures) {
+    const bool is_said = std::any_of(record.figures.begin(), record.figures.end(),
+                                     [&](const std::string& said) { return key_of(said) == figure.key; });
+    if (!is_said) {
+      throw InputError(fmt::format("the figure {} of the machine '{}' is not said; name a machine by --machine",
+                                   figure.key, printable(record.name)));
+    }
+  }
+  all_changes.insert(all_changes.end(), changes.begin(), changes.end());
+  machines::Machine machine = read(*other, all_changes);
+  machine.name = printable(record.name);
+  for (const std::string& change : changes) machine.name += "+" + printable(change);
+  machine.description = "a machine that a Program was compiled for";
+  return machine;
+}
+
+}  // namespace
+
+machines::Machine load(const isa::MachineRecord& record, const std::vector<std::string>& changes) {
+  const std::string_view said = record.name;
+  const std::string_view name = said.substr(0, said.find('+'));
+  const BuiltIn* const known = built_in_named(name);
+  return known == nullptr ? read_foreign(record, changes)
+                          : read_built_in(*known, said.substr(name.size()), record, changes);
+}
 
 machines::Machine load(const std::string& machine, const std::vector<std::string>& changes) {
   const std::string file(file_of(machine));

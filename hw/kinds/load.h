@@ -20,4 +20,9 @@ std::string_view file_of(std::string_view machine);
 /// unknown key, wrong type, value out of range, each with file:line:column, or machines::ChangeError.
 machines::Machine load(const std::string& machine, const std::vector<std::string>& changes = {});
 
+/// The machine that a Program names, without the files that it may have come from: one that comes with csgsim, with the
+/// figures that the Program says, or one of the kind that it says, of which it has to say all figures. `changes` are
+/// made behind it. Throws as load does.
+machines::Machine load(const isa::MachineRecord& record, const std::vector<std::string>& changes = {});
+
 }  // namespace csgsim::kinds

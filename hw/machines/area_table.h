@@ -6,31 +6,45 @@
 /// Written by tests/rtl/area.py from what Yosys makes of the Verilog in tests/rtl: transistors of static CMOS.
 namespace csgsim::machines {
 
-/// A pixel processor with its registers and the turning of its memory ports, without its memory.
+/// A pixel processor with its registers and the turning of its memory ports, without its memory; where expressions are
+/// of degree 2, with a flag for roots.
 struct PixelLogic {
   std::uint32_t alu_bits;
   std::uint32_t memory_reads;
+  std::uint32_t degree;
   std::uint32_t transistors;
 };
 
 // clang-format off
 inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({
-    {1, 1, 344},
-    {1, 2, 298},
-    {2, 1, 580},
-    {2, 2, 496},
-    {4, 1, 1068},
-    {4, 2, 934},
-    {8, 1, 2106},
-    {8, 2, 1966},
-    {16, 1, 4370},
-    {16, 2, 4262},
-    {32, 1, 9234},
-    {32, 2, 9328},
+    {1, 1, 1, 344},
+    {1, 2, 1, 298},
+    {2, 1, 1, 580},
+    {2, 2, 1, 496},
+    {4, 1, 1, 1068},
+    {4, 2, 1, 934},
+    {8, 1, 1, 2106},
+    {8, 2, 1, 1966},
+    {16, 1, 1, 4370},
+    {16, 2, 1, 4262},
+    {32, 1, 1, 9234},
+    {32, 2, 1, 9328},
+    {1, 1, 2, 392},
+    {1, 2, 2, 350},
+    {2, 1, 2, 642},
+    {2, 2, 2, 546},
+    {4, 1, 2, 1150},
+    {4, 2, 2, 1052},
+    {8, 1, 2, 2248},
+    {8, 2, 2, 2164},
+    {16, 1, 2, 4570},
+    {16, 2, 2, 4600},
+    {32, 1, 2, 9638},
+    {32, 2, 2, 10034},
 });
 // clang-format on
 
-/// A node of the multiplier trees, of which there is one a pixel.
-inline constexpr std::uint32_t tree_node_transistors = 90;
+/// A node of the multiplier trees for expressions of that degree, 1 or 2; there is one a pixel.
+constexpr std::uint32_t tree_node_transistors(std::uint32_t degree) { return degree == 1 ? 90 : 258; }
 
 }  // namespace csgsim::machines

@@ -57,6 +57,25 @@ std::vector<std::string> idealisations(const Machine& machine) {
   return keys;
 }
 
+isa::MachineRecord record_of(const Machine& machine) {
+  isa::MachineRecord record{machine.name, std::string(machine.kind->name), {}};
+  for (const Figure& figure : machine.figures) record.figures.push_back(figure.key + "=" + figure.value);
+  return record;
+}
+
+std::vector<std::string> other_figures(const Machine& one, const Machine& other) {
+  const auto text = [](const FigureSchema& figure, const Machine& machine) {
+    const std::int64_t value = figure.load(machine);
+    return figure.names.empty() ? std::to_string(value) : std::string(figure.names[static_cast<std::size_t>(value)]);
+  };
+  std::vector<std::string> others;
+  for (const FigureSchema& figure : one.kind->schema) {
+    if (figure.key.starts_with("picture.") || figure.load(one) == figure.load(other)) continue;
+    others.push_back(std::string(figure.key) + " " + text(figure, one) + " instead of " + text(figure, other));
+  }
+  return others;
+}
+
 bool same_hardware(const Machine& one, const Machine& other) {
   const auto same = [&](const FigureSchema& figure) {
     return figure.key.starts_with("picture.") || figure.load(one) == figure.load(other);
@@ -72,6 +91,8 @@ isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine) {
 bool has_global_or(const Machine& machine) {
   return machine.kind->has_global_or != nullptr && machine.kind->has_global_or(machine);
 }
+
+bool keeps_active_list(const Machine& machine) { return machine.kind->keeps_active_list; }
 
 std::optional<Division> division(const Machine& machine) {
   return machine.kind->division == nullptr ? std::nullopt : machine.kind->division(machine);

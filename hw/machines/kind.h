@@ -42,6 +42,8 @@ struct Kind {
   isa::Field (*second_buffer)(std::uint32_t colour_bits, const Machine& machine) = nullptr;
   /// Whether the controller learns if any pixel is enabled; null for a kind whose controllers never do.
   bool (*has_global_or)(const Machine& machine) = nullptr;
+  /// Whether its host keeps a list of what is active on a line, for which a Program has extents of rows.
+  bool keeps_active_list = false;
   /// Of the picture, in the order in which the machine draws them.
   std::vector<isa::Region> (*regions)(const Machine& machine);
   /// Whether and how it divides the model itself; null for a kind that never does.

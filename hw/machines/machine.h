@@ -91,6 +91,13 @@ void idealise(Machine& machine, std::string_view key);
 /// The figures of the machine that are ideal.
 std::vector<std::string> idealisations(const Machine& machine);
 
+/// What a Program says of the machine that it is compiled for.
+isa::MachineRecord record_of(const Machine& machine);
+
+/// The figures, but the picture's, that are other in two machines of one kind: `alu.bits 4 instead of 1`, of the first
+/// instead of the second.
+std::vector<std::string> other_figures(const Machine& one, const Machine& other);
+
 /// Whether the two are the same hardware: of one kind, with the same value of every figure but the picture's. Names and
 /// sources do not matter.
 bool same_hardware(const Machine& one, const Machine& other);

@@ -31,6 +31,9 @@ std::optional<Division> division(const Machine& machine);
 /// next is drawn; of width 0, if it is shown from where it was drawn.
 isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine);
 
+/// Whether its host keeps a list of what is active on a line: its Programs say the rows of each piece.
+bool keeps_active_list(const Machine& machine);
+
 /// Whether the controller learns if any pixel is enabled.
 bool has_global_or(const Machine& machine);
 

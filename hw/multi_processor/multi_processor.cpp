@@ -115,7 +115,7 @@ FrameAccount MultiProcessor::counted() const {
 }
 
 std::vector<std::uint32_t> MultiProcessor::picture_of(const isa::Program& program) const {
-  if (isa::field_of(program, isa::FieldRole::colour).width == 0) return {};
+  if (program.colour.width == 0) return {};
   std::vector<std::uint32_t> picture;
   for (std::uint32_t y = 0; y < program.shape.height; ++y) {
     for (std::uint32_t x = 0; x < program.shape.width; ++x) {

@@ -19,9 +19,9 @@ using machines::FrameTiming;
 using machines::Machine;
 /// Of the nodes, for a subsegment.
 std::uint64_t division_clocks(const isa::Segment& part, const TestClocks& each) {
-  const isa::DivisionFacts& facts = part.facts.division;
-  return facts.boxes * each.primitive + facts.halfspaces * each.halfspace + facts.cells * each.cell +
-         facts.nodes * each.tree_node + part.instructions.size() * each.instruction;
+  const isa::DivisionCounts& counts = part.division;
+  return counts.boxes * each.primitive + counts.halfspaces * each.halfspace + counts.cells * each.cell +
+         counts.nodes * each.tree_node + part.instructions.size() * each.instruction;
 }
 
 std::uint64_t& at(NodeClocks& clocks, NodeActivity activity) { return clocks.at(static_cast<std::size_t>(activity)); }
@@ -40,7 +40,7 @@ class FrameModel {
         told_(told),
         figures_(machines::own<Figures>(machine)),
         sizes_(sizes_of(program.display_model)),
-        colour_(isa::field_of(program, isa::FieldRole::colour)) {
+        colour_(program.colour) {
     counted_.nodes.resize(std::size_t{machine.array.width} * machine.array.height);
   }
 
@@ -129,12 +129,12 @@ class FrameModel {
   std::uint64_t prune(Subsegments parts) {
     std::uint64_t slowest = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const isa::DivisionFacts& facts = parts[i].facts.division;
+      const isa::DivisionCounts& counts = parts[i].division;
       const std::uint64_t clocks = division_clocks(parts[i], figures_.node_tests);
-      counted_.second_box_tests += facts.boxes;
-      counted_.second_halfspace_tests += facts.halfspaces;
-      counted_.second_cell_tests += facts.cells;
-      counted_.second_tree_nodes += facts.nodes;
+      counted_.second_box_tests += counts.boxes;
+      counted_.second_halfspace_tests += counts.halfspaces;
+      counted_.second_cell_tests += counts.cells;
+      counted_.second_tree_nodes += counts.nodes;
       at(counted_.nodes[i], NodeActivity::pruning) += clocks;
       slowest = std::max(slowest, clocks);
     }

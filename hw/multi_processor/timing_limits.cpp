@@ -14,7 +14,7 @@ namespace {
 using machines::Machine;
 
 constexpr double most_seconds = 1e6;
-constexpr double most_clocks = 1e18;
+constexpr double most_clocks_told = 1e18;
 
 void check_node_memory(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
@@ -43,23 +43,23 @@ void check_display_memory(Subsegments parts, const ModelSizes& sizes, std::uint6
 }
 
 double test_clocks(const isa::Segment& part, const Figures& figures) {
-  const isa::DivisionFacts& facts = part.facts.division;
+  const isa::DivisionCounts& counts = part.division;
   const auto clocks = [](std::uint64_t count, std::uint32_t each) { return static_cast<double>(count) * each; };
-  return clocks(facts.group_boxes, figures.display_tests.primitive) +
-         clocks(facts.group_halfspaces, figures.display_tests.halfspace) +
-         clocks(facts.group_cells, figures.display_tests.cell) + clocks(facts.boxes, figures.node_tests.primitive) +
-         clocks(facts.halfspaces, figures.node_tests.halfspace) + clocks(facts.cells, figures.node_tests.cell) +
-         clocks(facts.nodes, figures.node_tests.tree_node) +
+  return clocks(counts.group_boxes, figures.display_tests.primitive) +
+         clocks(counts.group_halfspaces, figures.display_tests.halfspace) +
+         clocks(counts.group_cells, figures.display_tests.cell) + clocks(counts.boxes, figures.node_tests.primitive) +
+         clocks(counts.halfspaces, figures.node_tests.halfspace) + clocks(counts.cells, figures.node_tests.cell) +
+         clocks(counts.nodes, figures.node_tests.tree_node) +
          clocks(part.instructions.size(), figures.node_tests.instruction);
 }
 
 /// In words of a bit: of which no width of the bus takes more.
 double data_words(const isa::Segment& part, const ModelSizes& sizes) {
-  const isa::DivisionFacts& facts = part.facts.division;
+  const isa::DivisionCounts& counts = part.division;
   const auto words = [&](std::uint64_t primitives, std::uint64_t halfspaces) {
     return static_cast<double>(segment_words(sizes, primitives, halfspaces, 1));
   };
-  return words(1, 1) * (1 + static_cast<double>(facts.boxes) + static_cast<double>(facts.group_entries));
+  return words(1, 1) * (1 + static_cast<double>(counts.boxes) + static_cast<double>(counts.group_entries));
 }
 
 void check_time(const isa::Program& program, const ModelSizes& sizes, const Machine& machine) {
@@ -74,7 +74,7 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
               3.0 * figures.barrier_clocks;
     clocks += most_rendering_clocks(part.instructions, part.region, machine);
   }
-  if (clocks <= most_clocks && clocks <= most_seconds * static_cast<double>(machine.clock_hz)) return;
+  if (clocks <= most_clocks_told && clocks <= most_seconds * static_cast<double>(machine.clock_hz)) return;
   throw InputError(
       fmt::format("a frame may take {:.3g} clocks of {}, which is longer than is simulated; give it a smaller model or "
                   "picture, or faster figures",

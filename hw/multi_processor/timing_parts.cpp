@@ -28,15 +28,15 @@ std::vector<Subsegments> by_segment(const isa::Program& program, const machines:
 
 /// Each subsegment meets all primitives that the segment leaves.
 SegmentDivision division_of(Subsegments parts) {
-  const isa::DivisionFacts& facts = parts.front().facts.division;
+  const isa::DivisionCounts& counts = parts.front().division;
   const bool draws =
       std::any_of(parts.begin(), parts.end(), [](const isa::Segment& part) { return !part.instructions.empty(); });
-  return {.active = draws || facts.boxes > 0,
-          .boxes = facts.group_boxes,
-          .halfspace_tests = facts.group_halfspaces,
-          .cell_tests = facts.group_cells,
-          .primitives = facts.boxes,
-          .halfspaces = facts.group_entries - std::min(facts.boxes, facts.group_entries)};
+  return {.active = draws || counts.boxes > 0,
+          .boxes = counts.group_boxes,
+          .halfspace_tests = counts.group_halfspaces,
+          .cell_tests = counts.group_cells,
+          .primitives = counts.boxes,
+          .halfspaces = counts.group_entries - std::min(counts.boxes, counts.group_entries)};
 }
 
 std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits) {

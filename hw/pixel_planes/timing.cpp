@@ -344,7 +344,7 @@ std::uint64_t instruction_clocks(const isa::Instruction& instruction, const mach
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  std::span<const machines::Skip> skips) {
   const std::vector<Task> tasks = tasks_of(program, machine, skips);
-  const std::uint32_t colour_bits = isa::field_of(program, isa::FieldRole::colour).width;
+  const std::uint32_t colour_bits = program.colour.width;
   SequenceModel model(machine);
   model.draw(tasks, colour_bits);
   machines::FrameTiming timing = model.finish().front();
@@ -373,7 +373,7 @@ Moment moment_of(const isa::Program& program, const machines::Machine& machine, 
   const std::vector<Task> tasks = tasks_of(program, machine, skips);
   std::size_t task = segment + 1 + index;  // after a clear for each segment
   for (std::uint32_t s = 0; s < segment; ++s) task += program.segments[s].instructions.size();
-  const std::uint32_t colour_bits = isa::field_of(program, isa::FieldRole::colour).width;
+  const std::uint32_t colour_bits = program.colour.width;
   FrameModel frame(machine, tasks, copy_clocks(colour_bits, machine), nullptr, 0);
   frame.watch(task);
   frame.time();
@@ -395,8 +395,7 @@ std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, co
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {
   SequenceModel model(machine);
   for (const DrawnFrame& frame : frames)
-    model.draw(tasks_of(*frame.program, machine, frame.skips),
-               isa::field_of(*frame.program, isa::FieldRole::colour).width);
+    model.draw(tasks_of(*frame.program, machine, frame.skips), frame.program->colour.width);
   return model.finish();
 }
 

@@ -102,8 +102,8 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
                     bits, figures.model_bits));
   }
   for (const isa::Segment& segment : program.segments) {
-    const isa::DivisionFacts& facts = segment.facts.division;
-    check_storage(segment, {facts.most_halfspaces, facts.most_nodes}, machine);
+    const isa::DivisionCounts& division = segment.division;
+    check_storage(segment, {division.most_halfspaces, division.most_nodes}, machine);
   }
   check_countable(program, machine);
 }

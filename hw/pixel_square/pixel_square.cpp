@@ -107,7 +107,7 @@ kernel::RunReport PixelSquareMachine::run(const isa::Program& program, kernel::R
 }
 
 std::vector<std::uint32_t> PixelSquareMachine::picture_of(const isa::Program& program) const {
-  if (isa::field_of(program, isa::FieldRole::colour).width == 0) return {};
+  if (program.colour.width == 0) return {};
   return {frame_buffer_.picture().begin(), frame_buffer_.picture().end()};
 }
 

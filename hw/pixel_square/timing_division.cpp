@@ -17,22 +17,22 @@ struct Tests {
   std::uint64_t clocks = 0;  ///< each
 };
 
-auto tests_of(const isa::DivisionFacts& facts, const Figures& figures) {
-  return std::to_array<Tests>({{facts.boxes, figures.box_clocks},
-                               {facts.group_boxes, figures.box_clocks},
-                               {facts.halfspaces, figures.halfspace_clocks},
-                               {facts.group_halfspaces, figures.halfspace_clocks},
-                               {facts.cells, figures.cell_clocks},
-                               {facts.group_cells, figures.cell_clocks},
-                               {facts.nodes, figures.node_clocks}});
+auto tests_of(const isa::DivisionCounts& counts, const Figures& figures) {
+  return std::to_array<Tests>({{counts.boxes, figures.box_clocks},
+                               {counts.group_boxes, figures.box_clocks},
+                               {counts.halfspaces, figures.halfspace_clocks},
+                               {counts.group_halfspaces, figures.halfspace_clocks},
+                               {counts.cells, figures.cell_clocks},
+                               {counts.group_cells, figures.cell_clocks},
+                               {counts.nodes, figures.node_clocks}});
 }
 
 }  // namespace
 
-std::uint64_t test_clocks(const isa::DivisionFacts& facts, const Figures& figures) {
+std::uint64_t test_clocks(const isa::DivisionCounts& counts, const Figures& figures) {
   if (figures.divider == DividerKind::host) return 0;
   std::uint64_t clocks = 0;
-  for (const Tests& tests : tests_of(facts, figures)) clocks += tests.count * tests.clocks;
+  for (const Tests& tests : tests_of(counts, figures)) clocks += tests.count * tests.clocks;
   return clocks;
 }
 
@@ -41,7 +41,7 @@ void check_countable(const isa::Program& program, const machines::Machine& machi
   constexpr std::uint64_t most_clocks = std::uint64_t{1} << 60U;
   std::uint64_t clocks = 0;
   for (const isa::Segment& segment : program.segments) {
-    for (const Tests& tests : tests_of(segment.facts.division, machines::own<Figures>(machine))) {
+    for (const Tests& tests : tests_of(segment.division, machines::own<Figures>(machine))) {
       clocks += std::min(tests.count, most_tests) * tests.clocks;
       if (tests.count <= most_tests && clocks <= most_clocks) continue;
       throw InputError(

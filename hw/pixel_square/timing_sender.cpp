@@ -64,7 +64,7 @@ void SenderTiming::begin_square(std::size_t square, Time now) {
   } else {
     list_commands(segment);
   }
-  const Time tests = test_clocks(segment.facts.division, figures_);
+  const Time tests = test_clocks(segment.division, figures_);
   clocks_.work(tests);
   ready(now + tests);
 }

@@ -1,31 +1,11 @@
 #include "hw/scan_line/active_list.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace csgsim::scan_line {
 
-std::vector<Extent> extents_of(std::span<const isa::Segment> lines) {
-  std::map<std::uint32_t, Extent> found;
-  for (const isa::Segment& line : lines) {
-    const std::uint32_t row = line.region.y;
-    for (const isa::Instruction& instruction : line.instructions) {
-      for (const std::uint32_t primitive : {instruction.origin.primitive, instruction.origin.node}) {
-        if (primitive == isa::no_primitive) continue;
-        Extent& extent = found.try_emplace(primitive, Extent{row, row}).first->second;
-        extent = {std::min(extent.first, row), std::max(extent.last, row)};
-      }
-    }
-  }
-  std::vector<Extent> extents;
-  extents.reserve(found.size());
-  for (const auto& [primitive, extent] : found) extents.push_back(extent);
-  return extents;
-}
-
-void ActiveList::begin(std::vector<Extent> primitives) {
-  primitives_ = std::move(primitives);
+void ActiveList::begin(std::span<const isa::RowExtent> primitives) {
+  primitives_.assign(primitives.begin(), primitives.end());
   active_.clear();
   next_bucket_ = 0;
   buckets_.clear();

@@ -9,22 +9,11 @@
 
 namespace csgsim::scan_line {
 
-/// The rows of the picture from the first to the last that a primitive has instructions in.
-struct Extent {
-  std::uint32_t first = 0;
-  std::uint32_t last = 0;
-
-  constexpr bool operator==(const Extent&) const = default;
-};
-
-/// Of every primitive that an instruction of the lines serves, in no order that matters.
-std::vector<Extent> extents_of(std::span<const isa::Segment> lines);
-
 /// Buckets of primitives by their first row, and the list of those that are active on the line at hand (thesis 7.2.2).
 class ActiveList {
  public:
   /// Puts the primitives into their buckets; none is active yet.
-  void begin(std::vector<Extent> primitives);
+  void begin(std::span<const isa::RowExtent> primitives);
 
   [[nodiscard]] std::size_t primitives() const { return primitives_.size(); }
 
@@ -33,7 +22,7 @@ class ActiveList {
   std::size_t go_to(std::uint32_t row);
 
  private:
-  std::vector<Extent> primitives_;
+  std::vector<isa::RowExtent> primitives_;
   std::vector<std::vector<std::uint32_t>> buckets_;  ///< numbers of primitives, by row
   std::vector<std::uint32_t> active_;
   std::uint32_t next_bucket_ = 0;

@@ -94,6 +94,7 @@ const machines::Kind kind{
     .own = own,
     .complete = complete,
     .set_picture = set_picture,
+    .keeps_active_list = true,
     .regions = regions,
     .check = machines::check_parts,
     .clocks = entry_clocks,

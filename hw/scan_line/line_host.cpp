@@ -12,7 +12,7 @@ LineHost::LineHost(sc_core::sc_module_name name, const Figures& figures)
 
 void LineHost::begin(const PictureLines& frame) {
   frame_ = frame;
-  active_.begin(extents_of(frame.lines));
+  active_.begin(frame.extents);
   sorting_ = active_.primitives() * figures_.bucket_clocks;
   line_ = 0;
   counter_.begin();

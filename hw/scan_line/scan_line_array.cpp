@@ -108,7 +108,8 @@ void ScanLineArray::on_done() { sc_core::sc_pause(); }
 
 kernel::RunReport ScanLineArray::run(const isa::Program& program, kernel::RunListener& listener) {
   const isa::FrameHeader header = isa::frame_header(program);
-  const PictureLines frame{.lines = program.segments, .colour = header.colour, .background = header.background};
+  const PictureLines frame{
+      .lines = program.segments, .extents = program.extents, .colour = header.colour, .background = header.background};
   draw(frame, listener);
   kernel::RunReport report{.clocks = collector_.clocks(),
                            .answers = {},

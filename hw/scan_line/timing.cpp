@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "hw/base/quotient.h"
@@ -50,28 +48,13 @@ std::uint64_t occupied(std::uint64_t words, std::uint64_t read, std::uint64_t wr
 }
 
 /// How many primitives the host looks at for each line.
-std::vector<std::uint64_t> active_looks(const isa::Program& program, std::uint64_t& primitives) {
-  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> rows;  // first and last
-  const auto serve = [&](std::uint32_t primitive, std::uint32_t row) {
-    if (primitive == isa::no_primitive) return;
-    const auto [place, is_new] = rows.try_emplace(primitive, row, row);
-    auto& [first, last] = place->second;
-    first = std::min(first, row);
-    last = std::max(last, row);
-  };
-  for (const isa::Segment& line : program.segments) {
-    for (const isa::Instruction& instruction : line.instructions) {
-      serve(instruction.origin.primitive, line.region.y);
-      serve(instruction.origin.node, line.region.y);
-    }
-  }
-  primitives = rows.size();
+std::vector<std::uint64_t> active_looks(const isa::Program& program) {
   // By row: primitives that begin at it or above, and that end above it.
   std::vector<std::uint64_t> begun(program.shape.height + 1);
   std::vector<std::uint64_t> ended(program.shape.height + 1);
-  for (const auto& [primitive, range] : rows) {
-    ++begun[range.first];
-    ++ended[range.second + 1];
+  for (const isa::RowExtent& extent : program.extents) {
+    ++begun[extent.first];
+    ++ended[extent.last + 1U];
   }
   for (std::size_t row = 1; row < begun.size(); ++row) {
     begun[row] += begun[row - 1];
@@ -264,9 +247,8 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine, machi
   LineAccount counted{.lines = program.segments.size(), .line_budget = line_budget(machine, program.shape.height)};
   std::vector<ChainTiming> chains(figures.chains, ChainTiming(machine, program.shape, colour));
 
-  std::uint64_t primitives = 0;
-  const std::vector<std::uint64_t> looks = active_looks(program, primitives);
-  const std::uint64_t sorting = primitives * figures.bucket_clocks;
+  const std::vector<std::uint64_t> looks = active_looks(program);
+  const std::uint64_t sorting = program.extents.size() * figures.bucket_clocks;
   counted.host.add(LineActivity::sorting, sorting);
   Edge host = sorting;  // the last edge at which it has worked
   for (std::size_t line = 0; line < program.segments.size(); ++line) {

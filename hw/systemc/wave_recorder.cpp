@@ -22,12 +22,14 @@ void WaveRecorder::arm(wave::VcdWriter writer, std::vector<wave::Window> windows
   stops_ = stops;
   reached_ = false;
   writing_ = {};
+  guard_.begin();
   if (windows_.empty()) return;
   clock_ = windows_.front().begin;
   next_.notify(sc_core::sc_time::from_value((clock_ - first_clock + 1) * period_.value() + period_.value() / 2));
 }
 
 bool WaveRecorder::finish() {
+  guard_.rethrow();
   if (reached_) writer_->finish();
   writer_.reset();
   windows_.clear();
@@ -39,8 +41,17 @@ void WaveRecorder::proceed() {
   if (window_ == windows_.size()) return;
   reached_ = true;
   const auto begin = std::chrono::steady_clock::now();
-  writer_->sample(clock_);
+  bool is_written = false;
+  guard_.run([&] {
+    writer_->sample(clock_);
+    is_written = true;
+  });
   writing_ += std::chrono::steady_clock::now() - begin;
+  if (!is_written) {
+    window_ = windows_.size();
+    if (stops_) stop();
+    return;
+  }
   const std::uint64_t sampled = clock_++;
   if (clock_ == windows_[window_].end) {
     if (++window_ == windows_.size()) {

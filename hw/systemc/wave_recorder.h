@@ -6,6 +6,7 @@
 #include <systemc>
 #include <vector>
 
+#include "hw/systemc/listener_guard.h"
 #include "hw/wave/request.h"
 #include "hw/wave/vcd_writer.h"
 
@@ -25,7 +26,7 @@ class WaveRecorder final : public sc_core::sc_module {
   /// Wall time that sampling, and writing the file, have taken since arm.
   [[nodiscard]] std::chrono::duration<double> writing() const { return writing_; }
 
-  /// Ends the file. Says whether a window was reached.
+  /// Ends the file. Says whether a window was reached. What writing threw during the run comes out here.
   bool finish();
 
  private:
@@ -38,6 +39,7 @@ class WaveRecorder final : public sc_core::sc_module {
   std::size_t window_ = 0;   ///< that is being recorded, or comes next
   std::uint64_t clock_ = 0;  ///< of the frame, in which it samples next
   std::chrono::duration<double> writing_{};
+  ListenerGuard guard_;  ///< of what is written: nothing that it throws may reach the kernel
   bool stops_ = false;
   bool reached_ = false;
 };

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -189,7 +190,7 @@ std::vector<std::string> Command::words(std::span<const std::string_view> but) c
     const std::string& name = option->get_lnames().front();
     if (std::find(but.begin(), but.end(), name) != but.end()) continue;
     const bool is_flag = option->get_expected_max() == 0;
-    if (is_flag) options.push_back("--" + name);
+    if (is_flag && option->results().back() != "false") options.push_back("--" + name);
     for (const std::string& value : option->results())
       if (!is_flag) options = joined(std::move(options), option_words(name, value));
   }
@@ -224,9 +225,25 @@ std::string help_of_app(CLI::App& app) {
 
 }  // namespace
 
+namespace {
+
+std::vector<char*> arguments_of(std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  arguments.reserve(words.size());
+  for (std::string& word : words) arguments.push_back(word.data());
+  return arguments;
+}
+
+}  // namespace
+
 CommandLine::CommandLine(const std::string& description, const std::string& program)
     : app_(make_settings_app(description, program)) {
   app_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+void CommandLine::add_own_options() {
   app_->set_version_flag("--version", version_page, "Print version, commit, build and libraries");
   const auto write_pages = [app = app_.get()](const std::string& folder) {
     write_description(describe(*app), folder);
@@ -235,17 +252,19 @@ CommandLine::CommandLine(const std::string& description, const std::string& prog
   app_->add_option_function<std::string>("--describe", write_pages)->group(hidden_group);
 }
 
-CommandLine::~CommandLine() = default;
-
 Command CommandLine::add(const std::string& name, const std::string& description, const std::string& footer) {
   CLI::App& command = *app_->add_subcommand(name, description);
   command.footer(footer);
   return Command(command);
 }
 
-void CommandLine::run(std::span<char* const> arguments) {
+std::vector<SettableOption> CommandLine::options_of(const std::string& command) const {
+  return settable_options(*std::as_const(*app_).get_subcommand(command));
+}
+
+void CommandLine::parse(std::span<char* const> arguments, const std::function<void()>& load) {
   try {
-    load_settings(*app_, arguments);
+    load();
     app_->parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", help_of_app(*app_));
@@ -257,6 +276,32 @@ void CommandLine::run(std::span<char* const> arguments) {
     if (!place.empty()) throw InputError(place + ": " + error.what());
     throw UsageError(explain(known_commands(*app_), error.what(), arguments));
   }
+}
+
+void CommandLine::run(std::span<char* const> arguments) {
+  parse(arguments, [&] { load_settings(*app_, arguments); });
+}
+
+void CommandLine::run(std::vector<std::string> words, std::vector<Setting> settings) {
+  words.insert(words.begin(), app_->get_name());
+  const std::vector<char*> arguments = arguments_of(words);
+  parse(arguments, [&] { load_settings(*app_, arguments, std::move(settings)); });
+}
+
+std::vector<std::string> CommandLine::read(std::vector<std::string> words, std::span<const std::string_view> but) {
+  words.insert(words.begin(), app_->get_name());
+  const std::vector<char*> arguments = arguments_of(words);
+  only_read(*app_, arguments);
+  try {
+    app_->parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::CallForHelp&) {
+    throw UsageError("it asks for help");
+  } catch (const CLI::Success&) {
+    return Command(*app_->get_subcommands().front()).words(but);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(explain(known_commands(*app_), error.what(), arguments));
+  }
+  throw std::logic_error("a command line that was to be read alone was run");
 }
 
 }  // namespace csgsim::app

@@ -130,8 +130,8 @@ class Command {
   /// Every option and operand but --help and --config, in the order of help.
   [[nodiscard]] std::vector<OptionValue> values() const;
 
-  /// The command line, whose first word is the program.
-  [[nodiscard]] const std::vector<std::string>& arguments() const;
+  /// The command line, whose first word is the program; if it was asked for by settings alone, one that asks the same.
+  [[nodiscard]] std::vector<std::string> arguments() const;
 
   [[nodiscard]] RunWatch& watch() const;
 
@@ -146,7 +146,6 @@ class Command {
 /// A command line that asks for one of several commands.
 class CommandLine {
  public:
-  /// Has --version, and --describe FOLDER, which writes manual pages and shells' completion there.
   CommandLine(const std::string& description, const std::string& program);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
@@ -154,11 +153,28 @@ class CommandLine {
 
   Command add(const std::string& name, const std::string& description, const std::string& footer);
 
+  /// Adds --version, and --describe FOLDER, which writes manual pages and shells' completion there.
+  void add_own_options();
+
+  /// Every option and operand of the command that settings know.
+  [[nodiscard]] std::vector<SettableOption> options_of(const std::string& command) const;
+
   /// Runs the command that the arguments (the first is the program's name) ask for, or prints the help they ask for.
   /// Throws UsageError with one line for people, and what the command throws.
   void run(std::span<char* const> arguments);
 
+  /// Runs the command that the first of the words, which are of csgsim itself, names, with settings besides that come
+  /// from somebody else. Nothing but the words can name a settings file. Throws as run does, and InputError with a
+  /// setting's place.
+  void run(std::vector<std::string> words, std::vector<Setting> settings);
+
+  /// Reads a command's name and its options without running anything, and returns them as Command::words(but) tells
+  /// them. Throws UsageError for words that ask for no command of this line, or for help.
+  [[nodiscard]] std::vector<std::string> read(std::vector<std::string> words, std::span<const std::string_view> but);
+
  private:
+  void parse(std::span<char* const> arguments, const std::function<void()>& load);
+
   std::unique_ptr<CLI::App> app_;
 };
 

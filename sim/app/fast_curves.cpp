@@ -53,10 +53,10 @@ std::string others(std::uint64_t count) {
 void tell_of(const LeftFaceted& left, const model::Tree& tree, bool is_perspective) {
   if (left.count == 0) return;
   const model::Primitive& first = tree.primitives[left.first];
-  tell_line(fmt::format(
-      "{}:{}:{}: warning: --curves fast draws spheres in orthographic pictures; this is {} and is drawn in "
-      "facets{}",
-      tree.file, first.location.line, first.location.column, why_not(first, is_perspective), others(left.count - 1)));
+  tell_line(
+      fmt::format("{}: warning: --curves fast draws spheres in orthographic pictures; this is {} and is drawn in "
+                  "facets{}",
+                  model::place_of(tree, left.first), why_not(first, is_perspective), others(left.count - 1)));
 }
 
 }  // namespace

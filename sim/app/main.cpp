@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hw/base/error.h"
+#include "hw/base/inputs_kept.h"
 #include "hw/base/messages.h"
 #include "hw/base/partial_files.h"
 #include "hw/base/standard_streams.h"
@@ -60,9 +61,11 @@ void add_commands(csgsim::app::CommandLine& line) {
 int main(int argc, char** argv) {
   csgsim::keep_standard_numbers();
   csgsim::delete_partial_files_on_signals();
+  csgsim::keep_inputs();
   csgsim::app::CommandLine line(
       "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models",
       "csgsim");
+  line.add_own_options();
   add_commands(line);
   const int code = run(line, {argv, static_cast<std::size_t>(argc)});
   return code == 0 && !printed() ? not_printed() : code;

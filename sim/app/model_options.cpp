@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "host/convex/extent.h"
 #include "host/csg/positive_tree.h"
 #include "host/effects/rows.h"
+#include "host/effects/transparency.h"
 #include "host/emit/compile.h"
 #include "host/emit/curves.h"
 #include "host/emit/effect.h"
+#include "host/emit/no_room.h"
 #include "host/facet/scene.h"
 #include "host/lighting/colour_schemes.h"
 #include "host/read/read.h"
@@ -30,6 +33,7 @@
 #include "sim/app/prunings.h"
 #include "sim/app/scad.h"
 #include "sim/app/settings/sets.h"
+#include "sim/app/subject.h"
 #include "sim/app/usage.h"
 #include "sim/functional/clocks.h"
 #include "sim/study/hash.h"
@@ -78,9 +82,6 @@ void warn_of_coarse_depth(const view::View& view) {
                   view.depth_step));
 }
 
-/// Read once already, within limits of its own.
-constexpr InputKind imported_file{"a file", std::numeric_limits<std::size_t>::max(), ""};
-
 constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
 
 view::Projection projection_of(const ModelOptions& options) {
@@ -114,6 +115,8 @@ void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
     scene.effects.push_back({section.name, {}, false});
   }
 }
+
+Work work_of(const ModelOptions& options) { return Work(options.limit * std::uint64_t{1'000'000}); }
 
 std::string said_pruning(const ModelOptions& options) {
   if (options.without.empty()) return options.pruning;
@@ -201,10 +204,17 @@ void ModelOptions::add_view_to(Command& command) {
       "A figure of the machine, as in alu.bits=4, or a key of the scene, as in lights.0.direction=0,0,-1; once for "
       "each");
   command.option("--imports-from", imports_from,
-                 "Folder in which, or below which, the files are that the model imports; the model's own if not given");
+                 "Folder in which, or below which, the model's imports may be, and are looked for, besides its own "
+                 "folder");
+  add_openscad_time(command);
   command.flag("--snap", snap,
                "Restore rotations by hundredths of a degree from the six digits that OpenSCAD writes, so that planes "
                "that should coincide do");
+  command
+      .option("--limit", limit,
+              "Work that reading the model may take, and compiling it again, in millions of steps; what takes more is "
+              "refused, with its place")
+      .between(1U, most_limit);
   command.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
   command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
   command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
@@ -245,6 +255,7 @@ emit::Options emit_options_of(const ModelOptions& options) {
   emit.scene = options.scene();
   emit.effects = effects::all();
   emit.pruning = pruning_of(said_pruning(options));
+  emit.work = work_of(options);
   return emit;
 }
 
@@ -346,17 +357,17 @@ ModelFile read_model_file(const ModelOptions& options) {
   if (is_program(options.model))
     throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
   return with_memory_for("the model " + options.model, [&] {
-    const bool is_source = ends_in(options.model, ".scad");
+    const bool is_source = subject_in(options.model) == Subject::scad;
     const std::string text = is_source ? csg_of_scad(options.model) : read::load(options.model);
     const std::string name = shown_name(options.model);
     study::Hash hash;
     hash.add(text);
     hash.add(options.scene_text());
     if (options.snap) hash.add("--snap");
-    model::Tree tree =
-        read::read_csg_text(text, is_source ? name + " (as .csg)" : name, {options.snap, options.imports_from});
+    model::Tree tree = read::read_csg_text(
+        text, is_source ? name + " (as .csg)" : name,
+        {options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); }, work_of(options)});
     tree.file = name;
-    for (const std::filesystem::path& import : tree.imports) hash.add(read_file(import.string(), imported_file));
     return ModelFile{effects::reshaped(std::move(tree), options.scene()), hash.text()};
   });
 }
@@ -374,6 +385,43 @@ CompiledModel compile(ModelFile file, const ModelOptions& options, const machine
   return model;
 }
 
+/// What the picture shows in place of what it would with more memory. Once, however often it is compiled.
+void warn_of_pattern(const emit::NoRoom& layers, const ModelOptions& options, const machines::Machine& machine) {
+  static std::set<std::string> told;
+  const std::string line = fmt::format(
+      "{}: warning: what is see-through is drawn by a pattern, screen-door: in layers the picture would need {} memory "
+      "bits a pixel, and the machine has {}; take --memory-bits {}, or say --set "
+      "effects.transparency.method=screen-door",
+      shown_name(options.model), layers.needed, machine.array.memory_bits, layers.needed);
+  if (told.insert(line).second) tell_line(line);
+}
+
+bool sees_through(const CompiledModel& model, const emit::Options& emit, const view::View& view) {
+  const emit::Look look = emit::make_look(emit.scene, model.tree, csg::make_positive(model.tree), view.camera);
+  const std::vector<emit::CalledEffect> called = emit::called_effects(emit, look);
+  return std::ranges::any_of(called, [](const emit::CalledEffect& one) { return one.effect->sees_through; });
+}
+
+/// Where colours of the model alone let something through, and there is no room to blend it, by screen-door.
+isa::Program compile_with_room(const CompiledModel& model, const view::View& view, const ModelOptions& options,
+                               const machines::Machine& machine) {
+  emit::Options emit = emit_options_of(options);
+  const auto compiled = [&] {
+    return emit::compile(model.tree, model.scene, view, machine, emit,
+                         [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+  };
+  try {
+    return compiled();
+  } catch (const emit::NoRoom& layers) {
+    std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
+    if (!by_pattern || !sees_through(model, emit, view)) throw;
+    emit.scene = std::move(*by_pattern);
+    isa::Program program = compiled();
+    warn_of_pattern(layers, options, machine);
+    return program;
+  }
+}
+
 }  // namespace
 
 isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
@@ -383,10 +431,7 @@ isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& mo
   std::size_t halfspaces = 0;
   for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
   return with_memory([&] { return short_of_memory(options.model, halfspaces); },
-                     [&] {
-                       return emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
-                                            [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
-                     });
+                     [&] { return compile_with_room(model, view, options, machine); });
 }
 
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {

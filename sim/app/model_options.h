@@ -27,11 +27,16 @@ struct Tolerance {
 /// Of strategy bits; no tree needs as many.
 inline constexpr unsigned most_stack_bits = 64;
 
+/// Of the work that reading a model may take, and compiling it: millions of steps (hw/base/work.h).
+inline constexpr std::uint32_t usual_limit = 8'000;
+inline constexpr std::uint32_t most_limit = 1'000'000'000;
+
 /// Options of every command that compiles a model.
 struct ModelOptions {
   std::string model;
   std::string imports_from;
   bool snap = false;  ///< rotations are restored from the digits that are written
+  std::uint32_t limit = usual_limit;
   std::string machine = "pixel-planes-4";
   std::string size;
   std::optional<std::uint32_t> memory_bits;

@@ -7,15 +7,6 @@
 
 namespace csgsim::app {
 
-namespace {
-
-std::string place_of(const model::Tree& tree, std::uint32_t primitive) {
-  const model::Location& at = tree.primitives[primitive].location;
-  return fmt::format("{}:{}:{}", tree.file, at.line, at.column);
-}
-
-}  // namespace
-
 void warn_of_near_faces(const CompiledModel& model, const ModelOptions& options) {
   const convex::NearFaces found = convex::near_faces(model.tree, model.scene);
   if (found.pairs == 0) return;
@@ -26,7 +17,7 @@ void warn_of_near_faces(const CompiledModel& model, const ModelOptions& options)
   tell_line(fmt::format(
       "{}: warning: a face of it and one of {} are nearly in one plane, but not quite{}; specks or a skin may be seen: "
       "{}let one reach well into the other",
-      place_of(model.tree, found.first[0]), place_of(model.tree, found.first[1]), others,
+      model::place_of(model.tree, found.first[0]), model::place_of(model.tree, found.first[1]), others,
       options.snap ? "" : "use --snap, or "));
 }
 

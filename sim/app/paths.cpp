@@ -8,10 +8,8 @@
 #include <optional>
 
 #include "hw/base/file_roles.h"
-#include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
 #include "hw/base/standard_streams.h"
-#include "hw/isa/binary.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
 #include "sim/app/usage.h"
@@ -47,26 +45,6 @@ void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<con
 
 bool is_unnamed_stream(const std::filesystem::path& path) {
   return !path.empty() && !path.has_extension() && is_stream(path);
-}
-
-namespace {
-
-constexpr InputKind model_or_program{"a model or a Program", std::size_t{1} << 30U, "draw a smaller picture"};
-
-/// In either form.
-bool begins_as_program(std::string_view text) {
-  return isa::is_binary(std::as_bytes(std::span(text))) || text.starts_with("# csgsim program") ||
-         text.starts_with('.');
-}
-
-}  // namespace
-
-bool is_model(const std::filesystem::path& path) {
-  return path == standard_stream ? !is_program(path) : ends_in(path, ".csg");
-}
-
-bool is_program(const std::filesystem::path& path) {
-  return path == standard_stream ? begins_as_program(read_file(path, model_or_program)) : ends_in(path, ".csgt");
 }
 
 std::string shown_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }

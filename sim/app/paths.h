@@ -28,8 +28,4 @@ std::string shown_name(const std::string& path);
 /// Refuses binary data on a terminal. Throws UsageError.
 void refuse_terminal(const std::string& option, const std::filesystem::path& path);
 
-/// By the name's ending; of standard input by how it begins.
-bool is_model(const std::filesystem::path& path);
-bool is_program(const std::filesystem::path& path);
-
 }  // namespace csgsim::app

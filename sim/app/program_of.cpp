@@ -1,8 +1,14 @@
 #include "sim/app/program_of.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
+#include "sim/app/program_machine.h"
 #include "sim/app/settings/sets.h"
+#include "sim/app/subject.h"
 #include "sim/app/usage.h"
 
 namespace csgsim::app {
@@ -14,12 +20,25 @@ void refuse_model_options(const Command& command, const std::set<std::string>& o
   }
 }
 
-isa::Program program_of(const ModelOptions& options, machines::Machine& machine) {
-  if (is_model(options.model)) return compile_model(options, machine).program;
+ProgramOnMachine program_of(const ModelOptions& options, const std::string& asked) {
+  if (is_model(options.model)) {
+    machines::Machine machine = machine_of(options);
+    isa::Program program = compile_model(options, machine).program;
+    return {std::move(machine), std::move(program)};
+  }
   refuse_scene_sets(options.sets);
   isa::Program program = read_program(options.model);
-  machines::adopt(machine, program);
-  return program;
+  machines::Machine machine = machine_for(program, options.model, asked, options.sets);
+  return {std::move(machine), std::move(program)};
+}
+
+ProgramOnMachine program_of(const ModelOptions& options, const Command& command) {
+  return program_of(options, is_given(command, "machine") ? options.machine : "");
+}
+
+bool is_given(const Command& command, std::string_view name) {
+  const std::vector<GivenOption> given = command.given();
+  return std::any_of(given.begin(), given.end(), [&](const GivenOption& one) { return one.name == name; });
 }
 
 }  // namespace csgsim::app

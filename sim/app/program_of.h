@@ -15,8 +15,21 @@ namespace csgsim::app {
 /// without dashes.
 void refuse_model_options(const Command& command, const std::set<std::string>& own);
 
-/// A model is compiled; anything else is a Program, and the machine gets the array it is made for. Throws InputError,
-/// or UsageError where a key of the scene is set for a Program.
-isa::Program program_of(const ModelOptions& options, machines::Machine& machine);
+/// What is run, and what runs it.
+struct ProgramOnMachine {
+  machines::Machine machine;
+  isa::Program program;
+};
+
+/// A model is compiled; anything else is a Program, and its machine the one that it names, or that --machine names.
+/// Both get the array that the Program is for. Throws InputError, or UsageError where a key of the scene is set for a
+/// Program.
+ProgramOnMachine program_of(const ModelOptions& options, const Command& command);
+
+/// The same, where `asked` is what --machine of a Program says; empty if it was not given.
+ProgramOnMachine program_of(const ModelOptions& options, const std::string& asked);
+
+/// Was the option given, by its long name without dashes?
+bool is_given(const Command& command, std::string_view name);
 
 }  // namespace csgsim::app

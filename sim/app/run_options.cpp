@@ -78,6 +78,11 @@ void RunOptions::add_to(Command& command) {
       .option("--owner", owner,
               "Which primitive is seen: .png, a colour each and a legend, .json beside it; or .exr, its index")
       .check(owner_name);
+  command
+      .option("--surface", surface,
+              "What --depth and --owner tell: the nearest surface that is seen, see-through or not; or the opaque one "
+              "that is seen, through others or not")
+      .one_of({"nearest", "opaque"}, "surface");
   command.option("--stats", stats, "All counts, .json").check(not_empty);
   command
       .option("--level", level,

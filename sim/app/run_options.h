@@ -24,6 +24,7 @@ struct RunOptions {
   std::string picture;
   std::string depth;
   std::string owner;
+  std::string surface = "nearest";  ///< of which depth and owner are: `nearest`, or what is `opaque` behind it
   std::string stats;
   ReportOption report;  ///< only commands that have a model add it
   std::string level = "functional";

@@ -24,7 +24,8 @@ std::string legend_of(const std::filesystem::path& owner_picture) {
 
 }  // namespace
 
-RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs) {
+RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs)
+    : of_opaque_(options.surface == "opaque") {
   const std::string legend = legend_of(options.owner);
   refuse_clashes(inputs, std::to_array<std::filesystem::path>({options.picture, options.depth, options.owner, legend,
                                                                options.stats, options.report.file}));
@@ -44,9 +45,11 @@ RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesyste
 
 void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& program) {
   if (picture_) sim::write_picture(*picture_, frame, program);
-  if (depth_) sim::write_depth(*depth_, frame, program);
+  if (!depth_ && !owner_) return;
+  const sim::Frame surfaces = of_opaque_ ? sim::of_opaque(frame) : frame;
+  if (depth_) sim::write_depth(*depth_, surfaces, program);
   if (!owner_) return;
-  const sim::Frame of_primitives = sim::of_primitives(frame, program.facts);
+  const sim::Frame of_primitives = sim::of_primitives(surfaces, program.facts);
   sim::write_owner(*owner_, of_primitives);
   if (legend_) sim::write_legend(*legend_, of_primitives, program);
 }

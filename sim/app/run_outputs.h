@@ -23,6 +23,7 @@ class RunOutputs {
   void commit();
 
  private:
+  bool of_opaque_;  ///< depth and owner are of opaque surfaces
   std::optional<OutputFile> picture_;
   std::optional<OutputFile> depth_;
   std::optional<OutputFile> owner_;

@@ -23,10 +23,6 @@ std::string time_text(double seconds) {
   return seconds < 1.0 ? fmt::format("{:.2f} ms", seconds * 1e3) : fmt::format("{:.2f} s", seconds);
 }
 
-double percent(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
 void print_model(const isa::ModelFacts& model) {
   fmt::print("{:<18}{}, {}; {}, {}, {}\n", "model", counted(model.primitives, "primitive"),
              counted(model.halfspaces, "half-space"), counted(model.unions, "union"),

@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t most_knobs_printed = 3;
 
-double percent(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
 void print_rest(const std::string& name, std::uint64_t clocks, std::uint64_t whole) {
   if (clocks == 0) return;
   fmt::print("  {:<40}{:>16}{:>7.1f} %\n", name, grouped(clocks), percent(clocks, whole));

@@ -64,7 +64,7 @@ struct Growth {
   std::string command;  ///< of the largest
   std::vector<Point> points;
 
-  [[nodiscard]] double power() const { return exponent(points); }
+  [[nodiscard]] std::optional<double> power() const { return exponent(points); }
 };
 
 struct Results {

@@ -11,7 +11,7 @@ namespace csgsim::bench {
 namespace {
 
 /// The machine whose processors the dense loop is of.
-constexpr const char* machine = "pixel-planes-4";
+constexpr const char* dense_machine = "pixel-planes-4";
 
 double dense_seconds(const isa::Program& program) {
   DenseLoop loop(program.shape);
@@ -21,7 +21,7 @@ double dense_seconds(const isa::Program& program) {
 }
 
 DensePair pair_of(const Settings& settings, const std::filesystem::path& model) {
-  const Compiled compiled = compile(settings, model, machine, settings.size);
+  const Compiled compiled = compile(settings, model, dense_machine, settings.size);
   const isa::Program program = isa::load_program(compiled.program);
   const Words words = run_words(settings, compiled, "cycle");
   DensePair pair{model.stem().native(), 0, 0, 0, command_text(words)};

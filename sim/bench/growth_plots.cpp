@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "sim/bench/report.h"
@@ -19,7 +20,8 @@ plots::Chart chart_of(const std::vector<Growth>& growths, const std::string& aga
                      "bench.json"};
   for (const Growth& growth : growths) {
     if (growth.against != against) continue;
-    plots::Series series{fmt::format("{}: exponent {:.2f}", growth.part, growth.power())};
+    const std::optional<double> power = growth.power();
+    plots::Series series{power ? fmt::format("{}: exponent {:.2f}", growth.part, *power) : growth.part};
     for (const Point& point : growth.points) series.points.push_back({point.x, point.y * 1e3});
     chart.series.push_back(std::move(series));
   }

@@ -11,7 +11,7 @@ namespace csgsim::bench {
 
 namespace {
 
-constexpr const char* machine = "pixel-planes-4";
+constexpr const char* growing_machine = "pixel-planes-4";
 constexpr const char* level = "functional";
 
 /// One size of something that grows.
@@ -30,7 +30,7 @@ std::vector<Growth> growth_of(const Settings& settings, const std::string& again
   std::vector<Timed> compilations;
   std::vector<Timed> timed;
   for (const Step& step : steps) {
-    const Compiled compiled = compile(settings, step.model, machine, step.size);
+    const Compiled compiled = compile(settings, step.model, growing_machine, step.size);
     const Words compile_line = compile_words(settings, step.model, compiled, step.size);
     const Words run_line = run_words(settings, compiled, level, step.threads);
     timed.emplace_back([&settings, run_line] { return run(settings, run_line).wall; });

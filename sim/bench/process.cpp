@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
-#include <vector>
 
 #include "hw/base/child_process.h"
 #include "hw/base/error.h"
@@ -28,47 +27,33 @@ double children_seconds() {
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
 
-/// What the program `timeout` ends with by itself.
-constexpr int timeout_over = 124;
-constexpr int timeout_not_found = 127;
-
-struct Ended {
-  int status = 0;   ///< as waitpid tells it
-  std::string why;  ///< it failed, if it did
-  Took took;
-};
-
-std::optional<Ended> run(std::span<const std::string> words) {
-  const MemoryFile input(words.front());
-  const MemoryFile output(words.front());
-  const MemoryFile errors(words.front());
-  const double before = children_seconds();
-  const auto begin = std::chrono::steady_clock::now();
-  const std::optional<int> status = run_child(words, {input, output, errors});
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  if (!status) return std::nullopt;
-  return Ended{
-      *status, *status == 0 ? "" : printable(why_failed(*status, errors)), {wall.count(), children_seconds() - before}};
+/// Of programs that are measured: csgsim and its rivals. What they draw goes to files.
+ChildLimits limits_of(std::chrono::seconds longest) {
+  return {.time = longest, .output = std::size_t{64} << 20U, .errors = std::size_t{64} << 20U};
 }
 
-std::optional<Took> took_of(const std::string& program, const std::optional<Ended>& ended) {
+std::optional<Took> run(std::span<const std::string> words, const ChildLimits& limits) {
+  const std::string& program = words.front();
+  const MemoryFile input(program);
+  const double before = children_seconds();
+  const auto begin = std::chrono::steady_clock::now();
+  const std::optional<ChildEnd> ended = run_child(words, input, limits);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (!ended) return std::nullopt;
-  if (ended->status != 0) throw InputError(program + ": fails: " + ended->why);
-  return ended->took;
+  if (ended->exceeded == Exceeded::time)
+    throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
+  if (!is_done(*ended)) throw InputError(program + ": fails: " + printable(why_failed(*ended, limits)));
+  return Took{wall.count(), children_seconds() - before};
 }
 
 }  // namespace
 
-std::optional<Took> run_process(std::span<const std::string> words) { return took_of(words.front(), run(words)); }
+std::optional<Took> run_process(std::span<const std::string> words) {
+  return run(words, limits_of(std::chrono::hours(24)));
+}
 
 std::optional<Took> run_process_within(unsigned seconds, std::span<const std::string> words) {
-  std::vector<std::string> limited{"timeout", std::to_string(seconds)};
-  limited.insert(limited.end(), words.begin(), words.end());
-  const std::optional<Ended> ended = run(limited);
-  if (ended && WIFEXITED(ended->status) && WEXITSTATUS(ended->status) == timeout_not_found) return std::nullopt;
-  if (ended && WIFEXITED(ended->status) && WEXITSTATUS(ended->status) == timeout_over)
-    throw InputError(words.front() + fmt::format(": takes more than {} s", seconds));
-  return took_of(words.front(), ended);
+  return run(words, limits_of(std::chrono::seconds(seconds)));
 }
 
 std::string command_text(std::span<const std::string> words) {

@@ -40,7 +40,8 @@ Json to_json(const Rival& rival) {
 }
 
 Json to_json(const Growth& growth) {
-  Json json{{"against", growth.against}, {"part", growth.part}, {"exponent", growth.power()}};
+  Json json{{"against", growth.against}, {"part", growth.part}};
+  if (const std::optional<double> power = growth.power()) json["exponent"] = *power;
   for (const Point& point : growth.points) json["points"].push_back({{"size", point.x}, {"seconds", point.y}});
   json["command_of_the_largest"] = printable(growth.command);
   return json;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "hw/base/text.h"
 #include "sim/bench/report.h"
 
@@ -61,7 +63,8 @@ std::string rivals(const Results& results) {
 std::string growths(const Results& results) {
   if (results.growths.empty()) return {};
   std::string text =
-      "## Growth\n\nSeconds as a power of what grows, fitted to the points, all else being equal; Pixel-planes, "
+      "## Growth\n\nSeconds as a power of what grows, fitted to three points or more, all else being equal; "
+      "Pixel-planes, "
       "functional "
       "level. 1: in proportion; of threads, -1 would be perfect.\n\n"
       "| against | part | exponent | ms at each size |\n|---|---|--:|---|\n";
@@ -69,7 +72,9 @@ std::string growths(const Results& results) {
     std::string points;
     for (const Point& point : row.points)
       points += fmt::format("{}{:g}: {}", points.empty() ? "" : ", ", point.x, milliseconds(point.y));
-    text += fmt::format("| {} | {} | {:.2f} | {} |\n", row.against, row.part, row.power(), points);
+    const std::optional<double> power = row.power();
+    text += fmt::format("| {} | {} | {} | {} |\n", row.against, row.part, power ? fmt::format("{:.2f}", *power) : "–",
+                        points);
   }
   text += "\nThe largest by:\n\n";
   for (const Growth& row : results.growths) text += fmt::format("    {}\n", printable(row.command));

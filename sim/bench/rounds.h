@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,12 +22,13 @@ std::vector<double> medians_in_turn(std::span<const Timed> all, Rounds rounds);
 
 double median(std::vector<double> values);
 
-/// The power p of the law y = c x^p that fits best, by least squares of the logarithms. Throws std::invalid_argument
-/// for fewer than two different x.
 struct Point {
   double x = 0;
   double y = 0;
 };
-double exponent(std::span<const Point> points);
+
+/// The power p of the law y = c x^p that fits best, by least squares of the logarithms. None for fewer than three
+/// different x: any two points are of such a law, whether there is one or not.
+std::optional<double> exponent(std::span<const Point> points);
 
 }  // namespace csgsim::bench

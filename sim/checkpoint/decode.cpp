@@ -17,7 +17,7 @@ namespace csgsim::sim {
 
 namespace {
 
-constexpr std::uint64_t most = ~std::uint64_t{0};
+constexpr std::uint64_t any_number = ~std::uint64_t{0};
 
 void require(bool holds, const char* what) {
   if (!holds) throw isa::MalformedBytes(what);
@@ -96,8 +96,8 @@ RunState read_run(isa::ByteReader& in, const isa::Program& program) {
   run.place.index = in.varint_to<std::uint32_t>(instructions);
   run.told_end = in.varint_to<std::uint8_t>(1) != 0;
   require(!run.told_end || run.place.index == instructions, "ends a segment before its end");
-  run.overflows = in.varint_to<std::uint64_t>(most);
-  run.skipped = in.varint_to<std::uint64_t>(most);
+  run.overflows = in.varint_to<std::uint64_t>(any_number);
+  run.skipped = in.varint_to<std::uint64_t>(any_number);
   run.answers = bits(in, Numbers(program).count());
   const std::uint64_t skips = in.varint();
   require(skips <= in.left(), "ends too soon");
@@ -125,11 +125,20 @@ FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Program& pr
   picture.frame.depth = pixels(in, count);
   picture.frame.owner = pixels(in, count);
   if (isa::field_of(program, isa::FieldRole::candidate_colour).width > 0) picture.candidate_owner = pixels(in, count);
-  const unsigned colour = isa::field_of(program, isa::FieldRole::colour).width;
+  if (!FrameObserver(program).gathered().panes.owner.empty()) {
+    for (std::vector<std::uint32_t>* const one :
+         {&picture.frame.opaque_depth, &picture.frame.opaque_owner, &picture.panes.owner, &picture.panes.depth})
+      *one = pixels(in, count);
+  }
+  const unsigned colour = program.colour.width;
   const unsigned depth = isa::field_of(program, isa::FieldRole::depth).width;
   check_below(picture.frame.colour, std::uint64_t{1} << colour, program.background, "holds a colour out of range");
-  check_below(picture.frame.depth, std::uint64_t{1} << depth, 0, "holds a depth out of range");
-  for (const std::vector<std::uint32_t>* one : {&picture.frame.owner, &picture.candidate_owner})
+  for (const std::vector<std::uint32_t>* one : {&picture.frame.depth, &picture.frame.opaque_depth})
+    check_below(*one, std::uint64_t{1} << depth, 0, "holds a depth out of range");
+  check_below(picture.panes.depth, std::uint64_t{1} << depth, FrameObserver::unread_depth,
+              "holds a depth out of range");
+  for (const std::vector<std::uint32_t>* one :
+       {&picture.frame.owner, &picture.candidate_owner, &picture.frame.opaque_owner, &picture.panes.owner})
     check_below(*one, owners, no_owner, "holds an owner that the Program does not name");
   return picture;
 }

@@ -10,8 +10,8 @@ namespace csgsim::sim {
 
 namespace {
 
-constexpr InputKind checkpoint_input{"name a checkpoint that csgsim wrote", std::size_t{4} << 30U,
-                                     "run the Program from its beginning"};
+constexpr InputKind checkpoint_input{"a checkpoint that csgsim wrote", std::size_t{4} << 30U,
+                                     "run the Program from its beginning", true};
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void save_snapshot(const std::filesystem::path& path, const Snapshot& snapshot) 
 
 Snapshot load_snapshot(const std::filesystem::path& path, const isa::Program& program,
                        const machines::Machine& machine) {
-  const std::string text = read_file(path, checkpoint_input);
+  const std::string text = read_regular_file(path, checkpoint_input);
   return decode(std::as_bytes(std::span(text)), path.native(), program, machine);
 }
 

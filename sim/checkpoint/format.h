@@ -10,7 +10,7 @@ namespace csgsim::sim {
 
 /// What is around a Snapshot in its file.
 inline constexpr std::array<std::uint8_t, 4> snapshot_magic{'C', 'S', 'G', 'S'};
-inline constexpr std::uint8_t snapshot_version = 2;
+inline constexpr std::uint8_t snapshot_version = 3;
 inline constexpr std::size_t snapshot_checksum_size = 4;
 
 inline std::uint32_t snapshot_checksum(std::span<const std::byte> bytes) {

@@ -67,9 +67,11 @@ std::vector<std::byte> encode(const Snapshot& snapshot) {
   out.varint(words);
   for (const std::vector<std::uint64_t>& plane : run.planes) put_plane(out, plane, words);
 
-  const Frame& frame = snapshot.picture.frame;
+  const FrameObserver::Gathered& picture = snapshot.picture;
+  const Frame& frame = picture.frame;
   for (const std::vector<std::uint32_t>* values :
-       {&frame.colour, &frame.depth, &frame.owner, &snapshot.picture.candidate_owner})
+       {&frame.colour, &frame.depth, &frame.owner, &picture.candidate_owner, &frame.opaque_depth, &frame.opaque_owner,
+        &picture.panes.owner, &picture.panes.depth})
     put_pixels(out, *values);
   for_each_cost(snapshot.stats, [&](const Cost& cost) {
     for (const std::uint64_t number : {cost.instructions, cost.clocks, cost.pixel_operations, cost.enabled})

@@ -42,7 +42,8 @@ struct Snapshot {
 ///     the run                   segment, index, whether the segment's end was told, overflows, instructions skipped;
 ///                               the answers (their count, then 8 a byte); the skips (their count, then segment and
 ///                               index of each); E and every memory bit
-///     the picture               colour, depth, owner and, where there is one, the owner beside Z1
+///     the picture               colour, depth, owner and, where there is one, the owner beside Z1; where see-through
+///                               surfaces are blended, depth and owner of opaque ones, owner and depth of the others
 ///     the stats                 the costs in the order of Stats
 ///     CRC-32 of all the above   4 bytes
 ///

@@ -16,7 +16,8 @@ std::uint64_t bytes_of(const sim::Snapshot& snapshot) {
   for (const std::vector<std::uint64_t>& plane : snapshot.run.planes) bytes += plane.size() * sizeof(std::uint64_t);
   const sim::Frame& frame = snapshot.picture.frame;
   for (const std::vector<std::uint32_t>* values :
-       {&frame.colour, &frame.depth, &frame.owner, &snapshot.picture.candidate_owner})
+       {&frame.colour, &frame.depth, &frame.owner, &snapshot.picture.candidate_owner, &frame.opaque_depth,
+        &frame.opaque_owner, &snapshot.picture.panes.owner, &snapshot.picture.panes.depth})
     bytes += values->size() * sizeof(std::uint32_t);
   return bytes;
 }

@@ -25,7 +25,7 @@ constexpr long double nudge_right = 1e-9L;
 constexpr long double nudge_down = 1e-10L;
 
 /// Sine of the angle to the camera's upward direction below which +y is upwards.
-constexpr long double along_up = 1e-12L;
+constexpr long double least_sine_to_up = 1e-12L;
 
 class LongCamera {
  public:
@@ -37,7 +37,7 @@ class LongCamera {
     const LongVector view = LongVector(camera.centre) - eye_;
     forward_ = glm::normalize(view);
     const LongVector across = glm::cross(forward_, LongVector(camera.up));
-    const bool is_along = glm::length(across) <= along_up;
+    const bool is_along = glm::length(across) <= least_sine_to_up;
     right_ = glm::normalize(is_along ? glm::cross(forward_, LongVector(0, 1, 0)) : across);
     up_ = glm::cross(right_, forward_);
     const long double tangent = std::tan(std::numbers::pi_v<long double> / 16);
@@ -106,7 +106,7 @@ Window window_of(const TrueSolid& solid, const LongCamera& camera, std::uint32_t
   return {clamped(x0, width), clamped(y0, height), clamped(x1, width), clamped(y1, height)};
 }
 
-struct Event {
+struct RayEvent {
   long double depth;
   std::uint32_t primitive;
   bool enters;
@@ -130,7 +130,7 @@ Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, c
   }
   TreeSweep sweep(tree);
   std::vector<std::uint32_t> in_row;
-  std::vector<Event> events;
+  std::vector<RayEvent> events;
   for (std::uint32_t row = 0; row < height; ++row) {
     in_row.clear();
     for (std::uint32_t i = 0; i < solids.size(); ++i) {
@@ -147,9 +147,10 @@ Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, c
         events.push_back({in.low, i, true});
         events.push_back({in.high, i, false});
       }
-      std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.depth < b.depth; });
-      const Event* seen = first_seen(sweep, std::span<const Event>(events),
-                                     [&](const Event& a, const Event& b) { return view.same_depth(a.depth, b.depth); });
+      std::sort(events.begin(), events.end(), [](const RayEvent& a, const RayEvent& b) { return a.depth < b.depth; });
+      const RayEvent* seen =
+          first_seen(sweep, std::span<const RayEvent>(events),
+                     [&](const RayEvent& a, const RayEvent& b) { return view.same_depth(a.depth, b.depth); });
       if (seen == nullptr) continue;
       const std::size_t pixel = static_cast<std::size_t>(row) * width + column;
       truth.distance[pixel] = static_cast<double>(seen->depth);

@@ -6,11 +6,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "sim/judges/infinity.h"
+
 namespace csgsim::judges {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr PlaceRect no_places{infinity, infinity, -infinity, -infinity};
 
 /// Two pixels, in places.

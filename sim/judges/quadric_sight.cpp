@@ -3,14 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/judges/infinity.h"
+
 namespace csgsim::judges {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Rounding of six coefficients, each a quotient, and of their sum stays below this part of the sum of their sizes.
-constexpr double filter_part = 0x1p-48;
+constexpr double quadric_filter_part = 0x1p-48;
 
 using Rows = std::array<Vector, 3>;
 using Form = std::array<Dyadic, 6>;
@@ -124,7 +124,7 @@ double QuadricSight::size_over_picture(const FilterQuadratic& of) const {
 FilterQuadratic QuadricSight::filter(const ExactQuadratic& from, double over) const {
   FilterQuadratic to{from.c.approximately() / over,  from.x.approximately() / over,  from.y.approximately() / over,
                      from.xx.approximately() / over, from.xy.approximately() / over, from.yy.approximately() / over};
-  to.error = filter_part * size_over_picture(to) + std::numeric_limits<double>::min();
+  to.error = quadric_filter_part * size_over_picture(to) + std::numeric_limits<double>::min();
   if (std::isfinite(to.error) && std::isfinite(over) && std::abs(over) >= std::numeric_limits<double>::min()) return to;
   return {0, 0, 0, 0, 0, 0, infinity};
 }
@@ -206,7 +206,7 @@ Estimate QuadricSight::estimate(Sheet sheet, Place place) const {
   // sqrt(s) - sqrt(s - e) <= e / sqrt(s).
   if (square > 2.0 * error) {
     const double root = std::sqrt(square);
-    return {middle + side * root, 2.0 * (quadric.middle.error + error / root + filter_part * root)};
+    return {middle + side * root, 2.0 * (quadric.middle.error + error / root + quadric_filter_part * root)};
   }
   return {middle, 2.0 * (quadric.middle.error + std::sqrt(3.0 * error))};
 }

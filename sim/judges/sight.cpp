@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/judges/infinity.h"
+
 namespace csgsim::judges {
 
 namespace {
@@ -74,7 +76,6 @@ SightPlane Sight::make_filter(std::uint32_t index) const {
       filter_part * (std::abs(plane.c) + std::abs(plane.a) * camera_.width + std::abs(plane.b) * camera_.height) +
       std::numeric_limits<double>::min();
   if (!std::isfinite(plane.error) || std::abs(k) < std::numeric_limits<double>::min()) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     plane = {0, 0, 0, infinity, infinity, plane.role};
   }
   return plane;

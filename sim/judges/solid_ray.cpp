@@ -11,9 +11,9 @@ namespace csgsim::judges {
 
 namespace {
 
-constexpr long double infinity = std::numeric_limits<long double>::infinity();
-constexpr Interval everywhere{-infinity, infinity};
-constexpr Interval nowhere{infinity, -infinity};
+constexpr long double endless = std::numeric_limits<long double>::infinity();
+constexpr Interval everywhere{-endless, endless};
+constexpr Interval nowhere{endless, -endless};
 
 Interval common(const Interval& a, const Interval& b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
 
@@ -21,7 +21,7 @@ Interval common(const Interval& a, const Interval& b) { return {std::max(a.low, 
 Interval below_zero(long double slope, long double value) {
   if (slope == 0) return value < 0 ? everywhere : nowhere;
   const long double root = -value / slope;
-  return slope > 0 ? Interval{-infinity, root} : Interval{root, infinity};
+  return slope > 0 ? Interval{-endless, root} : Interval{root, endless};
 }
 
 Interval slab(long double low, long double high, long double origin, long double direction) {
@@ -38,8 +38,8 @@ Interval below_zero(long double a, long double b, long double c, const Interval&
   const long double sum = -(b + std::copysign(std::sqrt(discriminant), b));
   const auto [low, high] = std::minmax({sum / a, sum != 0 ? c / sum : 0.0L});
   if (a > 0) return common({low, high}, within);
-  const Interval before = common({-infinity, low}, within);
-  const Interval behind = common({high, infinity}, within);
+  const Interval before = common({-endless, low}, within);
+  const Interval behind = common({high, endless}, within);
   return before.high - before.low > behind.high - behind.low ? before : behind;
 }
 

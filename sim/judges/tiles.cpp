@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/judges/infinity.h"
+
 namespace csgsim::judges {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A rectangle of places: its middle and half its sides.
 struct Middle {

@@ -52,7 +52,7 @@ void check_depth_format(const std::filesystem::path& path) {
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
   std::vector<std::uint8_t> pixels;
   pixels.reserve(frame.colour.size() * 3);
-  const unsigned bits = isa::field_of(program, isa::FieldRole::colour).width;
+  const unsigned bits = program.colour.width;
   for (const std::uint32_t colour : frame.colour) {
     const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
     pixels.insert(pixels.end(), channels.begin(), channels.end());

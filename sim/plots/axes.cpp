@@ -87,10 +87,11 @@ double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, cons
   return bottom + line_height + 14;
 }
 
-double room_for_y_axis(const std::vector<Tick>& ticks) {
+double room_for_y_axis(const Axis& axis, const std::vector<Tick>& ticks, double pixels) {
+  const auto lines = static_cast<double>(in_two_lines(axis.title, pixels).size());
   double widest = 0;
   for (const Tick& tick : ticks) widest = std::max(widest, text_width(tick.text));
-  return side_margin + line_height + 10 + widest + tick_gap + tick_length;
+  return side_margin + lines * line_height + 10 + widest + tick_gap + tick_length;
 }
 
 void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area) {
@@ -99,10 +100,11 @@ void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const 
     drawing.lines.push_back({{{area.left - tick_length, y}, {area.left, y}}, ink});
     drawing.texts.push_back({tick.text, {area.left - tick_length - tick_gap, y}, Anchor::right});
   }
-  drawing.texts.push_back({shortened(axis.title, area.bottom - area.top),
-                           {side_margin + line_height / 2, (area.top + area.bottom) / 2},
-                           Anchor::centre,
-                           true});
+  double x = side_margin + line_height / 2;
+  for (const std::string& line : in_two_lines(axis.title, area.bottom - area.top)) {
+    drawing.texts.push_back({line, {x, (area.top + area.bottom) / 2}, Anchor::centre, true});
+    x += line_height;
+  }
 }
 
 void add_grid(Drawing& drawing, const std::vector<Tick>& x_ticks, const Extent& x, const std::vector<Tick>& y_ticks,

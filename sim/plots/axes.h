@@ -19,7 +19,7 @@ void add_title(Drawing& drawing, const std::string& title);
 /// upright if they are names, and are left out where that is not enough. Returns where the axis ends.
 double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area);
 
-/// Ticks left of an area, and the title at the left edge of the picture.
+/// Ticks left of an area, and the title at the left edge of the picture, in two lines where one is too long.
 void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area);
 
 /// Lines across the area at the ticks of both axes, and its frame.
@@ -32,7 +32,7 @@ std::vector<Tick> ticks_of(const Axis& axis, const Extent& extent, double pixels
 /// The same for an axis below an area.
 std::vector<Tick> x_ticks_of(const Axis& axis, const Extent& extent);
 
-/// Pixels left of an area for an axis with these ticks.
-double room_for_y_axis(const std::vector<Tick>& ticks);
+/// Pixels left of an area for an axis of so many pixels upwards, with these ticks.
+double room_for_y_axis(const Axis& axis, const std::vector<Tick>& ticks, double pixels);
 
 }  // namespace csgsim::plots

@@ -46,7 +46,7 @@ Extent x_extent(const Chart& chart) {
       if (is_finite(point)) values.push_back(point.x);
     }
   }
-  return extent_of(values, chart.x.scale, false);
+  return extent_of(values, chart.x.scale, Begin::at_values);
 }
 
 Extent y_extent(const Chart& chart, std::size_t panel) {
@@ -57,7 +57,8 @@ Extent y_extent(const Chart& chart, std::size_t panel) {
       if (is_finite(point)) values.push_back(point.y);
     }
   }
-  return extent_of(values, chart.panels[panel].scale, true);
+  // What stands above a name is judged by its height.
+  return extent_of(values, chart.panels[panel].scale, chart.x.is_names ? Begin::at_zero : Begin::near_zero);
 }
 
 std::vector<Panel> panels_of(const Chart& chart) {
@@ -67,7 +68,8 @@ std::vector<Panel> panels_of(const Chart& chart) {
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
     const double top = title_height + static_cast<double>(i) * (height + between_panels);
     panels.push_back({{0, top, plot_width - right_margin, top + height}, x_extent(chart), y_extent(chart, i)});
-    left = std::max(left, room_for_y_axis(ticks_of(chart.panels[i], panels.back().y, height)));
+    const std::vector<Tick> ticks = ticks_of(chart.panels[i], panels.back().y, height);
+    left = std::max(left, room_for_y_axis(chart.panels[i], ticks, height));
   }
   for (Panel& panel : panels) panel.area.left = left;
   return panels;

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "sim/plots/common_looks.h"
 
 namespace csgsim::plots {
 
@@ -30,20 +33,28 @@ std::vector<Name> names_of(const Chart& chart) {
   return names;
 }
 
-/// The names that get colours, in the order of the chart.
-std::vector<const Series*> chosen(std::vector<Name> names) {
-  if (names.size() > palette::most_series) {
-    std::vector<Name> sorted = names;
-    std::ranges::stable_sort(sorted, std::ranges::greater(), &Name::largest);
-    sorted.resize(palette::most_series);
-    std::erase_if(names, [&](const Name& name) {
-      return std::ranges::none_of(sorted, [&](const Name& one) { return one.first == name.first; });
-    });
-  }
-  std::vector<const Series*> series;
-  series.reserve(names.size());
-  for (const Name& name : names) series.push_back(name.first);
-  return series;
+/// Those with the largest values first, where there are more than colours.
+void move_chosen_to_front(std::vector<Name>& names) {
+  if (names.size() <= palette::most_series) return;
+  std::vector<Name> sorted = names;
+  std::ranges::stable_sort(sorted, std::ranges::greater(), &Name::largest);
+  sorted.resize(palette::most_series);
+  std::stable_partition(names.begin(), names.end(), [&](const Name& name) {
+    return std::ranges::any_of(sorted, [&](const Name& one) { return one.first == name.first; });
+  });
+}
+
+/// How each name looks: as all charts that belong together have it, or by itself.
+Looks places_of(const Chart& chart) {
+  if (!chart.looks.empty()) return chart.looks;
+  const std::array<Names, 1> alone{names_by_choice(chart)};
+  return common_looks(alone, palette::most_series, palette::most_series);
+}
+
+/// `least` is the largest value of the least of those that have colours.
+std::string others_text(const std::vector<Name>& others, double least, const std::string& table) {
+  const bool are_smaller = std::ranges::all_of(others, [&](const Name& one) { return one.largest <= least; });
+  return fmt::format("{} more{}: {}", others.size(), are_smaller ? ", with smaller values" : "", table);
 }
 
 Sample sample_of(Trace trace) {
@@ -59,28 +70,42 @@ Sample sample_of(Trace trace) {
 
 }  // namespace
 
+std::vector<std::string> names_by_choice(const Chart& chart) {
+  std::vector<Name> names = names_of(chart);
+  move_chosen_to_front(names);
+  std::vector<std::string> words;
+  words.reserve(names.size());
+  for (const Name& name : names) words.push_back(name.first->name);
+  return words;
+}
+
 SeriesLooks looks_of(const Chart& chart) {
-  const std::vector<Name> names = names_of(chart);
-  const std::vector<const Series*> coloured = chosen(names);
+  const Looks places = places_of(chart);
+  const auto look_of = [&](const std::string& name) {
+    const auto place = places.find(name);
+    return place == places.end() ? palette::background : palette::looks[place->second];
+  };
   SeriesLooks result;
-  for (const Series& series : chart.series) {
-    const auto found = std::ranges::find(coloured, series.name, [](const Series* one) { return one->name; });
-    const bool is_coloured = !series.is_background && found != coloured.end();
-    result.looks.push_back(is_coloured ? palette::looks[static_cast<std::size_t>(found - coloured.begin())]
-                                       : palette::background);
-  }
-  for (std::size_t i = 0; i < coloured.size(); ++i) {
-    if (!coloured[i]->name.empty())
-      result.key.push_back({coloured[i]->name, sample_of(coloured[i]->trace), palette::looks[i]});
+  for (const Series& series : chart.series)
+    result.looks.push_back(series.is_background ? palette::background : look_of(series.name));
+  std::vector<Name> others;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Name& name : names_of(chart)) {
+    const std::string& words = name.first->name;
+    if (!places.contains(words)) {
+      others.push_back(name);
+      continue;
+    }
+    least = std::min(least, name.largest);
+    if (!words.empty()) result.key.push_back({words, sample_of(name.first->trace), look_of(words)});
   }
   for (const Series& series : chart.series) {
     if (series.is_background && !series.name.empty())
       result.key.push_back({series.name, sample_of(series.trace), palette::background});
   }
-  if (coloured.size() < names.size()) {
-    result.key.push_back({fmt::format("{} more, with smaller values: {}", names.size() - coloured.size(), chart.table),
-                          sample_of(coloured.front()->trace), palette::background});
-  }
+  if (!others.empty())
+    result.key.push_back(
+        {others_text(others, least, chart.table), sample_of(others.front().first->trace), palette::background});
   return result;
 }
 

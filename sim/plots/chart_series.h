@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim/plots/key.h"
@@ -12,6 +13,10 @@ struct SeriesLooks {
   std::vector<palette::Look> looks;  ///< of each series
   std::vector<KeyEntry> key;
 };
+
+/// Names of series, without those behind the others: first those that get colours where the chart stands alone, in its
+/// order, then the others.
+std::vector<std::string> names_by_choice(const Chart& chart);
 
 SeriesLooks looks_of(const Chart& chart);
 

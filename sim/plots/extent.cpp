@@ -13,7 +13,7 @@ constexpr double margin = 0.06;          ///< of the axis, on both sides
 constexpr double room_for_zero = 0.2;    ///< of the axis, below the least positive value
 constexpr double place_of_zero = 0.05;   ///< along the axis
 constexpr double logarithmic_from = 20;  ///< times the least positive value
-constexpr double near_zero = 0.4;        ///< times the greatest value
+constexpr double near_greatest = 0.4;    ///< times the greatest value
 constexpr double least_shown = 1e-250;   ///< on a logarithmic axis, so that there is room below
 constexpr double largest_shown = 1e250;  ///< larger values lie on the edge, where differences are doubles still
 
@@ -22,13 +22,19 @@ bool is_logarithmic(std::span<const double> values, double least_positive, Scale
   return scale == Scale::logarithmic || *std::ranges::max_element(values) / least_positive >= logarithmic_from;
 }
 
-Extent linear_extent(double least, double most, bool from_zero) {
+bool begins_at_zero(double least, double most, Begin begin) {
+  if (least < 0 || begin == Begin::at_values) return false;
+  return begin == Begin::at_zero || least == 0 || least < near_greatest * most;
+}
+
+Extent linear_extent(double least, double most, Begin begin) {
+  const bool from_zero = begins_at_zero(least, most, begin);
   if (least == most) {
     const double room = least == 0 ? 1 : std::abs(least) / 10;
-    return {from_zero && least == 0 ? 0 : least - room, most + room};
+    return {from_zero ? 0 : least - room, most + room};
   }
-  const double room = (most - least) * margin;
-  if (from_zero && least >= 0 && least < near_zero * most) return {0, most + room};
+  const double room = (from_zero && begin == Begin::at_zero ? most : most - least) * margin;
+  if (from_zero) return {0, most + room};
   return {least - room, most + room};
 }
 
@@ -54,7 +60,7 @@ std::vector<Tick> Extent::ticks(unsigned most, bool is_whole) const {
   return ticks;
 }
 
-Extent extent_of(std::span<const double> values, Scale scale, bool from_zero) {
+Extent extent_of(std::span<const double> values, Scale scale, Begin begin) {
   std::vector<double> finite;
   double least_positive = 0;
   for (const double value : values) {
@@ -67,7 +73,7 @@ Extent extent_of(std::span<const double> values, Scale scale, bool from_zero) {
   const auto [least, most] = std::ranges::minmax(finite);
   if (is_logarithmic(finite, least_positive, scale))
     return logarithmic_extent(least_positive, std::max(most, least_positive), least == 0);
-  return linear_extent(least, most, from_zero);
+  return linear_extent(least, most, begin);
 }
 
 }  // namespace csgsim::plots

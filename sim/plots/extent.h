@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,14 @@ struct Extent {
   [[nodiscard]] std::vector<Tick> ticks(unsigned most, bool is_whole = false) const;
 };
 
-/// Room for all finite values, with a margin. Counts (`from_zero`) that come near 0 begin there.
-Extent extent_of(std::span<const double> values, Scale scale, bool from_zero);
+/// Where a linear axis of values of 0 or more begins.
+enum class Begin : std::uint8_t {
+  at_values,  ///< a little below the least
+  near_zero,  ///< at 0, where values come near it; else a little below the least
+  at_zero,
+};
+
+/// Room for all finite values, with a margin.
+Extent extent_of(std::span<const double> values, Scale scale, Begin begin);
 
 }  // namespace csgsim::plots

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -16,7 +16,9 @@
 #include "hw/base/memory_file.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "sim/plots/glyphs.h"
 #include "sim/plots/layout.h"
+#include "sim/plots/program_limits.h"
 #include "sim/plots/text_size.h"
 
 namespace csgsim::plots {
@@ -33,11 +35,12 @@ struct Terminal {
   std::string_view font;
   double font_unit;
   std::string_view last;
+  bool has_letters;  ///< letters are drawn with the fonts of this machine, not by who shows the file
 };
 
 constexpr std::array terminals{
-    Terminal{".png", "pngcairo", "sans", points_a_pixel, std::string_view("IEND\xae\x42\x60\x82", 8)},
-    Terminal{".svg", "svg background 'white'", "sans-serif", 1, "</svg>"},
+    Terminal{".png", "pngcairo", "sans", points_a_pixel, std::string_view("IEND\xae\x42\x60\x82", 8), true},
+    Terminal{".svg", "svg background 'white'", "sans-serif", 1, "</svg>", false},
 };
 
 /// But for line breaks at its end.
@@ -101,11 +104,18 @@ std::string message_of(const std::string& said) {
   return "";
 }
 
-std::string why(int status, const std::string& said) {
-  if (WIFSIGNALED(status)) return fmt::format("it was ended by a signal: {}", ::strsignal(WTERMSIG(status)));
-  const std::string message = message_of(said);
+std::string why(const ChildEnd& end) {
+  if (end.exceeded != Exceeded::nothing || WIFSIGNALED(end.status)) return why_failed(end, program_limits);
+  const std::string message = message_of(end.errors);
   if (!message.empty()) return "it says: " + message;
-  return status == 0 ? "its picture is not whole" : fmt::format("it ended with {}", WEXITSTATUS(status));
+  return end.status == 0 ? "its picture is not whole" : fmt::format("it ended with {}", WEXITSTATUS(end.status));
+}
+
+/// What the terminal can show of a drawing.
+Drawing shown_by(const Terminal& terminal, Drawing drawing) {
+  if (!terminal.has_letters) return drawing;
+  for (Text& text : drawing.texts) text.text = with_glyphs(text.text);
+  return drawing;
 }
 
 }  // namespace
@@ -145,23 +155,20 @@ Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing) {
   const auto* const terminal =
       std::ranges::find_if(terminals, [&](const Terminal& one) { return file.native().ends_with(one.ending); });
   MemoryFile input(file);
-  const MemoryFile output(file);
-  const MemoryFile errors(file);
   input.write(fmt::format("set encoding utf8\nset terminal {} size {:.0f},{:.0f} font '{},{}'\nset output\n{}",
                           terminal->name, drawing.width, drawing.height, terminal->font,
-                          font_size * terminal->font_unit, script_of(drawing)));
+                          font_size * terminal->font_unit, script_of(shown_by(*terminal, drawing))));
   const std::array<std::string, 2> words{"gnuplot", "-d"};  // no settings of its user's
-  const std::optional<int> status = run_child(words, {input, output, errors});
-  if (!status)
+  std::optional<ChildEnd> ended = run_child(words, input, program_limits);
+  if (!ended)
     throw InputError(file.native() +
                      ": gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
-  Drawn drawn{output.content(), errors.content()};
-  if (*status != 0 || !is_whole(drawn.picture, *terminal)) {
+  if (!is_done(*ended) || !is_whole(ended->output, *terminal)) {
     throw InputError(
         fmt::format("{}: gnuplot did not draw; {} (package gnuplot-nox draws this; --no-plots does without)",
-                    file.native(), why(*status, drawn.said)));
+                    file.native(), why(*ended)));
   }
-  return drawn;
+  return {std::move(ended->output), std::move(ended->errors)};
 }
 
 std::vector<std::filesystem::path> draw(const std::vector<Plot>& plots, const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -56,15 +57,19 @@ struct Series {
   bool is_background = false;  ///< grey, behind the others
 };
 
+/// Places in `palette::looks` of names of series.
+using Looks = std::map<std::string, std::size_t>;
+
 /// Panels one above the other, over one x axis. At most `palette::most_series` names are in colours and in the key:
 /// those with the largest values in the first panel that they are in; the others are grey, and the key says how many,
-/// and where they are told.
+/// and where they are told. Of charts that belong together (common_looks.h) `looks` says which names are in colours.
 struct Chart {
   std::string title;
   Axis x;
   std::vector<Axis> panels;
   std::vector<Series> series;
   std::string table;  ///< file that has all of it
+  Looks looks{};
 };
 
 /// A stretch of a bar.

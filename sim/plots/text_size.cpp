@@ -10,6 +10,7 @@
 #include <set>
 
 #include "hw/base/text.h"
+#include "sim/plots/characters.h"
 
 namespace csgsim::plots {
 
@@ -25,12 +26,12 @@ constexpr std::array<std::uint8_t, 95> ascii_widths{
     64, 28, 28, 58, 28, 98, 64, 62,  64,  64, 42, 53, 40, 64, 60, 82, 60, 60, 53, 64, 34, 64, 84};
 
 /// Characters up to `last`, and the widest of them.
-struct Range {
+struct WidthRange {
   char32_t last;
   double width;
 };
 
-constexpr auto ranges = std::to_array<Range>({
+constexpr auto widths = std::to_array<WidthRange>({
     {0x00b6, 1.05},
     {0x00b7, 0.34},  // the middle dot of powers of ten
     {0x01c3, 1.05},
@@ -53,27 +54,7 @@ constexpr auto ranges = std::to_array<Range>({
 
 double width_of(char32_t character) {
   if (character >= 0x20 && character < 0x7f) return ascii_widths[character - 0x20] / 100.0;
-  return std::ranges::find_if(ranges, [&](const Range& range) { return character <= range.last; })->width;
-}
-
-std::size_t bytes_of(char first) {
-  const auto byte = static_cast<unsigned char>(first);
-  return byte < 0xc0 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
-}
-
-/// The characters of a printable text, each as its bytes.
-std::vector<std::string_view> characters_of(std::string_view text) {
-  std::vector<std::string_view> characters;
-  for (std::size_t i = 0; i < text.size(); i += characters.back().size())
-    characters.push_back(text.substr(i, bytes_of(text[i])));
-  return characters;
-}
-
-char32_t decoded(std::string_view character) {
-  constexpr std::array<unsigned char, 5> masks{0, 0x7f, 0x1f, 0x0f, 0x07};
-  auto code = static_cast<char32_t>(static_cast<unsigned char>(character.front()) & masks[character.size()]);
-  for (const char byte : character.substr(1)) code = code << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
-  return code;
+  return std::ranges::find_if(widths, [&](const WidthRange& range) { return character <= range.last; })->width;
 }
 
 /// As many characters from both ends as fit, with something between them.
@@ -98,13 +79,23 @@ double text_width(std::string_view text) {
   double width = 0;
   // Fonts that are hinted advance by whole pixels.
   for (const std::string_view character : characters_of(text))
-    width += std::ceil(font_size * width_of(decoded(character)));
+    width += std::ceil(font_size * width_of(code_point(character)));
   return width;
 }
 
 std::string shortened(std::string_view text, double width) {
   std::string shown = printable(text);
   return text_width(shown) <= width ? shown : without_middle(shown, width, ellipsis);
+}
+
+std::vector<std::string> in_two_lines(std::string_view text, double width) {
+  const std::string shown = printable(text);
+  if (text_width(shown) <= width) return {shown};
+  std::size_t cut = shown.rfind(' ');
+  while (cut != std::string::npos && cut > 0 && text_width(std::string_view(shown).substr(0, cut)) > width)
+    cut = shown.rfind(' ', cut - 1);
+  if (cut == std::string::npos || cut == 0) return {shortened(shown, width)};
+  return {shown.substr(0, cut), shortened(shown.substr(cut + 1), width)};
 }
 
 std::vector<std::string> shortened(const std::vector<std::string>& texts, double width) {

@@ -14,18 +14,18 @@ namespace csgsim::report {
 
 namespace {
 
-constexpr PointColumn columns[] = {{"memory_bits", "memory bits"},
-                                   {"z_bits", "z bits"},
-                                   {"fraction_bits", "fraction bits"},
-                                   {"colour_bits", "colour bits"},
-                                   {"colour_error", "colour error of 255"},
-                                   {"strategy", "strategy"},
-                                   {"stack_bits", "stack bits"},
-                                   {"colouring", "colouring"},
-                                   {"alu_bits", "ALU bits"},
-                                   {"clocks", "clocks"},
-                                   {"frames_per_second", "frames a second"},
-                                   {"wrong", "wrong pixels"}};
+constexpr PointColumn advise_columns[] = {{"memory_bits", "memory bits"},
+                                          {"z_bits", "z bits"},
+                                          {"fraction_bits", "fraction bits"},
+                                          {"colour_bits", "colour bits"},
+                                          {"colour_error", "colour error of 255"},
+                                          {"strategy", "strategy"},
+                                          {"stack_bits", "stack bits"},
+                                          {"colouring", "colouring"},
+                                          {"alu_bits", "ALU bits"},
+                                          {"clocks", "clocks"},
+                                          {"frames_per_second", "frames a second"},
+                                          {"wrong", "wrong pixels"}};
 
 Table wishes_table(const Json& data) {
   constexpr std::pair<const char*, const char*> rows[] = {{"memory bits a pixel, at most", "/wishes/max_bits"},
@@ -53,12 +53,12 @@ Cell name_of(const Json& data, const std::string& at) {
 
 Table recommendations_table(const Json& data) {
   Table table{"The best by each wish", {"best by", "meets all wishes", "misses its own by"}, {}};
-  for (const PointColumn& column : columns) table.columns.emplace_back(column.title);
+  for (const PointColumn& column : advise_columns) table.columns.emplace_back(column.title);
   for (const std::string& at : recommended(data)) {
     const bool is_nearest = at == "/nearest";
     Row row{name_of(data, at), is_nearest ? cell(data, "/meets_all") : cell(data, at + "/meets_all"),
             is_nearest ? Cell{} : cell(data, at + "/missed_by")};
-    for (const PointColumn& column : columns) row.push_back(cell(data, at + "/point/" + column.key));
+    for (const PointColumn& column : advise_columns) row.push_back(cell(data, at + "/point/" + column.key));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -98,7 +98,7 @@ Page advise_page(const Json& file, const plots::Plot& front, std::vector<Picture
   Section chosen = plots_section({&front, 1});
   chosen.title = "Front";
   chosen.parts.emplace_back(
-      points_table(data, "/front", "Choices that no other beats, fewest memory bits first", columns));
+      points_table(data, "/front", "Choices that no other beats, fewest memory bits first", advise_columns));
   page.sections.push_back(std::move(chosen));
   end_page(page, study);
   return page;

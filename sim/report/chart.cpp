@@ -13,7 +13,7 @@ namespace csgsim::report {
 namespace {
 
 Axis axis_of(const plots::Axis& axis, std::span<const double> values) {
-  Axis shown{axis.title, plots::extent_of(values, axis.scale, false).is_logarithmic};
+  Axis shown{axis.title, plots::extent_of(values, axis.scale, plots::Begin::at_values).is_logarithmic};
   if (axis.is_names)
     for (const plots::Tick& tick : axis.ticks) shown.names.push_back(tick.text);
   return shown;

@@ -7,7 +7,7 @@ namespace csgsim::report {
 namespace {
 
 constexpr unsigned varint_bits = 7;
-constexpr unsigned char more = 0x80U;
+constexpr unsigned char more_follow = 0x80U;
 
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -22,8 +22,8 @@ std::size_t run_end(std::size_t begin, std::size_t end, Value value) {
 }  // namespace
 
 void put_varint(std::uint64_t number, std::string& bytes) {
-  while (number >= more) {
-    bytes.push_back(static_cast<char>((number & (more - 1U)) | more));
+  while (number >= more_follow) {
+    bytes.push_back(static_cast<char>((number & (more_follow - 1U)) | more_follow));
     number >>= varint_bits;
   }
   bytes.push_back(static_cast<char>(number));
@@ -34,8 +34,8 @@ std::uint64_t take_varint(std::string_view& bytes) {
   for (unsigned shift = 0;; shift += varint_bits) {
     const auto byte = static_cast<unsigned char>(bytes.front());
     bytes.remove_prefix(1);
-    number |= static_cast<std::uint64_t>(byte & (more - 1U)) << shift;
-    if ((byte & more) == 0) return number;
+    number |= static_cast<std::uint64_t>(byte & (more_follow - 1U)) << shift;
+    if ((byte & more_follow) == 0) return number;
   }
 }
 

@@ -10,7 +10,8 @@ namespace csgsim::report {
 namespace {
 
 std::string machine_of(const Json& point) { return point["machine"].get<std::string>(); }
-double milliseconds(const Json& point) { return point["seconds"].get<double>() * 1e3; }
+double drawing_ms(const Json& point) { return point["seconds"].get<double>() * 1e3; }
+double interval_ms(const Json& point) { return 1e3 / point["frames_per_second"].get<double>(); }
 double pixels(const Json& point) { return point["width"].get<double>() * point["height"].get<double>(); }
 
 std::string picture_of(const Json& point) {
@@ -18,15 +19,24 @@ std::string picture_of(const Json& point) {
          " half-spaces";
 }
 
+bool has_interval(const Json& point) {
+  return point["frames_per_second"].is_number() && point["frames_per_second"].get<double>() > 0;
+}
+
 /// Lines against a number that varies, from its least value up; nothing where it does not.
-void add_plot(std::vector<Json> points, const std::string& title, double (*against)(const Json&),
-              std::vector<Part>& parts) {
+void add_plots(std::vector<Json> points, const std::string& title, double (*against)(const Json&),
+               std::vector<Part>& parts) {
+  std::erase_if(points, [](const Json& point) { return !has_interval(point); });
   std::stable_sort(points.begin(), points.end(), [&](const Json& a, const Json& b) { return against(a) < against(b); });
   if (points.empty() || against(points.front()) == against(points.back())) return;
-  parts.emplace_back(Plot{"Time of a frame against " + title,
-                          {title, true},
-                          {"time of a frame, ms", true},
-                          series_of(points, {against, milliseconds, machine_of, picture_of})});
+  const auto add = [&](const std::string& what, const std::string& axis, double (*time)(const Json&)) {
+    parts.emplace_back(Plot{what + " against " + title,
+                            {title, true},
+                            {axis, true},
+                            series_of(points, {against, time, machine_of, picture_of})});
+  };
+  add("Time from frame to frame", "from frame to frame, ms", interval_ms);
+  add("Time of drawing alone", "drawing alone, ms", drawing_ms);
 }
 
 double halfspaces(const Json& point) { return point["halfspaces"].get<double>(); }
@@ -49,21 +59,21 @@ Table worth_table(const Json& data) {
   return table;
 }
 
-constexpr PointColumn columns[] = {{"machine", "machine"},
-                                   {"width", "pixels a row"},
-                                   {"height", "rows"},
-                                   {"fragments", "$fn, 0: the model's own"},
-                                   {"ideal", "ideal"},
-                                   {"halfspaces", "half-spaces"},
-                                   {"clocks", "clocks"},
-                                   {"seconds", "seconds"},
-                                   {"frames_per_second", "frames a second"},
-                                   {"pixel_operations", "pixel operations"},
-                                   {"processors", "processors"},
-                                   {"processor_clocks", "processor clocks"},
-                                   {"memory_bits", "memory bits"},
-                                   {"transistors", "transistors"},
-                                   {"utilisation", "used", Show::share}};
+constexpr PointColumn compare_columns[] = {{"machine", "machine"},
+                                           {"width", "pixels a row"},
+                                           {"height", "rows"},
+                                           {"fragments", "$fn, 0: the model's own"},
+                                           {"ideal", "ideal"},
+                                           {"halfspaces", "half-spaces"},
+                                           {"clocks", "clocks"},
+                                           {"seconds", "seconds of drawing"},
+                                           {"frames_per_second", "frames a second"},
+                                           {"pixel_operations", "pixel operations"},
+                                           {"processors", "processors"},
+                                           {"processor_clocks", "processor clocks"},
+                                           {"memory_bits", "memory bits"},
+                                           {"transistors", "transistors"},
+                                           {"utilisation", "used", Show::share}};
 
 }  // namespace
 
@@ -87,11 +97,11 @@ Page compare_page(const Json& file, const StudyContext& study) {
       if (point["width"] == base["width"] && point["height"] == base["height"]) of_base.push_back(point);
       if (point["fragments"] == 0) own_facets.push_back(point);
     }
-    add_plot(std::move(of_base), "half-spaces of the model", halfspaces, growth.parts);
-    add_plot(std::move(own_facets), "pixels of the picture", pixels, growth.parts);
+    add_plots(std::move(of_base), "half-spaces of the model", halfspaces, growth.parts);
+    add_plots(std::move(own_facets), "pixels of the picture", pixels, growth.parts);
     if (!growth.parts.empty()) page.sections.push_back(std::move(growth));
   }
-  page.sections.push_back({"Points", {points_table(data, "/points", "All that was measured", columns)}});
+  page.sections.push_back({"Points", {points_table(data, "/points", "All that was measured", compare_columns)}});
   end_page(page, study);
   return page;
 }

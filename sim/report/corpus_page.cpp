@@ -10,25 +10,25 @@ namespace csgsim::report {
 
 namespace {
 
-constexpr PointColumn columns[] = {{"model", "model"},
-                                   {"machine", "machine"},
-                                   {"primitives", "primitives"},
-                                   {"pieces", "pieces"},
-                                   {"halfspaces", "half-spaces"},
-                                   {"clocks", "clocks"},
-                                   {"frames_per_second", "frames a second"},
-                                   {"bound_by", "bound by"},
-                                   {"setup", "setup"},
-                                   {"render", "render"},
-                                   {"classify", "classify"},
-                                   {"stack", "stack"},
-                                   {"merge", "merge"},
-                                   {"shade", "shade"},
-                                   {"effect", "effect"},
-                                   {"latency", "latency"},
-                                   {"pixel_operations", "pixel operations"},
-                                   {"enabled", "of these enabled"},
-                                   {"used_bits", "memory bits"}};
+constexpr PointColumn corpus_columns[] = {{"model", "model"},
+                                          {"machine", "machine"},
+                                          {"primitives", "primitives"},
+                                          {"pieces", "pieces"},
+                                          {"halfspaces", "half-spaces"},
+                                          {"clocks", "clocks"},
+                                          {"frames_per_second", "frames a second"},
+                                          {"bound_by", "bound by"},
+                                          {"setup", "setup"},
+                                          {"render", "render"},
+                                          {"classify", "classify"},
+                                          {"stack", "stack"},
+                                          {"merge", "merge"},
+                                          {"shade", "shade"},
+                                          {"effect", "effect"},
+                                          {"latency", "latency"},
+                                          {"pixel_operations", "pixel operations"},
+                                          {"enabled", "of these enabled"},
+                                          {"used_bits", "memory bits"}};
 
 constexpr std::pair<const char*, const char*> marks[] = {{"minimum", "minimum"}, {"first_quartile", "first quartile"},
                                                          {"median", "median"},   {"third_quartile", "third quartile"},
@@ -58,7 +58,8 @@ Page corpus_page(const Json& file, std::span<const plots::Plot> plots, const Stu
   for (const auto& [machine, counts] : page.data["distributions"].items())
     distributions.parts.emplace_back(distribution_table(page.data, machine));
   page.sections.push_back(std::move(distributions));
-  page.sections.push_back({"Points", {points_table(page.data, "/points", "Each model on each machine", columns)}});
+  page.sections.push_back(
+      {"Points", {points_table(page.data, "/points", "Each model on each machine", corpus_columns)}});
   end_page(page, study);
   return page;
 }

@@ -89,7 +89,7 @@ class Recorder {
       : program_(program),
         run_(sim::make_functional_engine(machine)->begin(program)),
         numbers_(program),
-        colour_(isa::field_of(program, isa::FieldRole::colour)),
+        colour_(program.colour),
         progress_([this](std::uint32_t segment, const sim::PixelState& state) { look(segment, state); }) {
     drawing_.every =
         std::max(1U, (std::max(program.shape.width, program.shape.height) + limits.side - 1) / limits.side);

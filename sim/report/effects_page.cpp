@@ -8,13 +8,13 @@ namespace csgsim::report {
 
 namespace {
 
-constexpr PointColumn columns[] = {{"effect", "effect"},
-                                   {"clocks", "clocks billed"},
-                                   {"instructions", "instructions"},
-                                   {"pixel_operations", "pixel operations"},
-                                   {"alone_clocks", "clocks it adds alone"},
-                                   {"together_clocks", "clocks spared without it"},
-                                   {"bits", "memory bits spared without it"}};
+constexpr PointColumn effects_columns[] = {{"effect", "effect"},
+                                           {"clocks", "clocks billed"},
+                                           {"instructions", "instructions"},
+                                           {"pixel_operations", "pixel operations"},
+                                           {"alone_clocks", "clocks it adds alone"},
+                                           {"together_clocks", "clocks spared without it"},
+                                           {"bits", "memory bits spared without it"}};
 
 Table frame_table(const Json& data) {
   constexpr std::pair<const char*, const char*> rows[] = {
@@ -51,9 +51,9 @@ Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyCo
   Page page = begun_page("What effects cost: " + study.model, file, study);
   page.sections.push_back({"Pictures", {Gallery{std::move(pictures)}}});
   const std::vector<Json> effects(page.data["effects"].begin(), page.data["effects"].end());
-  page.sections.push_back(
-      {"Bill",
-       {points_table(page.data, "/effects", "Each effect", columns), bill_plot(effects), frame_table(page.data)}});
+  page.sections.push_back({"Bill",
+                           {points_table(page.data, "/effects", "Each effect", effects_columns), bill_plot(effects),
+                            frame_table(page.data)}});
   end_page(page, study);
   return page;
 }

@@ -80,9 +80,11 @@ std::string json_script(const std::string& id, const Json& json) {
 /// Writes parts, and takes down what page.js needs of them.
 class Writer {
  public:
+  explicit Writer(const Page& page) : looks_(page_looks(page)) {}
+
   std::string operator()(const Paragraph& paragraph) { return "<p>" + html_text(paragraph.text) + "</p>\n"; }
   std::string operator()(const Table& table) { return table_html(table); }
-  std::string operator()(const Plot& plot) { return plot_html(plot, fmt::format("plot-{}", ++plots_)); }
+  std::string operator()(const Plot& plot) { return plot_html(plot, fmt::format("plot-{}", ++plots_), looks_); }
   std::string operator()(const Gallery& gallery) { return gallery_html(gallery); }
   std::string operator()(const OwnerPicture& owners) {
     scripts_ += json_script("owners-data", owners_json(owners));
@@ -96,6 +98,7 @@ class Writer {
   [[nodiscard]] const std::string& scripts() const { return scripts_; }
 
  private:
+  plots::Looks looks_;
   std::size_t plots_ = 0;
   std::string scripts_;
 };
@@ -110,7 +113,7 @@ std::string contents_html(const Page& page) {
 }  // namespace
 
 std::string to_html(const Page& page) {
-  Writer writer;
+  Writer writer(page);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta http-equiv=Content-Security-Policy "
       "content=\"{}\">\n<meta name=viewport content=\"width=device-width, initial-scale=1\">\n<meta name=color-scheme "

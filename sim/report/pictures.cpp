@@ -30,7 +30,7 @@ Picture encoded(const sim::Frame& frame, const std::vector<std::uint32_t>& pixel
 }  // namespace
 
 Picture picture_of(const sim::Frame& frame, const isa::Program& program, std::string caption, std::string alt) {
-  const unsigned bits = isa::field_of(program, isa::FieldRole::colour).width;
+  const unsigned bits = program.colour.width;
   Picture picture =
       encoded(frame, frame.colour, [bits](std::uint32_t packed) { return isa::unpack_colour(packed, bits); });
   picture.caption = std::move(caption);

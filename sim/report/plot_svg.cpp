@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <variant>
 #include <vector>
 
+#include "sim/plots/common_looks.h"
 #include "sim/plots/palette.h"
 #include "sim/report/html.h"
 #include "sim/report/number_text.h"
@@ -88,6 +90,12 @@ std::string style_of(std::size_t index) {
   return fmt::format("s{} d{}", index % plots::palette::most_series, form_of(index));
 }
 
+/// The place of a line's look.
+std::size_t look_of(const Plot& plot, std::size_t index, const plots::Looks& looks) {
+  const auto known = looks.find(plot.series[index].name);
+  return known == looks.end() ? index : known->second;
+}
+
 /// What joins points at these places of the picture.
 std::string trace_path(plots::Trace trace, const std::vector<Place>& places, const Frame& frame) {
   if (trace == plots::Trace::marks) return "";
@@ -140,8 +148,8 @@ std::string grid_svg(const Plot& plot, const Scale& x, const Scale& y, const Fra
   return svg + title_svg(plot.x.title, frame);
 }
 
-std::string series_svg(const Plot& plot, std::size_t index, const Scale& x, const Scale& y, const Frame& frame) {
-  const Series& series = plot.series[index];
+std::string series_svg(const Plot& plot, const Series& series, std::size_t look, const Scale& x, const Scale& y,
+                       const Frame& frame) {
   std::vector<Place> places;
   std::string points;
   for (const Point& point : series.points) {
@@ -149,14 +157,14 @@ std::string series_svg(const Plot& plot, std::size_t index, const Scale& x, cons
     const double py = frame.bottom - y.at(point.y) * (frame.bottom - frame.top);
     places.push_back({px, py});
     points += fmt::format("<g class=pt><title>{}</title><use href=\"#m{}\" x={:.1f} y={:.1f} /></g>",
-                          html_text(tip_of(plot, series, point)), form_of(index), px, py);
+                          html_text(tip_of(plot, series, point)), form_of(look), px, py);
   }
   const std::string path = places.empty() ? "" : trace_path(series.trace, places, frame);
   const std::string joined = path.empty() ? "" : fmt::format("<path class=line d=\"{}\"/>", path);
-  return fmt::format("<g class=\"series {}\">{}{}</g>", style_of(index), joined, points);
+  return fmt::format("<g class=\"series {}\">{}{}</g>", style_of(look), joined, points);
 }
 
-std::string svg_of(const Plot& plot, const Layout& layout) {
+std::string svg_of(const Plot& plot, const Layout& layout, const plots::Looks& looks) {
   const std::vector<double> xs = values_of(plot.series, &Point::x);
   const std::vector<double> ys = values_of(plot.series, &Point::y);
   const Scale y(plot.y, ys, y_ticks);
@@ -169,11 +177,12 @@ std::string svg_of(const Plot& plot, const Layout& layout) {
       layout.name, layout.width, layout.height, html_text(plot.title), html_text(plot.y.title),
       html_text(plot.x.title));
   svg += grid_svg(plot, x, y, frame);
-  for (std::size_t i = 0; i < plot.series.size(); ++i) svg += series_svg(plot, i, x, y, frame);
+  for (std::size_t i = 0; i < plot.series.size(); ++i)
+    svg += series_svg(plot, plot.series[i], look_of(plot, i, looks), x, y, frame);
   return svg + "</svg>\n";
 }
 
-std::string legend_html(const Plot& plot) {
+std::string legend_html(const Plot& plot, const plots::Looks& looks) {
   if (plot.series.size() < 2) return "";
   std::string html = "<ul class=legend>";
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
@@ -181,7 +190,7 @@ std::string legend_html(const Plot& plot) {
     html += fmt::format(
         "<li><svg width=40 height=16 aria-hidden=true><g class=\"series {}\">{}<use href=\"#m{}\" x=20 y=8 "
         "/></g></svg>{}</li>",
-        style_of(i), stroke, form_of(i), html_text(plot.series[i].name));
+        style_of(look_of(plot, i, looks)), stroke, form_of(look_of(plot, i, looks)), html_text(plot.series[i].name));
   }
   return html + "</ul>\n";
 }
@@ -208,7 +217,7 @@ Table values_table(const Plot& plot) {
 
 }  // namespace
 
-std::string plot_html(const Plot& all, const std::string& id) {
+std::string plot_html(const Plot& all, const std::string& id, const plots::Looks& looks) {
   Plot plot = all;
   if (plot.series.size() > most_series) plot.series.resize(most_series);
   std::string html =
@@ -216,10 +225,25 @@ std::string plot_html(const Plot& all, const std::string& id) {
   if (all.series.size() > most_series)
     html += fmt::format("<p class=note>The first {} of {} lines; all are in the values below.</p>\n", most_series,
                         all.series.size());
-  html += legend_html(plot);
-  for (const Layout& layout : layouts) html += svg_of(plot, layout);
+  html += legend_html(plot, looks);
+  for (const Layout& layout : layouts) html += svg_of(plot, layout, looks);
   return html + "<details><summary>The values of this plot</summary>\n" + table_html(values_table(all)) +
          "</details>\n</figure>\n";
+}
+
+plots::Looks page_looks(const Page& page) {
+  std::vector<plots::Names> names;
+  for (const Section& section : page.sections) {
+    for (const Part& part : section.parts) {
+      const auto* const plot = std::get_if<Plot>(&part);
+      if (plot == nullptr) continue;
+      plots::Names& shown = names.emplace_back();
+      for (std::size_t i = 0; i < std::min(plot->series.size(), most_series); ++i)
+        shown.push_back(plot->series[i].name);
+    }
+  }
+  constexpr std::size_t colours = plots::palette::most_series;
+  return plots::common_looks(names, colours, colours * colours);
 }
 
 }  // namespace csgsim::report

@@ -24,8 +24,8 @@ Page begun_page(const std::string& title, Json data, const StudyContext& study);
 void end_page(Page& page, const StudyContext& study);
 
 /// Pages of the files of points that studies write (accuracy.json, sweep.json, compare.json). `front` names the points
-/// of the Pareto front by their `value`, in order.
-Page accuracy_page(const Json& file, const std::vector<std::string>& front, const StudyContext& study);
+/// of the Pareto front by their `value`, in order; `views` is how many a point of accuracy was drawn in.
+Page accuracy_page(const Json& file, const std::vector<std::string>& front, unsigned views, const StudyContext& study);
 Page sweep_page(const Json& file, const StudyContext& study);
 Page compare_page(const Json& file, const StudyContext& study);
 

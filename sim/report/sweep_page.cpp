@@ -72,22 +72,22 @@ void add_plots(const std::string& model, const std::vector<Json>& points, std::v
   }
 }
 
-constexpr PointColumn columns[] = {{"strategy", "strategy"},
-                                   {"stack_bits", "stack bits"},
-                                   {"machine", "machine"},
-                                   {"memory_bits", "memory bits"},
-                                   {"z_bits", "z bits"},
-                                   {"pruning", "pruning"},
-                                   {"colouring", "colouring"},
-                                   {"curves", "curves"},
-                                   {"clocks", "clocks"},
-                                   {"rendered", "rendered"},
-                                   {"classified", "classified"},
-                                   {"depth_tests", "depth tests"},
-                                   {"classification_bits", "bits for the classification"},
-                                   {"used_bits", "bits in all"},
-                                   {"pixel_transistors", "transistors a pixel"},
-                                   {"model", "model"}};
+constexpr PointColumn sweep_columns[] = {{"strategy", "strategy"},
+                                         {"stack_bits", "stack bits"},
+                                         {"machine", "machine"},
+                                         {"memory_bits", "memory bits"},
+                                         {"z_bits", "z bits"},
+                                         {"pruning", "pruning"},
+                                         {"colouring", "colouring"},
+                                         {"curves", "curves"},
+                                         {"clocks", "clocks"},
+                                         {"rendered", "rendered"},
+                                         {"classified", "classified"},
+                                         {"depth_tests", "depth tests"},
+                                         {"classification_bits", "bits for the classification"},
+                                         {"used_bits", "bits in all"},
+                                         {"pixel_transistors", "transistors a pixel"},
+                                         {"model", "model"}};
 
 }  // namespace
 
@@ -104,7 +104,7 @@ Page sweep_page(const Json& file, const StudyContext& study) {
   }
   page.sections.push_back(std::move(plots));
   // The name of the only model is the page's title.
-  const std::span shown = std::span(columns).first(std::size(columns) - (models.size() == 1 ? 1 : 0));
+  const std::span shown = std::span(sweep_columns).first(std::size(sweep_columns) - (models.size() == 1 ? 1 : 0));
   page.sections.push_back({"Points", {points_table(page.data, "/points", "All that was measured", shown)}});
   end_page(page, study);
   return page;

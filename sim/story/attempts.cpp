@@ -64,10 +64,24 @@ void tell_classified(const isa::Program& program, Events events, Attempt& attemp
   if (comparison && is_alone) attempt.deciding_comparison = comparison;
 }
 
+bool writes(const Event& event, isa::Field field) {
+  return std::any_of(event.changes.begin(), event.changes.end(),
+                     [field](const Change& one) { return one.field == field; });
+}
+
+/// Whether an event after the merge takes from the pixel what was merged: another merge of the same drawing into that
+/// depth, its beginning anew, or that of the whole picture.
+bool covers(const isa::Program& program, const Event& event, const Event& merge) {
+  if (event.what == What::setup)
+    return writes(event, merge.merged_into) || event.change_of(program, isa::FieldRole::depth) != nullptr;
+  return event.what == What::merge && event.merged_into == merge.merged_into &&
+         event.origin.effect == merge.origin.effect;
+}
+
 /// The next event that takes from the pixel what was merged.
-std::optional<std::size_t> covered_by(Events events, std::size_t merge) {
+std::optional<std::size_t> covered_by(const isa::Program& program, Events events, std::size_t merge) {
   for (std::size_t i = merge + 1; i < events.size(); ++i)
-    if (events[i].what == What::merge || events[i].what == What::setup) return i;
+    if (covers(program, events[i], events[merge])) return i;
   return std::nullopt;
 }
 
@@ -79,6 +93,17 @@ void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
     return;
   }
   const auto test = last_of(events, attempt, What::depth_test);
+  if (!test || !events[*test].enabled_before) {
+    // Another piece of the same solid, with which it is compared before its depth.
+    const auto joint =
+        last_that(events, attempt, [](const Event& event) { return event.what == What::comparison && !event.cut; });
+    if (joint) {
+      attempt.fate = Fate::classified;
+      attempt.deciding_event = *joint;
+      attempt.deciding_comparison = joint;
+      return;
+    }
+  }
   if (test && !events[*test].enabled_after) {
     attempt.fate = is_behind(surface, events[*test]) ? Fate::behind : Fate::refused;
     attempt.deciding_event = *test;
@@ -86,19 +111,32 @@ void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
   }
   const auto merge = last_of(events, attempt, What::merge);
   if (!merge) return tell_classified(program, events, attempt);
-  const auto covering = covered_by(events, *merge);
+  if (events[*merge].takes_pixel) attempt.shown = events[attempt.last_event].owner_after;
+  const auto covering = covered_by(program, events, *merge);
   attempt.fate = covering ? Fate::covered : Fate::seen;
   attempt.deciding_event = covering.value_or(*merge);
 }
 
+/// Of surfaces that nothing covers one is the nearest, the last that took the pixel: it is seen, and the others have a
+/// part in the colour.
+void tell_blended(Events events, std::span<Attempt> attempts, std::uint32_t owner) {
+  const auto nearest = std::find_if(attempts.rbegin(), attempts.rend(), [&](const Attempt& one) {
+    return one.fate == Fate::seen && events[one.deciding_event].takes_pixel;
+  });
+  if (nearest == attempts.rend()) return;
+  for (Attempt& one : attempts)
+    if (one.fate == Fate::seen && &one != &*nearest) one.fate = Fate::blended;
+  nearest->shown = owner;
+}
+
 }  // namespace
 
-std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events) {
+std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events, std::uint32_t owner) {
   std::vector<Attempt> attempts;
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (events[i].what != What::surface) continue;
     Attempt attempt;
-    attempt.primitive = events[i].origin.primitive;
+    attempt.primitive = attempt.shown = events[i].origin.primitive;
     attempt.first_event = attempt.last_event = i;
     while (attempt.last_event + 1 < events.size() &&
            goes_on(events[attempt.last_event + 1], attempt.primitive, events[i].segment))
@@ -106,6 +144,7 @@ std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Ev
     tell_fate(program, events, attempt);
     attempts.push_back(attempt);
   }
+  tell_blended(events, attempts, owner);
   return attempts;
 }
 

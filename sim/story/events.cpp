@@ -148,6 +148,10 @@ class Narrator {
     open_->event.last = number_of(step);
     open_->event.enabled_after = step.enabled_after;
     open_->event.owner_after = step.owner;
+    if (what == What::merge && copies_depth(instruction)) {
+      open_->event.merged_into = step.target;
+      open_->event.takes_pixel = step.takes_pixel;
+    }
   }
 
   void take_question(const PixelStep& step) {

@@ -15,7 +15,7 @@ namespace csgsim::story {
 std::vector<Event> events_of(const isa::Program& program, const PixelRun& run,
                              std::span<const std::uint64_t> first_numbers);
 
-/// The surfaces among the events, and how each ended.
-std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events);
+/// The surfaces among the events, and how each ended. `owner` of the pixel in the end.
+std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events, std::uint32_t owner);
 
 }  // namespace csgsim::story

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::array<std::string_view, 9> what_names{"setup", "surface", "depth_test", "comparison", "bits",
                                                      "merge", "shade",   "effect",     "skip"};
-constexpr std::array<std::string_view, 7> fate_names{"outside",    "no_depth", "refused", "behind",
-                                                     "classified", "covered",  "seen"};
+constexpr std::array<std::string_view, 8> fate_names{"outside",    "no_depth", "refused", "behind",
+                                                     "classified", "covered",  "blended", "seen"};
 
 const isa::NamedField* find(const isa::Program& program, isa::Field field) {
   const auto& fields = program.facts.fields;
@@ -51,7 +51,7 @@ std::string depth_text(const isa::Program& program, std::uint32_t steps) {
 }
 
 std::string colour_text(const isa::Program& program, std::uint32_t colour) {
-  const unsigned bits = isa::field_of(program, isa::FieldRole::colour).width;
+  const unsigned bits = program.colour.width;
   if (bits < isa::fewest_colour_bits || bits > isa::most_colour_bits) return fmt::format("{:#x}", colour);
   const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
   return fmt::format("#{:02x}{:02x}{:02x}", channels[0], channels[1], channels[2]);

@@ -92,9 +92,11 @@ class Runner {
   }
 
   PixelRun finish() {
-    run_.owner = frame_.frame().owner[place_];
-    run_.depth = frame_.frame().depth[place_];
-    run_.colour = frame_.frame().colour[place_];
+    const sim::Frame& frame = frame_.frame();
+    run_.nearest = {frame.owner[place_], frame.depth[place_]};
+    run_.opaque = frame.opaque_depth.empty() ? run_.nearest
+                                             : ShownSurface{frame.opaque_owner[place_], frame.opaque_depth[place_]};
+    run_.colour = frame.colour[place_];
     return std::move(run_);
   }
 
@@ -119,9 +121,15 @@ class Runner {
     frame_.after_instruction({number, index, instruction, 0, step.enabled_before ? 1U : 0U}, pixel);
     step.enabled_after = pixel.enabled(0, 0);
     step.after = value_of(step.target);
-    const bool is_empty = depth_.width > 0 && value_of(depth_) == (1ULL << depth_.width) - 1;
-    step.owner = is_empty ? sim::no_owner : frame_.frame().owner[place_];
+    step.takes_pixel = step.enabled_after && frame_.merges(instruction);
+    step.owner = owner_so_far(pixel);
     return step;
+  }
+
+  [[nodiscard]] std::uint32_t owner_so_far(const sim::ReferenceArray& pixel) const {
+    if (const std::uint32_t pane = frame_.pane_owner(place_); pane != sim::no_owner) return pane;
+    const bool is_empty = depth_.width > 0 && read_whole(pixel, depth_) == (1ULL << depth_.width) - 1;
+    return is_empty ? sim::no_owner : frame_.frame().owner[place_];
   }
 
   const isa::Program& program_;

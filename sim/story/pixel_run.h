@@ -23,16 +23,23 @@ struct PixelStep {
   std::uint64_t before = 0;   ///< value of the target
   std::uint64_t after = 0;    ///< the same
   std::uint32_t owner = 0;    ///< primitive that owns the pixel afterwards; sim::no_owner if none does
+  bool takes_pixel = false;   ///< it made its primitive the owner
   std::uint64_t skipped = 0;  ///< instructions after it that it leaves out
+};
+
+/// A surface that a finished picture shows at a pixel.
+struct ShownSurface {
+  std::uint32_t owner = 0;  ///< primitive whose it is; sim::no_owner where nothing is seen
+  std::uint32_t depth = 0;  ///< steps; all ones where nothing is seen
 };
 
 /// A frame as one pixel sees it.
 struct PixelRun {
   std::vector<std::uint32_t> segments;  ///< that hold the pixel, in order
   std::vector<PixelStep> steps;         ///< instructions that were carried out, in order
-  std::uint32_t owner = 0;              ///< of the finished picture, as sim::Frame
-  std::uint32_t depth = 0;              ///< the same
-  std::uint32_t colour = 0;             ///< the same
+  ShownSurface nearest;
+  ShownSurface opaque;       ///< the nearest, or what is seen through that
+  std::uint32_t colour = 0;  ///< the same
 };
 
 /// Carries out one pixel's part of a Program by the meanings of the instructions, bit by bit (sim/reference): the other

@@ -51,8 +51,10 @@ Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
   Story story;
   story.x = x;
   story.y = y;
-  story.owner = run.owner;
-  story.depth = run.depth;
+  story.owner = run.nearest.owner;
+  story.depth = run.nearest.depth;
+  story.opaque_owner = run.opaque.owner;
+  story.opaque_depth = run.opaque.depth;
   story.colour = run.colour;
   story.events = events_of(program_, run, first_numbers_);
   for (const std::uint32_t segment : run.segments) {
@@ -62,7 +64,7 @@ Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
     for (Event& event : story.events)
       if (event.segment == segment) event.clocks = clocks_of(event, first_numbers_[segment], clocks);
   }
-  story.attempts = attempts_of(program_, story.events);
+  story.attempts = attempts_of(program_, story.events, story.owner);
   return story;
 }
 

@@ -80,6 +80,8 @@ struct Event {
   std::optional<Decision> decision;
   std::optional<Decision> misfit;  ///< the first whose A*x + B*y + C did not fit its width where the pixel was enabled
   std::vector<Change> changes;
+  isa::Field merged_into;          ///< merge: the field that the depth came to
+  bool takes_pixel = false;        ///< merge: its primitive is the owner then
   bool by_results = false;         ///< bits: results of several comparisons took part, not the last one alone
   std::uint32_t owner_before = 0;  ///< primitive that owns the pixel; sim::no_owner if none does
   std::uint32_t owner_after = 0;   ///< the same
@@ -96,12 +98,14 @@ enum class Fate : std::uint8_t {
   behind,      ///< Z1 is not nearer than Z2
   classified,  ///< taken out by primitives of its active tree
   covered,     ///< merged, and another merged over it later
-  seen,        ///< merged, and owner of the pixel in the end
+  blended,     ///< merged, and a part of the colour, but not the nearest: seen through glass, in a mirror, by a sample
+  seen,        ///< merged, and the nearest that is seen: owner of the pixel in the end
 };
 
 /// A primitive's surface, or that of several which make one convex solid, from its rendering to its merge.
 struct Attempt {
-  std::uint32_t primitive = 0;
+  std::uint32_t primitive = 0;  ///< of several the first
+  std::uint32_t shown = 0;      ///< merged: of several that whose facet it is at the pixel, as far as colours tell
   std::size_t first_event = 0;  ///< into Story::events: its rendering
   std::size_t last_event = 0;   ///< the last before another surface is rendered, or an effect works
   Fate fate{};
@@ -124,12 +128,17 @@ struct Story {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
   std::vector<StorySegment> segments;  ///< one, unless the picture is drawn several times; none: the background shows
-  std::uint32_t owner = 0;             ///< primitive seen; sim::no_owner if none is
-  std::uint32_t depth = 0;             ///< steps; all ones where nothing is seen
+  std::uint32_t owner = 0;             ///< primitive of the nearest surface seen; sim::no_owner if none is
+  std::uint32_t depth = 0;             ///< of that surface, steps; all ones where nothing is seen
+  std::uint32_t opaque_owner = 0;      ///< of the opaque surface seen, which others may be before: the same
+  std::uint32_t opaque_depth = 0;      ///< the same
   std::uint32_t colour = 0;            ///< as the colour field holds it
   std::vector<Event> events;           ///< in the order of the instructions
   std::vector<Attempt> attempts;
 };
+
+/// Whether the nearest surface is see-through and blended with what is behind it.
+inline bool is_seen_through(const Story& story) { return story.depth != story.opaque_depth; }
 
 /// Tells the stories of a Program's pixels. The Program has to outlive it.
 class Teller {

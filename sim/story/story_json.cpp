@@ -111,11 +111,13 @@ Json event_json(const Subject& subject, const Event& event) {
 }
 
 Json attempt_json(const Subject& subject, const Story& story, const Attempt& attempt) {
-  return {{"primitive", primitive_json(subject.program, attempt.primitive)},
-          {"fate", name_of(attempt.fate)},
-          {"events", {attempt.first_event, attempt.last_event}},
-          {"deciding_event", attempt.deciding_event},
-          {"text", fate_text(subject, story, attempt)}};
+  Json json{{"primitive", primitive_json(subject.program, attempt.shown)}};
+  if (attempt.shown != attempt.primitive) json["drawn_as"] = primitive_json(subject.program, attempt.primitive);
+  json["fate"] = name_of(attempt.fate);
+  json["events"] = {attempt.first_event, attempt.last_event};
+  json["deciding_event"] = attempt.deciding_event;
+  json["text"] = fate_text(subject, story, attempt);
+  return json;
 }
 
 }  // namespace
@@ -126,10 +128,13 @@ nlohmann::ordered_json to_json(const Subject& subject, const Story& story) {
             {"model", printable(program.facts.model.file)},
             {"segments", Json::array()},
             {"owner", primitive_json(program, story.owner)},
-            {"depth", depth_json(program, story.depth)},
-            {"colour", colour_text(program, story.colour)},
-            {"events", Json::array()},
-            {"surfaces", Json::array()}};
+            {"depth", depth_json(program, story.depth)}};
+  if (is_seen_through(story))
+    json["opaque"] = {{"owner", primitive_json(program, story.opaque_owner)},
+                      {"depth", depth_json(program, story.opaque_depth)}};
+  json["colour"] = colour_text(program, story.colour);
+  json["events"] = Json::array();
+  json["surfaces"] = Json::array();
   for (const StorySegment& part : story.segments)
     json["segments"].push_back({{"segment", part.segment}, {"instructions", {part.first, part.end}}});
   for (const Event& event : story.events) json["events"].push_back(event_json(subject, event));

@@ -85,11 +85,19 @@ class Writer {
     return halfspace.empty() ? "" : fmt::format("\n{:<12}{}", "", indented(halfspace, 12));
   }
 
+  /// What is opaque behind the nearest surface.
+  [[nodiscard]] std::string through_text() const {
+    const std::optional<double> distance = distance_of(program_, story_.opaque_depth);
+    const std::string name = primitive_text(program_, story_.opaque_owner);
+    return distance ? fmt::format("{}, at {} steps, {:.6g} model units", name, story_.opaque_depth, *distance) : name;
+  }
+
   void write_head() {
     const std::uint32_t owner = story_.owner;
     line("pixel {},{} shows {}{}", story_.x, story_.y, primitive_text(program_, owner), line_text(program_, owner));
     if (const std::optional<double> distance = distance_of(program_, story_.depth))
       line("  depth     {} steps, {:.6g} model units from the eye", story_.depth, *distance);
+    if (is_seen_through(story_)) line("  through   {}", through_text());
     line("  colour    {}", colour_text(program_, story_.colour));
     const auto seen = std::find_if(story_.attempts.rbegin(), story_.attempts.rend(),
                                    [](const Attempt& one) { return one.fate == Fate::seen; });
@@ -195,6 +203,7 @@ class Writer {
       case Fate::covered:
         return deciding.what == What::setup ? fmt::format("the picture is begun anew at i{}", deciding.first)
                                             : fmt::format("merged; covered at i{}", deciding.first);
+      case Fate::blended: return "merged; a part of the colour";
       case Fate::seen: return "merged; this is what is seen";
     }
     return "";
@@ -204,7 +213,9 @@ class Writer {
   void write_verdict(std::size_t event, std::size_t indent) {
     for (const Attempt& attempt : story_.attempts) {
       if (attempt.last_event != event) continue;
-      line("{:{}}=> {}: {}", "", indent, primitive_text(program_, attempt.primitive), verdict(attempt));
+      const std::string as =
+          attempt.shown == attempt.primitive ? "" : ", drawn with " + primitive_text(program_, attempt.primitive);
+      line("{:{}}=> {}{}: {}", "", indent, primitive_text(program_, attempt.shown), as, verdict(attempt));
     }
   }
 

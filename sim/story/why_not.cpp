@@ -142,6 +142,8 @@ std::string fate_text(const Subject& subject, const Story& story, const Attempt&
     case Fate::behind: return behind_text(subject, event);
     case Fate::classified: return classified_text(subject, story, attempt);
     case Fate::covered: return covered_text(subject, event);
+    case Fate::blended:
+      return fmt::format("merged at i{}; a part of the colour, but not the nearest seen", event.first);
     case Fate::seen: return fmt::format("merged at i{}", event.first);
   }
   return "";

@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "host/emit/options.h"
+#include "sim/study/stack_bits.h"
 
 namespace csgsim::study {
 
 namespace {
-
-bool has_stack_bits(const std::string& strategy) { return strategy == emit::name_of(emit::Strategy::bits); }
 
 void add_widths(const AdviceRanges& ranges, AdvicePoint point, std::vector<AdvicePoint>& points) {
   const std::vector<unsigned> none{0};

@@ -9,7 +9,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class Part>
-void add_columns(Json& json, const Part& part) {
+void add_members(Json& json, const Part& part) {
   visit_columns(part, [&](const char* name, const auto& member) { json[name] = member; });
 }
 
@@ -17,12 +17,12 @@ void add_columns(Json& json, const Part& part) {
 Json to_json(const AdviceRow& row) {
   Json json;
   if (row.compiled()) {
-    add_columns(json, row);
+    add_members(json, row);
     json.erase("reason");
     return json;
   }
-  add_columns(json, row.point);
-  add_columns(json, row.inputs);
+  add_members(json, row.point);
+  add_members(json, row.inputs);
   json["reason"] = row.reason;
   return json;
 }

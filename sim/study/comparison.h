@@ -131,8 +131,9 @@ struct ComparisonJob {
 /// Compiles the point and draws it at the functional level.
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
 
-/// Time and memory of a frame on each machine; its time against half-spaces and against pixels, a line a machine: what
-/// varies among the rows, which are of one model. `base` is the picture size at which half-spaces vary.
+/// On each machine the time from one frame to the next, that of drawing alone, and memory; these times against
+/// half-spaces and against pixels, a line a machine: what varies among the rows, which are of one model. `base` is the
+/// picture size at which half-spaces vary.
 std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
                                              const std::string& model);
 

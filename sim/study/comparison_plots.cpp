@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/plots/common_looks.h"
 #include "sim/plots/gnuplot.h"
 #include "sim/study/comparison.h"
 #include "sim/study/tick_names.h"
@@ -10,8 +11,9 @@ namespace csgsim::study {
 
 namespace {
 
-constexpr const char* table = "compare.csv";
-constexpr const char* time_title = "time of a frame, ms";
+constexpr const char* comparison_table = "compare.csv";
+constexpr const char* interval_title = "from frame to frame, ms";
+constexpr const char* drawing_title = "drawing alone, ms";
 
 /// One plot: which rows it shows, and against what.
 struct View {
@@ -33,7 +35,10 @@ constexpr View views[] = {
      [](const ComparisonRow& row) { return static_cast<double>(row.point.width) * row.point.height; }},
 };
 
-double milliseconds(const ComparisonRow& row) { return row.seconds * 1e3; }
+double drawing_ms(const ComparisonRow& row) { return row.seconds * 1e3; }
+
+/// Drawing, showing and all else that has to be done before the next frame is: infinite where it is not known.
+double interval_ms(const ComparisonRow& row) { return 1e3 / row.frames_per_second; }
 
 std::vector<std::string> machines_of(std::span<const ComparisonRow> rows) {
   std::vector<std::string> names;
@@ -47,17 +52,21 @@ plots::Chart growth_chart(std::span<const ComparisonRow> rows, const View& view,
                           const std::string& model) {
   plots::Chart chart{model + ": machines against " + view.title,
                      {view.title, plots::Scale::logarithmic},
-                     {{time_title, plots::Scale::logarithmic}},
+                     {{interval_title, plots::Scale::logarithmic}, {drawing_title, plots::Scale::logarithmic}},
                      {},
-                     table};
+                     comparison_table};
   for (const std::string& machine : machines_of(rows)) {
-    plots::Series series{machine};
+    plots::Series intervals{machine, 0};
+    plots::Series drawings{machine, 1};
     for (const ComparisonRow& row : rows) {
-      if (row.drawn() && row.point.machine == machine && view.shows(row, base))
-        series.points.push_back({view.against(row), milliseconds(row)});
+      if (!row.drawn() || row.point.machine != machine || !view.shows(row, base)) continue;
+      intervals.points.push_back({view.against(row), interval_ms(row)});
+      drawings.points.push_back({view.against(row), drawing_ms(row)});
     }
-    std::ranges::stable_sort(series.points, {}, &plots::Point::x);
-    if (!series.points.empty()) chart.series.push_back(std::move(series));
+    for (plots::Series* series : {&intervals, &drawings}) {
+      std::ranges::stable_sort(series->points, {}, &plots::Point::x);
+      if (!series->points.empty()) chart.series.push_back(std::move(*series));
+    }
   }
   return chart;
 }
@@ -74,7 +83,11 @@ struct Property {
 };
 
 constexpr Property properties[] = {
-    {time_title, [](const ComparisonRow& row) { return std::optional(milliseconds(row)); }},
+    {interval_title,
+     [](const ComparisonRow& row) {
+       return row.frames_per_second > 0 ? std::optional(interval_ms(row)) : std::nullopt;
+     }},
+    {drawing_title, [](const ComparisonRow& row) { return std::optional(drawing_ms(row)); }},
     {"memory bits in all",
      [](const ComparisonRow& row) { return std::optional(static_cast<double>(row.memory_bits)); }},
     {"transistors in all", [](const ComparisonRow& row) {
@@ -88,7 +101,7 @@ void add_property(const Property& property, std::span<const ComparisonRow> own, 
     if (!value) return;
     series.points.push_back({static_cast<double>(series.points.size()), *value});
   }
-  chart.panels.push_back({property.title, plots::Scale::logarithmic});
+  chart.panels.push_back({property.title});
   chart.series.push_back(std::move(series));
 }
 
@@ -101,7 +114,7 @@ plots::Chart machines_chart(std::span<const ComparisonRow> rows, const machines:
     own.push_back(row);
     machines.push_back(row.point.machine);
   }
-  plots::Chart chart{model + ": machines", {"machine", plots::Scale::linear, {}, true}, {}, {}, table};
+  plots::Chart chart{model + ": machines", {"machine", plots::Scale::linear, {}, true}, {}, {}, comparison_table};
   for (const std::string& name : tick_names(machines))
     chart.x.ticks.push_back({static_cast<double>(chart.x.ticks.size()), name});
   for (const Property& property : properties) add_property(property, own, chart);
@@ -119,6 +132,7 @@ std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows
     plots::Chart chart = growth_chart(rows, view, base, model);
     if (varies(chart)) all.push_back({std::string("compare_") + view.name, std::move(chart)});
   }
+  plots::give_common_looks(all);
   return all;
 }
 

@@ -142,8 +142,8 @@ Distribution distribution_of(std::span<const CorpusRow> rows, const std::string&
 /// only why.
 std::string corpus_json(const std::string& title, std::span<const CorpusRow> rows);
 
-/// Clocks against half-spaces, a mark a model, and how many of the models are drawn at so many frames a second; none
-/// where nothing was drawn.
+/// Clocks from frame to frame and of drawing alone against half-spaces, a mark a model, and how many of the models are
+/// drawn at so many frames a second; none where nothing was drawn.
 std::vector<plots::Plot> plots_of_corpus(std::span<const CorpusRow> rows);
 
 /// Draws them into the folder; returns the files.

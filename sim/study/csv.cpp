@@ -13,12 +13,13 @@ namespace csgsim::study {
 
 namespace {
 
-constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "take another place for the study with -o"};
+constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "take another place for the study with -o",
+                               true};
 
 /// All of the file, or nothing if there is none.
 std::string text_of(const std::filesystem::path& path) {
   std::error_code error;
-  return std::filesystem::exists(path, error) ? read_file(path, table_file) : std::string();
+  return std::filesystem::exists(path, error) ? read_regular_file(path, table_file) : std::string();
 }
 
 /// Lines above those that are read: the title and the header.
@@ -49,7 +50,7 @@ void CsvFile::refuse(std::size_t found, std::string_view why) const {
 }
 
 void CsvFile::append(const std::string& line) const {
-  Descriptor file(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  Descriptor file(::open(path_.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC));
   if (!file.is_open()) fail_to_write(path_, last_error());
   const off_t end = ::lseek(file.number(), 0, SEEK_END);
   std::error_code error = end < 0 ? last_error() : write_all(file, line + "\n");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <filesystem>
@@ -61,12 +62,14 @@ std::string to_cell(const std::optional<Number>& number) {
 
 inline void from_cell(const std::string& cell, std::string& text) { text = cell; }
 
-/// Throws InputError.
+/// Throws InputError; also for what is not finite, which nobody measures.
 template <class Number>
 requires std::is_arithmetic_v<Number>
 void from_cell(const std::string& cell, Number& number) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (error != std::errc{} || end != cell.data() + cell.size()) throw InputError("'" + cell + "' is no number");
+  bool is_number = error == std::errc{} && end == cell.data() + cell.size();
+  if constexpr (std::is_floating_point_v<Number>) is_number = is_number && std::isfinite(number);
+  if (!is_number) throw InputError("'" + cell + "' is no number");
 }
 
 template <class Number>

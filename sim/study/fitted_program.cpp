@@ -24,7 +24,7 @@ bool may_skip(const isa::Segment& segment) {
 }
 
 /// Of all that the pixels see of it.
-std::uint64_t hash_of(const isa::Segment& segment) {
+std::uint64_t segment_hash(const isa::Segment& segment) {
   Hash hash;
   const auto add = [&](std::uint64_t number) {
     const std::array<std::uint32_t, 2> words{static_cast<std::uint32_t>(number),
@@ -73,7 +73,7 @@ machines::FrameTiming RunTimer::time(const isa::Program& program, const machines
     return machines::time_frame(program, machine);
   std::vector<std::uint64_t> key;
   key.reserve(program.segments.size());
-  for (const isa::Segment& segment : program.segments) key.push_back(hash_of(segment));
+  for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
   const auto [known, is_new] = skips_.try_emplace(std::move(key));
   if (is_new) known->second = sim::make_functional_engine(machine)->run(program, {}).skips;
   return machines::time_frame(program, machine, known->second);

@@ -29,8 +29,10 @@ void refuse_other_study(const ShardFile& first, const ShardFile& file) {
   if (a.shard.count != b.shard.count)
     refuse(fmt::format("of {} and of {} shards", b.shard.count, a.shard.count),
            "delete the files of the ones or the others");
-  const std::vector<std::string> changed = differences(a.inputs, b.inputs);
-  if (!changed.empty() || a.points != b.points || first.columns != file.columns)
+  std::vector<std::string> changed = differences(a.inputs, b.inputs);
+  if (a.points != b.points) changed.emplace_back("the number of points");
+  if (first.columns != file.columns) changed.emplace_back("the columns");
+  if (!changed.empty())
     refuse(fmt::format("not of the same study: {} changed between them", fmt::join(changed, " and ")),
            "run again those from before the change");
 }
@@ -57,10 +59,10 @@ void add_lines(const ShardFile& file, const std::vector<unsigned>& shard_of, Gat
                                    file.path.native(), line.point, shard_of[line.point], gathered.shards));
     std::string& row = gathered.rows[line.point];
     if (!row.empty() && row != line.row)
-      throw InputError(
-          fmt::format("{} and {} have different results for point {}; a machine or csgsim is at fault: "
-                      "delete both and run the shard again",
-                      gathered.measured[line.point].native(), file.path.native(), line.point));
+      throw InputError(fmt::format(
+          "{} and {} have different results for point {}; a machine or csgsim is at fault, or a file was changed: "
+          "delete both and run the shard again",
+          gathered.measured[line.point].native(), file.path.native(), line.point));
     row = line.row;
     gathered.measured[line.point] = file.path;
   }
@@ -91,7 +93,12 @@ Gathered gather(std::span<const fs::path> studies) {
   if (files.empty())
     throw InputError(fmt::format("{}: no shard of a study is there yet", shards_folder(studies.front()).native()));
   const ShardHeader& header = files.front().header;
-  Gathered gathered{header.shard.count, header.inputs, header.words, files.front().columns, {}, {}, 0, {}};
+  Gathered gathered;
+  gathered.shards = header.shard.count;
+  gathered.inputs = header.inputs;
+  gathered.words = header.words;
+  gathered.columns = files.front().columns;
+  gathered.first = files.front().path;
   gathered.rows.resize(header.points);
   gathered.measured.resize(header.points);
   const std::vector<unsigned> shard_of = shard_of_each(header.points, header.shard.count);

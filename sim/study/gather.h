@@ -24,6 +24,7 @@ struct Gathered {
   std::vector<std::filesystem::path> measured;  ///< the file that has the row of each point
   std::size_t missing = 0;                      ///< points
   std::vector<unsigned> unfinished;             ///< numbers of the shards that these belong to, ascending
+  std::filesystem::path first;                  ///< one of the files, all of which are of the same command
 };
 
 /// Joins the shards in these folders, which were given to them as places for the study. Throws InputError if they are

@@ -43,10 +43,10 @@ std::string label_of(const Layout& layout) {
 
 std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
   constexpr std::uint32_t most_ticks = 16;
-  std::uint32_t step = 8;
+  std::uint64_t step = 8;
   while (most / step > most_ticks) step *= 2;
   std::vector<plots::Tick> ticks;
-  for (std::uint32_t bit = 0; bit <= most; bit += step)
+  for (std::uint64_t bit = 0; bit <= most; bit += step)
     ticks.push_back({static_cast<double>(bit), std::to_string(bit)});
   return ticks;
 }
@@ -63,7 +63,7 @@ plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model
   for (const Layout& layout : layouts_of(rows)) {
     plots::Bar& bar = plot.bars.emplace_back(plots::Bar{label_of(layout), static_cast<double>(layout.memory_bits), {}});
     for (const MemoryPart& part : layout.map)
-      bar.parts.push_back({part.name, static_cast<double>(part.base), static_cast<double>(part.base + part.width)});
+      bar.parts.push_back({part.name, static_cast<double>(part.base), static_cast<double>(part.base) + part.width});
     most = std::max(most, layout.memory_bits);
   }
   plot.x.ticks = bit_ticks(most);

@@ -5,14 +5,17 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace csgsim::study {
 
 /// Calls measure(i) for i below `count` on that many threads, and finished(result) with each result, one at a time, in
-/// the order in which they are done. The first exception ends it and is thrown again.
+/// the order in which they are done. The first exception, of either, ends it and is thrown again; finished() is not
+/// called after it.
 template <class Measure, class Finished>
 void measure_each(std::size_t count, unsigned threads, const Measure& measure, const Finished& finished) {
   std::atomic<std::size_t> next = 0;
@@ -20,13 +23,21 @@ void measure_each(std::size_t count, unsigned threads, const Measure& measure, c
   std::exception_ptr failure;
   const auto work = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
+      std::optional<std::invoke_result_t<const Measure&, std::size_t>> result;
+      std::exception_ptr thrown;
       try {
-        auto result = measure(i);
-        const std::lock_guard guard(lock);
-        if (!failure) finished(std::move(result));
+        result = measure(i);
       } catch (...) {
-        const std::lock_guard guard(lock);
-        if (!failure) failure = std::current_exception();
+        thrown = std::current_exception();
+      }
+      // What finished() throws is kept before the lock is let go: nobody else calls it after that.
+      const std::lock_guard guard(lock);
+      if (failure) return;
+      try {
+        if (thrown) std::rethrow_exception(thrown);
+        finished(std::move(*result));
+      } catch (...) {
+        failure = std::current_exception();
         next = count;
       }
     }

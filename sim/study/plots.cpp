@@ -1,10 +1,13 @@
 #include "sim/study/plots.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
 
 #include "host/emit/curves.h"
+#include "sim/plots/common_looks.h"
 #include "sim/plots/gnuplot.h"
 #include "sim/study/pareto.h"
 
@@ -12,10 +15,10 @@ namespace csgsim::study {
 
 namespace {
 
-constexpr const char* table = "accuracy.csv";
+constexpr const char* accuracy_table = "accuracy.csv";
 
 /// What a knob is called, and which errors it makes.
-struct Knob {
+struct KnobPlot {
   const char* name;
   const char* axis;
   const char* error;
@@ -24,7 +27,7 @@ struct Knob {
   plots::Scale scale;
 };
 
-constexpr Knob knobs[] = {
+constexpr KnobPlot knob_plots[] = {
     {"z-bits", "bits of depth", "wrong pixels", &Measurement::wrong, &Measurement::depth_p999, plots::Scale::linear},
     {"fraction-bits", "fraction bits of the coefficients", "wrong pixels", &Measurement::wrong,
      &Measurement::depth_p999, plots::Scale::linear},
@@ -53,14 +56,19 @@ double place_of(std::string_view value) {
   return number / leading_number(value);
 }
 
-plots::Plot knob_plot(const Knob& knob, std::span<const Measurement> rows, const std::string& model) {
-  plots::Chart chart{model + ": " + knob.axis,
+/// What is added up over the views of a point.
+std::string sum_title(const char* what, unsigned views) {
+  return views == 1 ? what : fmt::format("{}, sum of {} views", what, views);
+}
+
+plots::Plot knob_plot(const KnobPlot& knob, std::span<const Measurement> rows, const MeasuredModel& of) {
+  plots::Chart chart{of.model + ": " + knob.axis,
                      {knob.axis, knob.scale},
-                     {{knob.error, plots::Scale::by_range, {}, false, true},
-                      {"depth error, 99.9 %"},
-                      {"clocks", plots::Scale::by_range, {}, false, true}},
+                     {{sum_title(knob.error, of.views), plots::Scale::by_range, {}, false, true},
+                      {"depth error, 99.9th percentile"},
+                      {sum_title("clocks", of.views), plots::Scale::by_range, {}, false, true}},
                      {{"", 0}, {"", 1}, {"", 2}},
-                     table};
+                     accuracy_table};
   for (const Measurement& row : rows) {
     if (row.knob != knob.name) continue;
     const double x = place_of(row.value);
@@ -77,24 +85,25 @@ plots::Point front_point(const Measurement& row, std::string label) {
   return {static_cast<double>(row.clocks), static_cast<double>(row.wrong), std::move(label)};
 }
 
-plots::Plot front_plot(std::span<const Measurement> together, const std::string& model) {
-  plots::Chart chart{model + ": what accuracy costs",
-                     {"clocks", plots::Scale::by_range, {}, false, true},
-                     {{"wrong pixels", plots::Scale::logarithmic, {}, false, true}},
+plots::Plot front_plot(std::span<const Measurement> together, const MeasuredModel& of) {
+  plots::Chart chart{of.model + ": what accuracy costs",
+                     {sum_title("clocks", of.views), plots::Scale::by_range, {}, false, true},
+                     {{sum_title("wrong pixels", of.views), plots::Scale::logarithmic, {}, false, true}},
                      {{"z bits / fraction bits", 0, plots::Trace::marks, {}, true}, {"Pareto front"}},
-                     table};
+                     accuracy_table};
   for (const Measurement& row : together) chart.series[0].points.push_back(front_point(row, ""));
   for (const Measurement& row : pareto_front(together)) chart.series[1].points.push_back(front_point(row, row.value));
   return {"pareto", std::move(chart)};
 }
 
 /// Facets of every number, and curved surfaces without them: clocks against pixels off the true surfaces.
-plots::Plot curves_plot(std::span<const Measurement> rows, const std::string& model) {
-  plots::Chart chart{model + ": facets and curved surfaces",
-                     {"clocks", plots::Scale::logarithmic, {}, false, true},
-                     {{"pixels off the curved surfaces", plots::Scale::logarithmic, {}, false, true}},
-                     {{"facets, by tolerance"}, {"facets, by $fn"}, {"facets, as modelled", 0, plots::Trace::marks}},
-                     table};
+plots::Plot curves_plot(std::span<const Measurement> rows, const MeasuredModel& of) {
+  plots::Chart chart{
+      of.model + ": facets and curved surfaces",
+      {sum_title("clocks", of.views), plots::Scale::logarithmic, {}, false, true},
+      {{sum_title("pixels off the curved surfaces", of.views), plots::Scale::logarithmic, {}, false, true}},
+      {{"facets, by tolerance"}, {"facets, by $fn"}, {"facets, as modelled", 0, plots::Trace::marks}},
+      accuracy_table};
   for (const Measurement& row : rows) {
     const plots::Point at{static_cast<double>(row.clocks), static_cast<double>(row.facet_wrong), row.value};
     if (row.knob == "tolerance") chart.series[0].points.push_back(at);
@@ -112,23 +121,23 @@ plots::Plot curves_plot(std::span<const Measurement> rows, const std::string& mo
 
 }  // namespace
 
-std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const std::string& model) {
+std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& of) {
   std::vector<plots::Plot> all;
-  for (const Knob& knob : knobs) {
-    if (std::ranges::find(rows, knob.name, &Measurement::knob) != rows.end())
-      all.push_back(knob_plot(knob, rows, model));
+  for (const KnobPlot& knob : knob_plots) {
+    if (std::ranges::find(rows, knob.name, &Measurement::knob) != rows.end()) all.push_back(knob_plot(knob, rows, of));
   }
-  if (std::ranges::find(rows, "curves", &Measurement::knob) != rows.end()) all.push_back(curves_plot(rows, model));
+  if (std::ranges::find(rows, "curves", &Measurement::knob) != rows.end()) all.push_back(curves_plot(rows, of));
   std::vector<Measurement> together;
   std::ranges::copy_if(rows, std::back_inserter(together),
                        [](const Measurement& row) { return row.knob == "together"; });
-  if (!together.empty()) all.push_back(front_plot(together, model));
+  if (!together.empty()) all.push_back(front_plot(together, of));
+  plots::give_common_looks(all);
   return all;
 }
 
-std::vector<std::filesystem::path> draw_plots(std::span<const Measurement> rows, const std::string& model,
+std::vector<std::filesystem::path> draw_plots(std::span<const Measurement> rows, const MeasuredModel& of,
                                               const std::filesystem::path& folder) {
-  return plots::draw(plots_of_accuracy(rows, model), folder);
+  return plots::draw(plots_of_accuracy(rows, of), folder);
 }
 
 }  // namespace csgsim::study

@@ -30,7 +30,8 @@ constexpr std::size_t cells_before_words = 7;
 
 std::string title_of(const ShardHeader& header) {
   std::string title = fmt::format("{},{},{},{},{},{},{}", mark, header.shard.number, header.shard.count, header.points,
-                                  header.inputs.model_hash, header.inputs.machine_hash, header.inputs.csgsim);
+                                  to_cell(header.inputs.model_hash), to_cell(header.inputs.machine_hash),
+                                  to_cell(header.inputs.csgsim));
   for (const std::string& word : header.words) title += "," + to_cell(word);
   return title;
 }
@@ -43,6 +44,8 @@ ShardHeader header_from(std::string_view title) {
   from_cell(cells[2], header.shard.count);
   header.shard = parse_shard(to_text(header.shard));
   from_cell(cells[3], header.points);
+  if (header.points < 1 || header.points > most_points)
+    throw InputError(fmt::format("{} points are not within 1 to {}", header.points, most_points));
   header.inputs = {cells[4], cells[5], cells[6]};
   header.words.assign(cells.begin() + cells_before_words, cells.end());
   return header;
@@ -88,7 +91,7 @@ std::vector<fs::path> shard_files(const fs::path& study, const std::optional<Sha
 }
 
 ShardFile read_shard_file(const fs::path& path) {
-  const std::string text = read_file(path, shard_input);
+  const std::string text = read_regular_file(path, shard_input);
   std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
   ShardFile file{path, {}, {}, {}};
   std::size_t number = 0;

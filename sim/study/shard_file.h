@@ -12,6 +12,9 @@
 
 namespace csgsim::study {
 
+/// Of a study that is shared out: its table, which is read whole, has no room for more.
+inline constexpr std::size_t most_points = 1'000'000;
+
 /// What the points in a shard's file are of.
 struct ShardHeader {
   Shard shard;

@@ -6,12 +6,11 @@
 #include <tuple>
 
 #include "host/emit/options.h"
+#include "sim/study/stack_bits.h"
 
 namespace csgsim::study {
 
 namespace {
-
-bool has_stack_bits(const std::string& strategy) { return strategy == emit::name_of(emit::Strategy::bits); }
 
 /// The points of one model, machine, memory, depth, pruning, curves and colouring.
 void add_strategies(const SweepRanges& ranges, const SweepPoint& point, std::vector<SweepPoint>& points) {

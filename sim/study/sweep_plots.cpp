@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "sim/plots/common_looks.h"
 #include "sim/plots/gnuplot.h"
 #include "sim/study/memory_plot.h"
 #include "sim/study/sweep_axis.h"
@@ -16,7 +17,7 @@ namespace csgsim::study {
 
 namespace {
 
-constexpr const char* table = "sweep.csv";
+constexpr const char* sweep_table = "sweep.csv";
 
 plots::Axis count_axis(const char* title) { return {title, plots::Scale::by_range, {}, false, true}; }
 
@@ -74,7 +75,7 @@ plots::Chart varied_chart(const std::vector<SweepRow>& rows, std::string title, 
       same->second.push_back(line.name);
     }
   }
-  plots::Chart chart{std::move(title), axis.axis(), std::move(panels), {}, table};
+  plots::Chart chart{std::move(title), axis.axis(), std::move(panels), {}, sweep_table};
   for (auto& [series, names] : drawn) {
     const std::string name = names.size() <= 2 ? names.front() + (names.size() == 2 ? "; " + names.back() : "")
                                                : fmt::format("{} (+ {} alike)", names.front(), names.size() - 1);
@@ -103,7 +104,7 @@ plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& mo
                      {"bits of pixel memory that the classification uses", plots::Scale::linear, {}, false, true},
                      {count_axis("clocks")},
                      {},
-                     table};
+                     sweep_table};
   const PointNames names(rows);
   std::map<std::string, std::vector<const SweepRow*>> lines;
   std::vector<std::string> order;
@@ -142,12 +143,15 @@ std::vector<plots::Plot> plots_of_sweep(std::span<const SweepRow> rows, const st
   if (compiled.empty()) return {};
   constexpr std::array scans{&SweepRow::rendered, &SweepRow::classified};
   constexpr std::array clocks{&SweepRow::clocks};
-  return {{model + "_scan_conversions",
-           varied_chart(compiled, model + ": scan-conversions of primitives",
-                        {count_axis("rendered into Z1"), count_axis("classified by trees")}, scans)},
-          {model + "_clocks", varied_chart(compiled, model + ": clocks", {count_axis("clocks")}, clocks)},
-          {model + "_bits", bits_chart(compiled, model)},
-          memory_plot(compiled, model)};
+  std::vector<plots::Plot> all{
+      {model + "_scan_conversions",
+       varied_chart(compiled, model + ": scan-conversions of primitives",
+                    {count_axis("rendered into Z1"), count_axis("classified by trees")}, scans)},
+      {model + "_clocks", varied_chart(compiled, model + ": clocks", {count_axis("clocks")}, clocks)},
+      {model + "_bits", bits_chart(compiled, model)},
+      memory_plot(compiled, model)};
+  plots::give_common_looks(all);
+  return all;
 }
 
 std::vector<std::filesystem::path> draw_sweep(std::span<const SweepRow> rows, const std::string& model,

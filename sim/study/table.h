@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -9,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw/base/text.h"
 #include "sim/study/csv.h"
 #include "sim/study/inputs.h"
 
@@ -35,7 +38,7 @@ std::string to_line(const Row& row) {
   return line;
 }
 
-/// Throws InputError that says which cell cannot be read.
+/// Throws InputError that says which cell cannot be read, or is not as printable() leaves texts.
 template <class Row>
 Row from_line(const std::string& line) {
   Row row;
@@ -43,7 +46,9 @@ Row from_line(const std::string& line) {
   std::size_t next = 0;
   visit_columns(row, [&](const char* name, auto& member) {
     if (next == cells.size()) throw InputError(std::string("there is no ") + name);
-    from_cell(cells[next++], member);
+    const std::string& cell = cells[next++];
+    if (printable(cell) != cell) throw InputError(fmt::format("{} is '{}', no text of a table", name, printable(cell)));
+    from_cell(cell, member);
   });
   if (next < cells.size()) throw InputError("'" + cells[next] + "' is one cell too many");
   return row;

@@ -5,6 +5,8 @@
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
 
 #include <array>
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,6 +19,12 @@
 namespace csgsim::waves {
 
 namespace {
+
+/// Of vcd2fst, which packs as much as it is given.
+constexpr ChildLimits limits{.time = std::chrono::hours(1),
+                             .output = std::size_t{1} << 20U,
+                             .errors = std::size_t{1} << 20U,
+                             .memory = std::size_t{8} << 30U};
 
 /// vcd2fst writes files of its own beside the one it is told.
 class TemporaryFolder {
@@ -76,19 +84,17 @@ void WaveFile::finish() {
   const SignalsHeld held;
   const TemporaryFolder folder(file_.asked());
   const std::string made = (folder.path() / "wave.fst").native();
-  const MemoryFile output(file_.asked());
-  const MemoryFile errors(file_.asked());
   const std::array<std::string, 3> words{"vcd2fst", "-", made};
-  const std::optional<int> status = run_child(words, {*dump_, output, errors});
-  if (!status) {
+  const std::optional<ChildEnd> ended = run_child(words, *dump_, limits);
+  if (!ended) {
     throw InputError(file_.asked().native() +
                      ": vcd2fst cannot be run; install it (package gtkwave) or choose a name that ends in .vcd");
   }
   std::ifstream fst(made, std::ios::binary);
   const std::string content((std::istreambuf_iterator<char>(fst)), std::istreambuf_iterator<char>());
-  if (*status != 0 || content.empty()) {
+  if (!is_done(*ended) || content.empty()) {
     throw InputError(fmt::format("{}: vcd2fst did not make it ({}); choose a name that ends in .vcd",
-                                 file_.asked().native(), why_failed(*status, errors)));
+                                 file_.asked().native(), why_failed(*ended, limits)));
   }
   file_.write(content);
 }

@@ -150,7 +150,7 @@ class Stretches {
 isa::Field field_named(std::string_view what, const isa::Program& program) {
   const bool is_colour = what == "owner" || what == "colour";
   if (is_colour || what == "depth") {
-    const isa::Field field = isa::field_of(program, is_colour ? isa::FieldRole::colour : isa::FieldRole::depth);
+    const isa::Field field = is_colour ? program.colour : isa::field_of(program, isa::FieldRole::depth);
     if (field.width > 0) return field;
     throw InputError(fmt::format("the Program has no field for the {}", is_colour ? "colour" : "depth"));
   }

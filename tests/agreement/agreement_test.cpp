@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hw/isa/depth_scale.h"
+#include "places.h"
 #include "tests/agreement/mesh_depth.h"
 #include "tests/support/drawing.h"
 

@@ -7,6 +7,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/kinds/load.h"
+#include "places.h"
 
 namespace csgsim::budgets {
 

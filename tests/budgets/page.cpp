@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "places.h"
+
 namespace csgsim::budgets {
 
 namespace {

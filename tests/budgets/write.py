@@ -28,8 +28,10 @@ class Program:
         self.lines = [f"# {line}" for line in title]
         self.lines += [
             f".array width={SIDE} height={SIDE} memory_bits=72",
+            '.machine name="pixel-planes-4"',
+            f".frame colour_base={z_bits} colour_bits={COLOUR_BITS} background={BACKGROUND}",
             f".depth perspective=false near=0 far={SIDE}",
-            f".compile background={BACKGROUND} z_bits={z_bits}",
+            f".compile z_bits={z_bits}",
         ]
         self.lines += [f".field {name} [{base}+:{width}] {role}" for name, base, width, role in fields]
         self.lines += [f'.primitive "{name}"  # p{i}' for i, name in enumerate(primitives)]

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "places.h"
+
 namespace csgsim::testing::cli {
 
 std::string content(const std::string& path) {

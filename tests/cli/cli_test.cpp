@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "places.h"
+
 using namespace csgsim::testing::cli;
 
 TEST_CASE("render writes a picture, a depth picture, an owner picture and the stats, and prints a summary") {
@@ -171,7 +173,13 @@ TEST_CASE("early out is asked for where the machine has a global OR, and runs no
   REQUIRE(run(compile + (folder / "mute.csgt") + " --without early-out").code == 0);
   CHECK(run("disasm " + (folder / "asks.csgt")).out.find("skip_if_none") != std::string::npos);
   CHECK(run("disasm " + (folder / "deaf.csgt")).out.find("skip_if_none") == std::string::npos);
-  CHECK(content(folder / "deaf.csgt") == content(folder / "mute.csgt"));
+  const auto without_machine = [&](const std::string& name) {
+    const std::string printed = run("disasm " + (folder / name)).out;
+    const std::size_t begin = printed.find(".machine");
+    REQUIRE(begin != std::string::npos);
+    return printed.substr(0, begin) + printed.substr(printed.find('\n', begin));
+  };
+  CHECK(without_machine("deaf.csgt") == without_machine("mute.csgt"));
 
   const std::string on_deaf = " --machine " + (folder / "deaf.toml") + " -o " + (folder / "p.png");
   CHECK(run("run " + (folder / "deaf.csgt") + on_deaf).code == 0);

@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "places.h"
+#include "sim/app/text_columns.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -172,4 +176,44 @@ TEST_CASE("sweep goes on past a model that cannot be read, ends with 1, and trie
   all = json(folder / "out/sweep.json")["points"];
   CHECK(all[2]["clocks"] == all[0]["clocks"]);
   CHECK(all[6]["clocks"] == all[0]["clocks"]);
+}
+
+TEST_CASE(
+    "columns of a corpus's table end where their heading does, whatever a machine is called and however much it "
+    "takes") {
+  const Folder folder;
+  write(folder / "a.csg", cube);
+  std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
+  write(folder / "a-machine-of-a-name-that-is-longer-than-others.toml", text);
+  const Outcome outcome =
+      run_words({"corpus", "a.csg", "--size", "24x24", "--machines",
+                 "pixel-planes-4,a-machine-of-a-name-that-is-longer-than-others.toml", "-o", "out", "--no-plots"},
+                folder.path());
+  REQUIRE(outcome.code == 0);
+  std::istringstream lines(outcome.out);
+  std::string heading;
+  std::getline(lines, heading);
+  const std::size_t end = heading.find("clocks") + 6;
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "a.csg: 1 primitive, 1 piece, 6 half-spaces");
+  for (int machine = 0; machine < 2; ++machine) {
+    std::getline(lines, line);
+    CAPTURE(line);
+    CHECK(std::isdigit(line.at(end - 1)) != 0);
+    CHECK(line.at(end) == ' ');
+    CHECK(line.find("  ", 4) < end);
+  }
+}
+
+TEST_CASE("cells of a table in columns have two blanks between them, and a line alone runs on") {
+  const std::vector<std::vector<std::string>> rows{{"name", "n", "why"},
+                                                   {"a line that is alone in its row"},
+                                                   {"\u00e4", "123,456,789,012,345,678", "x"},
+                                                   {"b", "not drawn"}};
+  CHECK(csgsim::app::in_columns(rows, "<><") ==
+        "name                        n  why\n"
+        "a line that is alone in its row\n"
+        "\u00e4     123,456,789,012,345,678  x\n"
+        "b     not drawn\n");
 }

@@ -114,3 +114,116 @@ TEST_CASE("alpha in a model calls for transparency by itself, and can be told no
   REQUIRE(run(render + "--check --set effects.transparency.on=false").code == 0);
   CHECK(json(folder / "s.json")["effects"] == nlohmann::json::array({"flat"}));
 }
+
+namespace {
+
+/// A red pane before a wall, in a row with one before nothing.
+const std::string panes =
+    "color([1,0,0,0.5]){cube(size=[4,4,4],center=true);}\n"
+    "multmatrix([[1,0,0,0],[0,1,0,9],[0,0,1,0],[0,0,0,1]]){cube(size=[3,1,3],center=true);}\n"
+    "color([-1,-1,-1,0.25]){multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}}\n";
+const std::string from_front = " --size 48x32 --camera 4,-50,0,4,0,0 ";
+
+/// The number behind the first --memory-bits of a message.
+std::string bits_in(const std::string& message) {
+  const std::string option = "--memory-bits ";
+  const std::size_t at = message.find(option);
+  REQUIRE(at != std::string::npos);
+  return message.substr(at + option.size(),
+                        message.find_first_not_of("0123456789", at + option.size()) - at - option.size());
+}
+
+}  // namespace
+
+TEST_CASE("colours with alpha are drawn by screen-door where layers have no room, with a warning of what they need") {
+  const Folder folder;
+  write(folder / "m.csg", panes);
+  const std::string render = "render " + (folder / "m.csg") + from_front;
+  const Outcome spared = run(render + "-o " + (folder / "spared.ppm"));
+  CAPTURE(spared.err);
+  REQUIRE(spared.code == 0);
+  CHECK(one_line(spared.err));
+  CHECK(spared.err.find("m.csg: warning: ") != std::string::npos);
+  CHECK(spared.err.find("the machine has 72") != std::string::npos);
+  const std::string method = "--set effects.transparency.method=";
+  CHECK(spared.err.find(method + "screen-door") != std::string::npos);
+  const Outcome asked = run(render + method + "screen-door -o " + (folder / "asked.ppm"));
+  REQUIRE(asked.code == 0);
+  CHECK(asked.err.empty());
+  CHECK(content(folder / "spared.ppm") == content(folder / "asked.ppm"));
+
+  const std::string bits = bits_in(spared.err);
+  const Outcome layers = run(render + "--memory-bits " + bits + " -o " + (folder / "layers.ppm"));
+  CAPTURE(layers.err);
+  CHECK(layers.code == 0);
+  CHECK(layers.err.empty());
+  CHECK(content(folder / "layers.ppm") != content(folder / "asked.ppm"));
+  CHECK(run(render + "--memory-bits " + std::to_string(std::stoi(bits) - 1)).err.find("screen-door") !=
+        std::string::npos);
+}
+
+TEST_CASE("where a scene has a say in what is seen through, layers without room are refused") {
+  const Folder folder;
+  write(folder / "m.csg", panes);
+  write(folder / "s.toml", "[[materials]]\nfrom_line = 2\nopacity = 0.5\n");
+  const std::string render = "render " + (folder / "m.csg") + from_front;
+  for (const std::string& said :
+       {std::string("--set effects.transparency.method=layers"), std::string("--set effects.transparency.on=true"),
+        "--scene " + (folder / "s.toml")}) {
+    const Outcome refused = run(render + said);
+    CAPTURE(said);
+    CHECK(refused.code == 1);
+    CHECK(refused.err.find("and the machine has 72") != std::string::npos);
+    CHECK(one_line(refused.err));
+  }
+}
+
+TEST_CASE("--depth and --owner tell the nearest surface, glass or not, or by --surface opaque what is behind glass") {
+  const Folder folder;
+  write(folder / "m.csg", panes);
+  const auto draw = [&](const std::string& name, const std::string& options) {
+    const Outcome outcome = run("render " + (folder / "m.csg") + from_front + "--depth " + (folder / (name + ".exr")) +
+                                " --owner " + (folder / (name + ".png")) + " " + options);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return json(folder / (name + ".json"));
+  };
+  const nlohmann::json solid = draw("solid", "--set effects.transparency.on=false");
+  const nlohmann::json glass = draw("glass", "--memory-bits 256");
+  CHECK(glass == solid);
+  CHECK(content(folder / "glass.exr") == content(folder / "solid.exr"));
+  CHECK(content(folder / "glass.png") == content(folder / "solid.png"));
+  CHECK(glass["primitives"][0]["pixels"] > 0);
+  CHECK(glass["primitives"][1]["pixels"] == 0);
+  const nlohmann::json opaque = draw("opaque", "--memory-bits 256 --surface opaque");
+  CHECK(opaque["primitives"][0]["pixels"] == 0);
+  CHECK(opaque["primitives"][1]["pixels"] > 0);
+  CHECK(opaque["primitives"][2]["pixels"] == 0);
+  CHECK(content(folder / "opaque.exr") != content(folder / "glass.exr"));
+  misused("render " + (folder / "m.csg") + " --surface near", "nearest");
+
+  const std::string program = (folder / "m.csgt");
+  REQUIRE(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program).code == 0);
+  for (const std::string level : {"functional", "reference", "cycle"}) {
+    REQUIRE(run("run " + program + " --level " + level + " --depth " + (folder / "run.exr") + " --owner " +
+                (folder / "run.png"))
+                .code == 0);
+    CHECK(content(folder / "run.exr") == content(folder / "glass.exr"));
+    CHECK(json(folder / "run.json") == glass);
+  }
+}
+
+TEST_CASE("a run with glass that is stopped and goes on tells the same surfaces") {
+  const Folder folder;
+  write(folder / "m.csg", panes);
+  const std::string program = (folder / "m.csgt");
+  REQUIRE(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program).code == 0);
+  REQUIRE(run("run " + program + " --depth " + (folder / "whole.exr") + " --checkpoint " + (folder / "c.csgs") +
+              " --checkpoint-every 150")
+              .code == 0);
+  const Outcome resumed = run("run " + program + " --depth " + (folder / "resumed.exr") + " --owner " +
+                              (folder / "resumed.png") + " --resume " + (folder / "c.csgs"));
+  CAPTURE(resumed.err);
+  REQUIRE(resumed.code == 0);
+  CHECK(content(folder / "whole.exr") == content(folder / "resumed.exr"));
+}

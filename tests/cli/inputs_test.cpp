@@ -1,10 +1,12 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "hw/base/address_sanitizer.h"
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -82,7 +84,7 @@ TEST_CASE("an input without an end is refused at its limit, and not for the pict
   for (const std::string command : {"run", "disasm", "render"}) {
     const Outcome outcome = run_words({command, "/dev/zero"}, folder.path());
     CHECK(outcome.code == 1);
-    CHECK(outcome.err.starts_with("/dev/zero: longer than 1024 MiB; "));
+    CHECK(outcome.err.starts_with("/dev/zero: longer than 1 GiB; "));
   }
 #endif
 }
@@ -126,4 +128,74 @@ TEST_CASE("a near plane too near for any depth is refused with one that would do
   CHECK(
       run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", "1e-9"}, folder.path())
           .code == 0);
+}
+
+TEST_CASE(
+    "a model that takes more work than --limit allows is refused with its place, by every command that reads one") {
+  const Folder folder;
+  write(
+      folder / "twisted.csg",
+      cube +
+          "linear_extrude(height = 24, center = false, convexity = 1, twist = 90, slices = 500, scale = [0.5, 0.4]) {\n"
+          "  square(size = [12, 5], center = true);\n}\n");
+  for (std::vector<std::string> words : std::vector<std::vector<std::string>>{
+           {"compile", "twisted.csg", "-o", "t.csgt", "--size", "16x16"},
+           {"render", "twisted.csg", "--size", "16x16"},
+           {"explain", "twisted.csg", "--pixel", "8,8", "--size", "16x16"},
+           {"subdivide", "twisted.csg", "--levels", "0", "--size", "16x16"},
+           {"sweep", "twisted.csg", "--strategy", "stack", "-o", "out", "--size", "16x16"}}) {
+    CAPTURE(words[0]);
+    words.insert(words.end(), {"--limit", "1"});
+    const Outcome outcome = run_words(words, folder.path());
+    CHECK(outcome.code == 1);
+    CHECK(one_line(outcome.err));
+    CHECK(outcome.err.find("twisted.csg:2:1: linear_extrude(): ") != std::string::npos);
+    CHECK(outcome.err.find("more work than the limit of 1 million steps") != std::string::npos);
+    CHECK(outcome.err.find("--limit") != std::string::npos);
+  }
+  CHECK(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--size", "16x16"}, folder.path()).code == 0);
+  CHECK(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--limit", "0"}, folder.path()).code == 2);
+}
+
+TEST_CASE("a tree in which each primitive is seen or not by all others is refused before it fills memory") {
+  const Folder folder;
+  std::string text;
+  for (int i = 0; i < 8'000; ++i) text += "difference() { cube(size = [9, 9, 9], center = true);\n";
+  text += "cube(size = [1, 1, 1], center = true);" + std::string(8'000, '}') + "\n";
+  write(folder / "deep.csg", text);
+  const Outcome outcome = run_words({"compile", "deep.csg", "-o", "d.csgt", "--size", "16x16"}, folder.path());
+  CHECK(outcome.code == 1);
+  CHECK(one_line(outcome.err));
+  CHECK(outcome.err.find("from this primitive on, comparing primitives with others takes more work than") !=
+        std::string::npos);
+  CHECK(outcome.err.find("deep.csg:") != std::string::npos);
+}
+
+TEST_CASE("compiling takes no more work than --limit says, whatever asks for it") {
+  const Folder folder;
+  std::string text;
+  for (int i = 0; i < 100; ++i) {
+    text += fmt::format(
+        "multmatrix([[1, 0, 0, {}], [0, 1, 0, {}], [0, 0, 1, {}], [0, 0, 0, 1]]) {{ sphere($fn = 20, r = 3); }}\n",
+        i % 10 * 7, i / 10 * 7, i % 3);
+  }
+  write(folder / "balls.csg", text);
+  const auto compiled = [&](const std::string& limit, const std::string& shadows) {
+    return run_words({"compile", "balls.csg", "-o", "b.csgt", "--view-all", "--size", "64x64", "--memory-bits", "256",
+                      "--limit", limit, "--set", "effects.shadows.on=" + shadows},
+                     folder.path());
+  };
+  const Outcome plain = compiled("1", "false");
+  CHECK(plain.code == 1);
+  CHECK(one_line(plain.err));
+  CHECK(plain.err.find("balls.csg:") != std::string::npos);
+  CHECK(plain.err.find("broadcasting the model takes more work than the limit of 1 million steps") !=
+        std::string::npos);
+  const Outcome shadows = compiled("100", "true");
+  CHECK(shadows.code == 1);
+  CHECK(one_line(shadows.err));
+  CHECK(shadows.err.find("balls.csg:") != std::string::npos);
+  CHECK(shadows.err.find("finding where shadows fall takes more work than the limit") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder / "b.csgt"));
+  CHECK(compiled("100", "false").code == 0);
 }

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -95,7 +96,7 @@ TEST_CASE("a Program for one kind of machine is refused by another, with what to
   const Outcome refused = run("run " + program + " --machine scan-line");
   CHECK(refused.code == 1);
   CHECK(one_line(refused.err));
-  CHECK(refused.err.find("compile it for this machine") != std::string::npos);
+  CHECK(refused.err.find("compile the model for this one") != std::string::npos);
   const Outcome wide = run("render " + model("carburettor") + " --machine scan-line --size 600x20");
   CHECK(wide.code == 1);
   CHECK(wide.err.find("600 pixels is longer than the 512 cells") != std::string::npos);

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -10,14 +12,17 @@ using namespace csgsim::testing::cli;
 namespace {
 
 /// Draws source with a program on the PATH that does for `openscad` what the shell commands say.
-Outcome draw_source(const std::string& commands) {
+Outcome draw_source(const std::string& commands, const std::vector<std::string>& words = {"render", "part.scad"}) {
   const Folder folder;
   write(folder / "openscad", "#!/bin/sh\n" + commands);
   fs::permissions(folder / "openscad", fs::perms::owner_all);
   write(folder / "part.scad", "// whatever\n");
   const std::string path = "PATH=" + folder.path().string() + ":/usr/bin:/bin";
   const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
-  return run_program("/usr/bin/env", {path, program, "render", "part.scad", "--size", "16x16"}, folder.path());
+  std::vector<std::string> all = {path, program};
+  all.insert(all.end(), words.begin(), words.end());
+  all.insert(all.end(), {"--size", "16x16"});
+  return run_program("/usr/bin/env", all, folder.path());
 }
 
 }  // namespace
@@ -43,4 +48,23 @@ TEST_CASE("source that makes no shape is refused as such") {
   const Outcome outcome = draw_source("echo 'ECHO: 1' >&2; echo");
   CHECK(outcome.code == 1);
   CHECK(outcome.err == "part.scad: it makes no shape, so there is nothing to draw; call a module that makes one\n");
+}
+
+TEST_CASE("source is a model for each command that takes models and Programs") {
+  const std::string cube = "echo 'cube(size = [8, 6, 4]);'";
+  CHECK(draw_source(cube, {"explain", "part.scad", "--pixel", "8,8"}).code == 0);
+  CHECK(draw_source(cube, {"wave", "part.scad", "--pixel", "8,8", "-o", "part.vcd"}).code == 0);
+  CHECK(draw_source(cube, {"diff", "part.scad", "part.scad"}).code == 0);
+  CHECK(draw_source(cube, {"debug", "part.scad"}).code == 0);
+}
+
+TEST_CASE("a Program is one by what it begins with, whatever its name") {
+  const Folder folder;
+  write(folder / "model.csg", "cube(size = [8, 6, 4]);\n");
+  REQUIRE(run_words({"compile", "model.csg", "--size", "16x16", "-o", "program.csgt"}, folder.path()).code == 0);
+  fs::copy_file(folder / "program.csgt", folder / "program.csg");
+  CHECK(run_words({"run", "program.csg"}, folder.path()).code == 0);
+  const Outcome drawn = run_words({"render", "program.csg"}, folder.path());
+  CHECK(drawn.code == 1);
+  CHECK(drawn.err.find("that is a Program; use csgsim run") != drawn.err.npos);
 }

@@ -6,6 +6,7 @@
 #include "host/scene/schema.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/kind.h"
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;

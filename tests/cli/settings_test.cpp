@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
 #include "sim/app/commands/commands.h"
 #include "sim/app/settings/file_options.h"
 #include "tests/cli/cli.h"
@@ -81,6 +82,8 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"report", "\"page.html\""},
                                                  {"depth", "\"z.exr\""},
                                                  {"owner", "\"o.png\""},
+                                                 {"surface", "\"opaque\""},
+                                                 {"openscad-time", "60"},
                                                  {"tolerance", "\"0.5px\""},
                                                  {"tolerances", "\"0.5,1\""},
                                                  {"levels", "\"4\""},

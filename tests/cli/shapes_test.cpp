@@ -46,13 +46,40 @@ TEST_CASE("faces that six digits have moved apart are warned of, and brought tog
   CHECK(restored != skin);
 }
 
+TEST_CASE("a font that is not installed is told once, with its place and what is drawn instead") {
+  const Folder folder;
+  const auto told = [&](const std::string& csg) {
+    write(folder / "m.csg", csg);
+    const Outcome outcome = run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png"));
+    CHECK(outcome.code == 0);
+    return outcome.err;
+  };
+  const std::string warned = told(
+      "cube(1);\n\tlinear_extrude(height = 1) { text(text = \"a\", font = \"Nowhere:style=Bold\"); }\n"
+      "linear_extrude(height = 1) { text(text = \"b\", font = \"Nowhere:style=Bold\"); }\n");
+  CHECK(warned.find("m.csg:2:31: warning: the font Nowhere:style=Bold of text() is not installed, and DejaVu Sans is "
+                    "drawn instead") != std::string::npos);
+  CHECK(one_line(warned));
+  CHECK(told("linear_extrude(height = 1) { text(text = \"a\", font = \"DejaVu Sans\"); text(text = \"b\"); }").empty());
+  CHECK(told("cube(1); linear_extrude(height = 1) { text(text = \"\", font = \"Nowhere\"); }").empty());
+}
+
+TEST_CASE("a number without a name is told to be a file of rotate_extrude() as OpenSCAD writes it") {
+  const Folder folder;
+  write(folder / "m.csg", "cube(1);\nrotate_extrude(file = \"180\", angle = 360) { square(1); }\n");
+  const std::string told =
+      run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png")).err;
+  CHECK(told.find("m.csg:2:1: warning: rotate_extrude() draws a file named 180; a turn is an angle with its name: "
+                  "rotate_extrude(angle = 180)") != std::string::npos);
+}
+
 TEST_CASE("files of another folder are imported from the folder that is named, and are part of the model") {
   const Folder folder;
   fs::create_directory(folder / "models");
   fs::create_directory(folder / "parts");
   write(folder / "parts/plate.svg", "<svg><rect width=\"10\" height=\"20\"/></svg>");
   write(folder / "models/m.csg", "linear_extrude(height = 2) { import(file = \"../parts/plate.svg\"); }\n");
-  refuses(folder / "models/m.csg", "name a folder that both are in: --imports-from FOLDER");
+  refuses(folder / "models/m.csg", "name its folder: --imports-from FOLDER");
   const std::string words = "compile " + (folder / "models/m.csg") + " --size 16x16 -o " + (folder / "p.csgt");
   CHECK(run(words + " --imports-from " + (folder / "parts")).code == 0);
   CHECK(run(words + " --imports-from " + (folder / "models")).code == 1);

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -75,7 +76,7 @@ TEST_CASE("what a model on standard input imports is looked for in the current f
     return shell("cd " + folder.path().string() + " && echo '" + csg + "' | " + binary() + " render -" + draw);
   };
   CHECK(in_folder("import(file = \"t.stl\");").err.find("cannot be read") == std::string::npos);
-  CHECK(in_folder("import(file = \"none.stl\");").err.find("none.stl: cannot be read") != std::string::npos);
+  CHECK(in_folder("import(file = \"none.stl\");").err.starts_with("standard input:1:1: warning: "));
   CHECK(
       in_folder("import(file = \"../t.stl\");").err.starts_with("standard input:1:1: ../t.stl is not in the model's"));
   CHECK(in_folder("cub(1);").err.starts_with("standard input:1:1: unknown node cub()"));

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;

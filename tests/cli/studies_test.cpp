@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -251,7 +252,7 @@ TEST_CASE("bench fits what growth costs, and draws it") {
   REQUIRE(growth.size() == 6);
   for (const nlohmann::json& row : growth) {
     CHECK(row["points"].size() >= 2);
-    CHECK(row["exponent"].is_number());
+    CHECK((row.contains("exponent") && row["exponent"].is_number()) == (row["points"].size() >= 3));
     const std::string plot = "b/growth_" + row["against"].get<std::string>();
     CHECK(fs::file_size(folder / (plot + ".png")) > 1000);
     CHECK(fs::file_size(folder / (plot + ".svg")) > 1000);

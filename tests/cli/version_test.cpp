@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;

@@ -69,19 +69,20 @@ def drawn(csgsim, scad, limit, more=()):
         code, said = run([csgsim, "compile", str(scad), "--view-all", "-o", program, *more], limit)
         seconds = time.monotonic() - begun
         if code == 0:
-            code, said = run([csgsim, "run", program, "--progress", "none", "-o", folder + "/picture.png", "--stats", stats], limit)
+            code, more_said = run([csgsim, "run", program, "--progress", "none", "-o", folder + "/picture.png", "--stats", stats], limit)
+            said += more_said
         if code != 0:
             return None, f"not in {limit} s" if code is None else said.strip().splitlines()[-1]
         told = json.loads(Path(stats).read_text(encoding="utf-8"))
     of = told["model"]
-    return [of["halfspaces"], of["pieces"], told["clocks"], told["memory_bits"]["used"], f"{seconds:.1f}"], ""
+    return [of["halfspaces"], of["pieces"], told["clocks"], told["memory_bits"]["used"], f"{seconds:.1f}"], said
 
 
 def csgsim_says(csgsim, scad, limit):
     """Cells of the row. What is refused is drawn as the message says that it can be."""
     cells, said = drawn(csgsim, scad, limit)
     if cells:
-        return ["drawn", *cells]
+        return ["drawn; what is see-through by screen-door" if "screen-door" in said else "drawn", *cells]
     reason = "refused: " + re.sub(r"^\S*:(\d+:\d+:)? ", "", said).partition(";")[0].partition(" (")[0]
     mend = re.search(r"--set (\S+?),? ", said)
     if mend:

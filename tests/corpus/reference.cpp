@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "places.h"
+
 namespace csgsim::testing {
 
 namespace {

@@ -60,7 +60,8 @@ class Runs:
         folder = pathlib.Path(self._scratch.name) / str(self._folders)
         self._folders += 1
         folder.mkdir()
-        environment = dict(os.environ, OUT=str(folder), LC_ALL="C.UTF-8", PATH=f"{self.build}:{os.environ['PATH']}")
+        environment = dict(os.environ, OUT=str(folder), LC_ALL="C.UTF-8",
+                           FONTCONFIG_FILE=str(ROOT / "tests/support/fonts.conf"), PATH=f"{self.build}:{os.environ['PATH']}")
         done = subprocess.run(["bash", "-e", "-o", "pipefail", "-c", command], cwd=ROOT, env=environment, text=True,
                               stdin=subprocess.DEVNULL, capture_output=True, check=False)
         if done.returncode != 0:

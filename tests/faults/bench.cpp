@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include "places.h"
+
 namespace csgsim::testing::faults {
 
 namespace {

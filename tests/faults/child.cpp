@@ -12,6 +12,8 @@
 #include <cstdlib>
 #include <exception>
 
+#include "places.h"
+
 namespace csgsim::testing::faults {
 
 namespace {

@@ -37,6 +37,7 @@ std::string attribute(const char* name) { return OIIO::get_string_attribute(name
 isa::Program program() {
   isa::Program program;
   program.shape = {16, 12, 48};
+  program.colour = {20, 24};
   program.facts.fields = {{"Z2", {0, 20}, isa::FieldRole::depth}, {"colour", {20, 24}, isa::FieldRole::colour}};
   return program;
 }

@@ -15,7 +15,8 @@ namespace {
 
 const isa::Program& program() {
   static const isa::Program one = isa::parse(
-      ".array width=30 height=20 memory_bits=40\n.field Z2 [0+:20] depth\n.field \"a \\\"b\" [20+:8] colour\n"
+      ".array width=30 height=20 memory_bits=40\n.frame colour_base=20 colour_bits=8\n.field Z2 [0+:20] depth\n.field "
+      "\"a \\\"b\" [20+:8] colour\n"
       ".field mask [30] mask\n.primitive \"cube@3:4\"\n.primitive \"odd one\"\n"
       ".segment x=0 y=0 width=30 height=20\n  enable_all\n",
       "fuzz");

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <map>
+#include <numbers>
+#include <optional>
+#include <random>
 #include <span>
 #include <utility>
 
@@ -69,6 +72,59 @@ void check_piece(const model::Polyhedron& piece, double near) {
   }
 }
 
+/// How often a closed surface winds around a point: the solid angle that it is seen under (van Oosterom and Strackee),
+/// unless the point is near to the plane of one of its triangles.
+std::optional<double> winding(const solids::Mesh& mesh, const glm::dvec3& point, double near) {
+  double angle = 0;
+  for (const Face& face : mesh.faces) {
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      const glm::dvec3 a = mesh.points[face[0]] - point;
+      const glm::dvec3 b = mesh.points[face[k]] - point;
+      const glm::dvec3 c = mesh.points[face[k + 1]] - point;
+      const glm::dvec3 normal = glm::cross(b - a, c - a);
+      const double six_times = glm::dot(a, glm::cross(b, c));
+      if (std::abs(six_times) <= near * glm::length(normal)) return std::nullopt;
+      const double la = glm::length(a);
+      const double lb = glm::length(b);
+      const double lc = glm::length(c);
+      angle +=
+          2 * std::atan2(six_times, la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+    }
+  }
+  return angle / (4 * std::numbers::pi);
+}
+
+bool holds(const model::Polyhedron& piece, const glm::dvec3& point) {
+  return std::all_of(piece.planes.begin(), piece.planes.end(),
+                     [&](const glm::dvec4& plane) { return glm::dot(glm::dvec3(plane), point) + plane.w <= 0; });
+}
+
+/// Of a mesh that crosses itself: points are in one piece if it winds around them, and in none if it does not.
+void check_enclosed(const solids::Mesh& mesh, const solids::Limits& limits, double unit) {
+  const std::vector<model::Polyhedron> pieces = solids::enclosed_pieces(mesh, limits);
+  const solids::Mesh flat = solids::with_flat_convex_faces(mesh, limits.tolerance * unit);
+  constexpr double far_enough = 1e-3;  // in units of the largest coordinate
+  std::mt19937_64 random;
+  const auto coordinate = [&] { return unit * (static_cast<double>(random() >> 11U) * 0x1p-52 - 1); };
+  for (int i = 0; i < 40; ++i) {
+    const glm::dvec3 point(coordinate(), coordinate(), coordinate());
+    const std::optional<double> turns = winding(flat, point, far_enough * unit);
+    if (!turns) continue;
+    const auto in = std::count_if(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece, point); });
+    require(in == (std::abs(*turns) > 0.5 ? 1 : 0), "the pieces are what the mesh winds around");
+  }
+}
+
+/// None if the mesh crosses itself.
+std::optional<std::vector<model::Polyhedron>> divided(const solids::Checked& checked, const solids::Limits& limits) {
+  if (checked.crossing) return std::nullopt;
+  try {
+    return solids::convex_pieces(checked.mesh, limits);
+  } catch (const solids::WindingError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 void check_mesh(const solids::Mesh& mesh, double tolerance) {
@@ -82,12 +138,14 @@ void check_mesh(const solids::Mesh& mesh, double tolerance) {
   const double unit = solids::largest_coordinate(checked.mesh);
   solids::Limits limits;
   limits.tolerance = tolerance;
+  const auto parts = divided(checked, limits);
+  if (!parts) return check_enclosed(checked.mesh, limits, unit);
   Measure pieces;
   // Corners are on planes that they are off by twice the tolerance, or twice what cuts err by, which is told in units
   // of a diagonal; and both ends of a distance may be.
   const double cuts = convex::relative_tolerance * 2 * std::sqrt(3.0);
   const double near = 4 * std::max(tolerance, cuts);
-  for (const model::Polyhedron& piece : solids::convex_pieces(checked.mesh, limits)) {
+  for (const model::Polyhedron& piece : *parts) {
     check_piece(piece, near * unit);
     const Measure one = measure(piece.points, piece.faces, unit);
     require(one.volume > 0, "the faces of a piece run counter-clockwise seen from outside");

@@ -27,6 +27,7 @@ namespace {
 
 /// What the checkpoints of the corpus are of.
 constexpr const char* text = R"(.array width=70 height=3 memory_bits=16
+.frame colour_base=8 colour_bits=6
 .field Z2 [0+:8] depth
 .field colour [8+:6] colour
 .field beside [2+:6] candidate_colour

@@ -2,51 +2,18 @@
 
 #include "sim/study/table.h"
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <fstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "sim/study/comparison.h"
 #include "tests/fuzz/property.h"
+#include "tests/fuzz/scratch_file.h"
 
 namespace fuzz = csgsim::fuzz;
 namespace study = csgsim::study;
 
 namespace {
-
-/// In memory where there is such a folder: on a disk, files written anew so often are waited for.
-std::filesystem::path scratch_folder() {
-  const std::filesystem::path memory = "/dev/shm";
-  std::error_code error;
-  return std::filesystem::is_directory(memory, error) ? memory : std::filesystem::temp_directory_path();
-}
-
-/// A file of this process alone.
-class ScratchFile {
- public:
-  ScratchFile() : path_(scratch_folder() / ("csgsim_fuzz_" + std::to_string(::getpid()) + ".csv")) {}
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  void write(std::string_view text) const {
-    std::ofstream file(path_, std::ios::binary | std::ios::trunc);
-    file << text << std::flush;
-    if (!file) fuzz::broken("the scratch file can be written");
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::vector<std::string> lines_of(const std::filesystem::path& path) {
   const study::Table<study::ComparisonRow> table(path, "title");
@@ -73,12 +40,13 @@ void check(const std::filesystem::path& path, std::vector<std::string> lines) {
 
 /// Any file is either a table that can go on or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const ScratchFile file;
-  file.write(fuzz::text_of(data, size));
+  static const fuzz::ScratchFolder folder;
+  static const std::filesystem::path file = folder.path() / "compare.csv";
+  fuzz::write_scratch(file, fuzz::text_of(data, size));
   try {
-    check(file.path(), lines_of(file.path()));
+    check(file, lines_of(file));
   } catch (const csgsim::InputError& error) {
-    fuzz::check_message(error, file.path().native());
+    fuzz::check_message(error, file.native());
   }
   return 0;
 }

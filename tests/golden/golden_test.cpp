@@ -10,7 +10,7 @@
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
-#include "hw/scan_line/kind.h"
+#include "places.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
@@ -60,7 +60,16 @@ void check_run(const std::string& name) {
 }
 
 /// The names of files are the only thing in which a compiled model may differ from its trace.
-void check_compiled(const std::string& name, isa::Program compiled) {
+void check_compilation(const std::string& name, const std::string& model, const std::string& machine_name,
+                       const view::Camera& camera, machines::Size size = {512, 512}) {
+  machines::Machine machine = kinds::load(machine_name);
+  machines::set_picture_size(machine, size);
+  view::Sampling sampling;
+  sampling.width = size.width;
+  sampling.height = size.height;
+  const model::Tree tree = read::read_csg_file(testing::model_path(model));
+  const facet::Scene scene = facet::make_scene(tree);
+  isa::Program compiled = emit::compile(tree, scene, view::make_view(scene, tree, camera, sampling), machine);
   isa::Program golden = isa::load_program(trace(name, ".csgt"));
   golden.facts.model.file.clear();
   compiled.facts.model.file.clear();
@@ -71,9 +80,8 @@ void check_compiled(const std::string& name, isa::Program compiled) {
   CHECK((compiled == golden));
 }
 
-void check_compilation(const std::string& name, const std::string& model, const testing::Setup& setup) {
-  check_compiled(name, testing::compile_file(testing::model_path(model), setup).program);
-}
+constexpr view::Camera to_fig_2_3{{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic};
+constexpr view::Camera to_drilled_cube{{65, -95, 60}, {0, 0, -2}, view::Projection::orthographic};
 
 }  // namespace
 
@@ -94,47 +102,25 @@ TEST_CASE("the trace of fig. 2.3's object in subsegments runs to its golden coun
 }
 
 TEST_CASE("fig. 2.3's object compiles into its trace") {
-  check_compilation("thesis_fig_2_3", "thesis_fig_2_3",
-                    {{{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic}, {}, 72});
+  check_compilation("thesis_fig_2_3", "thesis_fig_2_3", "pixel-planes-4", to_fig_2_3);
 }
 TEST_CASE("the carburettor compiles into its trace") {
-  check_compilation("carburettor", "carburettor",
-                    {{{220, -255, 135}, {2, 0, 5}, view::Projection::perspective}, {}, 72});
+  check_compilation("carburettor", "carburettor", "pixel-planes-4",
+                    {{220, -255, 135}, {2, 0, 5}, view::Projection::perspective});
 }
 TEST_CASE("the terrain vehicle compiles into its trace") {
-  check_compilation("terrain_vehicle", "terrain_vehicle",
-                    {{{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective}, {}, 72});
+  check_compilation("terrain_vehicle", "terrain_vehicle", "pixel-planes-4",
+                    {{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective});
 }
 TEST_CASE("a drilled cube compiles into its trace") {
-  view::Sampling sampling;
-  sampling.width = 200;
-  sampling.height = 150;
-  check_compilation("old_example002", "old_example002",
-                    {{{65, -95, 60}, {0, 0, -2}, view::Projection::orthographic}, sampling, 72});
+  check_compilation("old_example002", "old_example002", "pixel-planes-4", to_drilled_cube, {200, 150});
 }
 TEST_CASE("a drilled cube compiles into its trace of lines") {
-  testing::Setup setup{{{65, -95, 60}, {0, 0, -2}, view::Projection::orthographic}, {}, 96};
-  setup.sampling.width = 100;
-  setup.sampling.height = 75;
-  setup.kind = &scan_line::kind;
-  check_compilation("old_example002_lines", "old_example002", setup);
+  check_compilation("old_example002_lines", "old_example002", "scan-line", to_drilled_cube, {100, 75});
 }
 TEST_CASE("fig. 2.3's object compiles into its trace of squares") {
-  machines::Machine machine = kinds::load("pixel-square");
-  machines::set_picture_size(machine, {150, 100});
-  view::Sampling sampling;
-  sampling.width = 150;
-  sampling.height = 100;
-  const model::Tree tree = read::read_csg_file(testing::model_path("thesis_fig_2_3"));
-  const facet::Scene scene = facet::make_scene(tree);
-  const view::View view =
-      view::make_view(scene, tree, {{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic}, sampling);
-  check_compiled("thesis_fig_2_3_squares", emit::compile(tree, scene, view, machine));
+  check_compilation("thesis_fig_2_3_squares", "thesis_fig_2_3", "pixel-square", to_fig_2_3, {150, 100});
 }
 TEST_CASE("fig. 2.3's object compiles into its trace of subsegments") {
-  testing::Setup setup{{{42, -38, 41}, {10, 5.5, 2}, view::Projection::orthographic}, {}, 72};
-  setup.sampling.width = 96;
-  setup.sampling.height = 64;
-  setup.machine = "multi-processor";
-  check_compilation("thesis_fig_2_3_nodes", "thesis_fig_2_3", setup);
+  check_compilation("thesis_fig_2_3_nodes", "thesis_fig_2_3", "multi-processor", to_fig_2_3, {96, 64});
 }

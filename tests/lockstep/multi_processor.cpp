@@ -71,7 +71,7 @@ machines::Machine random_machine(std::uint32_t seed) {
 /// When they are at which pixel before, tests/unit/multi_processor/list_renderer_test.cpp looks at.
 void check_subsegments(const isa::Program& program, const machines::Machine& machine, const TimedMachine& hardware) {
   const machines::Timeline timeline = machines::timeline(program, machine);
-  const isa::Field colour = isa::field_of(program, isa::FieldRole::colour);
+  const isa::Field colour = program.colour;
   for (const TimedMachine::Told& told : hardware.told()) {
     const isa::Segment& part = program.segments[told.segment];
     std::uint64_t slowest = 0;

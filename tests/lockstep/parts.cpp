@@ -16,9 +16,7 @@ namespace {
 class Picture final : public sim::Observer {
  public:
   explicit Picture(const isa::Program& program)
-      : colours(std::size_t{program.shape.width} * program.shape.height),
-        program_(program),
-        colour_(isa::field_of(program, isa::FieldRole::colour)) {}
+      : colours(std::size_t{program.shape.width} * program.shape.height), program_(program), colour_(program.colour) {}
 
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
 
@@ -62,7 +60,7 @@ bool agree_in_parts(const std::string& what, const machines::Machine& machine,
     }
     RC_ASSERT(adds_up(counted));
     RC_ASSERT(counted.overflows == expected.overflows);
-    if (isa::field_of(program, isa::FieldRole::colour).width == 0) {
+    if (program.colour.width == 0) {
       RC_ASSERT(counted.scanned_out.empty());
     } else {
       RC_ASSERT(counted.scanned_out == picture.colours);

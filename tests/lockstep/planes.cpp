@@ -100,7 +100,7 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
     isa::Program& frame = frames.emplace_back(*arbitrary_program(shape, most, machine.evaluator_degree));
     frame.facts.fields.clear();
     const auto base = static_cast<std::uint16_t>(*rc::gen::inRange(0U, shape.memory_bits - width + 1));
-    if (coloured) frame.facts.fields = {{"colour", {base, width}, isa::FieldRole::colour}};
+    frame.colour = coloured ? isa::Field{base, width} : isa::Field{};
   }
   return frames;
 }
@@ -116,7 +116,7 @@ bool agree_in_sequences(const Settings& settings) {
     drawings.reserve(programs.size());
     sim::Observer unmoved;
     for (const isa::Program& program : programs) {
-      sim::Observer* const drawing = &drawings.emplace_back(isa::field_of(program, isa::FieldRole::colour));
+      sim::Observer* const drawing = &drawings.emplace_back(program.colour);
       reference->run(program, {&drawing, 1});
       frames.push_back({&program, drawings.back().skips});
       nobody.push_back(&unmoved);

@@ -66,7 +66,7 @@ void check_pictures(sim::Engine& judge, sim::Engine& engine, const isa::Program&
   RC_ASSERT(actual.frame.colour == expected.frame.colour);
   RC_ASSERT(actual.frame.depth == expected.frame.depth);
   RC_ASSERT(actual.frame.owner == expected.frame.owner);
-  const bool coloured = isa::field_of(program, isa::FieldRole::colour).width > 0;
+  const bool coloured = program.colour.width > 0;
   RC_ASSERT(actual.scanned_out == (coloured ? expected.frame.colour : std::vector<std::uint32_t>{}));
 }
 

@@ -93,9 +93,9 @@ TEST_CASE("the machine counts its own tests: what a Program says of them changes
   const sim::RunResult before = engine->run(program, {});
   CHECK(before.clocks == sim::make_functional_engine(machine)->run(program, {}).clocks);
   for (isa::Segment& segment : program.segments) {
-    segment.facts.division.halfspaces += 3;
-    segment.facts.division.nodes += 2;
-    segment.facts.division.group_boxes += 1;
+    segment.division.halfspaces += 3;
+    segment.division.nodes += 2;
+    segment.division.group_boxes += 1;
   }
   program.facts.model = {};
   const sim::RunResult after = engine->run(program, {});

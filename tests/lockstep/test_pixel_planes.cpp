@@ -81,7 +81,7 @@ Program program_of(std::vector<Segment> segments) {
 
 /// With the colours in that field.
 Program shown(Program program, Field colour) {
-  program.facts.fields = {{"colour", colour, csgsim::isa::FieldRole::colour}};
+  program.colour = colour;
   return program;
 }
 
@@ -352,7 +352,7 @@ TEST_CASE("the engine scans out the colour field after the program") {
   program.segments = {segment_of({{.opcode = Opcode::enable_all}})};
   const auto engine = csgsim::sim::make_cycle_engine(machine_8x8());
   CHECK(engine->run(program, {}).shown_clocks == lead + 1 + latency_8x8);
-  program.facts.fields = {{"colour", {8, 24}, csgsim::isa::FieldRole::colour}};
+  program.colour = {8, 24};
   const auto result = engine->run(program, {});
   CHECK(result.shown_clocks == result.clocks + 24 * 8 + 8);
   CHECK(result.interval_clocks == 24 * 8 + 1 + result.clocks);  // the next frame takes longer than a row is shown

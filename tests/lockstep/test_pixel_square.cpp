@@ -44,7 +44,7 @@ machines::Machine machine_8x8() {
 isa::Program slow_square_first() {
   isa::Program program;
   program.shape = {8, 8, 16};
-  program.facts.fields.push_back({"colour", counter, isa::FieldRole::colour});
+  program.colour = counter;
   program.background = 7;
   for (const isa::Region& region : machines::regions(machine_8x8()))
     program.segments.push_back({.region = region, .instructions = {}});

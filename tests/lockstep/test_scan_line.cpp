@@ -44,7 +44,7 @@ constexpr std::uint64_t first_entry = 5;
 isa::Program program_of(const machines::Machine& machine, const std::vector<Instruction>& instructions) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 64};
-  program.facts.fields = {{"colour", colour, isa::FieldRole::colour}};
+  program.colour = colour;
   program.background = 77;
   for (const isa::Region& region : machines::regions(machine)) {
     program.segments.push_back({.region = region, .instructions = instructions});

@@ -11,15 +11,58 @@ from dataclasses import dataclass
 
 PICTURES = ["rules", "strategies", "golden", "hard_cases", "agreement"]
 JUDGES_OF = {  # in the order in which they are asked
-    "host/view": ["view", "csg", "judges", "emit", *PICTURES, "study"],
+    "hw/base": ["base", "isa", "read"],
+    "hw/isa": ["isa", "view", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
+    "hw/division": ["division", "pixel_square_modules", "multi_processor_kind"],
+    "hw/machines": ["machines", "observe", "golden"],
+    "hw/array": ["array", "pixel_planes", "pixel_square", "lockstep_cycle", "lockstep_squares", "lockstep_models"],
+    "hw/wave": ["waves", "cycle"],
+    "hw/link": ["cycle", "pixel_square_modules", "scan_line", "pixel_planes"],
+    "hw/pixel_planes": ["machines", "pixel_planes", "lockstep_planes", "lockstep_cycle"],
+    "hw/scan_line": ["machines", "scan_line", "scan_line_array", "lockstep_scan_line"],
+    "hw/pixel_square": ["machines", "pixel_square_modules", "pixel_square", "lockstep_squares"],
+    "hw/multi_processor": ["machines", "multi_processor_kind", "multi_processor", "lockstep_multi_processor"],
+    "hw/kinds": ["machines", "kinds"],
+    "hw/systemc": ["cycle", "pixel_planes", "scan_line", "pixel_square_modules", "elaboration"],
+    "host/model": ["read", "facet", "solids"],
+    "host/read": ["read", "corpus"],
+    "host/flat": ["flat", "read", "corpus"],
+    "host/flat/dxf": ["flat", "corpus"],
+    "host/flat/lettering": ["flat", "corpus"],
+    "host/flat/svg": ["flat", "corpus"],
     "host/facet": ["facet", "csg", "view", "judges", "emit", *PICTURES],
+    "host/view": ["view", "csg", "judges", "emit", *PICTURES, "study"],
+    "host/convex": ["convex", "effects", "scenes"],
+    "host/solids": ["solids", "sweep", "read", "corpus"],
+    "host/scene": ["scene", "effects", "scenes"],
+    "host/lighting": ["scene", "emit", "effects", "scenes"],
     "host/csg": ["csg", "emit", *PICTURES, "study"],
     "host/emit": ["emit", *PICTURES, "lockstep_models", "study"],
-    "hw/isa": ["isa", "view", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
-    "hw/array": ["array", "pixel_planes", "pixel_square", "lockstep_cycle", "lockstep_squares", "lockstep_models"],
+    "host/effects": ["effects", "scene", "story", "scenes"],
+    "sim/reference": ["reference", "functional_lockstep", "lockstep_functional"],
+    "sim/functional": ["functional", "functional_lockstep", "lockstep_functional", "threads", "golden"],
+    "sim/cycle": ["cycle", "elaboration", "lockstep_cycle", "golden"],
+    "sim/waves": ["waves", "cli"],
+    "sim/story": ["story", "cli"],
+    "sim/checkpoint": ["checkpoint", "cli"],
+    "sim/lockstep": ["lockstep", "cli"],
+    "sim/debug": ["debug", "cli"],
     "sim/judges": ["judges", "hard_cases", "study"],
+    "sim/plots": ["plots", "study"],
+    "sim/study": ["study", "cli"],
+    "sim/bench": ["bench", "cli"],
+    "sim/pictures": ["pictures", "observe", "picture_faults"],
+    "sim/report": ["report", "cli"],
+    "sim/observe": ["observe", "long_work", "report", "cli"],
+    "sim/app": ["cli"],
+    "sim/app/commands": ["cli"],
+    "sim/app/manual": ["cli"],
+    "sim/app/settings": ["cli"],
+    "sim/app/studies": ["cli"],
 }
-BY_CASE = {"pixel_planes", "pixel_square", "cli"}  # a process a test case: SystemC elaborates once
+BY_CASE = {  # as ctest runs them, mostly a process a test case: SystemC elaborates once
+    "pixel_planes", "pixel_square", "pixel_square_modules", "scan_line", "scan_line_array", "cycle", "elaboration", "kinds",
+    "multi_processor", "multi_processor_kind", "waves", "debug", "long_work", "checkpoint", "picture_faults", "cli", "corpus"}
 TOO_SLOW = ["*half a million facets*", "*turned by a hair*"]
 LEFT_OUT = {"hard_cases": ["--source-file-exclude=*hard_cases_many*"]}  # trees of 10,000 nodes take minutes
 LOCKSTEP_PROGRAMS = {"lockstep_functional": 6, "lockstep_cycle": 6}  # which word of the command says how many Programs
@@ -54,6 +97,12 @@ def run(command, seconds, cwd=None, environment=None, memory=None):
 
 def target_of(judge):
     return judge if judge.startswith("lockstep_") else f"test_{judge}"
+
+
+def environment_of(test):
+    """What ctest sets for a test."""
+    set_ = next((one["value"] for one in test.get("properties", []) if one["name"] == "ENVIRONMENT"), [])
+    return dict(word.split("=", 1) for word in set_)
 
 
 class Judges:
@@ -101,7 +150,7 @@ class Judges:
                 environment = {"RC_PARAMS": f"{RANDOM} max_success={command[LOCKSTEP_PROGRAMS[judge]]}"}
             elif judge == "lockstep_squares":
                 environment = {"RC_PARAMS": f"{RANDOM} max_success=30"}
-            yield command, environment
+            yield command, environment | environment_of(test)
 
     def ask(self, judge):
         """The judge's verdict on the sources as they are."""

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutation testing: which small wrong edits of the rooms on which correctness rests does no test notice?"""
+"""Mutation testing: which small wrong edits does no test notice?"""
 
 import argparse
 import csv
@@ -75,9 +75,9 @@ def append(path, row):
 def summary(rows):
     counts = Counter((row["room"], row["result"]) for row in rows)
     results = ["failed", "timeout", "survived", "uncompilable"]
-    print(f"{'room':14}" + "".join(f"{name:>14}" for name in results))
+    print(f"{'room':22}" + "".join(f"{name:>14}" for name in results))
     for room in JUDGES_OF:
-        print(f"{room:14}" + "".join(f"{counts[room, name]:14}" for name in results))
+        print(f"{room:22}" + "".join(f"{counts[room, name]:14}" for name in results))
 
 
 def line_text(mutant):
@@ -133,7 +133,7 @@ def try_again(options, judges):
 def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen, and in which order (%(default)s)")
-    parser.add_argument("--count", type=int, default=200, help="mutants that compile, of all rooms (%(default)s)")
+    parser.add_argument("--count", type=int, default=400, help="mutants that compile, of all rooms (%(default)s)")
     parser.add_argument("--room", action="append", choices=list(JUDGES_OF), help="only this room; may be repeated")
     parser.add_argument("--judge", action="append", help="only this test executable, without test_; may be repeated")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "mutants", help="the build folder (%(default)s)")

@@ -38,10 +38,10 @@ def yosys(commands):
     return run.stdout.rsplit("Printing statistics.", 1)[1]
 
 
-def synthesised(top, parameters, liberty):
+def synthesised(top, parameters, liberty, defines=""):
     """Gates, flip-flops, transistors, and the area in a cell library (None without one)."""
     values = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
-    begin = [f"read_verilog -I. {SOURCES}", f"hierarchy -top {top} {values}", f"synth -flatten -top {top}"]
+    begin = [f"read_verilog -I. {defines} {SOURCES}", f"hierarchy -top {top} {values}", f"synth -flatten -top {top}"]
     text = yosys(begin + ["dfflegalize -cell $_DFF_P_ 01", f"abc -g cmos4 -script {SCRIPT}", "opt_clean",
                           "stat -tech cmos"])
     cells = int(re.search(r"Number of cells: +(\d+)", text)[1])
@@ -55,8 +55,16 @@ def synthesised(top, parameters, liberty):
     return {"gates": cells - flip_flops, "flip_flops": flip_flops, "transistors": transistors, "area": area}
 
 
-def pixel(alu_bits, reads, liberty):
-    return synthesised("area_pixel", {"ALU_BITS": alu_bits, "MEMORY_READS": reads}, liberty)
+def pixel(alu_bits, reads, degree, liberty):
+    """With degree 2 also the flag for roots."""
+    return synthesised("area_pixel", {"ALU_BITS": alu_bits, "MEMORY_READS": reads}, liberty,
+                       "-D CSGSIM_ROOTS" if degree == 2 else "")
+
+
+def node_of_degree_2(liberty):
+    """The mean of the nodes of a Y tree: half of them delay their slope by no register, a quarter by one, an eighth by two."""
+    none, one, two = (synthesised("area_node_2", {"DELAY": delay}, liberty) for delay in range(3))
+    return {key: None if none[key] is None else round((none[key] + two[key]) / 2) for key in none}
 
 
 def shared(liberty):
@@ -79,34 +87,47 @@ def table(head, rows):
     return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
 
 
-def figures(row):
-    return [grouped(row["gates"]), grouped(row["flip_flops"]), grouped(row["transistors"]), grouped(row["area"])]
+def area_on_page(name):
+    """What the page has, for runs without a library."""
+    row = re.search(rf"^\| {re.escape(name)} \|.*\| ([\d,.]*) \|$", PAGE.read_text(), re.M)
+    return row[1] if row else ""
 
 
-def tables(pixels, node, wired_or, rest):
+def figures(name, row):
+    area = area_on_page(name) if row["area"] is None else grouped(row["area"])
+    return [name, grouped(row["gates"]), grouped(row["flip_flops"]), grouped(row["transistors"]), area]
+
+
+def pixel_name(alu, reads, degree):
+    flag = " and a flag for roots" if degree == 2 else ""
+    return f"pixel, ALU of {alu}, {reads} read{'s' if reads > 1 else ''} a clock{flag}"
+
+
+def tables(pixels, nodes, wired_or, rest):
     """The tables of the page, by mark."""
     head = ["", "gates", "flip-flops", "transistors", "area, µm²"]
-    logic = [[f"pixel, ALU of {alu}, {reads} read{'s' if reads > 1 else ''} a clock"] + figures(pixels[alu, reads])
-             for alu in PAGE_ALU_BITS for reads in READS]
-    logic += [["node of the multiplier trees"] + figures(node), ["global OR, 64 inputs a gate, 1/4,096 of it"] + wired_or]
+    shown = [(alu, reads, 1) for alu in PAGE_ALU_BITS for reads in READS] + [(1, reads, 2) for reads in READS]
+    logic = [figures(pixel_name(*key), pixels[key]) for key in shown]
+    logic.append(figures("node of the multiplier trees", nodes[1]))
+    logic.append(figures("node of the multiplier trees of degree 2", nodes[2]))
+    logic.append(["global OR, 64 inputs a gate, 1/4,096 of it"] + wired_or)
 
-    def all_of(alu, reads, bits, cell):
-        return pixels[alu, reads]["transistors"] + node["transistors"] + bits * cell[reads]
+    def logic_of(key):
+        return pixels[key]["transistors"] + nodes[key[2]]["transistors"]
 
-    depths = []
-    for alu in PAGE_ALU_BITS:
-        for reads in READS:
-            depths.append([alu, reads, grouped(pixels[alu, reads]["transistors"] + node["transistors"])] +
-                          [grouped(all_of(alu, reads, bits, CELL)) for bits in MEMORY_BITS])
-    static = [[alu, reads, ""] + [grouped(all_of(alu, reads, bits, STATIC_CELL)) for bits in MEMORY_BITS]
-              for alu, reads in ((1, 1), (1, 2))]
-    depth_head = ["ALU, bits", "reads", "logic"] + [f"{bits} bits" for bits in MEMORY_BITS]
+    def row(key, cell):
+        return [grouped(logic_of(key) + bits * cell[key[1]]) for bits in MEMORY_BITS]
+
+    depths = [[key[0], key[1], key[2], grouped(logic_of(key))] + row(key, CELL) for key in shown]
+    static = [[key[0], key[1], key[2], ""] + row(key, STATIC_CELL) for key in ((1, 1, 1), (1, 2, 1), (1, 1, 2), (1, 2, 2))]
+    depth_head = ["ALU, bits", "reads", "degree", "logic"] + [f"{bits} bits" for bits in MEMORY_BITS]
     return {"logic": table(head, logic), "depths": table(depth_head, depths), "static": table(depth_head, static),
-            "shared": table(head, [[name] + figures(row) for name, row in rest.items()])}
+            "shared": table(head, [figures(name, row) for name, row in rest.items()])}
 
 
-def header(pixels, node):
-    rows = "\n".join(f"    {{{alu}, {reads}, {row['transistors']}}}," for (alu, reads), row in pixels.items())
+def header(pixels, nodes):
+    rows = "\n".join(f"    {{{alu}, {reads}, {degree}, {row['transistors']}}},"
+                     for (alu, reads, degree), row in pixels.items())
     return f"""#pragma once
 
 #include <array>
@@ -115,10 +136,12 @@ def header(pixels, node):
 /// Written by tests/rtl/area.py from what Yosys makes of the Verilog in tests/rtl: transistors of static CMOS.
 namespace csgsim::machines {{
 
-/// A pixel processor with its registers and the turning of its memory ports, without its memory.
+/// A pixel processor with its registers and the turning of its memory ports, without its memory; where expressions are
+/// of degree 2, with a flag for roots.
 struct PixelLogic {{
   std::uint32_t alu_bits;
   std::uint32_t memory_reads;
+  std::uint32_t degree;
   std::uint32_t transistors;
 }};
 
@@ -128,8 +151,8 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({{
 }});
 // clang-format on
 
-/// A node of the multiplier trees, of which there is one a pixel.
-inline constexpr std::uint32_t tree_node_transistors = {node['transistors']};
+/// A node of the multiplier trees for expressions of that degree, 1 or 2; there is one a pixel.
+constexpr std::uint32_t tree_node_transistors(std::uint32_t degree) {{ return degree == 1 ? {nodes[1]['transistors']} : {nodes[2]['transistors']}; }}
 
 }}  // namespace csgsim::machines
 """
@@ -150,13 +173,14 @@ def check():
 
     # It takes the whole machine.
     yosys([f"read_verilog -I. {SOURCES}", "hierarchy -check -top frame_buffer", "proc", "check -assert", "stat"])
-    node = synthesised("area_node", {}, None)["transistors"]
-    expect(f"tree_node_transistors = {node};", text, TABLE, f"a tree node takes {node} transistors")
-    for alu_bits, reads in ((1, 1), (1, 2), (2, 1)):
-        now = pixel(alu_bits, reads, None)["transistors"]
-        what = f"an ALU of {alu_bits} with {reads} reads takes {now} transistors"
-        expect(f"{{{alu_bits}, {reads}, {now}}}", text, TABLE, what)
-        cells = [alu_bits, reads, grouped(now + node)] + [grouped(now + node + n * CELL[reads]) for n in MEMORY_BITS]
+    nodes = {1: synthesised("area_node", {}, None)["transistors"], 2: node_of_degree_2(None)["transistors"]}
+    expect(f"degree == 1 ? {nodes[1]} : {nodes[2]};", text, TABLE, f"tree nodes take {nodes[1]} and {nodes[2]} transistors")
+    for alu_bits, reads, degree in ((1, 1, 1), (1, 2, 1), (2, 1, 1), (1, 1, 2)):
+        now = pixel(alu_bits, reads, degree, None)["transistors"]
+        what = f"an ALU of {alu_bits} with {reads} reads and degree {degree} takes {now} transistors"
+        expect(f"{{{alu_bits}, {reads}, {degree}, {now}}}", text, TABLE, what)
+        logic = now + nodes[degree]
+        cells = [alu_bits, reads, degree, grouped(logic)] + [grouped(logic + n * CELL[reads]) for n in MEMORY_BITS]
         expect("| " + " | ".join(map(str, cells)) + " |", page, PAGE, what)
     for line in wrong:
         print("area.py: " + line)
@@ -170,13 +194,15 @@ def main():
     options = parser.parse_args()
     if options.check:
         return check()
-    pixels = {(alu, reads): pixel(alu, reads, options.liberty) for alu in ALU_BITS for reads in READS}
-    node = synthesised("area_node", {}, options.liberty)
+    pixels = {(alu, reads, degree): pixel(alu, reads, degree, options.liberty)
+              for degree in (1, 2) for alu in ALU_BITS for reads in READS}
+    nodes = {1: synthesised("area_node", {}, options.liberty), 2: node_of_degree_2(options.liberty)}
     whole_or = synthesised("global_or", {"LINES": 4096, "FAN_IN": 64}, options.liberty)
-    wired_or = [f"{value / 4096:.2f}" if value is not None else "" for value in whole_or.values()]
-    TABLE.write_text(header(pixels, node))
+    wired_or = [f"{value / 4096:.2f}" if value is not None else area_on_page("global OR, 64 inputs a gate, 1/4,096 of it")
+                for value in whole_or.values()]
+    TABLE.write_text(header(pixels, nodes))
     page = PAGE.read_text()
-    for name, rows in tables(pixels, node, wired_or, shared(options.liberty)).items():
+    for name, rows in tables(pixels, nodes, wired_or, shared(options.liberty)).items():
         page = marked(name).sub(lambda match: match[1] + rows + "\n" + match[2], page)
     PAGE.write_text(page)
     return 0

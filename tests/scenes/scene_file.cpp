@@ -11,6 +11,7 @@
 #include "host/read/read.h"
 #include "host/scene/read.h"
 #include "hw/kinds/load.h"
+#include "places.h"
 
 namespace csgsim::testing {
 

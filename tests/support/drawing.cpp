@@ -11,6 +11,7 @@
 #include "hw/pixel_planes/kind.h"
 #include "hw/pixel_square/kind.h"
 #include "hw/scan_line/kind.h"
+#include "places.h"
 #include "sim/engine/engine.h"
 
 namespace csgsim::testing {

@@ -327,10 +327,29 @@ void pick_names(isa::Program& program) {
     std::string name(pick(0U, 1U), 'x');
     name += std::to_string(i);
     if (pick(0, 1) == 1) name += pick_name();
-    program.facts.fields.push_back({name, {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)}, role});
+    isa::Field field{static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)};
+    if (role == isa::FieldRole::colour && program.colour.width > 0) field = program.colour;
+    if (role == isa::FieldRole::colour) program.colour = field;
+    program.facts.fields.push_back({name, field, role});
   }
   const unsigned primitives = pick(0U, 4U);
   for (unsigned i = 0; i < primitives; ++i) program.facts.primitives.push_back(pick_name());
+}
+
+/// Whatever the instructions serve: machines go by what is said.
+void pick_extents(isa::Program& program) {
+  const unsigned extents = pick(0U, 1U) * pick(0U, 6U);
+  for (unsigned i = 0; i < extents; ++i) {
+    const auto first = static_cast<std::uint16_t>(pick(0U, program.shape.height - 1));
+    const auto last = static_cast<std::uint16_t>(pick<unsigned>(first, program.shape.height - 1));
+    program.extents.push_back({first, last});
+  }
+}
+
+void pick_machine(isa::Program& program) {
+  if (pick(0, 1) == 0) return;
+  program.machine = {pick_name(), pick_name(), {}};
+  while (pick(0, 1) == 1) program.machine.figures.push_back(pick_name());
 }
 
 }  // namespace
@@ -364,8 +383,8 @@ void pick_division(isa::Program& program) {
   for (std::uint8_t& byte : program.display_model) byte = static_cast<std::uint8_t>(pick(0U, 255U));
   if (program.display_model.empty()) return;
   for (isa::Segment& segment : program.segments)
-    segment.facts.division = {pick(0U, 9U), pick(0U, 99U), pick(0U, 9U),  pick(0U, 9U), pick(0U, 9U),
-                              pick(0U, 9U), pick(0U, 9U),  pick(0U, 99U), pick(0U, 9U), pick(0U, 9U)};
+    segment.division = {pick(0U, 9U), pick(0U, 99U), pick(0U, 9U),  pick(0U, 9U), pick(0U, 9U),
+                        pick(0U, 9U), pick(0U, 9U),  pick(0U, 99U), pick(0U, 9U), pick(0U, 9U)};
 }
 
 }  // namespace
@@ -376,6 +395,8 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
     program.shape = shape;
     pick_facts(program);
     pick_names(program);
+    pick_extents(program);
+    pick_machine(program);
     const int segments = pick(1, 3);
     const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
     for (int i = 0; i < segments; ++i) {
@@ -394,9 +415,10 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
     program.shape = {machine.picture.width, machine.picture.height, machine.array.memory_bits};
     pick_facts(program);
     pick_names(program);
+    pick_extents(program);
     program.facts.model.primitives = pick(0U, 4U);
     program.facts.model.halfspaces = pick(0U, 30U);
-    const unsigned colour_bits = isa::field_of(program, isa::FieldRole::colour).width;
+    const unsigned colour_bits = program.colour.width;
     program.background = pick(0U, (1U << std::min(colour_bits, isa::most_colour_bits)) - 1);
     const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
     const unsigned without = std::min(pick(0U, 12U), 10U);  // of ten segments

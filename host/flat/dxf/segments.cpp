@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "host/flat/clipping.h"
 #include "hw/base/error.h"
@@ -39,13 +40,12 @@ class Tracer {
     return chains;
   }
 
-  /// Those of what is left, the first without its place at the end.
+  /// Those of what is left, from a vertex on that comes again at the end if no more than two segments meet anywhere.
   std::vector<std::vector<std::uint32_t>> closed() {
     std::vector<std::vector<std::uint32_t>> chains;
     for (std::uint32_t segment = 0; segment < segments_.size(); ++segment) {
       if (used_[segment]) continue;
       chains.push_back(trace(segment, 0));
-      chains.back().erase(chains.back().begin());
     }
     return chains;
   }
@@ -127,17 +127,34 @@ void Segments::add(const glm::dvec2& from, const glm::dvec2& to) {
 
 glm::dvec2 Segments::snap(const glm::dvec2& point) { return vertices_[vertex(point)]; }
 
+/// Whether OpenSCAD would turn a chain round, as it does with those that come back in a drawing without open ones: by
+/// the sides at the first corner of the least x, its angles being those from the y axis.
+bool Segments::is_turned(const std::vector<std::uint32_t>& chain) const {
+  const auto at = [&](std::size_t i) { return vertices_[chain[i]]; };
+  const std::size_t last = chain.size() - 1;
+  std::size_t least = 0;
+  for (std::size_t i = 1; i <= last; ++i) {
+    if (at(i).x < at(least).x) least = i;
+  }
+  const glm::dvec2 before = at(least == 0 ? last - 1 : least - 1) - at(least);
+  const glm::dvec2 after = at(least == last ? 1 : least + 1) - at(least);
+  return std::atan2(before.x, before.y) < std::atan2(after.x, after.y);
+}
+
 std::vector<Outline> Segments::outlines() const {
   Tracer tracer(segments_, vertices_.size());
+  std::vector<std::vector<std::uint32_t>> chains = tracer.open();
+  const bool turns = chains.empty();
+  for (std::vector<std::uint32_t>& chain : tracer.closed()) {
+    // The end that is left out is the same vertex as the other, but where several segments meet.
+    chain.erase(turns && is_turned(chain) ? chain.end() - 1 : chain.begin());
+    chains.push_back(std::move(chain));
+  }
   std::vector<Outline> result;
-  const auto add_all = [&](const std::vector<std::vector<std::uint32_t>>& chains) {
-    for (const std::vector<std::uint32_t>& chain : chains) {
-      Outline& outline = result.emplace_back();
-      for (const std::uint32_t vertex : chain) outline.push_back(vertices_[vertex]);
-    }
-  };
-  add_all(tracer.open());
-  add_all(tracer.closed());
+  for (const std::vector<std::uint32_t>& chain : chains) {
+    Outline& outline = result.emplace_back();
+    for (const std::uint32_t vertex : chain) outline.push_back(vertices_[vertex]);
+  }
   return result;
 }
 

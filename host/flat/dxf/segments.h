@@ -27,6 +27,7 @@ class Segments {
 
  private:
   std::uint32_t vertex(const glm::dvec2& point);
+  [[nodiscard]] bool is_turned(const std::vector<std::uint32_t>& chain) const;
 
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> grid_;
   std::vector<glm::dvec2> vertices_;

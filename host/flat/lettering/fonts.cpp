@@ -2,6 +2,7 @@
 
 #include <fontconfig/fontconfig.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include FT_TRUETYPE_IDS_H
 
@@ -18,16 +20,19 @@ namespace {
 
 constexpr const char* default_font = "Liberation Sans:style=Regular";
 
-struct Destroy {
+struct DestroyFont {
   void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
   void operator()(FcConfig* config) const { FcConfigDestroy(config); }
 };
-using Pattern = std::unique_ptr<FcPattern, Destroy>;
-using Configuration = std::unique_ptr<FcConfig, Destroy>;
+using Pattern = std::unique_ptr<FcPattern, DestroyFont>;
+using Configuration = std::unique_ptr<FcConfig, DestroyFont>;
+
+using Names = std::vector<std::string>;
 
 struct FontFile {
   std::string path;
   int index = 0;
+  std::string replacement;  ///< its family, if it is none of those that were asked for
 };
 
 FcConfig* configuration() {
@@ -45,9 +50,47 @@ FT_Library library() {
   return opened;
 }
 
+Names families(FcPattern* pattern) {
+  Names names;
+  FcChar8* name = nullptr;
+  for (int i = 0; FcPatternGetString(pattern, FC_FAMILY, i, &name) == FcResultMatch; ++i) {
+    names.emplace_back(reinterpret_cast<const char*>(name));
+  }
+  return names;
+}
+
+/// As fontconfig compares families: neither case nor blanks count.
+std::string plain(const std::string& family) {
+  std::string letters;
+  for (const char c : family) {
+    if (c != ' ') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return letters;
+}
+
+/// Whether any font will do for it.
+bool is_generic(const std::string& family) {
+  constexpr std::array<std::string_view, 9> generic{"sans",      "sans-serif", "sansserif", "serif",    "mono",
+                                                    "monospace", "cursive",    "fantasy",   "system-ui"};
+  return std::find(generic.begin(), generic.end(), plain(family)) != generic.end();
+}
+
+/// The first family of what was found, if it is none of those that were asked for.
+std::string replacement(const Names& asked, const Names& found) {
+  const auto is_found = [&](const std::string& one) {
+    return std::any_of(found.begin(), found.end(),
+                       [&](const std::string& other) { return plain(one) == plain(other); });
+  };
+  const bool is_right = asked.empty() || std::any_of(asked.begin(), asked.end(), [&](const std::string& one) {
+                          return is_generic(one) || is_found(one);
+                        });
+  return is_right || found.empty() ? "" : found.front();
+}
+
 FontFile match(const std::string& name) {
   const Pattern pattern(FcNameParse(reinterpret_cast<const FcChar8*>(name.c_str())));
   if (!pattern) throw std::runtime_error("font \"" + name + "\" is no name of a font; see fc-match");
+  const Names asked = families(pattern.get());
   FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
   FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
   FcConfigSubstitute(configuration(), pattern.get(), FcMatchPattern);
@@ -60,7 +103,7 @@ FontFile match(const std::string& name) {
       FcPatternGetInteger(found.get(), FC_INDEX, 0, &index) != FcResultMatch) {
     throw std::runtime_error("there is no font; install one, such as fonts-liberation");
   }
-  return {reinterpret_cast<const char*>(path), index};
+  return {reinterpret_cast<const char*>(path), index, replacement(asked, families(found.get()))};
 }
 
 bool select(FT_Face face, int platform, std::optional<int> encoding) {
@@ -106,15 +149,27 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(white) - first + 1);
 }
 
-}  // namespace
+struct OpenedFont {
+  FT_Face face = nullptr;
+  std::string replacement;
+};
 
-FT_Face find_font(const std::string& pattern) {
-  static std::map<std::string, FT_Face> opened;
+const OpenedFont& opened_font(const std::string& pattern) {
+  static std::map<std::string, OpenedFont> opened;
   std::string name = trimmed(pattern);
   if (name.empty()) name = default_font;
   const auto known = opened.find(name);
   if (known != opened.end()) return known->second;
-  return opened.emplace(name, open(match(name))).first->second;
+  const FontFile file = match(name);
+  return opened.emplace(name, OpenedFont{open(file), file.replacement}).first->second;
+}
+
+}  // namespace
+
+FT_Face find_font(const std::string& pattern) { return opened_font(pattern).face; }
+
+std::string replacement_of(const std::string& pattern) {
+  return trimmed(pattern).empty() ? "" : opened_font(pattern).replacement;
 }
 
 std::string name_of(FT_Face face) { return face->family_name == nullptr ? "without a name" : face->family_name; }

@@ -11,6 +11,10 @@ namespace csgsim::flat::lettering {
 /// std::runtime_error if there is none or it cannot be read.
 FT_Face find_font(const std::string& pattern);
 
+/// The family of that font where it is none that the pattern names; empty where it is, where the pattern names none, or
+/// only what any font may stand for, as `sans`. Throws as find_font() does.
+std::string replacement_of(const std::string& pattern);
+
 /// As messages name it: a damaged font may have no name.
 std::string name_of(FT_Face face);
 

@@ -111,13 +111,26 @@ std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_of_curves, 
 }
 
 /// Fonts are open from call to call, and are not for two threads at a time.
-Lettering draw(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners) {
+std::mutex& fonts_in_use() {
   static std::mutex mutex;
-  const std::lock_guard lock(mutex);
+  return mutex;
+}
+
+Lettering draw(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners) {
+  const std::lock_guard lock(fonts_in_use());
   try {
     return {draw_letters(text, sides_of_curves, max_corners), {}};
   } catch (const std::exception& error) {
     return {{}, error.what()};
+  }
+}
+
+std::string replacement(const std::string& font) {
+  const std::lock_guard lock(fonts_in_use());
+  try {
+    return replacement_of(font);
+  } catch (const std::exception&) {
+    return "";
   }
 }
 
@@ -126,5 +139,6 @@ Lettering draw(const Text& text, std::uint32_t sides_of_curves, std::size_t max_
 }  // namespace csgsim::flat::lettering
 
 // The name is that of module_symbol.
-extern "C" [[gnu::visibility("default")]] const csgsim::flat::lettering::Module csgsim_text_1;
-const csgsim::flat::lettering::Module csgsim_text_1{csgsim::flat::lettering::draw};
+extern "C" [[gnu::visibility("default")]] const csgsim::flat::lettering::Module csgsim_text_2;
+const csgsim::flat::lettering::Module csgsim_text_2{csgsim::flat::lettering::draw,
+                                                    csgsim::flat::lettering::replacement};

@@ -21,12 +21,15 @@ struct Lettering {
 struct Module {
   /// Every curve becomes so many sides.
   Lettering (*draw)(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners);
+
+  /// See flat::replacement_font(); empty also where there is no font to be had.
+  std::string (*replacement)(const std::string& font);
 };
 
 inline constexpr const char* module_file = "csgsim_text.so";
 
 /// Of the only symbol of the module, a Module. It changes with this file and with Text, so that another version's is
 /// not taken.
-inline constexpr const char* module_symbol = "csgsim_text_1";
+inline constexpr const char* module_symbol = "csgsim_text_2";
 
 }  // namespace csgsim::flat::lettering

@@ -9,12 +9,12 @@ namespace csgsim::flat::lettering {
 
 namespace {
 
-struct Destroy {
+struct DestroyShaping {
   void operator()(hb_buffer_t* buffer) const { hb_buffer_destroy(buffer); }
   void operator()(hb_font_t* font) const { hb_font_destroy(font); }
 };
-using Buffer = std::unique_ptr<hb_buffer_t, Destroy>;
-using Font = std::unique_ptr<hb_font_t, Destroy>;
+using Buffer = std::unique_ptr<hb_buffer_t, DestroyShaping>;
+using Font = std::unique_ptr<hb_font_t, DestroyShaping>;
 
 /// The characters of the text in Unicode; U+FFFD where it is not UTF-8.
 std::vector<hb_codepoint_t> characters(const std::string& text) {

@@ -17,7 +17,7 @@ struct Call {
   std::vector<double> arguments;
 };
 
-[[noreturn]] void fail(std::string_view text) {
+[[noreturn]] void fail_transform(std::string_view text) {
   throw InputError("transform=\"" + printable(text) +
                    "\" is no list of matrix(), translate(), scale(), rotate(), skewX(), skewY()");
 }
@@ -46,17 +46,17 @@ glm::dmat3 matrix(const Call& call, std::string_view text) {
   }
   if (call.name == "skewX" && count == 1) return columns(1, 0, tangent(a[0]), 1, 0, 0);
   if (call.name == "skewY" && count == 1) return columns(1, tangent(a[0]), 0, 1, 0, 0);
-  fail(text);
+  fail_transform(text);
 }
 
 Call read_call(Numbers& rest, std::string_view text) {
   Call call{rest.word(), {}};
   rest.skip_separators();
-  if (!rest.take('(')) fail(text);
+  if (!rest.take('(')) fail_transform(text);
   rest.skip_separators();
   while (!rest.take(')')) {
     const std::optional<double> number = rest.number();
-    if (!number) fail(text);
+    if (!number) fail_transform(text);
     call.arguments.push_back(*number);
     rest.skip_separators();
   }

@@ -64,10 +64,13 @@ void print_row(const study::Measurement& row) {
              row.depth_p999_steps, row.facet_wrong, row.facet_depth_p999, row.picture_difference);
 }
 
-void print_table(const std::vector<study::Measurement>& rows) {
+void print_table(const std::vector<study::Measurement>& rows, unsigned views) {
   fmt::print("{:<14}{:>12}{:>12}{:>9}{:>8}{:>9}{:>9}{:>13}{:>10}{:>11}{:>13}{:>9}\n", "knob", "value", "clocks",
              "planes", "bits", "wrong", "unexpl.", "depth p99.9", "in steps", "facet diff", "facet p99.9", "colour");
   for (const study::Measurement& row : rows) print_row(row);
+  if (views > 1)
+    fmt::print("Clocks and pixels are sums of {} views, depths those of the worst; p99.9: the 99.9th percentile.\n",
+               views);
 }
 
 /// Those at which z bits and fraction bits are turned together.
@@ -211,7 +214,7 @@ void complete(const Options& options, const Study& study, Table& table) {
 report::Page page_of(const Options& options, const std::string& points, const std::vector<study::Measurement>& rows) {
   std::vector<std::string> front;
   for (const study::Measurement& row : study::pareto_front(of_both(rows))) front.push_back(row.value);
-  return report::accuracy_page(report::Json::parse(points), front,
+  return report::accuracy_page(report::Json::parse(points), front, options.views,
                                study_context(options.report, options.model, {{machine_of(options.model)}}));
 }
 
@@ -240,12 +243,13 @@ void run(const Options& options, const Command& command, const study::Gathered* 
   } else {
     put_rows(*gathered, table_path, table);
   }
-  print_table(table.rows());
+  print_table(table.rows(), options.views);
   print_front(table.rows());
   print_equal(table.rows());
   const std::string points = study::points_json(title, table.rows());
   write_file(folder.path() / "accuracy.json", points);
-  if (!options.no_plots) study::draw_plots(table.rows(), study::plot_stem(options.model.model), folder.path());
+  if (!options.no_plots)
+    study::draw_plots(table.rows(), {study::plot_stem(options.model.model), options.views}, folder.path());
   if (report.asked()) report.write(page_of(options, points, table.rows()));
   fmt::print("\n{}: accuracy.csv, accuracy.json{}\n", printable(options.folder),
              options.no_plots ? "" : ", and plots (.png, .svg) a knob and of the front");

@@ -156,10 +156,9 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const stu
   return pictures;
 }
 
-void refuse_failures(const Rows& rows, const study::Advice& advice, const study::Wishes& wishes) {
+void refuse_failures(const Rows& rows, const study::Advice& advice, const study::Wishes& wishes, bool has_read_rows) {
   if (std::any_of(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.unexplained > 0; }))
-    throw InputError(
-        "a picture is wrong beyond the bounds of docs/numbers.md; this is a fault of csgsim, please report it");
+    throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(has_read_rows));
   if (advice.nearest)
     throw InputError("no choice meets all wishes; the nearest has " + misses_text(*advice.nearest, wishes));
 }
@@ -177,6 +176,7 @@ void run(const AdviseOptions& options, const Command& command) {
     const study::WantedAdvice any{question.points.front(), question.job.inputs};
     tell_stale(path, table->drop_stale(std::span(&any, 1)));
   }
+  const bool has_read_rows = table && !table->rows().empty();
   const Rows rows = complete(options, question, table ? &*table : nullptr);
   if (std::none_of(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); }))
     throw InputError(rows.front().reason);
@@ -202,7 +202,7 @@ void run(const AdviseOptions& options, const Command& command) {
     fmt::print("\n{}: advise.csv, advise.json{}\n", printable(options.folder),
                options.no_plots ? "" : ", and a plot (.png, .svg) of what memory buys");
   }
-  refuse_failures(rows, advice, question.wishes);
+  refuse_failures(rows, advice, question.wishes, has_read_rows);
 }
 
 }  // namespace

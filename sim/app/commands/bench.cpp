@@ -13,6 +13,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
+#include "sim/app/machine_list.h"
 #include "sim/app/numbers.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
@@ -29,7 +30,7 @@ constexpr unsigned most_rounds = 1000;
 
 struct Options {
   std::vector<std::string> models;
-  std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5,multi-processor";
+  std::string machines = all_machines();
   std::string levels = "functional,cycle";
   std::string parts = "speed,dense,rivals,growth";
   std::string size = "512x512";

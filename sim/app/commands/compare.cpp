@@ -11,6 +11,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
+#include "sim/app/machine_list.h"
 #include "sim/app/memory.h"
 #include "sim/app/model_options.h"
 #include "sim/app/numbers.h"
@@ -42,7 +43,7 @@ constexpr unsigned most_fragments = 4096;
 
 struct Options {
   ModelOptions model;
-  std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5,multi-processor";
+  std::string machines = all_machines();
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
   std::string folder;
@@ -186,7 +187,8 @@ void print_ideal_rows(const Rows& rows) {
       continue;
     }
     fmt::print("{:>13}{:>11.2f}{:>9.1f}", grouped(row.clocks), row.seconds * 1e3, row.frames_per_second);
-    if (as_it_is->drawn()) fmt::print("{:>9.2f}", 100.0 * (1.0 - row.seconds / as_it_is->seconds));
+    if (as_it_is != nullptr && as_it_is->drawn())
+      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.seconds / as_it_is->seconds));
     fmt::print("\n");
   }
 }
@@ -201,16 +203,15 @@ void print_rows(const Rows& rows) {
 }
 
 /// Pictures of the same size and facets have to be the same on every machine.
-void refuse_differences(const Rows& rows) {
+void refuse_differences(const Rows& rows, bool has_read_rows) {
   for (const study::ComparisonRow& row : rows) {
     const auto first = std::find_if(rows.begin(), rows.end(), [&](const study::ComparisonRow& other) {
       return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
              other.point.fragments == row.point.fragments;
     });
     if (row.drawn() && first->picture != row.picture) {
-      throw InputError(
-          fmt::format("{} draws {}x{} pixels otherwise than {}; this is a fault of csgsim, please report it",
-                      row.point.machine, row.point.width, row.point.height, first->point.machine));
+      throw InputError(fmt::format("{} draws {}x{} pixels otherwise than {}; {}", row.point.machine, row.point.width,
+                                   row.point.height, first->point.machine, whose_fault(has_read_rows)));
     }
   }
   if (std::none_of(rows.begin(), rows.end(), [](const study::ComparisonRow& row) { return row.drawn(); }))
@@ -257,6 +258,7 @@ void run(const Options& options, const Command& command, const study::Gathered* 
   const std::string title = title_of(options, command);
   const std::filesystem::path table_path = folder.path() / "compare.csv";
   Table table(table_path, title);
+  const bool has_read_rows = gathered != nullptr || !table.rows().empty();
   const Rows rows = study ? rows_of(options, *study, table_path, table) : put_rows(*gathered, table_path, table);
   const std::string points = study::points_json(title, rows);
   write_file(folder.path() / "compare.json", points);
@@ -265,7 +267,7 @@ void run(const Options& options, const Command& command, const study::Gathered* 
   const bool plots = !options.no_plots && !options.ideal;
   if (plots) study::draw_comparison(rows, base_of(rows), study::plot_stem(options.model.model), folder.path());
   if (report.asked()) report.write(page_of(options, points));
-  refuse_differences(rows);
+  refuse_differences(rows, has_read_rows);
   fmt::print("{}: compare.csv, compare.json{}\n", printable(folder.path().native()),
              !plots ? "" : ", and plots (.png, .svg) of the machines and of the time against half-spaces and pixels");
 }

@@ -25,6 +25,7 @@
 #include "sim/app/studies/studies.h"
 #include "sim/app/studies/study_files.h"
 #include "sim/app/studies/sweep_progress.h"
+#include "sim/app/text_columns.h"
 #include "sim/report/number_text.h"
 #include "sim/study/parallel.h"
 #include "sim/study/ranges.h"
@@ -71,28 +72,34 @@ Rows complete(const CorpusOptions& options, const std::vector<study::CorpusJob>&
   return rows;
 }
 
-void print_row(const CorpusRow& row) {
-  fmt::print("  {:<17}", row.point.machine);
-  if (!row.drawn()) {
-    fmt::print("{}\n", row.reason);
-    return;
-  }
-  fmt::print("{:>13}{:>13}{:>13}{:>11}{:>13}{:>18}{:>6}{:>10.4g}  {}\n", grouped(row.clocks), grouped(row.render),
-             grouped(row.classify), grouped(row.merge), grouped(row.shade), grouped(row.pixel_operations),
-             row.used_bits, row.frames_per_second, row.bound_by);
+using Lines = std::vector<std::vector<std::string>>;
+
+std::vector<std::string> row_line(const CorpusRow& row) {
+  const std::string name = "  " + row.point.machine;
+  if (!row.drawn()) return {name, row.reason};
+  return {name,
+          grouped(row.clocks),
+          grouped(row.render),
+          grouped(row.classify),
+          grouped(row.merge),
+          grouped(row.shade),
+          grouped(row.pixel_operations),
+          std::to_string(row.used_bits),
+          fmt::format("{:.4g}", row.frames_per_second),
+          row.bound_by};
 }
 
 bool is_drawn(const CorpusRow& row) { return row.drawn(); }
 
-void print_model(std::span<const CorpusRow> rows) {
+void add_model(std::span<const CorpusRow> rows, Lines& lines) {
   const auto drawn = std::ranges::find_if(rows, is_drawn);
   if (drawn == rows.end()) {
-    fmt::print("{}\n", told_of(rows.front().point.model, rows.front().reason));
+    lines.push_back({told_of(rows.front().point.model, rows.front().reason)});
     return;
   }
-  fmt::print("{}: {}, {}, {}\n", drawn->point.model, counted(drawn->primitives, "primitive"),
-             counted(drawn->pieces, "piece"), counted(drawn->halfspaces, "half-space"));
-  for (const CorpusRow& row : rows) print_row(row);
+  lines.push_back({fmt::format("{}: {}, {}, {}", drawn->point.model, counted(drawn->primitives, "primitive"),
+                               counted(drawn->pieces, "piece"), counted(drawn->halfspaces, "half-space"))});
+  for (const CorpusRow& row : rows) lines.push_back(row_line(row));
 }
 
 /// Rows of one model follow each other.
@@ -108,9 +115,21 @@ std::vector<std::span<const CorpusRow>> by_model(const Rows& rows) {
 }
 
 void print_rows(const Rows& rows) {
-  fmt::print("{:<19}{:>13}{:>13}{:>13}{:>11}{:>13}{:>18}{:>6}{:>10}  {}\n", "model and machine", "clocks", "render",
-             "classify", "merge", "shade", "pixel operations", "bits", "frames/s", "bound by");
-  for (const std::span<const CorpusRow> model : by_model(rows)) print_model(model);
+  Lines lines{{"model and machine", "clocks", "render", "classify", "merge", "shade", "pixel operations", "bits",
+               "frames/s", "bound by"}};
+  for (const std::span<const CorpusRow> model : by_model(rows)) add_model(model, lines);
+  fmt::print("{}", in_columns(lines, "<>>>>>>>><"));
+}
+
+std::vector<std::string> distribution_line(const study::CorpusColumn& column, const study::Distribution& one) {
+  using report::number_text;
+  return {std::string("  ") + column.heading,
+          number_text(one.minimum),
+          number_text(one.first_quartile),
+          number_text(one.median),
+          number_text(one.third_quartile),
+          number_text(one.maximum),
+          column.adds_up ? number_text(one.total) : ""};
 }
 
 void print_distributions(const Rows& rows) {
@@ -121,15 +140,10 @@ void print_distributions(const Rows& rows) {
         std::ranges::count_if(rows, [&](const CorpusRow& row) { return of_machine(row) && row.drawn(); });
     fmt::print("\n{}: {} of {} models\n", machine, drawn, models);
     if (drawn == 0) continue;
-    fmt::print("  {:<18}{:>16}{:>16}{:>16}{:>16}{:>16}{:>20}\n", "", "minimum", "quartile", "median", "quartile",
-               "maximum", "total");
-    using report::number_text;
-    for (const study::CorpusColumn& column : study::corpus_columns()) {
-      const study::Distribution one = study::distribution_of(rows, machine, column);
-      fmt::print("  {:<18}{:>16}{:>16}{:>16}{:>16}{:>16}{:>20}\n", column.heading, number_text(one.minimum),
-                 number_text(one.first_quartile), number_text(one.median), number_text(one.third_quartile),
-                 number_text(one.maximum), column.adds_up ? number_text(one.total) : "");
-    }
+    Lines lines{{"", "minimum", "quartile", "median", "quartile", "maximum", "total"}};
+    for (const study::CorpusColumn& column : study::corpus_columns())
+      lines.push_back(distribution_line(column, study::distribution_of(rows, machine, column)));
+    fmt::print("{}", in_columns(lines, "<>>>>>>"));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
+#include "hw/base/inputs_kept.h"
 #include "hw/base/messages.h"
 #include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
@@ -20,6 +21,7 @@
 #include "sim/app/paths.h"
 #include "sim/app/program_of.h"
 #include "sim/app/run_options.h"
+#include "sim/app/subject.h"
 #include "sim/app/terminal.h"
 #include "sim/app/usage.h"
 #include "sim/debug/session.h"
@@ -85,6 +87,7 @@ void look_into(const Options& options, const isa::Program& program, const machin
                sim::Numbers(program).count(), machine.name);
     read_terminal(program, session);
   } else {
+    keep_input(standard_input_file);
     read_script(std::cin, "standard input", program, session);
   }
 }
@@ -106,9 +109,9 @@ void add_debug(CommandLine& line) {
     if (options->model.model == standard_stream && options->commands.empty())
       throw UsageError("MODEL", "standard input is for the commands then; name a file of commands, -x FILE");
     if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "set", "commands", "threads"});
-    machines::Machine machine = machine_of(options->model);
-    const isa::Program program = program_of(options->model, machine);
-    with_memory_for_run({&program, 1}, program.shape, [&] { look_into(*options, program, machine); });
+    const ProgramOnMachine subject = program_of(options->model, command);
+    const isa::Program& program = subject.program;
+    with_memory_for_run({&program, 1}, program.shape, [&] { look_into(*options, program, subject.machine); });
   });
 }
 

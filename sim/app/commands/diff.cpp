@@ -21,6 +21,7 @@
 #include "sim/app/prunings.h"
 #include "sim/app/run_options.h"
 #include "sim/app/settings/sets.h"
+#include "sim/app/subject.h"
 #include "sim/app/usage.h"
 #include "sim/lockstep/comparison.h"
 #include "sim/story/phrases.h"
@@ -70,11 +71,11 @@ ModelOptions options_of(const ModelOptions& both, const SideOptions& side) {
   return options;
 }
 
-Subject subject_of(const ModelOptions& both, const SideOptions& side) {
+/// `asked`: whether --machine was given for both.
+Subject subject_of(const ModelOptions& both, const SideOptions& side, bool asked) {
   const ModelOptions options = options_of(both, side);
-  Subject subject{printable(side.subject), side.level, machine_of(options), {}};
-  subject.program = program_of(options, subject.machine);
-  return subject;
+  ProgramOnMachine found = program_of(options, asked || !side.machine.empty() ? options.machine : "");
+  return {printable(side.subject), side.level, std::move(found.machine), std::move(found.program)};
 }
 
 /// Of a side that is a Program, options that say how to compile have no meaning.
@@ -197,8 +198,9 @@ void print_comparison(const sim::Comparison& comparison, const Subject& a, const
 
 void diff(const Options& options, const Command& command) {
   refuse_misuse(options, command);
-  const Subject a = subject_of(options.both, options.a);
-  const Subject b = subject_of(options.both, options.b);
+  const bool asked = is_given(command, "machine");
+  const Subject a = subject_of(options.both, options.a, asked);
+  const Subject b = subject_of(options.both, options.b, asked);
   if (a.program.shape.width != b.program.shape.width || a.program.shape.height != b.program.shape.height) {
     throw InputError(fmt::format("A draws {} x {} pixels and B {} x {}; give models the same --size",
                                  a.program.shape.width, a.program.shape.height, b.program.shape.width,

@@ -10,6 +10,7 @@
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
+#include "sim/app/subject.h"
 
 namespace csgsim::app {
 
@@ -24,6 +25,7 @@ void add_disasm(CommandLine& line) {
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
   command.option("-o,--output", options->output, "The text file; standard output if not given").check(not_empty);
   command.runs([options] {
+    refuse_model(options->program);
     refuse_clashes(std::to_array<std::filesystem::path>({options->program}),
                    std::to_array<std::filesystem::path>({options->output}));
     const isa::Program program = read_program(options->program);

@@ -20,6 +20,7 @@
 #include "sim/app/paths.h"
 #include "sim/app/primitive_name.h"
 #include "sim/app/program_of.h"
+#include "sim/app/subject.h"
 #include "sim/app/usage.h"
 #include "sim/story/story.h"
 #include "sim/story/story_json.h"
@@ -57,12 +58,12 @@ struct Subject {
   std::optional<view::View> view;      ///< of the model
 };
 
-Subject subject_of(const Options& options) {
-  Subject subject{machine_of(options.model), {}, {}, {}};
+Subject subject_of(const Options& options, const Command& command) {
   if (!is_model(options.model.model)) {
-    subject.program = program_of(options.model, subject.machine);
-    return subject;
+    ProgramOnMachine found = program_of(options.model, command);
+    return {std::move(found.machine), std::move(found.program), {}, {}};
   }
+  Subject subject{machine_of(options.model), {}, {}, {}};
   subject.model = compile_model(options.model, subject.machine);
   subject.program = std::move(subject.model->program);
   subject.view = view::make_view(subject.model->scene, subject.model->tree, subject.model->camera,
@@ -142,7 +143,7 @@ void run(const Options& options, const Command& command) {
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.json}));
   std::optional<OutputFile> file;
   if (!options.json.empty()) file.emplace(options.json);
-  const Subject subject = subject_of(options);
+  const Subject subject = subject_of(options, command);
   const Answer answer = with_memory_for_picture(subject.machine.array, [&] { return explain(options, subject); });
   if (!file) {
     fmt::print("{}", answer.text);

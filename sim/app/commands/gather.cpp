@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "sim/app/options.h"
 #include "sim/app/studies/shard_run.h"
 #include "sim/app/studies/studies.h"
+#include "sim/app/studies/study_files.h"
 #include "sim/app/usage.h"
 #include "sim/app/version.h"
 
@@ -49,15 +51,39 @@ void print_missing(const study::Gathered& gathered, const std::string& folder) {
   for (const unsigned number : gathered.unfinished) fmt::print("{}\n", shard_command(gathered, number, folder));
 }
 
+void add_studies(CommandLine& line, const study::Gathered& gathered) {
+#define CSGSIM_ADD_STUDY(name) gather_##name(line, gathered);
+  CSGSIM_STUDIES(CSGSIM_ADD_STUDY)
+#undef CSGSIM_ADD_STUDY
+}
+
+/// What a shard says of its command is data: it has to be as csgsim writes it, a study with options that change a
+/// result. So it names no file that is written or read besides.
+void refuse_other_words(const study::Gathered& gathered) {
+  CommandLine line("csgsim: studies that were gathered", "csgsim");
+  add_studies(line, gathered);
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(
+        fmt::format("{}:1:1: its command is none that shards are of ({}); delete the file and run its "
+                    "shard again, with csgsim {}",
+                    gathered.first.native(), why, gathered.inputs.csgsim));
+  };
+  std::vector<std::string> words;
+  try {
+    words = read_study_words(line, gathered.words);
+  } catch (const UsageError& error) {
+    refuse(error.what());
+  }
+  if (words != gathered.words) refuse("csgsim writes '" + printable(fmt::format("{}", fmt::join(words, " "))) + "'");
+}
+
 /// The study's own command does the rest: it finds that all has been measured.
 void write_results(const study::Gathered& gathered, const std::string& output, const Options& options) {
   if (gathered.inputs.csgsim != version_and_build())
     tell_line(
         fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, version_and_build()));
   CommandLine line("csgsim: studies that were gathered", "csgsim");
-#define CSGSIM_ADD_STUDY(name) gather_##name(line, gathered);
-  CSGSIM_STUDIES(CSGSIM_ADD_STUDY)
-#undef CSGSIM_ADD_STUDY
+  add_studies(line, gathered);
   std::vector<std::string> more{"-o", output};
   if (!options.page.empty()) more.insert(more.end(), {"--report", options.page});
   if (options.no_plots) more.emplace_back("--no-plots");
@@ -74,6 +100,7 @@ void run(const Options& options) {
     throw UsageError("--output", "the shards are in several folders; name one for the results");
   const std::vector<std::filesystem::path> studies(options.folders.begin(), options.folders.end());
   const study::Gathered gathered = study::gather(studies);
+  refuse_other_words(gathered);
   if (options.missing) return print_missing(gathered, options.folders.front());
   refuse_missing(gathered, options.folders.front());
   write_results(gathered, options.output.empty() ? options.folders.front() : options.output, options);

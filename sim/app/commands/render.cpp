@@ -88,7 +88,10 @@ Advice advice_of(const Options& options, const CompiledModel& compiled, const ma
 }
 
 void run(Options& options, const Command& command) {
-  if (options.turntable.frames > 1) return run_frames(options);
+  if (options.turntable.frames > 1) {
+    if (command.watch().after) throw UsageError("--frames", "a sequence of frames has no stats to be compared with");
+    return run_frames(options);
+  }
   RunOutputs outputs(options.run, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
   if (options.max_wrong_pixels) choose_settings(options, machine);

@@ -13,6 +13,7 @@
 #include "sim/app/commands/commands.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
+#include "sim/app/settings/file_options.h"
 #include "sim/app/settings/recorded_run.h"
 
 namespace csgsim::app {
@@ -39,17 +40,18 @@ void refuse(const RecordedRun& run, const std::vector<std::string>& changes, boo
   tell_line("warning: " + text);
 }
 
-/// The words with which the run is asked for again.
-std::vector<std::string> again(const RecordedRun& run, const Options& options) {
-  std::vector<std::string> words = words_of(run);
+/// The command, with what is written: of the stats file nothing names a file that is.
+std::vector<std::string> words_of(const RecordedRun& run, const Options& options) {
+  std::error_code error;
+  const std::string here = fs::current_path(error).native();
+  std::vector<std::string> words{command_of(run), "--progress=" + options.progress};
   const auto add = [&](const std::string& name, const std::string& file) {
-    if (!file.empty()) words.insert(words.end() - 3, fmt::format("--{}={}", name, fs::absolute(file).native()));
+    if (!file.empty()) words.push_back(fmt::format("--{}={}", name, in_folder(name, file, here)));
   };
   add("output", options.picture);
   add("depth", options.depth);
   add("owner", options.owner);
   add("stats", options.stats);
-  words.insert(words.begin(), "csgsim");
   return words;
 }
 
@@ -59,30 +61,33 @@ void go_to(const std::string& folder) {
   if (error) throw InputError(printable(folder) + ": it is no folder that can be gone to (" + error.message() + ")");
 }
 
-void run_words(CommandLine& line, std::vector<std::string> words) {
-  std::vector<char*> arguments;
-  arguments.reserve(words.size());
-  for (std::string& word : words) arguments.push_back(word.data());
-  line.run(arguments);
-}
+/// What the run showed. Only one that both began and ended has been compared.
+struct Comparison {
+  bool is_done = false;
+  std::vector<std::string> differing;
+};
 
 void rerun(CommandLine& line, const Command& command, const Options& options) {
   const RecordedRun run = read_recorded_run(options.file);
   refuse_clashes(std::vector<fs::path>{options.file},
                  std::vector<fs::path>{options.picture, options.depth, options.owner, options.stats});
-  std::vector<std::string> words = again(run, options);
-  *(words.end() - 3) = "--progress=" + options.progress;
+  const std::vector<Setting> settings = settings_of(run, line.options_of(command_of(run)));
+  const std::vector<std::string> words = words_of(run, options);
   if (!options.from.empty()) go_to(options.from);
   refuse(run, changes_since(run), options.anyway);
-  std::vector<std::string> differing;
+  Comparison comparison;
   command.watch() = {[&](const nlohmann::ordered_json& configuration) {
                        refuse(run, changes_between(run, configuration), options.anyway);
                      },
-                     [&](const nlohmann::ordered_json& stats) { differing = differences(run, stats); }};
-  run_words(line, std::move(words));
+                     [&](const nlohmann::ordered_json& stats) {
+                       comparison = {true, differences(run, stats)};
+                     }};
+  line.run(words, settings);
   command.watch() = {};
-  if (!differing.empty()) {
-    throw InputError(fmt::format("{}: the run differs from it: {}", run.file, fmt::join(differing, "; ")));
+  if (!comparison.is_done)
+    throw InputError(run.file + ": nothing was run that could be compared; take a stats file as csgsim wrote it");
+  if (!comparison.differing.empty()) {
+    throw InputError(fmt::format("{}: the run differs from it: {}", run.file, fmt::join(comparison.differing, "; ")));
   }
   fmt::print("{:<18}the picture and all counts are those of {}\n", "rerun", run.file);
 }

@@ -2,16 +2,16 @@
 #include <memory>
 #include <vector>
 
-#include "hw/base/error.h"
-#include "hw/base/text.h"
 #include "sim/app/advice.h"
 #include "sim/app/commands/commands.h"
 #include "sim/app/paths.h"
 #include "sim/app/program_input.h"
+#include "sim/app/program_machine.h"
 #include "sim/app/run_options.h"
 #include "sim/app/run_outputs.h"
 #include "sim/app/settings/configuration.h"
 #include "sim/app/settings/sets.h"
+#include "sim/app/subject.h"
 
 namespace csgsim::app {
 
@@ -19,15 +19,20 @@ namespace {
 
 struct Options {
   std::string program;
-  std::string machine = "pixel-planes-4";
+  std::string machine;            ///< empty: the one that the Program names
   std::vector<std::string> sets;  ///< KEY=VALUE of a figure
   RunOptions run;
   CheckpointOptions checkpoints;
 };
 
+std::vector<std::filesystem::path> inputs_of(const Options& options) {
+  if (options.machine.empty()) return input_files({options.program}, {});
+  return input_files({options.program}, {options.machine});
+}
+
 /// Files that a checkpoint may not take the place of. The one that is resumed may be written again.
 std::vector<std::filesystem::path> others(const Options& options) {
-  std::vector<std::filesystem::path> files = input_files({options.program}, {options.machine});
+  std::vector<std::filesystem::path> files = inputs_of(options);
   for (const std::string& file : {options.run.picture, options.run.depth, options.run.owner, options.run.stats})
     if (!file.empty()) files.emplace_back(file);
   return files;
@@ -44,26 +49,25 @@ void add_run(CommandLine& line) {
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
   command.option("--machine", options->machine,
-                 "A machine's name or its .toml file; it gets the array the Program is for");
+                 "A machine's name or its .toml file, in place of the one that the Program was compiled for; it gets "
+                 "the array the Program is for");
   add_figure_sets(command, options->sets, "the machine");
   options->run.add_to(command);
   options->checkpoints.add_to(command);
   command.prints_summary();
   command.runs([options, command] {
-    if (is_model(options->program))
-      throw InputError(options->program + ": that is a model; use csgsim render " + shell_word(options->program));
+    refuse_model(options->program);
     refuse_scene_sets(options->sets);
-    std::vector<std::filesystem::path> files = input_files({options->program}, {options->machine});
+    const std::vector<std::filesystem::path> inputs = inputs_of(*options);
+    std::vector<std::filesystem::path> files = inputs;
     if (!options->checkpoints.resume.empty()) files.emplace_back(options->checkpoints.resume);
     RunOutputs outputs(options->run, files);
     options->checkpoints.check(options->run.level, others(*options));
     const isa::Program program = read_program(options->program);
-    machines::Machine machine = load_machine(options->machine, options->sets);
-    machines::adopt(machine, program);
-    const Advice advice{options->machine, options->run.advice,
+    const machines::Machine machine = machine_for(program, options->program, options->machine, options->sets);
+    const Advice advice{options->machine.empty() ? machine.name : options->machine, options->run.advice,
                         "csgsim run --advice tries the machine's figures, csgsim render --advice settings too"};
-    run_program(command, {machine, program, input_files({options->program}, {options->machine}), {}}, options->run,
-                outputs, advice, {}, options->checkpoints);
+    run_program(command, {machine, program, inputs, {}}, options->run, outputs, advice, {}, options->checkpoints);
   });
 }
 

@@ -113,7 +113,7 @@ bool draws_alike(const Rows& rows) {
   });
 }
 
-void refuse_failures(const SweepOptions& options, const Rows& rows) {
+void refuse_failures(const SweepOptions& options, const Rows& rows, bool has_read_rows) {
   if (std::ranges::none_of(rows, is_compiled) && by_model(rows).size() == 1) throw InputError(rows.front().reason);
   const std::vector<study::WrongPicture> wrong = study::wrong_pictures(rows);
   if (wrong.empty()) {
@@ -130,9 +130,8 @@ void refuse_failures(const SweepOptions& options, const Rows& rows) {
                                            : "a linear expression does not fit its width";
     fmt::print("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what);
   }
-  throw InputError(
-      fmt::format("{} of {} pictures are not what they have to be; this is a fault of csgsim, please report it",
-                  wrong.size(), rows.size()));
+  throw InputError(fmt::format("{} of {} pictures are not what they have to be; {}", wrong.size(), rows.size(),
+                               whose_fault(has_read_rows)));
 }
 
 std::vector<study::WantedPoint> wanted_of(const SweepOptions& options, const std::vector<study::SweepJob>& jobs) {
@@ -184,6 +183,7 @@ void run(const SweepOptions& options, const Command& command, const study::Gathe
   const std::string title = title_of(command);
   const std::filesystem::path table_path = folder.path() / "sweep.csv";
   Table table(table_path, title);
+  const bool has_read_rows = gathered != nullptr || !table.rows().empty();
   const Rows rows =
       gathered != nullptr ? put_rows(*gathered, table_path, table) : rows_of(options, jobs, table_path, table);
   const std::string points = study::points_json(title, rows);
@@ -197,7 +197,7 @@ void run(const SweepOptions& options, const Command& command, const study::Gathe
   fmt::print(
       "\n{}: sweep.csv, sweep.json{}\n", printable(options.folder),
       options.no_plots ? "" : ", and for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory");
-  refuse_failures(options, rows);
+  refuse_failures(options, rows, has_read_rows);
 }
 
 void add(CommandLine& line, const study::Gathered* gathered) {

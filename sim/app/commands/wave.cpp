@@ -24,6 +24,7 @@
 #include "sim/app/primitive_name.h"
 #include "sim/app/program_of.h"
 #include "sim/app/run_options.h"
+#include "sim/app/subject.h"
 #include "sim/app/usage.h"
 #include "sim/waves/foreknowledge.h"
 #include "sim/waves/gtkwave_view.h"
@@ -111,11 +112,6 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
                       pixels.front().x, pixels.front().y, last.at_pixel.begin, last.at_pixel.end)};
 }
 
-bool is_given(const Command& command, std::string_view name) {
-  const std::vector<GivenOption> given = command.given();
-  return std::any_of(given.begin(), given.end(), [&](const GivenOption& one) { return one.name == name; });
-}
-
 /// Wall time of the parts of a recording.
 class Stopwatch {
  public:
@@ -156,8 +152,9 @@ void record(const Options& options, const Command& command) {
   OutputFile file(options.output);
   std::optional<OutputFile> view;
   if (!is_stream) view.emplace(view_path);
-  machines::Machine machine = machine_of(options.model);
-  const isa::Program program = program_of(options.model, machine);
+  const ProgramOnMachine subject = program_of(options.model, command);
+  const machines::Machine& machine = subject.machine;
+  const isa::Program& program = subject.program;
   wave::Request request = request_of(options, program);
   Seconds seconds;
   Stopwatch watch;

@@ -9,7 +9,7 @@ namespace csgsim::app {
 namespace {
 
 /// {0}: the program's name, {1}: words in the first place, {2}: a case of each command.
-constexpr const char* script = R"bash(# Completion of {0} for bash, as `{0} --describe` writes it.
+constexpr const char* bash_script = R"bash(# Completion of {0} for bash, as `{0} --describe` writes it.
 _{0}() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
   local options="" words="" files="" prefix=""
@@ -64,7 +64,7 @@ std::string value_of(const std::vector<std::string>& words, bool files) {
 }
 
 /// What may stand in the places of the operands.
-std::string operands_of(const CommandHelp& command) {
+std::string bash_operands_of(const CommandHelp& command) {
   std::vector<std::string> words;
   bool files = false;
   for (const OptionHelp& operand : command.operands) {
@@ -83,7 +83,7 @@ std::string case_of(const CommandHelp& command) {
     values += fmt::format("        {}){} ;;\n", fmt::join(option.names, " | "), value.empty() ? " return" : value);
   }
   const std::string otherwise =
-      fmt::format(" options=\"{}\"", fmt::join(names_of(command.options), " ")) + operands_of(command);
+      fmt::format(" options=\"{}\"", fmt::join(names_of(command.options), " ")) + bash_operands_of(command);
   return fmt::format("    {})\n      case $previous in\n{}        *){} ;;\n      esac\n      ;;\n", command.name,
                      values, otherwise);
 }
@@ -97,7 +97,7 @@ std::string bash_completion(const Description& description) {
     first.push_back(command.name);
     cases += case_of(command);
   }
-  return fmt::format(fmt::runtime(script), description.program, fmt::join(first, " "), cases);
+  return fmt::format(fmt::runtime(bash_script), description.program, fmt::join(first, " "), cases);
 }
 
 }  // namespace csgsim::app

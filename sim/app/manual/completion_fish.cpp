@@ -19,7 +19,7 @@ end
 complete -c {0} -f
 )fish";
 
-std::string word(std::string_view text) {
+std::string fish_word(std::string_view text) {
   std::string doubled;
   for (const char letter : text) doubled += letter == '\\' ? "\\\\" : std::string(1, letter);
   return quoted(doubled, "\\'");
@@ -27,7 +27,7 @@ std::string word(std::string_view text) {
 
 std::string words_of(const OptionHelp& option) {
   const std::vector<std::string> words = offered_words(option);
-  return words.empty() ? "" : " -a " + word(listed(words));
+  return words.empty() ? "" : " -a " + fish_word(listed(words));
 }
 
 /// `-r`: a value has to follow; `-x`: and it is no file; `-F`: it is one.
@@ -40,7 +40,7 @@ std::string option_line(const OptionHelp& option, const std::string& when) {
   std::string line = when;
   for (const std::string& name : option.names)
     line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-  return line + value_of(option) + " -d " + word(option.meaning) + "\n";
+  return line + value_of(option) + " -d " + fish_word(option.meaning) + "\n";
 }
 
 std::string operand_line(const OptionHelp& operand, const std::string& when) {
@@ -54,7 +54,7 @@ std::string fish_completion(const Description& description) {
   const std::string begins = fmt::format("complete -c {0} -n __{0}_begins", description.program);
   for (const OptionHelp& option : description.options) script += option_line(option, begins);
   for (const CommandHelp& command : description.commands) {
-    script += begins + " -a " + command.name + " -d " + word(command.meaning) + "\n";
+    script += begins + " -a " + command.name + " -d " + fish_word(command.meaning) + "\n";
     const std::string when = fmt::format("complete -c {0} -n '__{0}_does {1}'", description.program, command.name);
     for (const OptionHelp& option : command.options) script += option_line(option, when);
     for (const OptionHelp& operand : command.operands) script += operand_line(operand, when);

@@ -11,7 +11,7 @@ namespace {
 
 /// {0}: the program's name, {1}: the machines, {2}: commands, {3}: options in the first place, {4}: a case of each
 /// command.
-constexpr const char* script = R"zsh(#compdef {0}
+constexpr const char* zsh_script = R"zsh(#compdef {0}
 # Completion of {0} for zsh, as `{0} --describe` writes it.
 _{0}_machines() {{
   _alternative 'machines:machine:({1})' 'files:file:_files'
@@ -44,7 +44,7 @@ std::string literal(std::string_view text) {
   return escaped;
 }
 
-std::string word(std::string_view text) { return quoted(text, "'\\''"); }
+std::string zsh_word(std::string_view text) { return quoted(text, "'\\''"); }
 
 /// What completes the value.
 std::string action_of(const OptionHelp& option, const std::string& program) {
@@ -68,7 +68,7 @@ std::string option_lines(const OptionHelp& option, const std::string& program) {
     spec += "[" + literal(option.meaning) + "]";
     if (kind_of(option) != ValueKind::none)
       spec += ":" + literal(value_name(option)) + ":" + action_of(option, program);
-    lines += " \\\n        " + word(spec);
+    lines += " \\\n        " + zsh_word(spec);
   }
   return lines;
 }
@@ -78,7 +78,7 @@ std::string case_of(const CommandHelp& command, const std::string& program) {
   for (const OptionHelp& option : command.options) text += option_lines(option, program);
   for (const OptionHelp& operand : command.operands) {
     const std::string several = operand.takes_several ? "*" : "";
-    text += " \\\n        " + word(several + ":" + operand.names.front() + ":" + action_of(operand, program));
+    text += " \\\n        " + zsh_word(several + ":" + operand.names.front() + ":" + action_of(operand, program));
   }
   return text + "\n      ;;\n";
 }
@@ -89,12 +89,12 @@ std::string zsh_completion(const Description& description) {
   std::string commands;
   std::string cases;
   for (const CommandHelp& command : description.commands) {
-    commands += "    " + word(command.name + ":" + literal(command.meaning)) + "\n";
+    commands += "    " + zsh_word(command.name + ":" + literal(command.meaning)) + "\n";
     cases += case_of(command, description.program);
   }
   std::string options;
   for (const OptionHelp& option : description.options) options += option_lines(option, description.program);
-  return fmt::format(fmt::runtime(script), description.program, fmt::join(kinds::built_in_names(), " "), commands,
+  return fmt::format(fmt::runtime(zsh_script), description.program, fmt::join(kinds::built_in_names(), " "), commands,
                      options, cases);
 }
 

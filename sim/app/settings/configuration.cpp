@@ -6,19 +6,15 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <system_error>
 #include <variant>
 
-#include "hw/base/error.h"
-#include "hw/base/hash.h"
-#include "hw/base/input_file.h"
-#include "hw/base/text.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/schema.h"
+#include "sim/app/settings/recorded_values.h"
 #include "sim/app/version.h"
 #include "sim/study/frame_hash.h"
 #include "sim/study/inputs.h"
@@ -28,9 +24,6 @@ namespace csgsim::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Read once already, within limits of its own.
-constexpr InputKind input_again{"a file", std::numeric_limits<std::size_t>::max(), ""};
 
 template <class Number>
 Json number_json(const std::string& text) {
@@ -144,37 +137,6 @@ Json machine_json(const machines::Machine& machine) {
     figures[figure.key] = std::move(entry);
   }
   return {{"name", machine.name}, {"hash", study::hash_of(machine)}, {"figures", std::move(figures)}};
-}
-
-Json bytes_json(const std::string& bytes) {
-  if (printable(bytes) == bytes) return bytes;
-  std::string digits;
-  for (const char byte : bytes) digits += fmt::format("{:02x}", static_cast<unsigned char>(byte));
-  return {{"hex", digits}};
-}
-
-std::string bytes_of(const Json& json) {
-  if (json.is_string()) return json.get<std::string>();
-  const bool has_digits = json.is_object() && json.contains("hex") && json["hex"].is_string();
-  const std::string digits = has_digits ? json["hex"].get<std::string>() : "";
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
-    unsigned byte = 0;
-    const auto [end, error] = std::from_chars(digits.data() + i, digits.data() + i + 2, byte, 16);
-    if (error != std::errc() || end != digits.data() + i + 2) break;
-    bytes += static_cast<char>(byte);
-  }
-  if (!has_digits || bytes.size() * 2 != digits.size()) throw InputError("neither a text nor bytes in hexadecimal");
-  return bytes;
-}
-
-Json hash_of_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return nullptr;
-  Hash hash;
-  hash.add(read_file(file, input_again));
-  return hash.text();
 }
 
 Json configuration_of(const Command& command, const RunSubject& subject) {

@@ -28,15 +28,6 @@ nlohmann::ordered_json configuration_of(const Command& command, const RunSubject
 /// The machine as it was used: `name`, `hash`, and `figures` with value, unit and provenance.
 nlohmann::ordered_json machine_json(const machines::Machine& machine);
 
-/// Of the bytes of a file; null of what can be read only once, as a pipe is. Throws InputError.
-nlohmann::ordered_json hash_of_file(const std::filesystem::path& file);
-
-/// Bytes from outside, as JSON can hold them: those that are no plain text are {"hex": "..."}.
-nlohmann::ordered_json bytes_json(const std::string& bytes);
-
-/// The same back. Throws InputError where it is neither.
-std::string bytes_of(const nlohmann::ordered_json& json);
-
 /// Puts the configuration before the time that the run took, the last key of a stats file.
 void put_configuration(nlohmann::ordered_json& stats, nlohmann::ordered_json configuration, const sim::Frame& picture);
 

@@ -8,9 +8,10 @@
 
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
+#include "hw/base/nearest.h"
 #include "hw/base/text.h"
-#include "sim/app/settings/configuration.h"
 #include "sim/app/settings/file_options.h"
+#include "sim/app/settings/recorded_values.h"
 #include "sim/app/version.h"
 
 namespace csgsim::app {
@@ -25,7 +26,8 @@ constexpr InputKind stats_input{"name a stats file, .json", std::size_t{256} << 
 constexpr auto commands = std::to_array<std::string_view>({"render", "run"});
 
 /// Options without effect on picture and counts, beside names of what is written.
-constexpr auto without_effect = std::to_array<std::string_view>({"checkpoint-every", "progress", "quiet"});
+constexpr auto without_effect =
+    std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet"});
 
 constexpr std::size_t most_differences = 10;  ///< that are told
 constexpr int most_depth = 100;               ///< of brackets: values are compared by recursion
@@ -36,6 +38,35 @@ std::string place_of(std::string_view text, std::size_t byte) {
   return fmt::format("{}:{}", std::count(before.begin(), before.end(), '\n') + 1, before.size() - line + 1);
 }
 
+/// Remembers where a text ceases to be JSON that can be read.
+struct FirstFault final : nlohmann::json_sax<Json> {
+  std::size_t byte = 0;
+
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(std::int64_t /*value*/) override { return true; }
+  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
+  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
+  bool string(std::string& /*value*/) override { return true; }
+  bool binary(Json::binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*count*/) override { return true; }
+  bool key(std::string& /*value*/) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t /*count*/) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t position, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*why*/) override {
+    byte = position;
+    return false;
+  }
+};
+
+std::string place_of_fault(const std::string& text) {
+  FirstFault fault;
+  static_cast<void>(Json::sax_parse(text, &fault));
+  return place_of(text, fault.byte);
+}
+
 const Json& member(const RecordedRun& run, const Json& json, const std::string& key) {
   if (!json.is_object() || !json.contains(key)) {
     throw InputError(
@@ -44,44 +75,61 @@ const Json& member(const RecordedRun& run, const Json& json, const std::string& 
   return json.at(key);
 }
 
+[[noreturn]] void fail_value(const RecordedRun& run, const Json& value, std::string_view wanted) {
+  throw InputError(fmt::format("{}: its configuration has {} where {} should be; take a stats file as csgsim wrote it",
+                               run.file, printable(value.dump().substr(0, 40)), wanted));
+}
+
+/// No text of a command line or a file's name has a zero byte.
 std::string text_in(const RecordedRun& run, const Json& json) {
   try {
-    return bytes_of(json);
+    std::string text = bytes_of(json);
+    if (text.find('\0') == std::string::npos) return text;
   } catch (const InputError&) {
-    throw InputError(
-        fmt::format("{}: its configuration has {} where a text should be; take a stats file as csgsim "
-                    "wrote it",
-                    run.file, printable(json.dump().substr(0, 40))));
+    // as below
   }
+  fail_value(run, json, "a text");
 }
 
-std::string word_of(const RecordedRun& run, const std::string& name, const Json& value) {
-  const std::string text = value.is_number() ? value.dump() : text_in(run, value);
-  return fmt::format("--{}={}", name, text);
+std::string number_in(const RecordedRun& run, const Json& value) {
+  return value.is_number() ? value.dump() : text_in(run, value);
 }
 
-bool is_name(std::string_view text) {
-  return !text.empty() && std::ranges::all_of(text, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
+/// Empty where the option was not given.
+std::vector<std::string> values_of(const RecordedRun& run, const SettableOption& option, const Json& value) {
+  if (value.is_null()) return {};
+  std::vector<std::string> values;
+  switch (option.takes) {
+    case Takes::flag:
+      if (!value.is_boolean()) fail_value(run, value, "true or false");
+      if (value.get<bool>()) values.emplace_back("true");
+      return values;
+    case Takes::whole_number:
+    case Takes::number: return {number_in(run, value)};
+    case Takes::text:
+      values.push_back(text_in(run, value));
+      if (values.front().empty()) values.clear();
+      return values;
+    case Takes::texts: break;
+  }
+  if (!value.is_array() || value.size() > most_in_list)
+    fail_value(run, value, fmt::format("a list of at most {} texts", most_in_list));
+  for (const Json& one : value) values.push_back(text_in(run, one));
+  return values;
 }
 
 bool has_effect(std::string_view option) {
   return role_of(option) != FileRole::output && std::ranges::find(without_effect, option) == without_effect.end();
 }
 
-/// What an option holds that was not given.
-bool says_nothing(const Json& value) {
-  const auto* const text = value.get_ptr<const Json::string_t*>();
-  return value.is_null() || value == false || (text != nullptr && text->empty());
-}
-
-std::string command_of(const RecordedRun& run) {
-  const Json& words = member(run, run.configuration, "command");
-  std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
-  if (std::ranges::find(commands, name) == commands.end()) {
-    throw InputError(fmt::format("{}: it is of 'csgsim {}'; only stats of render and run can be run again", run.file,
-                                 printable(name)));
-  }
-  return name;
+const SettableOption& option_named(const RecordedRun& run, std::string_view name,
+                                   std::span<const SettableOption> options) {
+  const auto found = std::ranges::find(options, name, &SettableOption::name);
+  if (found != options.end()) return *found;
+  std::vector<std::string_view> known;
+  for (const SettableOption& option : options) known.push_back(option.name);
+  throw InputError(fmt::format("{}: '{}' is no option of csgsim {} that stats tell of; the nearest is '{}'", run.file,
+                               printable(name), command_of(run), nearest(name, known)));
 }
 
 std::string shown(const Json& json) { return printable(json.dump().substr(0, 60)); }
@@ -101,17 +149,19 @@ Json picture_of(const Json& stats) {
 
 }  // namespace
 
-RecordedRun read_recorded_run(const std::string& file) {
+RecordedRun read_recorded_run(const std::string& file) { return recorded_run_of(read_file(file, stats_input), file); }
+
+RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
   RecordedRun run{printable(file), {}, {}};
-  const std::string text = read_file(file, stats_input);
   try {
     run.stats = Json::parse(text, [&](int depth, Json::parse_event_t /*event*/, const Json& /*parsed*/) {
       if (depth > most_depth) throw InputError(run.file + ": too many brackets in brackets; name a stats file");
       return true;
     });
-  } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: this is no JSON; name a stats file, as csgsim render --stats writes it",
-                                 run.file, place_of(text, error.byte)));
+  } catch (const Json::exception&) {
+    throw InputError(
+        fmt::format("{}:{}: this is no JSON that csgsim writes; name a stats file, as of csgsim render --stats",
+                    run.file, place_of_fault(text)));
   }
   if (!run.stats.is_object() || !run.stats.contains("configuration")) {
     throw InputError(run.file +
@@ -122,27 +172,25 @@ RecordedRun read_recorded_run(const std::string& file) {
   return run;
 }
 
-std::vector<std::string> words_of(const RecordedRun& run) {
-  const Json& options = member(run, run.configuration, "options");
-  std::vector<std::string> lists;  // before the others, since they take what stands behind them
-  std::vector<std::string> words;
-  const std::string command = command_of(run);
-  const std::string operand = command == "render" ? "model" : "program";
-  for (const auto& [name, value] : options.items()) {
-    if (!is_name(name)) throw InputError(fmt::format("{}: '{}' is no option", run.file, printable(name)));
-    if (name == operand || !has_effect(name) || says_nothing(value)) continue;
-    if (value == true) {
-      words.push_back("--" + name);
-    } else if (value.is_array()) {
-      for (const Json& one : value) lists.push_back(word_of(run, name, one));
-    } else {
-      words.push_back(word_of(run, name, value));
-    }
+std::string command_of(const RecordedRun& run) {
+  const Json& words = member(run, run.configuration, "command");
+  std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
+  if (std::ranges::find(commands, name) == commands.end()) {
+    throw InputError(fmt::format("{}: it is of 'csgsim {}'; only stats of render and run can be run again", run.file,
+                                 printable(name)));
   }
-  words.insert(words.begin(), lists.begin(), lists.end());
-  words.insert(words.begin(), command);
-  words.insert(words.end(), {"--progress=auto", "--", text_in(run, member(run, options, operand))});
-  return words;
+  return name;
+}
+
+std::vector<Setting> settings_of(const RecordedRun& run, std::span<const SettableOption> options) {
+  const Json& recorded = member(run, run.configuration, "options");
+  const std::string operand = command_of(run) == "render" ? "model" : "program";
+  std::vector<Setting> settings{{operand, {text_in(run, member(run, recorded, operand))}, run.file}};
+  for (const auto& [name, value] : recorded.items()) {
+    std::vector<std::string> values = values_of(run, option_named(run, name, options), value);
+    if (name != operand && has_effect(name) && !values.empty()) settings.push_back({name, std::move(values), run.file});
+  }
+  return settings;
 }
 
 std::vector<std::string> changes_since(const RecordedRun& run) {
@@ -150,7 +198,9 @@ std::vector<std::string> changes_since(const RecordedRun& run) {
   const std::string version = text_in(run, member(run, run.configuration, "version"));
   if (version != version_and_build())
     changes.push_back(fmt::format("it is of csgsim {}, and this is {}", printable(version), version_and_build()));
-  for (const Json& input : member(run, run.configuration, "inputs")) {
+  const Json& inputs = member(run, run.configuration, "inputs");
+  if (!inputs.is_array()) fail_value(run, inputs, "a list of files");
+  for (const Json& input : inputs) {
     const std::string file = text_in(run, member(run, input, "file"));
     const Json now = hash_of_file(file);
     if (now.is_null()) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "sim/app/settings/settings_file.h"
 
 namespace csgsim::app {
 
@@ -16,9 +19,16 @@ struct RecordedRun {
 /// Throws InputError where the file is no stats file, or has no configuration.
 RecordedRun read_recorded_run(const std::string& file);
 
-/// The command line, without the program, that asks for the same picture and counts: every option as it was, but for
-/// names of what was written, and what has no effect on it. Throws InputError.
-std::vector<std::string> words_of(const RecordedRun& run);
+/// The same of the file's text.
+RecordedRun recorded_run_of(const std::string& text, const std::string& file);
+
+/// The command that the run was of. Throws InputError where it is none that can be run again.
+std::string command_of(const RecordedRun& run);
+
+/// What asks for the same picture and counts of a command with these options: every option as it was, but for names of
+/// what was written, and what has no effect on it. Throws InputError for what is no option of the command, or no value
+/// of it.
+std::vector<Setting> settings_of(const RecordedRun& run, std::span<const SettableOption> options);
 
 /// What is not as it was, for people: the version, files that were read. Throws InputError for a file that cannot be
 /// read.

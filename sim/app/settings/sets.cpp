@@ -100,16 +100,29 @@ Sets sorted(const std::vector<std::string>& sets) {
   return all;
 }
 
-machines::Machine load_machine(const std::string& name, const std::vector<std::string>& sets) {
+namespace {
+
+template <class Source>
+machines::Machine load_from(const Source& source, const std::string& name, const std::vector<std::string>& sets) {
   const std::vector<std::string> figures = sorted(sets).figures;
-  if (figures.empty()) return kinds::load(name);
-  const machines::Machine plain = kinds::load(name);
+  machines::Machine plain = kinds::load(source);
+  if (figures.empty()) return plain;
   for (const std::string& figure : figures) refuse_missing(figure, *plain.kind, name);
   try {
-    return kinds::load(name, figures);
+    return kinds::load(source, figures);
   } catch (const machines::ChangeError& error) {
     throw UsageError("--set", error.what());
   }
+}
+
+}  // namespace
+
+machines::Machine load_machine(const std::string& name, const std::vector<std::string>& sets) {
+  return load_from(name, name, sets);
+}
+
+machines::Machine load_machine(const isa::MachineRecord& record, const std::vector<std::string>& sets) {
+  return load_from(record, record.name, sets);
 }
 
 std::vector<std::string> with_figures(const std::vector<std::string>& names, const std::vector<std::string>& sets) {

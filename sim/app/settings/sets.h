@@ -21,6 +21,9 @@ Sets sorted(const std::vector<std::string>& sets);
 /// that is set wrongly.
 machines::Machine load_machine(const std::string& name, const std::vector<std::string>& sets);
 
+/// The same of the machine that a Program names.
+machines::Machine load_machine(const isa::MachineRecord& record, const std::vector<std::string>& sets);
+
 /// The names of several machines, each with those of the set figures that machines of its kind have, as in
 /// `pixel-planes-4+alu.bits=4`. Throws InputError, or UsageError for a figure that none of them has.
 std::vector<std::string> with_figures(const std::vector<std::string>& names, const std::vector<std::string>& sets);

@@ -33,6 +33,8 @@ class SettingsApp : public CLI::App {
   std::vector<Setting> settings;      ///< of the command that is asked for
   std::vector<Setting> taken;         ///< of these, what the command line does not say
   std::vector<CLI::Option*> excused;  ///< options that have to be given, and are by the settings
+  bool is_of_data = false;            ///< the settings are of no file that the command line names
+  bool is_only_read = false;          ///< no command is run
   RunWatch watch;
 
  private:
@@ -110,6 +112,7 @@ bool wants_dump(const CLI::App& command) {
 void SettingsApp::pre_callback() {
   for (CLI::Option* option : excused) option->required();
   excused.clear();
+  if (is_only_read) throw CLI::Success();
   if (get_subcommands().empty()) return;
   CLI::App& command = *get_subcommands().front();
   take_settings(command);
@@ -159,11 +162,7 @@ CLI::App* command_named(CLI::App& app, std::string_view name) {
 std::vector<SettableCommand> commands_of(CLI::App& app) {
   std::vector<SettableCommand> commands;
   for (CLI::App* command : app.get_subcommands({})) {
-    SettableCommand one{command->get_name(), {}};
-    for (const CLI::Option* option : command->get_options()) {
-      SettableOption settable_one = settable(*option);
-      if (!settable_one.name.empty()) one.options.push_back(std::move(settable_one));
-    }
+    SettableCommand one{command->get_name(), settable_options(*command)};
     if (!one.options.empty()) commands.push_back(std::move(one));
   }
   return commands;
@@ -171,10 +170,8 @@ std::vector<SettableCommand> commands_of(CLI::App& app) {
 
 void add_config_options(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) {
-    const std::vector<CLI::Option*> options = command->get_options();
-    const bool has_some =
-        std::ranges::any_of(options, [](const CLI::Option* option) { return !settable(*option).name.empty(); });
-    if (!has_some || command->get_option_no_throw(std::string(config_name)) != nullptr) continue;
+    if (settable_options(*command).empty() || command->get_option_no_throw(std::string(config_name)) != nullptr)
+      continue;
     command
         ->add_option(std::string(config_name),
                      "A settings file, .toml: options of this command and others; what the command line says wins")
@@ -206,11 +203,42 @@ SettableOption settable(const CLI::Option& option) {
   return {name, Takes::text};
 }
 
-void load_settings(CLI::App& app, std::span<char* const> arguments) {
-  SettingsApp& state = settings_app(app);
+std::vector<SettableOption> settable_options(const CLI::App& command) {
+  std::vector<SettableOption> options;
+  for (const CLI::Option* option : command.get_options()) {
+    SettableOption one = settable(*option);
+    if (!one.name.empty()) options.push_back(std::move(one));
+  }
+  return options;
+}
+
+namespace {
+
+void begin(SettingsApp& state, std::span<char* const> arguments) {
   state.settings.clear();
   state.taken.clear();
+  state.is_of_data = false;
+  state.is_only_read = false;
   state.arguments.assign(arguments.begin(), arguments.end());
+}
+
+/// What the settings say need not be said on the command line.
+void excuse(SettingsApp& state, CLI::App& command) {
+  const bool all_excused = std::ranges::find(state.arguments, dump_name) != state.arguments.end();
+  for (CLI::Option* option : command.get_options()) {
+    const std::string name = settable(*option).name;
+    const bool is_set = std::ranges::find(state.settings, name, &Setting::name) != state.settings.end();
+    if (!option->get_required() || (!all_excused && !is_set)) continue;
+    option->required(false);
+    state.excused.push_back(option);
+  }
+}
+
+}  // namespace
+
+void load_settings(CLI::App& app, std::span<char* const> arguments) {
+  SettingsApp& state = settings_app(app);
+  begin(state, arguments);
   add_config_options(app);
   if (arguments.size() < 2) return;
   CLI::App* const command = command_named(app, state.arguments[1]);
@@ -218,14 +246,21 @@ void load_settings(CLI::App& app, std::span<char* const> arguments) {
   if (command == nullptr) return;
   if (!file.empty())
     state.settings = read_settings(read_file(file, settings_input), file, commands_of(app), command->get_name());
-  const bool all_excused = std::ranges::find(state.arguments, dump_name) != state.arguments.end();
-  for (CLI::Option* option : command->get_options()) {
-    const std::string name = settable(*option).name;
-    const bool is_set = std::ranges::find(state.settings, name, &Setting::name) != state.settings.end();
-    if (!option->get_required() || (!all_excused && !is_set)) continue;
-    option->required(false);
-    state.excused.push_back(option);
-  }
+  excuse(state, *command);
+}
+
+void load_settings(CLI::App& app, std::span<char* const> arguments, std::vector<Setting> settings) {
+  SettingsApp& state = settings_app(app);
+  begin(state, arguments);
+  state.settings = std::move(settings);
+  state.is_of_data = true;
+  excuse(state, *command_named(app, state.arguments.at(1)));
+}
+
+void only_read(CLI::App& app, std::span<char* const> arguments) {
+  SettingsApp& state = settings_app(app);
+  begin(state, arguments);
+  state.is_only_read = true;
 }
 
 std::string place_of(const CLI::App& app, const std::string& message) {
@@ -246,8 +281,12 @@ std::vector<OptionValue> Command::values() const {
   return values;
 }
 
-const std::vector<std::string>& Command::arguments() const {
-  return settings_app(*std::as_const(*command_).get_parent()).arguments;
+std::vector<std::string> Command::arguments() const {
+  const SettingsApp& app = settings_app(*std::as_const(*command_).get_parent());
+  if (!app.is_of_data) return app.arguments;
+  std::vector<std::string> all{app.arguments.front()};
+  for (std::string& word : words({})) all.push_back(std::move(word));
+  return all;
 }
 
 RunWatch& Command::watch() const { return settings_app(*command_->get_parent()).watch; }

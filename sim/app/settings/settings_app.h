@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "sim/app/settings/settings_file.h"
 
@@ -21,8 +22,19 @@ std::unique_ptr<CLI::App> make_settings_app(const std::string& description, cons
 /// InputError.
 void load_settings(CLI::App& app, std::span<char* const> arguments);
 
+/// Takes these for the command that the arguments ask for, as if a settings file said them; no file is read. Command
+/// lines that csgsim records of it then say all of them.
+void load_settings(CLI::App& app, std::span<char* const> arguments, std::vector<Setting> settings);
+
 /// Where a message about an option is about a value from the settings file: its file:line:column; else empty.
 std::string place_of(const CLI::App& app, const std::string& message);
+
+/// The arguments are parsed for what they say alone: CLI::Success is thrown where a command would be run. No settings
+/// file is read.
+void only_read(CLI::App& app, std::span<char* const> arguments);
+
+/// Every option and operand of the command that settings know.
+std::vector<SettableOption> settable_options(const CLI::App& command);
 
 /// The option as settings know it; of --help and --config, and of options without a long name, the name is empty.
 SettableOption settable(const CLI::Option& option);

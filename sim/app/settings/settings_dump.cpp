@@ -15,7 +15,7 @@ namespace {
 namespace utf = boost::locale::utf;
 
 /// A TOML string of the bytes; a byte that is no UTF-8, which TOML cannot have, is shown as people see it.
-std::string quoted(std::string_view bytes) {
+std::string toml_string(std::string_view bytes) {
   std::string text = "\"";
   for (auto at = bytes.begin(); at != bytes.end();) {
     const auto begin = at;
@@ -53,11 +53,11 @@ std::string value_text(const DumpedOption& one) {
     case Takes::flag:
     case Takes::whole_number:
     case Takes::number: return one.values.front();
-    case Takes::text: return quoted(one.values.front());
+    case Takes::text: return toml_string(one.values.front());
     case Takes::texts: break;
   }
   std::vector<std::string> all;
-  for (const std::string& value : one.values) all.push_back(quoted(value));
+  for (const std::string& value : one.values) all.push_back(toml_string(value));
   return fmt::format("[{}]", fmt::join(all, ", "));
 }
 

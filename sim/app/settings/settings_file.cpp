@@ -17,8 +17,6 @@ namespace csgsim::app {
 
 namespace {
 
-constexpr std::size_t most_in_list = 10'000;  ///< values
-
 const SettableOption* find(std::span<const SettableOption> options, std::string_view name) {
   const auto found = std::ranges::find(options, name, &SettableOption::name);
   return found == options.end() ? nullptr : &*found;

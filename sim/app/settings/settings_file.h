@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -7,6 +8,8 @@
 #include <vector>
 
 namespace csgsim::app {
+
+inline constexpr std::size_t most_in_list = 10'000;  ///< values that a file gives an option
 
 /// What an option takes.
 enum class Takes : std::uint8_t {

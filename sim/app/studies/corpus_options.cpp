@@ -15,6 +15,7 @@
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
 #include "sim/app/studies/shard_run.h"
+#include "sim/app/subject.h"
 #include "sim/app/version.h"
 #include "sim/study/ranges.h"
 
@@ -33,8 +34,7 @@ std::vector<fs::path> models_in(const fs::path& folder) {
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(folder, error);
        !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (entry->is_regular_file() && (is_model(entry->path()) || ends_in(entry->path(), ".scad")))
-      files.push_back(entry->path());
+    if (entry->is_regular_file() && has_model_name(entry->path())) files.push_back(entry->path());
   }
   if (error) throw InputError(fmt::format("{}: cannot be read ({})", printable(folder.native()), error.message()));
   std::ranges::sort(files);

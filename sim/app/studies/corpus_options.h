@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/app/command_line.h"
+#include "sim/app/machine_list.h"
 #include "sim/app/model_options.h"
 #include "sim/app/report_option.h"
 #include "sim/study/corpus.h"
@@ -19,7 +20,7 @@ namespace csgsim::app {
 struct CorpusOptions {
   ModelOptions view;
   std::vector<std::string> models;  ///< files and folders
-  std::string machines = "pixel-planes-4,scan-line,pixel-square,pixel-planes-5,multi-processor";
+  std::string machines = all_machines();
   std::string folder;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::optional<study::Shard> shard;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw/base/error.h"
 #include "sim/app/command_line.h"
 #include "sim/app/options.h"
 #include "sim/app/studies/study_files.h"
@@ -74,6 +77,9 @@ template <class Row, class Wanted, class Measure>
 void measure_shard(const Command& command, const std::filesystem::path& folder, const study::Shard& shard,
                    const std::vector<Wanted>& wanted, const std::string& progress, Measure measure_points) {
   refuse_page(command);
+  if (wanted.size() > study::most_points)
+    throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
+                                 wanted.size(), study::most_points));
   ShardRun run(folder, {shard, wanted.size(), inputs_of(wanted), study_words(command)}, study::header_of<Row>());
   {
     SweepProgress shown(run.points(), run.points() - run.missing().size(), shows_progress(progress));

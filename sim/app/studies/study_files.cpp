@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "hw/base/error.h"
@@ -45,15 +46,29 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
   return files;
 }
 
-constexpr auto without_effect =
-    std::to_array<std::string_view>({"output", "threads", "progress", "no-plots", "report", "quiet", "shard"});
+/// A study writes files of its own. Links would lead it to others, and pipes and devices keep it waiting.
+void refuse_foreign(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::symlink_status(file, error);
+  if (std::filesystem::is_regular_file(status) || std::filesystem::is_directory(status) ||
+      !std::filesystem::exists(status))
+    return;
+  throw InputError(fmt::format("{}: it is {}, where a study may write a file of its own; delete it, or take another -o",
+                               file.native(), std::filesystem::is_symlink(status) ? "a link" : "a pipe or a device"));
+}
+
+constexpr auto without_effect = std::to_array<std::string_view>(
+    {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time"});
 
 }  // namespace
 
 StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string& study,
                          std::span<const std::filesystem::path> inputs)
     : path_(made_folder(folder)), lock_(path_, study) {
-  for (const std::filesystem::path& file : replaceable(path_)) refuse_clashes(inputs, std::span(&file, 1));
+  for (const std::filesystem::path& file : replaceable(path_)) {
+    refuse_clashes(inputs, std::span(&file, 1));
+    refuse_foreign(file);
+  }
 }
 
 std::string study_title(const Command& command, const std::set<std::string>& but) {
@@ -68,6 +83,12 @@ std::string study_title(const Command& command, const std::set<std::string>& but
 
 std::vector<std::string> study_words(const Command& command) { return command.words(without_effect); }
 
+std::vector<std::string> read_study_words(CommandLine& line, const std::vector<std::string>& words) {
+  std::vector<std::string> all = words;
+  all.insert(all.begin() + 1, {"-o", "."});  // which some studies need
+  return line.read(std::move(all), without_effect);
+}
+
 std::string told_of(const std::string& model, const std::string& reason) {
   return reason.starts_with(model) ? reason : model + ": " + reason;
 }
@@ -77,6 +98,12 @@ std::string failed_models(std::span<const std::string> failed, std::size_t model
   const std::span<const std::string> named = failed.first(std::min(failed.size(), most_named));
   return fmt::format("{} of {} models could not be drawn: {}{}; {} says why", failed.size(), models,
                      fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
+}
+
+std::string whose_fault(bool has_read_rows) {
+  if (!has_read_rows) return "this is a fault of csgsim, please report it";
+  return "what was read of them may not be as it was measured: measure all anew, in another folder (-o), and if that "
+         "says the same, report it";
 }
 
 void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {

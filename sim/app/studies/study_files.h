@@ -33,11 +33,19 @@ std::string study_title(const Command& command, const std::set<std::string>& but
 /// The same as words that the command line reads again, operands included.
 std::vector<std::string> study_words(const Command& command);
 
+/// The same of the command that these words ask for, without running it. Throws UsageError for words that ask for no
+/// command of the line.
+std::vector<std::string> read_study_words(CommandLine& line, const std::vector<std::string>& words);
+
 /// The reason, behind the model's name if it does not begin with that.
 std::string told_of(const std::string& model, const std::string& reason);
 
 /// The last line of a study of so many models that went on past some, which its table tells the reasons of.
 std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table);
+
+/// Whose fault results may be that cannot be, and the mend: csgsim's, if it has measured all of them in this process;
+/// of rows that were read nobody knows.
+std::string whose_fault(bool has_read_rows);
 
 /// Tells on standard error what has changed since some rows of a table were measured.
 void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed);

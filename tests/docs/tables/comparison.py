@@ -2,7 +2,7 @@
 
 from figures import THESIS_MODELS, point, row, ruled
 
-MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor")
+MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "pixel-powers", "multi-processor")
 LEAST_SHARE = 0.001  # of a figure that is ideal, for a row of its own
 
 

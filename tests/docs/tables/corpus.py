@@ -9,7 +9,7 @@ FOLDER = "/usr/share/openscad/examples"
 COMMAND = f"csgsim corpus {FOLDER} --progress none -o $OUT || [ $? = 1 ]"
 PURPOSES = ("render", "classify", "merge", "shade")
 TITLES = {"pixel-planes-4": "Pixel-planes 4", "scan-line": "scan-line", "pixel-square": "pixel-square",
-          "pixel-planes-5": "Pixel-planes 5", "multi-processor": "multi-processor"}
+          "pixel-planes-5": "Pixel-planes 5", "pixel-powers": "Pixel-Powers", "multi-processor": "multi-processor"}
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 

@@ -4,8 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "host/facet/scene.h"
 #include "host/read/read.h"
@@ -13,6 +16,7 @@
 #include "hw/base/error.h"
 #include "sim/bench/povray.h"
 #include "sim/bench/process.h"
+#include "sim/bench/report.h"
 #include "sim/bench/subjects.h"
 
 using namespace csgsim;
@@ -46,9 +50,27 @@ TEST_CASE("the exponent of a power law is found, whatever its factor") {
   for (const double power : {-1.0, 0.0, 0.5, 2.0}) {
     std::vector<bench::Point> points;
     for (const double x : {1.0, 3.0, 10.0, 80.0}) points.push_back({x, 7 * std::pow(x, power)});
-    CHECK(bench::exponent(points) == doctest::Approx(power));
+    const std::optional<double> found = bench::exponent(points);
+    REQUIRE(found);
+    CHECK(*found == doctest::Approx(power));
   }
-  CHECK_THROWS_AS(bench::exponent(std::array<bench::Point, 2>{{{2, 1}, {2, 3}}}), std::invalid_argument);
+}
+
+TEST_CASE("no exponent is told from two points, nor from more at two sizes, in tables, JSON and plots alike") {
+  CHECK(!bench::exponent(std::array<bench::Point, 2>{{{1, 1}, {2, 3}}}));
+  CHECK(!bench::exponent(std::array<bench::Point, 3>{{{1, 1}, {2, 3}, {2, 4}}}));
+  bench::Results results;
+  results.growths = {{"threads", "run", "csgsim", {{1, 0.05}, {2, 0.03}}},
+                     {"pixels", "run", "csgsim", {{1, 1}, {10, 10}, {100, 100}}}};
+  const std::string tables = bench::to_tables(results);
+  CHECK(tables.find("| threads | run | \u2013 | 1: 50, 2: 30 |") != std::string::npos);
+  CHECK(tables.find("| pixels | run | 1.00 |") != std::string::npos);
+  const std::string json = bench::to_json(results).dump();
+  CHECK(json.find("exponent") == json.rfind("exponent"));
+  const std::vector<plots::Plot> plots = bench::plots_of_growths(results.growths);
+  REQUIRE(plots.size() == 2);
+  CHECK(std::get<plots::Chart>(plots[0].content).series[0].name == "run");
+  CHECK(std::get<plots::Chart>(plots[1].content).series[0].name == "run: exponent 1.00");
 }
 
 TEST_CASE("generated models have as many half-spaces as they say, and lie about the origin") {

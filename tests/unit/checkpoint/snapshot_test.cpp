@@ -8,6 +8,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/text.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "hw/pixel_planes/kind.h"
@@ -109,6 +110,7 @@ machines::Machine planes(isa::ArrayShape shape) {
 isa::Program small_program() {
   isa::Program program;
   program.shape = {70, 4, 16};
+  program.colour = {8, 6};
   program.facts.fields = {{"Z2", {0, 8}, isa::FieldRole::depth}, {"colour", {8, 6}, isa::FieldRole::colour}};
   program.facts.primitives = {"a"};
   const isa::Linear ramp{.a = 1, .b = 2, .c = 0, .width = 12};
@@ -120,6 +122,28 @@ isa::Program small_program() {
                         {.opcode = isa::Opcode::global_or},
                         {.opcode = isa::Opcode::edge_negative, .linear = {.a = -1, .c = 5, .width = 9}},
                         {.opcode = isa::Opcode::set_constant, .fields = {isa::Field{8, 6}}, .constant = 33}}});
+  return program;
+}
+
+/// A wall with a pane before a half of it, twice, and the pane's depth overwritten.
+isa::Program glass_program() {
+  isa::Program program = isa::parse(
+      ".array width=70 height=4 memory_bits=40\n.frame colour_base=16 colour_bits=6\n"
+      ".field Z2 [0+:8] depth\n.field Z1 [8+:8] candidate_depth\n.field colour [16+:6] colour\n"
+      ".field transparency.nearest_depth [24+:8] effect\n"
+      ".primitive \"wall\"\n.primitive \"pane\"\n.segment width=70 height=4\n"
+      "enable_all; setup\nset_constant Z2, 255; setup\n"
+      "edge_negative x + y - 60 (w9); render p0\nload_linear Z1, x + 90 (w10); render p0\n"
+      "field_lt Z1, Z2; merge p0\ncopy Z2, Z1; merge p0\n"
+      "enable_all; effect\ncopy transparency.nearest_depth, Z2; effect\n"
+      "edge_not_negative x - 30 (w9); render p1\nload_linear Z1, x + 2*y + 9 (w10); render p1\n"
+      "field_lt Z1, transparency.nearest_depth; merge p1\ncopy transparency.nearest_depth, Z1; merge p1\n"
+      "enable_all; effect\nfield_lt transparency.nearest_depth, Z2; effect\n"
+      "set_constant transparency.nearest_depth, 3; effect\n",
+      "glass");
+  program.facts.compile.effects = {"flat", "transparency"};
+  auto& instructions = program.segments.front().instructions;
+  for (std::size_t i = 6; i < instructions.size(); ++i) instructions[i].origin.effect = 1;
   return program;
 }
 
@@ -144,6 +168,24 @@ TEST_CASE("so does one of a machine that draws the picture in parts, at their be
     machine.array.memory_bits = 40;
     CHECK(survives_interruptions(machine, test::arbitrary_program_in_parts(machine, 8)));
   }
+}
+
+TEST_CASE("so does one of a Program that blends what is see-through, with the panes that were taken down") {
+  const isa::Program program = glass_program();
+  const machines::Machine machine = planes(program.shape);
+  CHECK(survives_interruptions(machine, rc::gen::just(program)));
+  const auto engine = sim::make_functional_engine(machine, 3);
+  const sim::Frame frame = uninterrupted(*engine, program).frame;
+  const auto at = [](std::uint32_t x, std::uint32_t y) { return std::size_t{y} * 70 + x; };
+  CHECK(frame.owner[at(10, 1)] == 0);
+  CHECK(frame.depth[at(10, 1)] == 100);
+  CHECK(frame.owner[at(40, 1)] == 1);
+  CHECK(frame.depth[at(40, 1)] == 51);
+  CHECK(frame.opaque_owner[at(40, 1)] == 0);
+  CHECK(frame.opaque_depth[at(40, 1)] == 130);
+  CHECK(frame.owner[at(65, 1)] == 1);
+  CHECK(frame.opaque_owner[at(65, 1)] == sim::no_owner);
+  CHECK(frame.opaque_depth[at(65, 1)] == 255);
 }
 
 TEST_CASE("a run stops before the instruction that it is told to stop at, and a segment's pixels stay at its end") {
@@ -266,4 +308,34 @@ TEST_CASE("a Program without segments is finished when it begins, and has checkp
   CHECK(run->finished());
   const sim::Snapshot snapshot = snapshot_at(0, nothing, machine);
   CHECK(sim::decode(sim::encode(snapshot), "c", nothing, machine) == snapshot);
+}
+
+TEST_CASE("a machine's identity changes with each figure that a run depends on, and not with its name or description") {
+  const isa::Program program = small_program();
+  const machines::Machine machine = planes(program.shape);
+  const sim::RunIdentity identity = sim::identity_of(program, machine);
+  const auto with = [&](auto change) {
+    machines::Machine other = machine;
+    change(other);
+    return sim::identity_of(program, other);
+  };
+  CHECK(with([](machines::Machine& one) { one.name = one.description = "other"; }) == identity);
+  const sim::RunIdentity others[] = {
+      with([](machines::Machine& one) { ++one.picture.width; }),
+      with([](machines::Machine& one) { ++one.picture.height; }),
+      with([](machines::Machine& one) { ++one.array.width; }),
+      with([](machines::Machine& one) { ++one.array.height; }),
+      with([](machines::Machine& one) { ++one.array.memory_bits; }),
+      with([](machines::Machine& one) { ++one.clock_hz; }),
+      with([](machines::Machine& one) { ++one.memory_reads; }),
+      with([](machines::Machine& one) { ++one.alu_bits; }),
+      with([](machines::Machine& one) { ++one.clear_clocks; }),
+      with([](machines::Machine& one) { ++one.link.width; }),
+      with([](machines::Machine& one) { one.figures.push_back({}); }),
+  };
+  for (std::size_t i = 0; i < std::size(others); ++i) {
+    CAPTURE(i);
+    CHECK(others[i].program == identity.program);
+    CHECK(others[i].machine != identity.machine);
+  }
 }

@@ -95,3 +95,12 @@ TEST_CASE("a model of which nothing is left keeps the box that it would have had
   CHECK(box.low == glm::dvec3(0));
   CHECK(box.high == glm::dvec3(10));
 }
+
+TEST_CASE("past the steps that are allowed the extent is the box of the whole scene") {
+  // What is taken away leaves no corner of the cube, and less than half of it.
+  const TestModel model(
+      "difference() { cube(size = [10, 10, 10], center = true);"
+      " multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [10, 12, 12], center = true); } }");
+  CHECK(convex::extent(model.scene, model.positive).high.x == doctest::Approx(-1));
+  CHECK(convex::extent(model.scene, model.positive, convex::most_extent_cuts, 100).high.x == doctest::Approx(5));
+}

@@ -26,7 +26,7 @@ glm::dvec3 end_of_segment(const TestModel& model, const Light& light, const glm:
   return point + 10.0 * model.scene.planes.diagonal() * glm::normalize(glm::dvec3(light.place));
 }
 
-Light random_light(const TestModel& model, testing::Random& random) {
+Light random_light(const TestModel& model, testing::RandomPoints& random) {
   switch (random.below(4)) {
     case 0: {
       // Along an axis, so that many faces are edge-on.

@@ -15,6 +15,6 @@ double height(const TestModel& model, const convex::ShadowVolume& volume, const 
 glm::dvec3 end_of_segment(const TestModel& model, const convex::Light& light, const glm::dvec3& point);
 
 /// Along an axis, in any direction, near a solid or in it, far away.
-convex::Light random_light(const TestModel& model, Random& random);
+convex::Light random_light(const TestModel& model, RandomPoints& random);
 
 }  // namespace csgsim::testing

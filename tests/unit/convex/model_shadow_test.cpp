@@ -19,7 +19,7 @@ using testing::TestModel;
 namespace {
 
 /// Random points are in the volume of a piece if and only if the ray to the light meets the model.
-void check_shadows(const TestModel& model, const Light& light, testing::Random& random, int points) {
+void check_shadows(const TestModel& model, const Light& light, testing::RandomPoints& random, int points) {
   std::vector<ShadowVolume> volumes;
   for (const convex::Piece& piece : model.pieces()) {
     volumes.push_back(convex::shadow_volume(piece.polytope, light, model.scene.planes));
@@ -37,7 +37,7 @@ void check_shadows(const TestModel& model, const Light& light, testing::Random& 
 }  // namespace
 
 TEST_CASE("the shadow of a model's pieces is that of the model along every ray") {
-  testing::Random random(42);
+  testing::RandomPoints random(42);
   for (std::uint64_t seed = 2000; seed < 2400; ++seed) {
     CAPTURE(seed);
     const TestModel model(testing::random_model(seed, 1 + static_cast<unsigned>(seed % 10)));
@@ -47,7 +47,7 @@ TEST_CASE("the shadow of a model's pieces is that of the model along every ray")
 }
 
 TEST_CASE("the shadows of the demo models are those along every ray") {
-  testing::Random random(43);
+  testing::RandomPoints random(43);
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "rietveld_house", "old_example002",
                            "old_example003", "old_example011"}) {
     CAPTURE(name);

@@ -24,7 +24,8 @@ double total_volume(const std::vector<convex::Piece>& pieces) {
 
 /// Random points are in the model if and only if they are in a piece, and in one of each product at most; that piece's
 /// primitive holds them. The number of points that were in.
-int check_points(const TestModel& model, const std::vector<convex::Piece>& pieces, testing::Random& random, int count) {
+int check_points(const TestModel& model, const std::vector<convex::Piece>& pieces, testing::RandomPoints& random,
+                 int count) {
   int inside = 0;
   facet::Box box;
   for (const facet::Convex& solid : model.scene.solids) box = hull(box, solid.box);
@@ -60,7 +61,7 @@ std::string ball(double x, double y, double z, double radius, int count) {
 }  // namespace
 
 TEST_CASE("a point is in a random model if it is in a piece, in one of a product at most, and pieces are whole") {
-  testing::Random random(11);
+  testing::RandomPoints random(11);
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 1200; ++seed) {
     CAPTURE(seed);
@@ -76,7 +77,7 @@ TEST_CASE("a point is in a random model if it is in a piece, in one of a product
 }
 
 TEST_CASE("a point is in a demo model if it is in a piece") {
-  testing::Random random(12);
+  testing::RandomPoints random(12);
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "rietveld_house", "basics_csg",
                            "old_example002", "old_example003", "old_example011"}) {
     CAPTURE(name);

@@ -165,7 +165,7 @@ TEST_CASE("what is left of a sheet thinner than the tolerance is nothing; a thic
 }
 
 TEST_CASE("planes that miss common corners by about the tolerance still make whole polytopes") {
-  testing::Random random(1987);
+  testing::RandomPoints random(1987);
   int cuts = 0;
   for (int round = 0; round < 3000; ++round) {
     CAPTURE(round);
@@ -210,4 +210,17 @@ TEST_CASE("an empty solid is an empty polytope, and stays empty") {
   const facet::Halfspace halfspace = planes.add({{0, 0, 1}, 0});
   CHECK(convex::make_polytope({}, planes).empty());
   CHECK(convex::clip({}, halfspace, planes).empty());
+}
+
+TEST_CASE("clipping what has a corner that is not a number ends, with nothing") {
+  const TestModel model("cube(size=[2,3,5],center=false);");
+  const facet::Convex& solid = model.scene.solids.front();
+  for (const double odd : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    for (const facet::Halfspace& halfspace : solid.halfspaces) {
+      convex::Polytope polytope = only_solid(model);
+      polytope.vertices.front() = glm::dvec3(odd);
+      const convex::Polytope clipped = convex::clip(polytope, convex::opposite(halfspace), model.scene.planes);
+      CHECK(clipped.vertices.size() <= 2 * polytope.vertices.size());
+    }
+  }
 }

@@ -183,7 +183,7 @@ TEST_CASE("edges in one line, of faces in one plane, give one plane") {
 }
 
 TEST_CASE("a point is in the volume of a piece if the segment to the light meets the piece, and within its extent") {
-  testing::Random random(1977);
+  testing::RandomPoints random(1977);
   int shadowed = 0;
   int lit = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {

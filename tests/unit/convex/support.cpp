@@ -10,6 +10,7 @@
 
 #include "host/convex/clip.h"
 #include "host/read/read.h"
+#include "places.h"
 
 namespace csgsim::testing {
 
@@ -132,18 +133,18 @@ std::string flaws(const facet::Scene& scene, const convex::Polytope& polytope, d
   return convex::edges(polytope).size() == directed.size() / 2 ? "" : "edges() finds others";
 }
 
-double Random::between(double low, double high) {
+double RandomPoints::between(double low, double high) {
   return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
 }
 
-glm::dvec3 Random::around(const facet::Box& box) {
+glm::dvec3 RandomPoints::around(const facet::Box& box) {
   const glm::dvec3 half = (box.high - box.low) / 2.0;
   const glm::dvec3 low = box.low - half;
   const glm::dvec3 high = box.high + half;
   return {between(low.x, high.x), between(low.y, high.y), between(low.z, high.z)};
 }
 
-glm::dvec3 Random::direction() {
+glm::dvec3 RandomPoints::direction() {
   for (;;) {
     const glm::dvec3 candidate{between(-1, 1), between(-1, 1), between(-1, 1)};
     const double length = glm::length(candidate);

@@ -50,9 +50,9 @@ double height(const facet::Scene& scene, const convex::Polytope& polytope, const
 std::string flaws(const facet::Scene& scene, const convex::Polytope& polytope, double slack = 1.01);
 
 /// Points and numbers that are the same everywhere.
-class Random {
+class RandomPoints {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomPoints(std::uint64_t seed) : engine_(seed) {}
   double between(double low, double high);
   std::size_t below(std::size_t limit) { return engine_() % limit; }
   /// In a box grown by half its size to all sides.

@@ -10,6 +10,7 @@
 #include "host/csg/separation.h"
 #include "host/facet/scene.h"
 #include "host/view/projection.h"
+#include "tests/support/usual_cases.h"
 #include "tests/unit/view/held.h"
 
 using namespace csgsim;
@@ -94,7 +95,7 @@ TEST_CASE("of curved solids blocks are in or out only if all of their places are
     }));
   }
   MESSAGE("in ", known_in, ", out ", known_out, ", places held ", held);
-  CHECK(known_in > 10);
-  CHECK(known_out > 100);
-  CHECK(held > 1000);
+  CHECK((!testing::draws_usual_cases() || known_in > 10));
+  CHECK((!testing::draws_usual_cases() || known_out > 100));
+  CHECK((!testing::draws_usual_cases() || held > 1000));
 }

@@ -35,6 +35,7 @@ machines::Machine planes(isa::ArrayShape shape) {
 
 /// Two primitives: columns 3 on at depth 40, then columns below 6 at depth x + 20; the question finds none enabled.
 constexpr const char* two_primitives = R"(.array width=8 height=2 memory_bits=24
+.frame colour_base=16 colour_bits=6
 .field Z2 [0+:8] depth
 .field Z1 [8+:8] candidate_depth
 .field colour [16+:6] colour
@@ -313,4 +314,24 @@ TEST_CASE("states are kept at the beginning and, the longer the run, the farther
   CHECK(history.before(0).run.overflows == 0);
   CHECK(history.before(100'000).run.overflows <= 100'000);
   CHECK(history.before(100'000).run.overflows > 80'000);
+}
+
+TEST_CASE("going back from between squares and their instruction leaves the squares behind") {
+  Debugger debug(R"(.array width=8 height=2 memory_bits=24
+.field Z2 [0+:8] depth
+.segment x=0 y=0 width=8 height=2
+  enable_all
+  edge_negative x - 3 (w8)
+  enable_all
+  squares 5*x*x (w12)
+  edge_negative x - 3 (w12)
+)");
+  debug("step 2");
+  CHECK(debug("print E") == "E = 1 at 6 of 16 pixels\n");
+  debug("step 2");
+  CHECK(debug("back 4") == "i0 of 5: enable_all\n");
+  debug("step 2");
+  CHECK(debug("print E") == "E = 1 at 6 of 16 pixels\n");
+  debug("step 3");
+  CHECK(debug("print E") == "E = 1 at 2 of 16 pixels\n");
 }

@@ -239,6 +239,29 @@ TEST_CASE("a checker begins at u0, v0 with its first colour") {
   }
 }
 
+TEST_CASE("in perspective a texel that begins at the last pixels of a facet, right at their centres, is seen there") {
+  // Seen straight on, a pixel is half a unit; that in column x and row y is centred at ((x - 31.5) / 2, (23.5 - y) /
+  // 2).
+  const double distance = 0.5 * height / 2 / view::half_height_per_distance();
+  const view::Camera camera{{0, 0, distance}, {0, 0, 0}, view::Projection::perspective};
+  const std::string plate =
+      "multmatrix([[1, 0, 0, -4.4], [0, 1, 0, -4.4], [0, 0, 1, -1], [0, 0, 0, 1]]) { cube(size = [8.8, 8.8, 1]); }";
+  const std::string lights = "[ambient]\nintensity = 1\n[[lights]]\ndirection = [0, 0, -1]\nintensity = 0\n";
+  const auto drawn = [&](const std::string& texels) {
+    const std::string texture =
+        "[[effects.textures]]\npattern = 'table'\nsize = 16\nu0 = -11.75\nv0 = -11.75\ntexels = " + texels + "\n";
+    return testing::draw(testing::compile_text(plate, setup_of(lights + texture, camera)).program);
+  };
+  const sim::Frame columns = drawn("[[[1, 0, 0], [0, 0, 1]]]");
+  const sim::Frame rows = drawn("[[[1, 0, 0]], [[0, 0, 1]]]");
+  for (std::uint32_t i = 23; i <= 40; ++i) {
+    CAPTURE(i);
+    CHECK(colour_at(columns, i, 24) == (i == 40 ? 0x0000ffU : 0xff0000U));
+    const std::uint32_t row = i - 8;
+    CHECK(colour_at(rows, 31, row) == (row == 15 ? 0x0000ffU : 0xff0000U));
+  }
+}
+
 TEST_CASE("of several textures the last that holds for a primitive counts, and one that is off does not") {
   const std::string lights = "[ambient]\nintensity = 1\n[[lights]]\ndirection = [0, 0, -1]\nintensity = 0\n";
   const auto one_colour = [](const std::string& colour, const std::string& rest) {

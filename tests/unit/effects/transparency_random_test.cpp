@@ -13,6 +13,7 @@
 #include "host/lighting/lighting.h"
 #include "host/read/read.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/depth_scale.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
 #include "tests/unit/effects/effect_picture.h"
@@ -106,7 +107,8 @@ class Shot {
   [[nodiscard]] bool is_empty() const { return is_empty_; }
   [[nodiscard]] const model::Tree& tree() const { return tree_; }
   [[nodiscard]] std::vector<double> opacities() const { return opacities_of(scene_, tree_); }
-  [[nodiscard]] sim::Frame drawn() const { return testing::draw(testing::compile_text(text_, setup_).program); }
+  [[nodiscard]] isa::Program program() const { return testing::compile_text(text_, setup_).program; }
+  [[nodiscard]] sim::Frame drawn() const { return testing::draw(program()); }
 
   /// With primitives listed in that order.
   [[nodiscard]] std::vector<testing::RayColour> cast(const std::vector<std::uint32_t>& order,
@@ -214,6 +216,50 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
   return tally;
 }
 
+/// Steps of depth at which a surface that far from the eye along the view axis is.
+double steps_at(const isa::Program& program, double distance) {
+  const isa::DepthScale& scale = program.facts.depth_scale;
+  const double most = std::exp2(isa::field_of(program, isa::FieldRole::depth).width) - 4;
+  const auto place = [&](double at) { return scale.perspective ? 1 / scale.near - 1 / at : at - scale.near; };
+  return 1 + most * place(distance) / place(scale.far);
+}
+
+/// Whether the surface that rays see there is whose the picture says, where it says.
+bool is_told(const isa::Program& program, const testing::RayColour& seen, const std::vector<std::uint32_t>& order,
+             std::uint32_t owner, std::uint32_t depth) {
+  if (seen.primitive == model::no_index)
+    return owner == sim::no_owner && depth + 1 == 1U << isa::field_of(program, isa::FieldRole::depth).width;
+  return owner == order[seen.primitive] && std::abs(depth - steps_at(program, seen.depth)) <= 2;
+}
+
+Tally surfaces_of_random_models(std::uint64_t first_seed, view::Projection projection, const std::string& set) {
+  Tally tally;
+  for (std::uint64_t seed = first_seed; seed < first_seed + models; ++seed) {
+    const Shot shot(seed, projection, by_line({set}));
+    if (shot.is_empty()) continue;
+    const std::vector<std::uint32_t> order = opaque_first(shot);
+    const std::vector<double> opacities = permuted(shot.opacities(), order);
+    const auto nearest = shot.cast(order, {});
+    const isa::Program program = shot.program();
+    const sim::Frame frame = testing::draw(program);
+    const sim::Frame opaque = sim::of_opaque(frame);
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      ++tally.pixels;
+      if (!nearest[i].is_certain) continue;
+      ++tally.judged;
+      const bool is_glass = nearest[i].primitive != model::no_index && opacities[nearest[i].primitive] < 1;
+      tally.mixed += is_glass ? 1 : 0;
+      const bool is_right = is_told(program, nearest[i], order, frame.owner[i], frame.depth[i]);
+      const bool is_right_behind = is_glass ? opaque.depth[i] > frame.depth[i]
+                                            : opaque.depth[i] == frame.depth[i] && opaque.owner[i] == frame.owner[i];
+      if (is_right && is_right_behind) continue;
+      ++tally.wrong;
+      MESSAGE("seed ", seed, " column ", i % width, " row ", i / width, ": ", frame.owner[i], " at ", frame.depth[i]);
+    }
+  }
+  return tally;
+}
+
 void check(const Tally& tally) {
   MESSAGE(tally.pixels, " pixels, ", tally.judged, " judged, ", tally.mixed, " of them see-through, ", tally.wrong,
           " wrong");
@@ -239,4 +285,11 @@ TEST_CASE("screen doors of random models are what rays see, orthographic") {
 }
 TEST_CASE("screen doors of random models are what rays see, perspective") {
   check(screen_doors_of_random_models(101, view::Projection::perspective));
+}
+TEST_CASE("owner and depth are those of the nearest surface that rays see, see-through or not") {
+  for (const char* const set : {"effects.transparency.layers=12", "effects.transparency.layers=1"}) {
+    CAPTURE(set);
+    check(surfaces_of_random_models(1, view::Projection::orthographic, set));
+    check(surfaces_of_random_models(101, view::Projection::perspective, set));
+  }
 }

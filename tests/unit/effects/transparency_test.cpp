@@ -92,7 +92,9 @@ std::string union_of(const std::vector<std::string>& parts) {
   return text + "}";
 }
 
-bool same(const sim::Frame& a, const sim::Frame& b) { return a.colour == b.colour && a.depth == b.depth; }
+bool same(const sim::Frame& a, const sim::Frame& b) {
+  return a.colour == b.colour && a.depth == b.depth && sim::of_opaque(a).depth == sim::of_opaque(b).depth;
+}
 
 testing::Setup view_of_parts(const std::vector<std::string>& sets) { return front_view(16, 16, scene_of("", sets)); }
 
@@ -137,7 +139,7 @@ TEST_CASE("an opaque surface is seen before a see-through one in the same place,
     CHECK(levels(drawn(model, std::vector<std::string>{}).colour.front()) == glm::dvec3(0, 0, 255));
 }
 
-TEST_CASE("the depths of a picture are those of its opaque surfaces") {
+TEST_CASE("behind what is see-through the depths and owners of opaque surfaces are those without it") {
   std::vector<std::string> clear;
   for (const char* const set :
        {"of_colour=0.9,0.2,0.2", "of_colour=0.2,0.8,0.3", "of_colour=0.2,0.3,0.9", "of_colour=0.6,0.1,0.7"}) {
@@ -147,10 +149,13 @@ TEST_CASE("the depths of a picture are those of its opaque surfaces") {
   }
   const sim::Frame frame = drawn(union_of(parts()), view_of_parts({}));
   const sim::Frame without = drawn(union_of(parts()), view_of_parts(clear));
-  CHECK(frame.depth == without.depth);
+  const sim::Frame opaque = sim::of_opaque(frame);
+  CHECK(opaque.depth == without.depth);
+  CHECK(opaque.owner == without.owner);
   CHECK(frame.colour != without.colour);
-  const std::uint32_t nothing = *std::max_element(frame.depth.begin(), frame.depth.end());
-  CHECK(std::count(frame.depth.begin(), frame.depth.end(), nothing) < 220);
+  CHECK(frame.depth != without.depth);
+  const std::uint32_t nothing = *std::max_element(opaque.depth.begin(), opaque.depth.end());
+  CHECK(std::count(opaque.depth.begin(), opaque.depth.end(), nothing) < 220);
 }
 
 TEST_CASE("the order of parts in the file does not change the picture (OpenSCAD issue 1390)") {

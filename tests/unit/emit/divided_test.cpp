@@ -51,8 +51,8 @@ TEST_CASE("a Program for a machine that divides has the model that is divided in
     std::uint64_t boxes = 0;
     std::uint64_t group_boxes = 0;
     for (const isa::Segment& segment : program.segments) {
-      boxes += segment.facts.division.boxes;
-      group_boxes += segment.facts.division.group_boxes;
+      boxes += segment.division.boxes;
+      group_boxes += segment.division.group_boxes;
     }
     CHECK(group_boxes == (levels == 1 ? 0 : 2 * 6));
     CHECK((levels == 1 ? boxes == 2 * 24 : boxes < 2 * 24));

@@ -38,6 +38,10 @@ TEST_CASE("DXF's lines, polylines, circles, arcs and ellipses are OpenSCAD's") {
   check_as_openscad(drawing("exported").area, "dxf_exported");
 }
 
+TEST_CASE("DXF's lines are chained as OpenSCAD chains them where several meet") {
+  check_as_openscad(drawing("meeting").area, "dxf_meeting");
+}
+
 TEST_CASE("DXF's blocks are inserted as OpenSCAD does it") {
   check_as_openscad(drawing("blocks").area, "dxf_blocks");
   check_as_openscad(drawing("blocks", {.layer = "b", .scale = 0.5}).area, "dxf_layer_b");

@@ -14,6 +14,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "places.h"
 
 namespace csgsim::flat {
 

@@ -55,6 +55,17 @@ TEST_CASE("a font that is not there is replaced as fontconfig says") {
   check_as_openscad(flat::text({.text = "Arial?", .font = "Arial:style=Bold Italic"}), "text_substitute");
 }
 
+TEST_CASE("a font that is not there is told apart from one that is, however it is written") {
+  for (const char* name : {"", " ", "DejaVu Sans", "dejavusans:style=Bold", "Nowhere,Liberation Serif", ":style=Bold",
+                           "sans", "Monospace:bold"}) {
+    CAPTURE(name);
+    CHECK(!flat::replacement_font(name));
+  }
+  CHECK(flat::replacement_font("Arial:style=Bold Italic") == "Liberation Sans");
+  CHECK(flat::replacement_font("Nowhere") == "DejaVu Sans");
+  CHECK(flat::replacement_font("Nowhere,Elsewhere:style=Bold") == "DejaVu Sans");
+}
+
 TEST_CASE("letters smaller than OpenSCAD's units lose what they lose there") {
   check_as_openscad(flat::text({.text = "tiny", .size = 0.01, .facets = {.fn = 0, .fa = 1, .fs = 0.001}}), "text_tiny");
 }

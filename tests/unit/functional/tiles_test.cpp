@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "hw/isa/opcodes.h"
+#include "sim/functional/tile.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/random_program.h"
 #include "tests/unit/functional/pixels.h"
@@ -100,4 +101,16 @@ TEST_CASE("a segment begins with memory and enable 0, after one of the same size
     check_run(tiles, {region.x + 1, region.y + 1, region.width, region.height});
     check_run(tiles, any_region());
   }));
+}
+
+TEST_CASE("squares that wait for their instruction are gone where a segment begins") {
+  const isa::Linear squares{.a = 1, .b = 0, .c = 0, .width = 12};
+  const isa::Linear below_0{.a = 0, .b = 0, .c = -1, .width = 12};
+  sim::Tile tile(0, 0, sim::TileShape(8, 8), memory_bits, sim::Decide::by_block);
+  tile.execute({.opcode = isa::Opcode::enable_all});
+  tile.execute({.opcode = isa::Opcode::squares, .linear = squares});
+  tile.clear();
+  tile.execute({.opcode = isa::Opcode::enable_all});
+  tile.execute({.opcode = isa::Opcode::edge_negative, .linear = below_0});
+  CHECK(tile.enabled() == 64);
 }

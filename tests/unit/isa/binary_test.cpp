@@ -7,9 +7,13 @@
 #include <array>
 #include <boost/crc.hpp>
 #include <limits>
+#include <string>
 
 #include "hw/isa/bytes.h"
+#include "hw/isa/extents.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/program_file.h"
+#include "places.h"
 #include "tests/support/random_program.h"
 #include "tests/unit/isa/sample.h"
 
@@ -47,6 +51,19 @@ TEST_CASE("every Program survives the binary form") {
     const auto program = *test::arbitrary_program({37, 20, 72}, 60, 2);
     RC_ASSERT(decode(encode(program), "p.csgt") == program);
   }));
+}
+
+TEST_CASE("a Program of the version before names no machine, shows its field of colour and has its pieces' rows") {
+  const std::string folder = std::string(CSGSIM_SOURCE_DIR) + "/tests/fuzz/corpus/program_binary/";
+  const Program lines = load_program(folder + "one_lines.csgt");
+  CHECK(lines.machine == MachineRecord{});
+  CHECK(lines.colour.width == 24);
+  CHECK(lines.colour == field_of(lines, FieldRole::colour));
+  CHECK(lines.background == 0xffffe5);
+  CHECK(lines.extents.size() == 1);
+  CHECK(lines.extents == extents_of(lines.segments));
+  CHECK(load_program(folder + "one_squares.csgt").extents.empty());
+  CHECK(decode(encode(lines), "p.csgt") == lines);
 }
 
 TEST_CASE("an instruction takes few bytes") {

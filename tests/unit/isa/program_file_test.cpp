@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "places.h"
 #include "tests/unit/isa/sample.h"
 
 namespace csgsim::isa {
@@ -80,7 +81,7 @@ TEST_CASE("a Program file past 1 GiB is refused without being read") {
   save_program(sample_program(), path);
   fs::resize_file(path, (std::uintmax_t{1} << 30U) + 1);
   CHECK(refusal([&] { load_program(path); }) ==
-        path.string() + ": longer than 1024 MiB; draw a smaller picture, or fewer primitives");
+        path.string() + ": longer than 1 GiB; draw a smaller picture, or fewer primitives");
 }
 
 }  // namespace

@@ -14,7 +14,10 @@ inline isa::Program sample_program() {
   using isa::Purpose;
   isa::Program program;
   program.shape = {8, 4, 40};
+  program.machine = {"pixel-planes-4+alu.bits=4", "frame-buffer", {"alu.bits=4", "scan_out.port=shared"}};
+  program.colour = {17, 12};
   program.background = 0x00a0b0;
+  program.extents = {{0, 3}, {2, 2}};
   program.facts.fields = {{"Z1", {0, 8}, isa::FieldRole::candidate_depth},
                           {"in", {16, 1}, isa::FieldRole::stack},
                           {"two words", {8, 8}, isa::FieldRole::depth}};

@@ -89,6 +89,31 @@ TEST_CASE("values of the wrong kind or out of range are told with their place") 
   CHECK(error_in_line_5("copy [70000], [1]").starts_with("t:5:7: 70000 is out of range"));
 }
 
+TEST_CASE("a key that another directive has is told so") {
+  CHECK(
+      error_of(array + ".compile background=1").starts_with("t:2:10: background is a key of .frame, not of .compile"));
+  CHECK(error_of(array + ".frame figures=[]").starts_with("t:2:8: figures is a key of .machine"));
+}
+
+TEST_CASE("the colour that is shown is said before the field that has it, and is that field") {
+  const std::string field = ".field colour [8+:6] colour";
+  CHECK(error_of(array + field)
+            .starts_with(
+                "t:2:1: field [8+:6] has the role colour, but the frame shows nothing; show it by .frame colour_base=8 "
+                "colour_bits=6"));
+  CHECK(error_of(array + ".frame colour_base=8 colour_bits=7\n" + field)
+            .starts_with("t:3:1: field [8+:6] has the role colour, but the frame shows [8+:7]"));
+  CHECK(error_of(array + ".frame colour_base=8 colour_bits=6\n" + field).empty());
+  CHECK(error_of(array + ".frame colour_base=30 colour_bits=6").starts_with("t:2:1: the colour shown: field [30+:6]"));
+}
+
+TEST_CASE("an extent is of rows of the picture, 16 bits each") {
+  CHECK(error_of(array + ".extent first=2 last=1").starts_with("t:2:1: the extent from row 2 to row 1"));
+  CHECK(error_of(array + ".extent first=2 last=8").starts_with("t:2:1: the extent from row 2 to row 8"));
+  CHECK(error_of(array + ".extent last=65536").starts_with("t:2:9: last takes a whole number of 0 to 65535"));
+  CHECK(error_of(array + ".extent last=7").empty());
+}
+
 TEST_CASE("what is not valid is told with its place") {
   CHECK(error_in_line_5(" keep_max Z1, x (w8)").starts_with("t:5:2: keep_max: F has 8 bits"));
   CHECK(error_in_line_5("enable_all ; render p1").starts_with("t:5:1: the origin's primitive is p1"));

@@ -32,14 +32,18 @@ Instruction instruction_of(const std::string& line) {
 TEST_CASE("the sample is printed so") {
   CHECK(printed(sample_program()) == R"(# csgsim program
 .array width=8 height=4 memory_bits=40
+.machine name="pixel-planes-4+alu.bits=4" kind="frame-buffer" figures=["alu.bits=4", "scan_out.port=shared"]
+.frame colour_base=17 colour_bits=12 background=41136
 .depth perspective=true near=0.1 far=1e+300
 .model file="dir/model.csg" primitives=2 unions=1 differences=0 intersections=0 halfspaces=12
-.compile strategy="auto" colouring="field" background=41136 z_bits=8 fraction_bits=4 edge_on_fraction=0.3 stack_bits=1 tree_depth=2 rendered=2 classified=1 depth_tests=3 effects=["shadow", "fog, thick"]
+.compile strategy="auto" colouring="field" z_bits=8 fraction_bits=4 edge_on_fraction=0.3 stack_bits=1 tree_depth=2 rendered=2 classified=1 depth_tests=3 effects=["shadow", "fog, thick"]
 .field Z1 [0+:8] candidate_depth
 .field in [16] stack
 .field "two words" [8+:8] depth
 .primitive "cube \"a\""  # p0
 .primitive "ball\x0a"  # p1
+.extent first=0 last=3
+.extent first=2 last=2
 
 .segment x=1 y=0 width=7 height=4 primitives=2 halfspaces=12 kept_primitives=1 kept_halfspaces=9 comparisons=4  # s0
   enable_all                                            ; setup                     # i0

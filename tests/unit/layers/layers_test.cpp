@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,8 +141,6 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
       {"pixel_square/square_names.h", "an observer: which segment of the Program a square is"},
       {"pixel_square/storage_check.cpp", "checks the Program before a run: what its division takes fits the divider"},
       {"pixel_square/storage_check.h", "as above"},
-      {"scan_line/active_list.cpp", "the host's own memory: which primitives are on which lines"},
-      {"scan_line/active_list.h", "as above"},
       {"scan_line/chain_link.cpp", "the host's end of a chain's link: the host's own memory"},
       {"scan_line/line_host.cpp", "the host, whose own memory the lines are in"},
       {"scan_line/picture_lines.h", "what the host's memory holds of a frame"},
@@ -154,4 +154,18 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
   std::sort(allowed.begin(), allowed.end());
   CHECK(readers_of_programs({"array", "link", "multi_processor", "pixel_planes", "pixel_square", "scan_line"}) ==
         allowed);
+}
+
+TEST_CASE("no machine and no engine reads facts, which are for people, nor whom an instruction serves") {
+  const std::regex for_people(R"(\.facts\b|\.origin\b|\bfield_of\()");
+  for (const char* const room :
+       {"hw/array", "hw/kinds", "hw/link", "hw/machines", "hw/multi_processor", "hw/pixel_planes", "hw/pixel_square",
+        "hw/scan_line", "hw/systemc", "sim/cycle", "sim/engine", "sim/functional", "sim/reference"}) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(CSGSIM_SOURCE_DIR) / room)) {
+      CAPTURE(entry.path().string());
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);)
+        CHECK_FALSE(std::regex_search(line.substr(0, line.find("//")), for_people));
+    }
+  }
 }

@@ -35,6 +35,7 @@ Instruction constant(Field target, std::uint64_t value) {
 isa::Program two_columns() {
   isa::Program program;
   program.shape = {5, 2, 20};
+  program.colour = colour;
   program.facts.fields = {{"Z2", z2, isa::FieldRole::depth}, {"colour", colour, isa::FieldRole::colour}};
   program.segments.push_back(
       {.region = {0, 0, 5, 2},

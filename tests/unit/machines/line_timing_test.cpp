@@ -32,8 +32,10 @@ machines::Machine machine_of(machines::Size picture, std::uint32_t chains, std::
 
 /// As many of the instruction on each line as the numbers say.
 scan_line::LineTiming time(const machines::Machine& machine, const std::vector<std::size_t>& packets,
-                           const Instruction& instruction = {.opcode = Opcode::enable_all}) {
+                           const Instruction& instruction = {.opcode = Opcode::enable_all},
+                           const std::vector<isa::RowExtent>& extents = {}) {
   isa::Program program;
+  program.extents = extents;
   program.shape = {machine.picture.width, machine.picture.height, 64};
   for (const isa::Region& region : machines::regions(machine)) {
     const std::vector<Instruction> instructions(packets[program.segments.size()], instruction);
@@ -92,8 +94,7 @@ TEST_CASE("the host sorts, brings its list up to date, and prepares what it hand
                                    .active_clocks = 5,
                                    .instruction_clocks = 3,
                                    .refresh_hz = 20};
-  const scan_line::LineTiming timing =
-      time(machine, {2, 2, 0}, {.opcode = Opcode::enable_all, .origin = {.primitive = 0}});
+  const scan_line::LineTiming timing = time(machine, {2, 2, 0}, {.opcode = Opcode::enable_all}, {{0, 1}});
   const std::uint64_t second_handed_over = 7 + 2 * (5 + 2 * 3 + 1);
   const std::uint64_t third_handed_over = second_handed_over + 5 + 1;  // the primitive leaves the list
   CHECK(timing.clocks == third_handed_over - 1 + first_entry + 1 + 2 * 2);
@@ -101,6 +102,16 @@ TEST_CASE("the host sorts, brings its list up to date, and prepares what it hand
   CHECK(account_of(timing).host.of(scan_line::LineActivity::updating) == 3 * 5);
   CHECK(account_of(timing).host.of(scan_line::LineActivity::preparing) == 4 * 3);
   CHECK(account_of(timing).host.of(scan_line::LineActivity::waiting_for_link) == 0);
+}
+
+TEST_CASE("what instructions are for is nothing to the host: it goes by the rows that the Program says") {
+  machines::Machine machine = machine_of({2, 3}, 1);
+  machines::own<scan_line::Figures>(machine).bucket_clocks = 7;
+  machines::own<scan_line::Figures>(machine).active_clocks = 5;
+  const Instruction plain{.opcode = Opcode::enable_all};
+  const Instruction serving{.opcode = Opcode::enable_all, .origin = {.primitive = 0, .node = 1}};
+  CHECK(time(machine, {2, 2, 0}, plain).clocks == time(machine, {2, 2, 0}, serving).clocks);
+  CHECK(time(machine, {2, 2, 0}, plain, {{0, 1}, {1, 2}}).clocks > time(machine, {2, 2, 0}, plain, {{0, 1}}).clocks);
 }
 
 TEST_CASE("a narrow link brings a command in many words") {

@@ -18,6 +18,7 @@
 #include "hw/machines/runs_on.h"
 #include "hw/machines/schema.h"
 #include "hw/pixel_planes/figures.h"
+#include "places.h"
 
 using namespace csgsim;
 using machines::Figure;
@@ -79,6 +80,18 @@ TEST_CASE("a pixel takes the transistors of its logic and of its memory, where i
   CHECK(machines::pixel_transistors(kinds::load("pixel-square"), 72) == logic + std::uint64_t{3 * 72});
   CHECK(machines::pixel_transistors(kinds::load("scan-line"), 72) == std::nullopt);
   CHECK(machines::pixel_transistors(kinds::load("multi-processor"), 72) == std::nullopt);
+}
+
+TEST_CASE("quadratic expressions and the flag for roots make a pixel larger, by about what is published") {
+  const Machine machine = kinds::load("pixel-powers");
+  Machine linear = machine;
+  linear.evaluator_degree = 1;
+  const auto with = static_cast<double>(*machines::pixel_transistors(machine, 72));
+  const auto without = static_cast<double>(*machines::pixel_transistors(linear, 72));
+  CHECK(*machines::pixel_transistors(linear, 72) == *machines::pixel_transistors(kinds::load("pixel-planes-4"), 72));
+  // Goldfeather and Fuchs 1986: about 35 % more than the chip of Pixel-planes 4, whose pixels have 72 bits.
+  CHECK(with / without > 1.25);
+  CHECK(with / without < 1.45);
 }
 
 TEST_CASE("pixel-planes-4 is built in, with the published figures") {
@@ -300,4 +313,45 @@ TEST_CASE("expressions are of degree 2 on the machines whose papers say so, and 
     const bool quadratic = name == "pixel-powers" || name == "pixel-planes-5";
     CHECK(kinds::load(std::string(name)).evaluator_degree == (quadratic ? 2 : 1));
   }
+}
+
+TEST_CASE("what a Program says of its machine makes that machine again, whatever figures were changed") {
+  for (const std::string name : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor",
+                                 "pixel-powers", "pixel-planes-4+array.memory_bits=96+alu.bits=4",
+                                 "scan-line+link.latency=ideal", "pixel-square+divider.kind=host"}) {
+    CAPTURE(name);
+    const Machine machine = kinds::load(name);
+    const isa::MachineRecord record = machines::record_of(machine);
+    const Machine again = kinds::load(record);
+    CHECK(record.figures.size() == machine.kind->schema.size());
+    CHECK(again.name == machine.name);
+    CHECK(machines::same_hardware(again, machine));
+    CHECK((machines::record_of(again) == record));
+  }
+}
+
+TEST_CASE("a Program's figures are the machine's, where csgsim's own have become others since") {
+  isa::MachineRecord record = machines::record_of(kinds::load("pixel-planes-4"));
+  for (std::string& figure : record.figures)
+    if (figure == "alu.bits=1") figure = "alu.bits=2";
+  const Machine machine = kinds::load(record);
+  CHECK(machine.alu_bits == 2);
+  CHECK(machine.name == "pixel-planes-4+alu.bits=2");
+  CHECK(machines::other_figures(machine, kinds::load("pixel-planes-4")) ==
+        std::vector<std::string>{"alu.bits 2 instead of 1"});
+  CHECK(kinds::load(record, {"alu.bits=4"}).alu_bits == 4);
+}
+
+TEST_CASE("a machine that csgsim does not know is made of all its figures, and of no fewer") {
+  isa::MachineRecord record = machines::record_of(kinds::load("scan-line+clock.frequency=12000000"));
+  record.name = "my lines";
+  const Machine machine = kinds::load(record);
+  CHECK(machine.name == "my lines");
+  CHECK(machine.clock_hz == 12'000'000);
+  CHECK(machine.kind->name == "scan-line");
+  record.figures.pop_back();
+  CHECK_THROWS_AS(kinds::load(record), csgsim::InputError);
+  CHECK_THROWS_AS(kinds::load(isa::MachineRecord{"/dev/null.toml", "", {}}), csgsim::InputError);
+  CHECK_THROWS_AS(kinds::load(isa::MachineRecord{"scan-line", "frame-buffer", {}}), csgsim::InputError);
+  CHECK_THROWS_AS(kinds::load(isa::MachineRecord{"scan-line", "", {"no.figure=1"}}), csgsim::InputError);
 }

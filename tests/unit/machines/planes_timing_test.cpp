@@ -44,7 +44,7 @@ isa::Program program_of(std::vector<Instruction> instructions) {
 
 /// With colours in the lowest bits.
 isa::Program coloured(isa::Program program, std::uint32_t bits) {
-  program.facts.fields = {{"colour", {0, static_cast<std::uint16_t>(bits)}, isa::FieldRole::colour}};
+  program.colour = {0, static_cast<std::uint16_t>(bits)};
   return program;
 }
 
@@ -169,6 +169,39 @@ TEST_CASE("a jump takes the clocks counted by hand, and what was sent in vain is
   CHECK(clocks_of(timing, 0, "starved") == 10);
   // Three and two, one in the register, two in the FIFO, FrameEnd.
   CHECK(timing.account.count("link_words") == 3 + 2 + 1 + 2 + 1);
+}
+
+// As above, but the instruction that is jumped to takes the place of FrameEnd: its word is read at 29. FrameEnd's word
+// is stored at 29, too. Before the jump's aim there are three words of the segment, two of the question and three that
+// are jumped over.
+TEST_CASE("the words read and sent at a moment after a jump count those that were jumped over, by hand") {
+  const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
+  const std::vector<machines::Skip> skips{{0, 0}};
+  std::vector<Instruction> instructions(5, {.opcode = Opcode::enable_all});
+  instructions.front() = {.opcode = Opcode::skip_if_none, .constant = 3};
+  const pixel_planes::Moment moment = pixel_planes::moment_of(program_of(instructions), machine, skips, 0, 4);
+  CHECK(moment.clock == 30);
+  CHECK(moment.words_read == 3 + 2 + 3 + 1);
+  CHECK(moment.words_sent == 3 + 2 + 3 + 2);
+}
+
+TEST_CASE("at a pixel a question takes its first clock, another instruction all, and one left out none") {
+  const Machine machine = machine_with({.width = 32, .word_clocks = 1, .fifo_depth = 2, .latency = 4}, 3, 8);
+  const isa::Program program = program_of({{.opcode = Opcode::skip_if_none, .constant = 1},
+                                           {.opcode = Opcode::enable_all},
+                                           {.opcode = Opcode::skip_if_none, .constant = 1},
+                                           {.opcode = Opcode::enable_all}});
+  machines::Timeline timeline;
+  timeline.issued = {{{13, 22}, {0, 0}, {30, 38}, {40, 43}}};
+  const std::vector<machines::ClockSpan> steps = pixel_planes::at_pixel(timeline, program, machine, 0, 0, 0);
+  const std::uint64_t latency = machines::evaluator_latency(machine.array);
+  REQUIRE(steps.size() == 4);
+  CHECK(steps[0].begin == 13 + latency);
+  CHECK(steps[0].end == 14 + latency);
+  CHECK(steps[1].empty());
+  CHECK(steps[2].end - steps[2].begin == 1);
+  CHECK(steps[3].begin == 40 + latency);
+  CHECK(steps[3].end == 43 + latency);
 }
 
 TEST_CASE("no frame is shorter than the work of its busiest part, none longer than all of it one after the other") {

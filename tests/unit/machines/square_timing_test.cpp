@@ -57,7 +57,7 @@ Instruction set(Field field) { return {.opcode = Opcode::set_constant, .fields =
 isa::Program program_of(std::uint16_t colour_bits, std::vector<isa::Segment> segments) {
   isa::Program program;
   program.shape = {4, 4, 16};
-  program.facts.fields.push_back({"colour", {0, colour_bits}, isa::FieldRole::colour});
+  program.colour = {0, colour_bits};
   program.segments = std::move(segments);
   return program;
 }
@@ -111,7 +111,7 @@ TEST_CASE("a divider takes the model, tests a square, and then sends it") {
   // leaves at 3.
   isa::Program program = program_of(3, {square(2, {})});
   program.display_model.resize(8);
-  program.segments[0].facts.division = {.boxes = 1, .halfspaces = 1, .group_boxes = 1};
+  program.segments[0].division = {.boxes = 1, .halfspaces = 1, .group_boxes = 1};
   Machine machine =
       machine_of(2, {.port_bits = 64, .divider = pixel_square::DividerKind::corners, .halfspace_clocks = 4});
   machine.link.width = 32;
@@ -129,11 +129,11 @@ TEST_CASE("a divider takes the model, tests a square, and then sends it") {
 TEST_CASE("tests whose clocks would not fit their counter are refused") {
   isa::Program program = program_of(2, {square(1, {})});
   program.display_model.resize(1);
-  program.segments[0].facts.division.cells = ~std::uint64_t{0};
+  program.segments[0].division.cells = ~std::uint64_t{0};
   CHECK(error_of([&] {
           pixel_square::check_countable(program, machine_of(1, {}));
         }).starts_with("the divider would test for more than"));
-  program.segments[0].facts.division.cells = std::uint64_t{1} << 36U;
+  program.segments[0].division.cells = std::uint64_t{1} << 36U;
   program.segments.assign(1 << 5, program.segments[0]);
   CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(1, {})));
   CHECK(error_of([&] {
@@ -272,13 +272,13 @@ isa::Program any_divided_program(const Machine& machine) {
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
   program.display_model.resize(pick(1, 40));
   for (isa::Segment& one : program.segments) {
-    one.facts.division = {.boxes = pick(0, 9),
-                          .halfspaces = pick(0, 9),
-                          .cells = pick(0, 9),
-                          .nodes = pick(0, 9),
-                          .group_boxes = pick(0, 9),
-                          .group_halfspaces = pick(0, 9),
-                          .group_cells = pick(0, 9)};
+    one.division = {.boxes = pick(0, 9),
+                    .halfspaces = pick(0, 9),
+                    .cells = pick(0, 9),
+                    .nodes = pick(0, 9),
+                    .group_boxes = pick(0, 9),
+                    .group_halfspaces = pick(0, 9),
+                    .group_cells = pick(0, 9)};
   }
   return program;
 }
@@ -287,7 +287,7 @@ std::uint64_t test_clocks(const isa::Program& program, const Machine& machine) {
   const auto& figures = machines::own<Figures>(machine);
   std::uint64_t clocks = 0;
   for (const isa::Segment& one : program.segments) {
-    const isa::DivisionFacts& tests = one.facts.division;
+    const isa::DivisionCounts& tests = one.division;
     clocks += figures.box_clocks * (tests.boxes + tests.group_boxes) +
               figures.halfspace_clocks * (tests.halfspaces + tests.group_halfspaces) +
               figures.cell_clocks * (tests.cells + tests.group_cells) + figures.node_clocks * tests.nodes;

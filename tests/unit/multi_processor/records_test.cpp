@@ -92,7 +92,7 @@ bool alike(const isa::Instruction& one, const isa::Instruction& other) {
 void check_list(const division::Divided& divided, const isa::Segment& expected) {
   RC_ASSERT(std::equal(divided.instructions.begin(), divided.instructions.end(), expected.instructions.begin(),
                        expected.instructions.end(), alike));
-  const isa::DivisionFacts& facts = expected.facts.division;
+  const isa::DivisionCounts& facts = expected.division;
   RC_ASSERT(divided.counts.boxes == facts.boxes);
   RC_ASSERT(divided.counts.halfspaces == facts.halfspaces);
   RC_ASSERT(divided.counts.cells == facts.cells);

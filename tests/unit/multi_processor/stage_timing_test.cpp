@@ -82,22 +82,22 @@ std::vector<std::uint8_t> model_bytes() {
 isa::Program program_for(const Machine& machine) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 16};
-  program.facts.fields.push_back({"colour", {0, 8}, isa::FieldRole::colour});
+  program.colour = {0, 8};
   program.display_model = model_bytes();
   for (const isa::Region& region : machines::regions(machine)) program.segments.push_back({region, {}});
   isa::Segment& first = program.segments.front();
   first.instructions.push_back({.opcode = Opcode::enable_all});
   first.instructions.push_back(
       {.opcode = Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}});
-  for (isa::Segment& segment : program.segments) segment.facts.division.boxes = 1;
-  first.facts.division = {.boxes = 1,
-                          .halfspaces = 3,
-                          .cells = 1,
-                          .nodes = 2,
-                          .group_boxes = 2,
-                          .group_halfspaces = 3,
-                          .group_cells = 2,
-                          .group_entries = 1 + 3};
+  for (isa::Segment& segment : program.segments) segment.division.boxes = 1;
+  first.division = {.boxes = 1,
+                    .halfspaces = 3,
+                    .cells = 1,
+                    .nodes = 2,
+                    .group_boxes = 2,
+                    .group_halfspaces = 3,
+                    .group_cells = 2,
+                    .group_entries = 1 + 3};
   return program;
 }
 
@@ -139,7 +139,7 @@ isa::Program any_program(const Machine& machine) {
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
   program.display_model = model_bytes();
   for (isa::Segment& segment : program.segments)
-    segment.facts.division = {below(3), below(20), below(20), below(5), below(3), below(9), below(30)};
+    segment.division = {below(3), below(20), below(20), below(5), below(3), below(9), below(30)};
   return program;
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   program.segments[0].instructions.clear();
-  for (isa::Segment& segment : program.segments) segment.facts.division = {.group_boxes = 2};
+  for (isa::Segment& segment : program.segments) segment.division = {.group_boxes = 2};
   const FrameAccount account = account_of(program, machine);
   CHECK(account.active_segments == 0);
   CHECK(account.broadcast_words == 17 + 4);
@@ -301,7 +301,7 @@ TEST_CASE("a frame that is longer than SystemC's time is refused") {
   machine.clock_hz = 1;
   figures(machine).transform_clocks = 1'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
-  program.segments[0].facts.division.cells = ~0ULL;
+  program.segments[0].division.cells = ~0ULL;
   machine.clock_hz = 1'000'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
 }

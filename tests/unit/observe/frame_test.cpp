@@ -33,6 +33,7 @@ Instruction colours(Field field, std::uint32_t primitive, std::uint32_t of_solid
 isa::Program program(bool second_colour = false) {
   isa::Program program;
   program.shape = {width, height, 14};
+  program.colour = colour;
   program.facts.fields = {{"Z2", depth, isa::FieldRole::depth},
                           {"Z1", candidate, isa::FieldRole::candidate_depth},
                           {"colour", colour, isa::FieldRole::colour}};
@@ -173,6 +174,46 @@ TEST_CASE("where several primitives are drawn as one solid, light that comes cha
   CHECK(at(observer.frame().owner, 4, 0) == 1);
   // What the merge brings from beside Z1 has its owner there.
   CHECK_FALSE(observer.reads_after({Opcode::copy, {colour, candidate_colour}, {}, 0, merge.origin}));
+}
+
+TEST_CASE(
+    "what is see-through is taken down when it is first compared with what is behind, and counts as the nearest") {
+  constexpr Field nearest{14, 4};
+  constexpr std::uint8_t glass = 1;
+  isa::Program with_panes = program();
+  with_panes.shape.memory_bits = 18;
+  with_panes.facts.compile.effects = {"flat", "glass", "mirrors"};
+  with_panes.facts.fields.push_back({"glass.nearest_depth", nearest, isa::FieldRole::effect});
+  const Instruction pane{Opcode::copy, {nearest, candidate}, {}, 0, {isa::Purpose::merge, 1, isa::no_node, glass}};
+  const Instruction in_mirror{Opcode::copy, {nearest, candidate}, {}, 0, {isa::Purpose::merge, 0, isa::no_node, 2}};
+  const isa::Origin composing{isa::Purpose::effect, isa::no_primitive, isa::no_node, glass};
+  const Instruction compare{Opcode::field_lt, {nearest, depth}, {}, 0, composing};
+  sim::FrameObserver observer(with_panes);
+  FakePixels pixels({0, 0, 67, 3});
+  pixels.write(depth, 4, 1, 9);
+  pixels.enable(4, 1);
+  carry_out(observer, merge_of_2, pixels);
+  pixels.enable(6, 1);
+  carry_out(observer, in_mirror, pixels);
+  carry_out(observer, pane, pixels);
+  for (const std::uint32_t layer : {3U, 7U}) {
+    pixels.write(nearest, 4, 1, layer);
+    pixels.write(nearest, 6, 1, layer + 1);
+    carry_out(observer, compare, pixels);
+  }
+  pixels.write(depth, 6, 1, 15);
+  observer.after_segment(0, pixels);
+  const sim::Frame& frame = observer.frame();
+  CHECK(at(frame.owner, 4, 1) == 1);
+  CHECK(at(frame.depth, 4, 1) == 3);
+  CHECK(at(frame.owner, 6, 1) == 1);
+  CHECK(at(frame.depth, 6, 1) == 4);
+  const sim::Frame opaque = sim::of_opaque(frame);
+  CHECK(at(opaque.owner, 4, 1) == 2);
+  CHECK(at(opaque.depth, 4, 1) == 9);
+  CHECK(at(opaque.owner, 6, 1) == sim::no_owner);
+  CHECK(at(opaque.depth, 6, 1) == 15);
+  CHECK(others_than(frame.owner, sim::no_owner) == 2);
 }
 
 TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the merge") {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "places.h"
 
 using namespace csgsim;
 
@@ -40,6 +41,7 @@ class Scratch {
 isa::Program program() {
   isa::Program program;
   program.shape = {3, 2, 12};
+  program.colour = {6, 6};
   program.facts.fields = {{"Z2", {0, 6}, isa::FieldRole::depth}, {"colour", {6, 6}, isa::FieldRole::colour}};
   program.facts.depth_scale = {false, 10, 70};
   return program;

@@ -14,6 +14,7 @@
 
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
+#include "places.h"
 #include "tests/unit/observe/fake_pixels.h"
 
 using namespace csgsim;

@@ -25,12 +25,12 @@ constexpr std::uint32_t link_width = 32;
 constexpr std::uint32_t port_bits = 16;
 constexpr std::uint64_t header_words = 4;
 
-pixel_square::Figures figures(std::uint32_t levels) {
+pixel_square::Figures figures(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
   return {.port_bits = port_bits,
           .divider = pixel_square::DividerKind::corners,
           .levels = levels,
-          .group_side = 2,
-          .list_entries = 100,
+          .group_side = group_side,
+          .list_entries = list_entries,
           .model_bits = 100'000,
           .box_clocks = 2,
           .halfspace_clocks = 3,
@@ -44,7 +44,8 @@ std::uint64_t clocks_of(const division::Counts& counts) {
 
 /// Four squares of 8 x 8; the FIFO of the model has room for all of it.
 struct Board {
-  explicit Board(std::uint32_t levels) : machine(machine_of(levels)), bench(machine), divider("divider", machine) {
+  explicit Board(std::uint32_t levels, std::uint32_t group_side = 2, std::uint32_t list_entries = 100)
+      : machine(machine_of(levels, group_side, list_entries)), bench(machine), divider("divider", machine) {
     divider.clock(bench.clock);
     divider.model(model);
     divider.links(links);
@@ -54,8 +55,8 @@ struct Board {
     retirement.begin(listener);
   }
 
-  static machines::Machine machine_of(std::uint32_t levels) {
-    machines::Machine machine = testing::square_machine(figures(levels));
+  static machines::Machine machine_of(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
+    machines::Machine machine = testing::square_machine(figures(levels, group_side, list_entries));
     machine.array = {8, 8, 16};
     machine.picture = {16, 16};
     return machine;
@@ -160,3 +161,40 @@ TEST_CASE("with two levels a group is tested before its first square, and the sq
   board.bench.edges(words_of(expected) - 1);
   CHECK(board.commands() == expected);
 }
+
+namespace {
+
+/// A slab in the left half of the picture, and another in the right.
+division::DisplayModel two_slabs() {
+  division::DisplayModel model = testing::one_slab();
+  division::Primitive right = model.primitives.front();
+  right.box.pixels = {8, 0, 15, 15};
+  model.primitives.push_back(right);
+  model.nodes = {{}, {}, {2, division::Operator::unite}};
+  return model;
+}
+
+/// With groups of one square. It leaves after its tests: from the group's list where that has room, which is without
+/// the slab on the right; from the whole model where it is an entry short.
+void check_list_with(std::uint64_t entries_short) {
+  const division::DisplayModel slab = two_slabs();
+  const division::Divider judge(slab);
+  const isa::Region left{0, 0, 8, 8};
+  division::Counts group;
+  const division::Candidates list = judge.survivors({0, 0, 8, 8}, group);
+  const std::uint64_t from_list = clocks_of(judge.divide(left, list).counts);
+  const std::uint64_t from_all = clocks_of(judge.divide(left).counts);
+  REQUIRE(list.entries() > 0);
+  REQUIRE(from_list != from_all);
+  Board board(2, 1, static_cast<std::uint32_t>(list.entries() - entries_short));
+  board.bench.edges(board.begin(slab) + clocks_of(group) + (entries_short == 0 ? from_list : from_all));
+  CHECK(board.links[0].num_available() == 0);
+  board.bench.edges(1);
+  CHECK(board.links[0].num_available() == 1);
+}
+
+}  // namespace
+
+TEST_CASE("a group's list that just has room is used") { check_list_with(0); }
+
+TEST_CASE("a group's list that is an entry too long is not used") { check_list_with(1); }

@@ -133,3 +133,18 @@ TEST_CASE(
   CHECK(board.picture() == std::vector<std::uint32_t>{5, 5, 5, 5, 7, 0, 0, 0});
   CHECK(board.buffer.account(12).of(SquareActivity::working) == header_words + 1);
 }
+
+TEST_CASE("ports take turns from the first again in every frame, whichever was served last") {
+  Board board(2);
+  board.begin(1);
+  board.send(0, {0, 0, 1, 1}, {7});
+  board.bench.edges(header_words + 2);
+  REQUIRE(board.frames.read() == 1);
+  board.begin(2);
+  board.send(0, {0, 0, 1, 1}, {1});
+  board.send(1, {1, 0, 1, 1}, {2});
+  constexpr int words = header_words + 1;
+  board.bench.edges(1);
+  CHECK(board.colours[0].num_available() == words - 1);
+  CHECK(board.colours[1].num_available() == words);
+}

@@ -10,6 +10,7 @@
 #include <regex>
 
 #include "hw/base/error.h"
+#include "sim/plots/glyphs.h"
 #include "sim/plots/layout.h"
 #include "sim/plots/text_size.h"
 #include "tests/unit/plots/sample_plots.h"
@@ -190,4 +191,16 @@ TEST_CASE("gnuplot that fails without a word, breaks off, or is ended is told") 
   CHECK(error_with("exit 3").find("it ended with 3") != std::string::npos);
   CHECK(error_with("printf '\\211PNG half'").find("its picture is not whole") != std::string::npos);
   CHECK(error_with("kill -9 $$").find("it was ended by a signal: Killed") != std::string::npos);
+}
+
+TEST_CASE(
+    "a character that no font has is a question mark in a PNG, and itself in an SVG, whose viewer has fonts of its "
+    "own") {
+  constexpr const char* unassigned = "\u0378";
+  CHECK(plots::with_glyphs(std::string("a") + unassigned + "b\u0416\u2026\u00b7\u207b") ==
+        "a?b\u0416\u2026\u00b7\u207b");
+  CHECK(plots::with_glyphs("10 < 20 \\ \n") == "10 < 20 \\ \\n");
+  const plots::Drawing drawing = of_text({std::string("x") + unassigned, {300, 300}});
+  CHECK(plots::drawn_for(png, drawing).picture == plots::drawn_for(png, of_text({"x?", {300, 300}})).picture);
+  CHECK(plots::drawn_for(svg, drawing).picture.find(std::string("x") + unassigned) != std::string::npos);
 }

@@ -95,6 +95,26 @@ TEST_CASE("series in the key have different colours, and the others are grey") {
   CHECK(colours.count(plots::palette::background.colour) == 2 * 12 + 1);
 }
 
+TEST_CASE("the title of an upright axis stands in two lines where one is too long, with all its words") {
+  const plots::Drawing drawing = plots::laid_out(
+      plots::Chart{"title", {"across"}, {{"depth error, 99.9th percentile"}, {"up"}, {"also"}}, {{"s", 0}}, "t"});
+  const std::vector<std::string> first = with(drawing, "depth");
+  const std::vector<std::string> second = with(drawing, "percentile");
+  REQUIRE(first.size() == 1);
+  REQUIRE(second.size() == 1);
+  CHECK(first[0] + " " + second[0] == "depth error, 99.9th percentile");
+  CHECK(plots::in_two_lines("one two", 1000) == std::vector<std::string>{"one two"});
+  CHECK(plots::in_two_lines("MMMMMMMMMMMM", 50).size() == 1);
+  check(drawing);
+}
+
+TEST_CASE("what stands above names is seen from 0 on") {
+  plots::Chart chart{"title", {"machine", plots::Scale::linear, {{0, "a"}, {1, "b"}}, true}, {{"ms"}}, {}, "t"};
+  chart.series.push_back({"", 0, plots::Trace::marks, {{0, 21.5}, {1, 22.8}}});
+  CHECK(with(plots::laid_out(chart), "0").front() == "0");
+  CHECK(with(plots::laid_out(chart), "21").empty());
+}
+
 TEST_CASE("labels of points at one place are one text") {
   const plots::Chart chart{"title",
                            {"across"},

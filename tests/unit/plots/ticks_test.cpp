@@ -88,7 +88,7 @@ TEST_CASE("a tick's text is its value") {
 
 TEST_CASE("an axis has room for all its values, and 0 has a place below a logarithmic one") {
   const std::vector<double> values{0, 3, 40, 5'000};
-  const plots::Extent extent = plots::extent_of(values, plots::Scale::by_range, true);
+  const plots::Extent extent = plots::extent_of(values, plots::Scale::by_range, plots::Begin::near_zero);
   CHECK(extent.is_logarithmic);
   CHECK(extent.ticks(8).front() == plots::Tick{0, "0"});
   double before = 0;
@@ -101,10 +101,22 @@ TEST_CASE("an axis has room for all its values, and 0 has a place below a logari
 
 TEST_CASE("an axis is linear where its values are of one size, where one is negative, and where all are 0") {
   using Values = std::vector<double>;
-  CHECK(!plots::extent_of(Values{100, 1'900}, plots::Scale::by_range, true).is_logarithmic);
-  CHECK(plots::extent_of(Values{100, 2'100}, plots::Scale::by_range, true).is_logarithmic);
-  CHECK(!plots::extent_of(Values{-1, 100, 10'000}, plots::Scale::logarithmic, true).is_logarithmic);
-  CHECK(!plots::extent_of(Values{0, 0}, plots::Scale::logarithmic, true).is_logarithmic);
+  CHECK(!plots::extent_of(Values{100, 1'900}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
+  CHECK(plots::extent_of(Values{100, 2'100}, plots::Scale::by_range, plots::Begin::near_zero).is_logarithmic);
+  CHECK(!plots::extent_of(Values{-1, 100, 10'000}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
+  CHECK(!plots::extent_of(Values{0, 0}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
+}
+
+TEST_CASE("an axis that begins at 0 does so however near its values are to each other") {
+  using Values = std::vector<double>;
+  for (const Values& values : {Values{21.5, 22.8}, Values{7, 7}, Values{0, 3}, Values{0}}) {
+    const plots::Extent extent = plots::extent_of(values, plots::Scale::by_range, plots::Begin::at_zero);
+    CHECK(extent.low == 0);
+    CHECK(extent.ticks(6).front() == plots::Tick{0, "0"});
+    CHECK(extent.along(values.back()) < 0.96);
+  }
+  CHECK(plots::extent_of(Values{21.5, 22.8}, plots::Scale::by_range, plots::Begin::near_zero).low > 21);
+  CHECK(plots::extent_of(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
 }
 
 TEST_CASE("equal values, none, and the largest numbers have an axis with at least two ticks") {
@@ -113,7 +125,7 @@ TEST_CASE("equal values, none, and the largest numbers have an axis with at leas
        {Values{}, Values{0}, Values{7, 7}, Values{-3}, Values{1e-300}, Values{1.7e308, -1.7e308}, Values{1e300}}) {
     for (const plots::Scale scale : {plots::Scale::by_range, plots::Scale::linear, plots::Scale::logarithmic}) {
       CAPTURE(values.size());
-      const plots::Extent extent = plots::extent_of(values, scale, true);
+      const plots::Extent extent = plots::extent_of(values, scale, plots::Begin::near_zero);
       CHECK(extent.ticks(6).size() >= 2);
       for (const double value : values) {
         CHECK(extent.along(value) >= 0);

@@ -74,7 +74,7 @@ TEST_CASE("a file past 1 GiB is refused without being read") {
   const Temporary large("large.csg");
   large.write("cube(1);");
   fs::resize_file(large.path(), (std::uintmax_t{1} << 30U) + 1);
-  CHECK(error_of_file(large.path()) == large.path().string() + ": longer than 1024 MiB; split the model");
+  CHECK(error_of_file(large.path()) == large.path().string() + ": longer than 1 GiB; split the model");
 }
 
 TEST_CASE("an empty file has no model in it") {

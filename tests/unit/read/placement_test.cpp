@@ -49,9 +49,10 @@ TEST_CASE("a mirrored solid stays and keeps its mirror") {
   CHECK(glm::determinant(transform_of(placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == -1);
 }
 
-TEST_CASE("a projective matrix is an error") {
-  CHECK(error_of(placed("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]]")) ==
-        "m.csg:1:12: the last row of the matrix must be 0, 0, 0, w; take the projection out");
+TEST_CASE("the projection of a matrix is left out, as OpenSCAD leaves it out, after all is divided by w") {
+  CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]]")) ==
+        transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]")));
+  CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0.5,0,2]]"))[3] == glm::dvec4(2, 0, 0, 1));
 }
 
 TEST_CASE("singular matrices flatten solids to nothing") {
@@ -106,6 +107,19 @@ TEST_CASE("a colour holds for its subtree only") {
 TEST_CASE("a negative component means that no colour is given") {
   CHECK(colour_of("color([-1, -1, -1, 1]) { color([0, 0, 1, 1]) { cube(1); } }") == glm::dvec3(0, 0, 1));
   CHECK_FALSE(colour_of("color([-1, -1, -1, 1]) { cube(1); }"));
+}
+
+TEST_CASE("an alpha without a colour lets the usual colour through, as OpenSCAD shows color(alpha = 0.5)") {
+  const auto opacity_of = [](const std::string& text) { return read(text).primitives.at(0).opacity; };
+  CHECK_FALSE(colour_of("color([-1, -1, -1, 0.5]) { cube(1); }"));
+  CHECK(opacity_of("color([-1, -1, -1, 0.5]) { cube(1); }") == 0.5);
+  CHECK(opacity_of("color([1, 0, 0, -1]) { cube(1); }") == 1);
+  // Of colours within one another the outermost that is whole, or else the innermost.
+  const std::string within = "color([-1, -1, -1, 0.5]) { color([1, 0, 0, 1]) { cube(1); } }";
+  CHECK(colour_of(within) == glm::dvec3(1, 0, 0));
+  CHECK(opacity_of(within) == 1);
+  CHECK(opacity_of("color([-1, -1, -1, 0.3]) { color([-1, -1, -1, 0.8]) { cube(1); } }") == 0.8);
+  CHECK(opacity_of("color([1, 0, 0, 0.4]) { color([-1, -1, -1, 0.5]) { cube(1); } }") == 0.4);
 }
 
 TEST_CASE("a colour above 1 is 1, and alpha changes nothing") {

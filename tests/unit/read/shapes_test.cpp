@@ -136,6 +136,6 @@ TEST_CASE("text is aligned by default as where nothing is said") {
 }
 
 TEST_CASE("strings hold what OpenSCAD wrote") {
-  const std::string file = "a\\\\b.stl";
+  const std::string file = "../a\\\\b.stl";
   CHECK(error_of("import(file = \"" + file + "\");").find("a\\") != std::string::npos);
 }

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "host/read/read.h"
+#include "places.h"
 #include "support.h"
 #include "tree_invariants.h"
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ std::vector<std::vector<std::uint32_t>> replayed(const report::Drawing& drawing)
 }
 
 std::uint32_t shown(std::uint32_t packed, const isa::Program& program) {
-  const auto [red, green, blue] = isa::unpack_colour(packed, isa::field_of(program, isa::FieldRole::colour).width);
+  const auto [red, green, blue] = isa::unpack_colour(packed, program.colour.width);
   return std::uint32_t{red} << 16U | std::uint32_t{green} << 8U | blue;
 }
 
@@ -67,7 +68,7 @@ TEST_CASE("each step is what the reference engine has in memory and enable after
   CHECK(drawing.steps.size() <= count + 1);
   const std::vector<std::vector<std::uint32_t>> states = replayed(drawing);
   const auto run = sim::make_reference_engine(machine)->begin(program);
-  const isa::Field colour = isa::field_of(program, isa::FieldRole::colour);
+  const isa::Field colour = program.colour;
   for (std::size_t i = 1; i < drawing.steps.size(); ++i) {
     run->advance(drawing.steps[i].number, {});
     std::uint64_t enabled = 0;
@@ -120,6 +121,29 @@ TEST_CASE("a thinned drawing is told to be one, and its steps are some of the fu
     CHECK(few.steps[i].clocks == full.steps[same].clocks);
     CHECK(few.steps[i].text == full.steps[same].text);
   }
+}
+
+TEST_CASE("of a thinned drawing every so many steps are kept, from the first on, and the last") {
+  const testing::Compiled model = compiled();
+  const machines::Machine machine = testing::machine_of(model.program.shape);
+  const report::Drawing all = report::record_drawing(model.program, machine, {10, 2000, 700'000, 512});
+  std::set<std::size_t> strides;
+  for (std::size_t bytes = 600; bytes < 6'000; bytes += 300) {
+    CAPTURE(bytes);
+    const report::Drawing few = report::record_drawing(model.program, machine, {10, 2000, bytes, 512});
+    std::size_t stride = 1;
+    const std::size_t told = few.told.find("One in ");
+    if (told != std::string::npos) stride = std::stoul(few.told.substr(told + 7));
+    strides.insert(stride);
+    std::vector<std::uint64_t> expected;
+    for (std::size_t i = 0; i < all.steps.size(); ++i) {
+      if (i % stride == 0 || i + 1 == all.steps.size()) expected.push_back(all.steps[i].number);
+    }
+    std::vector<std::uint64_t> kept;
+    for (const report::DrawingStep& step : few.steps) kept.push_back(step.number);
+    CHECK(kept == expected);
+  }
+  CHECK(strides.size() >= 3);
 }
 
 TEST_CASE("of a large picture every second pixel of every second row is shown, and that is told") {

@@ -7,11 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "hw/isa/extents.h"
 #include "hw/isa/opcodes.h"
 
 using namespace csgsim;
+using isa::RowExtent;
 using scan_line::ActiveList;
-using scan_line::Extent;
 
 namespace {
 
@@ -28,16 +29,16 @@ TEST_CASE("a primitive reaches from the first to the last row that it is drawn i
   const std::vector<isa::Segment> lines{line_of(0, {}), line_of(1, {{.primitive = 7}, {}}),
                                         line_of(2, {{.primitive = 3, .node = 9}}),
                                         line_of(3, {{.primitive = 7, .node = 9}})};
-  std::vector<Extent> extents = scan_line::extents_of(lines);
-  std::sort(extents.begin(), extents.end(), [](const Extent& one, const Extent& other) {
+  std::vector<RowExtent> extents = isa::extents_of(lines);
+  std::sort(extents.begin(), extents.end(), [](const RowExtent& one, const RowExtent& other) {
     return std::pair(one.first, one.last) < std::pair(other.first, other.last);
   });
-  CHECK(extents == std::vector<Extent>{{1, 3}, {2, 2}, {2, 3}});
+  CHECK(extents == std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
 }
 
 TEST_CASE("the host looks at what enters, stays and leaves") {
   ActiveList list;
-  list.begin({{1, 3}, {2, 2}, {2, 3}});
+  list.begin(std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
   std::vector<std::size_t> looks;
   for (std::uint32_t row = 0; row < 6; ++row) looks.push_back(list.go_to(row));
   CHECK(looks == std::vector<std::size_t>{0, 1, 3, 3, 2, 0});
@@ -45,7 +46,7 @@ TEST_CASE("the host looks at what enters, stays and leaves") {
 
 TEST_CASE("a field of every other row takes in two buckets a row and begins with an empty list") {
   ActiveList list;
-  list.begin({{1, 3}, {2, 2}, {2, 3}});
+  list.begin(std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
   std::vector<std::size_t> looks;
   for (const std::uint32_t row : {0U, 2U, 4U, 1U, 3U, 5U}) looks.push_back(list.go_to(row));
   CHECK(looks == std::vector<std::size_t>{0, 3, 3, 1, 3, 2});
@@ -54,13 +55,13 @@ TEST_CASE("a field of every other row takes in two buckets a row and begins with
 TEST_CASE("each primitive is looked at once on every row of its own and once below it") {
   CHECK(rc::check([] {
     constexpr std::uint32_t rows = 20;
-    std::vector<Extent> primitives;
+    std::vector<RowExtent> primitives;
     std::size_t expected = 0;
     const auto count = *rc::gen::inRange(0, 30);
     for (int i = 0; i < count; ++i) {
       const auto first = *rc::gen::inRange(0U, rows);
       const auto last = *rc::gen::inRange(first, rows);
-      primitives.push_back({first, last});
+      primitives.push_back({static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(last)});
       expected += last - first + (last + 1 < rows ? 2U : 1U);
     }
     ActiveList list;

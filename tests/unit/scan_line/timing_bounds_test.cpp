@@ -137,7 +137,7 @@ TEST_CASE("a frame takes no less than its busiest part, and no more than all of 
       RC_ASSERT(clocks >= busy.entries[chain] + (busy.entries[chain] > 0 ? 2 * width : 0));
       RC_ASSERT(clocks >= busy.refreshes[chain] + (busy.refreshes[chain] > 0 ? width : 0));
     }
-    const std::uint64_t primitives = program.facts.primitives.size();
+    const std::uint64_t primitives = program.extents.size();
     const std::uint64_t lines = program.segments.size();
     const std::uint64_t host =
         busy.host + primitives * figures.bucket_clocks + lines * primitives * figures.active_clocks;

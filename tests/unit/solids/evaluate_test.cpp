@@ -14,6 +14,7 @@
 #include "host/solids/minkowski.h"
 #include "host/solids/projection.h"
 #include "host/solids/resize.h"
+#include "places.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/solids/support.h"
 

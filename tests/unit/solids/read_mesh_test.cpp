@@ -9,6 +9,7 @@
 #include "host/solids/check.h"
 #include "host/solids/limits.h"
 #include "hw/base/input_file.h"
+#include "places.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/solids/support.h"
 
@@ -168,7 +169,7 @@ TEST_CASE("damaged packages are refused") {
 }
 
 TEST_CASE("other kinds of files, and none, are refused") {
-  CHECK(error_of([] { solids::read_meshes("m.obj"); }) ==
+  CHECK(error_of([] { solids::parse_meshes("", "m.obj"); }) ==
         "m.obj: meshes are read from .stl, .off, .amf and .3mf files; convert it");
   CHECK(error_of([] { solids::read_meshes("there/is/none.stl"); }).starts_with("there/is/none.stl: cannot be read"));
 }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
+#include "places.h"
+
 namespace csgsim::testing {
 
 namespace {

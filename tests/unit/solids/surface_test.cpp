@@ -9,6 +9,7 @@
 #include "host/solids/limits.h"
 #include "host/solids/pieces.h"
 #include "hw/base/input_file.h"
+#include "places.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/solids/support.h"
 

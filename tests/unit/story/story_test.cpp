@@ -79,7 +79,7 @@ const story::Event& event_of(const story::Story& story, const story::Attempt& at
 /// Two pixels, on which a surface is drawn, and what else there is to do.
 story::Story by_hand(const std::string& more, std::uint32_t x) {
   const isa::Program program = isa::parse(
-      ".array width=2 height=1 memory_bits=64\n"
+      ".array width=2 height=1 memory_bits=64\n.frame colour_base=16 colour_bits=6\n"
       ".field Z2 [0+:8] depth\n.field Z1 [8+:8] candidate_depth\n.field colour [16+:6] colour\n"
       ".primitive \"a\"\n.segment width=2 height=1\n"
       "enable_all; setup\nset_constant Z2, 255; setup\n"
@@ -88,6 +88,17 @@ story::Story by_hand(const std::string& more, std::uint32_t x) {
           more,
       "by hand");
   return story::Teller(program, testing::machine_of(program.shape)).story_of(x, 0);
+}
+
+std::string glass(const std::string& csg) { return testing::tinted({0.2, 0.5, 0.9}, 0.4, csg); }
+
+/// The one surface whose fate is to be seen.
+nlohmann::json seen_surface(const nlohmann::json& story) {
+  std::vector<nlohmann::json> seen;
+  for (const nlohmann::json& one : story["surfaces"])
+    if (one["fate"] == "seen") seen.push_back(one);
+  CHECK(seen.size() == 1);
+  return seen.empty() ? nlohmann::json() : seen.front();
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -224,6 +235,86 @@ TEST_CASE("boxes that an intersection joins are one solid, and the facet's box o
   CHECK(contains(text_of(subject, story, answer), "the facet seen here is of p1"));
 }
 
+TEST_CASE("of boxes that an intersection joins JSON names the one whose facet is seen, and with which it is drawn") {
+  const Told told = tell("intersection(){" + box_text({2, 1.5, -4}, {4, 3.5, -2}) + big + "}", 3, 2);
+  const story::Subject subject{told.compiled.program, nullptr};
+  const nlohmann::json json = story::to_json(subject, told.story());
+  CHECK(json["owner"]["index"] == 2);
+  const nlohmann::json seen = seen_surface(json);
+  CHECK(seen["primitive"] == json["owner"]);
+  CHECK(seen["drawn_as"]["index"] == 1);
+  CHECK(contains(story::text_of(subject, told.story()), "drawn with p1 cube"));
+}
+
+TEST_CASE(
+    "before an opaque box the glass is what a pixel shows, at its own depth, and the box what is seen through it") {
+  const std::string pane = box_text({3, 1, -4}, {7, 1.5, -2});
+  const std::string behind = box_text({3, 1.75, -4}, {7, 1.8, -2});
+  const Told told = tell(big + glass(pane) + glass(behind), 4, 2);
+  const story::Subject subject{told.compiled.program, nullptr};
+  const story::Story story = told.story();
+  CHECK(story.owner == 2);
+  CHECK(story.depth == at_1);
+  CHECK(story.opaque_owner == 1);
+  CHECK(story.opaque_depth == at_2);
+  CHECK(attempt_of(story, 1).fate == Fate::blended);
+  CHECK(std::count_if(story.attempts.begin(), story.attempts.end(),
+                      [](const story::Attempt& one) { return one.fate == Fate::blended && one.primitive == 3; }) == 1);
+  const nlohmann::json json = story::to_json(subject, story);
+  CHECK(json["owner"]["index"] == 2);
+  CHECK(json["depth"]["steps"] == at_1);
+  CHECK(json["opaque"]["owner"]["index"] == 1);
+  CHECK(json["opaque"]["depth"]["steps"] == at_2);
+  CHECK(seen_surface(json)["primitive"] == json["owner"]);
+  const std::string text = story::text_of(subject, story);
+  CHECK(contains(text, "shows p2 cube"));
+  CHECK(contains(text, "through   p1 cube"));
+  CHECK(contains(text, "merged; this is what is seen"));
+  const story::WhyNot why_not = story::why_not(subject, story, 1);
+  CHECK_FALSE(why_not.is_seen);
+  CHECK(contains(text_of(subject, story, why_not), "a part of the colour, but not the nearest seen"));
+}
+
+TEST_CASE("a pixel that glass alone is seen at shows the glass, with nothing behind it") {
+  const Told told = tell(glass(near_box), 4, 2);
+  const story::Story story = told.story();
+  CHECK(story.owner == 1);
+  CHECK(story.depth == at_1);
+  CHECK(story.opaque_owner == sim::no_owner);
+  const story::Subject subject{told.compiled.program, nullptr};
+  CHECK(story::to_json(subject, story)["opaque"]["owner"].is_null());
+  CHECK(contains(story::text_of(subject, story), "through   nothing"));
+}
+
+TEST_CASE("one surface is seen at each pixel, the owner's, through glass, in mirrors and by samples") {
+  const std::string models = "union(){" + first + big + "intersection(){" + box_text({1, 1.5, -5}, {4, 3.5, -2}) +
+                             box_text({2, 1, -6}, {6, 4, -1}) + "}" + glass(near_box) +
+                             glass(box_text({0, 0.5, -5}, {5, 0.75, -3})) + "}";
+  const std::string mirror = "[[materials]]\nfrom_line = 3\nmirror = 0.5\n";
+  for (const std::string& scene : {std::string(), mirror, std::string("[effects.antialias]\nsamples = 2\n"),
+                                   std::string("[effects.antialias]\nsamples = 4\nadaptive = true\n")}) {
+    CAPTURE(scene);
+    testing::Setup setup = testing::front_view(8, 6, testing::scene_of(scene));
+    setup.memory_bits = 512;
+    setup.camera = {{-4, -20, 3}, {4, 2, -3}, view::Projection::perspective};
+    const testing::Compiled compiled = testing::compile_text(models, setup);
+    const story::Teller teller(compiled.program, testing::machine_of(compiled.program.shape));
+    const story::Subject subject{compiled.program, nullptr};
+    unsigned seen = 0;
+    for (std::uint32_t y = 0; y < 6; ++y) {
+      for (std::uint32_t x = 0; x < 8; ++x) {
+        CAPTURE(x);
+        CAPTURE(y);
+        const nlohmann::json json = story::to_json(subject, teller.story_of(x, y));
+        if (json["owner"].is_null()) continue;
+        CHECK(seen_surface(json)["primitive"] == json["owner"]);
+        ++seen;
+      }
+    }
+    CHECK(seen >= 10);
+  }
+}
+
 TEST_CASE("clocks are those in which the pixel carries the instructions out, one event after another") {
   const Told told = tell(blind_hole + near_box, 3, 2);
   const story::Story story = told.story();
@@ -259,8 +350,10 @@ TEST_CASE("one pixel by itself has the memory, enable and picture that the whole
       const story::PixelRun run = story::run_pixel(program, skips, x, y);
       const std::size_t at = std::size_t{y} * 8 + x;
       CHECK(run.colour == frame.colour[at]);
-      CHECK(run.depth == frame.depth[at]);
-      CHECK(run.owner == frame.owner[at]);
+      CHECK(run.nearest.depth == frame.depth[at]);
+      CHECK(run.nearest.owner == frame.owner[at]);
+      CHECK(run.opaque.depth == frame.opaque_depth[at]);
+      CHECK(run.opaque.owner == frame.opaque_owner[at]);
     }
   }
 }

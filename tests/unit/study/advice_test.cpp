@@ -171,6 +171,13 @@ TEST_CASE("where nothing meets all wishes, a recommendation says by how much its
   CHECK(std::none_of(rows.begin(), rows.end(), [&](const AdviceRow& one) { return study::meets_all(one, wishes); }));
 }
 
+TEST_CASE("where no wrong pixel is wished, choices that miss it and another wish are told apart by both") {
+  const study::Wishes wishes{60, 0, 0, 0};
+  // 1 pixel and 6 of 60 bits are nearer than 3 pixels and 1 of 60 bits, though more bits are dearer.
+  const Rows rows{row(61, 3, 100), row(66, 1, 100)};
+  CHECK(study::nearest_choices(rows, wishes, 2) == Rows{rows[1], rows[0]});
+}
+
 TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and its answers with a plain search") {
   const study::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
   const std::vector<AdvicePoint> points = points_of(small_ranges());

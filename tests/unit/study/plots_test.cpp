@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "sim/study/comparison.h"
+#include "sim/study/corpus.h"
 #include "sim/study/sweep_axis.h"
 #include "sim/study/sweep_plots.h"
 
@@ -113,7 +114,7 @@ TEST_CASE("a knob's values are across, where they belong") {
     rows[i].clocks = 100 + i;
     rows[i].wrong = i;
   }
-  const std::vector<plots::Plot> all = study::plots_of_accuracy(rows, "a");
+  const std::vector<plots::Plot> all = study::plots_of_accuracy(rows, {"a", 4});
   const plots::Chart edge_on = chart_named(all, "edge-on");
   CHECK(edge_on.panels.size() == 3);
   REQUIRE(edge_on.series[0].points.size() == 2);
@@ -137,7 +138,7 @@ TEST_CASE("facets and curved surfaces stand in one plot, clocks across and pixel
     rows[i].facet_wrong = 10 * i;
     rows[i].wrong = 7;
   }
-  const plots::Chart chart = chart_named(study::plots_of_accuracy(rows, "a"), "curves");
+  const plots::Chart chart = chart_named(study::plots_of_accuracy(rows, {"a", 4}), "curves");
   REQUIRE(chart.series.size() == 4);
   CHECK(chart.series[0].name == "facets, by tolerance");
   CHECK(chart.series[0].points.front().label == "0.5");
@@ -155,6 +156,7 @@ TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
   for (study::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
     one.seconds = 0.5;
+    one.frames_per_second = 2;
     one.halfspaces = 100;
   }
   rows[1].point.machine = "pixel-square";
@@ -178,12 +180,88 @@ TEST_CASE("machines that differ by a figure are called by it, and transistors ar
   const Words machines{"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+alu.bits=2+array.memory_bits=96"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].point = {machines[i], 64, 64, 0, {}};
+    rows[i].frames_per_second = 1;
     rows[i].transistors = 100 + i;
   }
   const plots::Chart chart = chart_named(study::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines");
   CHECK(tick_texts(chart.x) == Words{"pixel-planes-4", "+alu.bits=2", "+array.memory_bits=96"});
-  REQUIRE(chart.panels.size() == 3);
-  CHECK(chart.series[2].points[2].y == 102);
+  REQUIRE(chart.panels.size() == 4);
+  CHECK(chart.series[3].points[2].y == 102);
   rows[1].transistors.reset();
-  CHECK(chart_named(study::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines").panels.size() == 2);
+  CHECK(chart_named(study::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines").panels.size() == 3);
+}
+
+TEST_CASE("a comparison shows the time from frame to frame first, and that of drawing alone beside it") {
+  std::vector<study::ComparisonRow> rows(4);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].point = {i % 2 == 0 ? "pixel-planes-4" : "pixel-square", 64, 64, i < 2 ? 0.0 : 8.0, {}};
+    rows[i].halfspaces = i < 2 ? 100 : 50;
+  }
+  // The first draws faster, and shows slower.
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].seconds = i % 2 == 0 ? 0.003 : 0.004;
+    rows[i].frames_per_second = i % 2 == 0 ? 64 : 200;
+  }
+  const std::vector<plots::Plot> all = study::plots_of_comparison(rows, {64, 64}, "a");
+  const plots::Chart machines = chart_named(all, "compare_machines");
+  CHECK(machines.panels[0].title == "from frame to frame, ms");
+  CHECK(machines.panels[1].title == "drawing alone, ms");
+  CHECK(machines.series[0].points[0].y == 1000.0 / 64);
+  CHECK(machines.series[0].points[1].y == 5);
+  CHECK(machines.series[1].points[0].y == 3);
+  CHECK(machines.series[1].points[1].y == 4);
+  const plots::Chart growth = chart_named(all, "compare_halfspaces");
+  CHECK(growth.panels[0].title == "from frame to frame, ms");
+  CHECK(growth.panels[1].title == "drawing alone, ms");
+  REQUIRE(growth.series.size() == 4);
+  for (const plots::Series& series : growth.series) {
+    const bool is_planes = series.name == "pixel-planes-4";
+    CHECK(series.points[0].y == (series.panel == 0 ? (is_planes ? 1000.0 / 64 : 5.0) : (is_planes ? 3.0 : 4.0)));
+  }
+}
+
+TEST_CASE(
+    "a corpus shows clocks from frame to frame first, and those of drawing alone beside them, in the same colours") {
+  std::vector<study::CorpusRow> rows(2);
+  rows[0].point = {"a.csg", "pixel-planes-4"};
+  rows[1].point = {"a.csg", "pixel-square"};
+  for (study::CorpusRow& row : rows) {
+    row.halfspaces = 10;
+    row.clocks = 300;
+    row.interval_clocks = 1500;
+    row.frames_per_second = 7;
+  }
+  const std::vector<plots::Plot> all = study::plots_of_corpus(rows);
+  const plots::Chart clocks = chart_named(all, "corpus_clocks");
+  REQUIRE(clocks.panels.size() == 2);
+  CHECK(clocks.panels[0].title == "clocks from frame to frame");
+  CHECK(clocks.panels[1].title == "clocks of drawing alone");
+  REQUIRE(clocks.series.size() == 4);
+  for (const plots::Series& series : clocks.series) CHECK(series.points[0].y == (series.panel == 0 ? 1500 : 300));
+  CHECK(!clocks.looks.empty());
+  CHECK(clocks.looks == chart_named(all, "corpus_frames").looks);
+}
+
+TEST_CASE("what accuracy adds up over views is said to be a sum, and a percentile is called one") {
+  std::vector<study::Measurement> rows(4);
+  const Words knobs{"z-bits", "together", "curves", "tolerance"};
+  const Words values{"12", "12/4", "facets", "0.1"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].knob = knobs[i];
+    rows[i].value = values[i];
+    rows[i].clocks = 100;
+  }
+  const std::vector<plots::Plot> all = study::plots_of_accuracy(rows, {"a", 4});
+  const plots::Chart z_bits = chart_named(all, "z-bits");
+  CHECK(z_bits.panels[0].title == "wrong pixels, sum of 4 views");
+  CHECK(z_bits.panels[1].title == "depth error, 99.9th percentile");
+  CHECK(z_bits.panels[2].title == "clocks, sum of 4 views");
+  for (const char* name : {"pareto", "curves"}) {
+    const plots::Chart chart = chart_named(all, name);
+    CHECK(chart.x.title == "clocks, sum of 4 views");
+    CHECK(chart.panels[0].title.ends_with(", sum of 4 views"));
+  }
+  const plots::Chart alone = chart_named(study::plots_of_accuracy(rows, {"a", 1}), "z-bits");
+  CHECK(alone.panels[0].title == "wrong pixels");
+  CHECK(alone.panels[2].title == "clocks");
 }

@@ -9,6 +9,7 @@
 #include "host/read/read.h"
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
+#include "places.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
 #include "sim/study/table.h"

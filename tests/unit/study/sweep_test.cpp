@@ -12,6 +12,7 @@
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/area.h"
+#include "places.h"
 #include "sim/study/hash.h"
 #include "sim/study/ranges.h"
 #include "sim/study/sweep_run.h"

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "places.h"
+
 namespace csgsim::testing {
 
 namespace {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/facet/planes.h"
+#include "host/facet/scene.h"
+
+namespace csgsim::convex {
+
+/// Two directions in a plane, of length 1 and across each other.
+std::array<glm::dvec3, 2> axes_in(const glm::dvec3& normal);
+
+/// The corners of the face that a primitive has in a plane, in turn around it, relative to PlaneTable::centre(): what
+/// its other half-spaces leave of that plane, which takes a step for each of them, where make_polytope() takes their
+/// square. None if the primitive has only an edge or a corner there, or a sliver no wider than the tolerance of
+/// clip(), or if the half-spaces leave the face without an end.
+std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t plane, const facet::PlaneTable& planes);
+
+}  // namespace csgsim::convex

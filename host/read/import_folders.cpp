@@ -1,0 +1,57 @@
+#include "host/read/import_folders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "hw/base/error.h"
+
+namespace csgsim::read {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Complete, without `.` and `..`, and without a slash at the end.
+fs::path plain(const fs::path& path) {
+  const fs::path normal = fs::absolute(path).lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+/// By the names alone, both complete.
+bool is_in(const fs::path& path, const fs::path& folder) {
+  const fs::path below = path.lexically_relative(folder);
+  return !below.empty() && *below.begin() != "..";
+}
+
+}  // namespace
+
+ImportFolders::ImportFolders(const fs::path& model_folder, const fs::path& named)
+    : folders_{model_folder.empty() ? fs::path(".") : model_folder} {
+  if (!named.empty()) folders_.push_back(named);
+}
+
+std::vector<fs::path> ImportFolders::places_of(std::string_view name) const {
+  std::vector<fs::path> places;
+  for (const fs::path& folder : folders_) {
+    const fs::path place = (folder / name).lexically_normal();
+    const auto holds_it = [&](const fs::path& one) { return is_in(plain(place), plain(one)); };
+    const bool is_new = std::ranges::find(places, place) == places.end();
+    if (is_new && std::ranges::any_of(folders_, holds_it)) places.push_back(place);
+  }
+  return places;
+}
+
+bool ImportFolders::hold(const Descriptor& file) const {
+  std::error_code error;
+  const fs::path place = fs::read_symlink(fmt::format("/proc/self/fd/{}", file.number()), error);
+  if (error) throw InputError("/proc does not tell where links lead (" + error.message() + "); mount it");
+  return std::ranges::any_of(folders_, [&](const fs::path& folder) {
+    std::error_code missing;
+    const fs::path real = fs::canonical(folder, missing);
+    return !missing && is_in(place, real);
+  });
+}
+
+}  // namespace csgsim::read

@@ -1,0 +1,34 @@
+#include "host/read/meetings.h"
+
+#include "host/read/nodes.h"
+
+namespace csgsim::read {
+
+void MeetingFinder::begin(const Statement& statement) {
+  if (left_out_ > 0 || statement.modifiers.disable || statement.modifiers.background) {
+    ++left_out_;
+    return;
+  }
+  const NodeType* const node = find_node(statement.name);
+  const bool is_shape =
+      node != nullptr && (node->kind == NodeKind::solid || (node->kind == NodeKind::made && !node->has_children));
+  open_.push_back({statement.offset, is_shape, 0});
+}
+
+void MeetingFinder::end() {
+  if (left_out_ > 0) {
+    --left_out_;
+    return;
+  }
+  const Open ended = open_.back();
+  open_.pop_back();
+  if (ended.shapes > 1) meetings_.statements.insert(ended.offset);
+  if (!ended.is_shape && ended.shapes == 0) return;
+  if (open_.empty()) {
+    meetings_.on_top = ++on_top_ > 1;
+  } else {
+    ++open_.back().shapes;
+  }
+}
+
+}  // namespace csgsim::read

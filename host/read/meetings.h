@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include "host/read/syntax.h"
+
+namespace csgsim::read {
+
+/// Where solids meet: in statements, and on top of the file, of which two children or more have a shape.
+struct Meetings {
+  std::unordered_set<std::uint32_t> statements;  ///< by where their names are in the text
+  bool on_top = false;
+};
+
+/// Finds them. Statements under `%` and `*` are passed over.
+class MeetingFinder : public StatementVisitor {
+ public:
+  void begin(const Statement& statement) override;
+  void end() override;
+
+  /// After the last statement has ended.
+  [[nodiscard]] const Meetings& meetings() const { return meetings_; }
+
+ private:
+  struct Open {
+    std::uint32_t offset = 0;
+    bool is_shape = false;     ///< by itself
+    std::uint32_t shapes = 0;  ///< children that have a shape
+  };
+
+  std::vector<Open> open_;
+  std::uint32_t on_top_ = 0;
+  std::size_t left_out_ = 0;  ///< open statements from a `%` or `*` on
+  Meetings meetings_;
+};
+
+}  // namespace csgsim::read

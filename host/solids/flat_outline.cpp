@@ -1,0 +1,186 @@
+#include "host/solids/flat_outline.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+#include "host/solids/neighbours.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// The points before and after each along the sides.
+struct Around {
+  std::vector<std::uint32_t> previous;
+  std::vector<std::uint32_t> next;
+};
+
+Around around(std::size_t points, std::span<const Link> sides) {
+  Around made{std::vector<std::uint32_t>(points, none), std::vector<std::uint32_t>(points, none)};
+  for (const auto& [from, to] : sides) {
+    made.next[from] = to;
+    made.previous[to] = from;
+  }
+  return made;
+}
+
+bool within_box(const SeenPoint& a, const SeenPoint& b, const SeenPoint& point) {
+  return std::min(a.s, b.s) <= point.s && point.s <= std::max(a.s, b.s) && std::min(a.t, b.t) <= point.t &&
+         point.t <= std::max(a.t, b.t);
+}
+
+bool is_on(const SeenPoint& a, const SeenPoint& b, const SeenPoint& point) {
+  return turn(a, b, point) == 0 && within_box(a, b, point);
+}
+
+/// Two sides of an outline.
+class SidePair {
+ public:
+  SidePair(std::span<const SeenPoint> points, const Link& one, const Link& other)
+      : points_(points), one_(one), other_(other) {}
+
+  [[nodiscard]] bool meet() const {
+    const auto [a, b] = one_;
+    const auto [c, d] = other_;
+    // Sides that have an end in common may not run along each other.
+    if (b == c) return is_on(at(a), at(b), at(d)) || is_on(at(c), at(d), at(a));
+    if (a == d) return is_on(at(a), at(b), at(c)) || is_on(at(c), at(d), at(b));
+    const bool parts_second = (turn(at(a), at(b), at(c)) > 0) != (turn(at(a), at(b), at(d)) > 0);
+    const bool parts_first = (turn(at(c), at(d), at(a)) > 0) != (turn(at(c), at(d), at(b)) > 0);
+    return (parts_first && parts_second) || is_on(at(a), at(b), at(c)) || is_on(at(a), at(b), at(d)) ||
+           is_on(at(c), at(d), at(a)) || is_on(at(c), at(d), at(b));
+  }
+
+ private:
+  [[nodiscard]] const SeenPoint& at(std::uint32_t point) const { return points_[point]; }
+
+  std::span<const SeenPoint> points_;
+  Link one_;
+  Link other_;
+};
+
+/// What is inside between two sides that the sweep has come by.
+struct Region {
+  Link upper;              ///< from its left to its right end
+  Link lower;              ///< the same
+  std::uint32_t last = 0;  ///< the last point of it that the sweep has come by
+  bool is_owed = false;    ///< whether that point has no side to its right yet
+};
+
+class OutlineSweep {
+ public:
+  OutlineSweep(std::span<const SeenPoint> points, std::span<const Link> sides)
+      : points_(points), around_(around(points.size(), sides)) {
+    for (const Link& side : sides) order_.push_back(side.first);
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::tie(points[a].s, points[a].t) < std::tie(points[b].s, points[b].t);
+    });
+  }
+
+  std::vector<Link> operator()() {
+    for (const std::uint32_t point : order_) come_by(point);
+    return std::move(diagonals_);
+  }
+
+ private:
+  void come_by(std::uint32_t point) {
+    const std::uint32_t previous = around_.previous[point];
+    const std::uint32_t next = around_.next[point];
+    const bool from_left = comes_before(points_[previous], points_[point]);
+    const bool to_left = comes_before(points_[next], points_[point]);
+    const bool is_convex = turn(points_[previous], points_[point], points_[next]) > 0;
+    if (!from_left && !to_left) {
+      if (!is_convex) return split(point);
+      regions_.push_back({{point, previous}, {point, next}, point});
+    } else if (from_left && to_left) {
+      if (!is_convex) return merge(point);
+      regions_.erase(settled(ending(&Region::upper, point), point));
+    } else if (to_left) {
+      pass(ending(&Region::upper, point), point).upper = {point, previous};
+    } else {
+      pass(ending(&Region::lower, point), point).lower = {point, next};
+    }
+  }
+
+  using At = std::vector<Region>::iterator;
+
+  /// The region whose upper or lower side ends there.
+  At ending(Link Region::*side, std::uint32_t point) {
+    return std::find_if(regions_.begin(), regions_.end(),
+                        [&](const Region& region) { return (region.*side).second == point; });
+  }
+
+  /// Gives the last point of a region its side to the right.
+  At settled(At region, std::uint32_t point) {
+    if (region->is_owed) diagonals_.emplace_back(region->last, point);
+    region->is_owed = false;
+    return region;
+  }
+
+  Region& pass(At region, std::uint32_t point) {
+    settled(region, point)->last = point;
+    return *region;
+  }
+
+  [[nodiscard]] bool holds(const Region& region, std::uint32_t point) const {
+    return turn(points_[region.upper.first], points_[region.upper.second], points_[point]) < 0 &&
+           turn(points_[region.lower.first], points_[region.lower.second], points_[point]) > 0;
+  }
+
+  void split(std::uint32_t point) {
+    const At region = std::find_if(regions_.begin(), regions_.end(),
+                                   [&](const Region& candidate) { return holds(candidate, point); });
+    if (region == regions_.end()) return;
+    diagonals_.emplace_back(region->last, point);
+    const Link upper = std::exchange(region->upper, {point, around_.previous[point]});
+    region->last = point;
+    region->is_owed = false;
+    regions_.push_back({upper, {point, around_.next[point]}, point});
+  }
+
+  void merge(std::uint32_t point) {
+    const Region above = *settled(ending(&Region::lower, point), point);
+    const At below = settled(ending(&Region::upper, point), point);
+    below->upper = above.upper;
+    below->last = point;
+    below->is_owed = true;
+    regions_.erase(ending(&Region::lower, point));
+  }
+
+  std::span<const SeenPoint> points_;
+  Around around_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Region> regions_;
+  std::vector<Link> diagonals_;
+};
+
+}  // namespace
+
+int turn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  return CGAL::orientation(Point(a.s, a.t), Point(b.s, b.t), Point(c.s, c.t));
+}
+
+bool is_simple(std::span<const SeenPoint> points, std::span<const Link> sides) {
+  std::vector<std::uint32_t> leaving(points.size(), 0);
+  std::vector<std::uint32_t> ending(points.size(), 0);
+  for (const auto& [from, to] : sides) {
+    if (++leaving[from] > 1 || ++ending[to] > 1) return false;
+  }
+  if (leaving != ending) return false;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (std::size_t k = i + 1; k < sides.size(); ++k) {
+      if (SidePair(points, sides[i], sides[k]).meet()) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Link> monotone_diagonals(std::span<const SeenPoint> points, std::span<const Link> sides) {
+  return OutlineSweep(points, sides)();
+}
+
+}  // namespace csgsim::solids

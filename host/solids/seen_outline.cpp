@@ -1,0 +1,82 @@
+#include "host/solids/seen_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace csgsim::solids {
+
+namespace {
+
+/// The second corner first, and the first one last: of equals the first in this order counts.
+std::vector<std::uint32_t> order_of(std::span<const glm::vec3> outline) {
+  std::vector<std::uint32_t> order(outline.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::rotate(order.begin(), order.begin() + 1, order.end());
+  return order;
+}
+
+/// Twice the area vector of the largest triangle over the two corners that are farthest apart along an axis.
+glm::vec3 normal_of(std::span<const glm::vec3> outline) {
+  const std::vector<std::uint32_t> order = order_of(outline);
+  glm::length_t longest = 0;
+  float length = -1;
+  glm::vec3 low(0);
+  glm::vec3 high(0);
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    const auto before = [&](std::uint32_t a, std::uint32_t b) { return outline[a][axis] < outline[b][axis]; };
+    const glm::vec3& least = outline[*std::min_element(order.begin(), order.end(), before)];
+    const glm::vec3& most = outline[*std::max_element(order.begin(), order.end(), before)];
+    if (most[axis] - least[axis] <= length) continue;
+    longest = axis;
+    length = most[axis] - least[axis];
+    low = least;
+    high = most;
+  }
+  if (high[longest] <= low[longest]) return {0, 0, 1};
+  glm::vec3 normal(0);
+  float largest = 0;
+  for (const std::uint32_t corner : order) {
+    const glm::vec3 candidate = glm::cross(low - high, outline[corner] - high);
+    const float size = glm::dot(candidate, candidate);
+    if (size <= largest) continue;
+    largest = size;
+    normal = candidate;
+  }
+  return normal;
+}
+
+glm::length_t largest_axis(const glm::vec3& vector) {
+  glm::length_t axis = 0;
+  for (glm::length_t i = 1; i < 3; ++i) {
+    if (std::abs(vector[i]) > std::abs(vector[axis])) axis = i;
+  }
+  return axis;
+}
+
+float area_of(const std::vector<SeenPoint>& points) {
+  float area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SeenPoint& next = points[(i + 1) % points.size()];
+    area += (points[i].s - next.s) * (points[i].t + next.t);
+  }
+  return area;
+}
+
+}  // namespace
+
+std::vector<SeenPoint> seen(std::span<const glm::vec3> outline) {
+  const glm::vec3 normal = normal_of(outline);
+  const glm::length_t axis = largest_axis(normal);
+  const float sign = normal[axis] > 0 ? 1.0F : -1.0F;
+  std::vector<SeenPoint> points;
+  for (const glm::vec3& corner : outline) points.push_back({corner[(axis + 1) % 3], sign * corner[(axis + 2) % 3]});
+  if (area_of(points) < 0) {
+    for (SeenPoint& point : points) point.t = -point.t;
+  }
+  return points;
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "host/solids/check.h"
+#include "host/solids/neighbours.h"
+
+namespace csgsim::solids {
+
+namespace {
+
+/// A face beyond an edge of another.
+struct Beyond {
+  std::uint32_t face;
+  bool runs_same_way;  ///< both along the edge, as neighbours should not
+};
+
+/// Of each face, those that alone share an edge with it.
+std::vector<std::vector<Beyond>> faces_beyond(const Mesh& mesh) {
+  std::vector<std::vector<Beyond>> beyond(mesh.faces.size());
+  for (const Joint& joint : find_joints(mesh)) {
+    if (joint.one == joint.other) continue;
+    beyond[joint.one].push_back({joint.other, joint.same_way});
+    beyond[joint.other].push_back({joint.one, joint.same_way});
+  }
+  return beyond;
+}
+
+enum class Turn : std::uint8_t { unknown, stays, turns };
+
+Turn opposite(Turn turn) { return turn == Turn::stays ? Turn::turns : Turn::stays; }
+
+/// Says of each face that is reached from the first, from edge to edge, whether it is turned against it. Returns them;
+/// none if there is no saying, as on a band with one side.
+std::vector<std::uint32_t> spread(std::uint32_t first, const std::vector<std::vector<Beyond>>& beyond,
+                                  std::vector<Turn>& turns) {
+  std::vector<std::uint32_t> reached{first};
+  bool has_two_sides = true;
+  turns[first] = Turn::stays;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const Turn here = turns[reached[i]];
+    for (const auto [face, runs_same_way] : beyond[reached[i]]) {
+      const Turn wanted = runs_same_way ? opposite(here) : here;
+      if (turns[face] == Turn::unknown) {
+        turns[face] = wanted;
+        reached.push_back(face);
+      }
+      has_two_sides = has_two_sides && turns[face] == wanted;
+    }
+  }
+  if (!has_two_sides) return {};
+  return reached;
+}
+
+}  // namespace
+
+TurnedFaces turn_faces(Numbered& numbered) {
+  Mesh& mesh = numbered.mesh;
+  const std::vector<std::vector<Beyond>> beyond = faces_beyond(mesh);
+  std::vector<Turn> turns(mesh.faces.size(), Turn::unknown);
+  std::set<std::uint32_t> numbers;  // of those turned, in the file: a face may be in several parts
+  for (std::uint32_t first = 0; first < mesh.faces.size(); ++first) {
+    if (turns[first] != Turn::unknown) continue;
+    const std::vector<std::uint32_t> reached = spread(first, beyond, turns);
+    const auto turning = static_cast<std::size_t>(
+        std::ranges::count_if(reached, [&](std::uint32_t face) { return turns[face] == Turn::turns; }));
+    if (turning == 0) continue;
+    // The fewer are the ones that are wrong.
+    const Turn wrong = 2 * turning <= reached.size() ? Turn::turns : Turn::stays;
+    for (const std::uint32_t face : reached) {
+      if (turns[face] != wrong) continue;
+      std::ranges::reverse(mesh.faces[face]);
+      numbers.insert(numbered.face_numbers[face]);
+    }
+  }
+  if (numbers.empty()) return {};
+  return {static_cast<std::uint32_t>(numbers.size()), *numbers.begin()};
+}
+
+}  // namespace csgsim::solids

@@ -1,0 +1,137 @@
+#include "hw/base/child_guard.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <limits>
+
+// Whatever runs between fork and exec may call only what a signal handler may call: other threads may have held locks.
+
+namespace csgsim {
+
+namespace {
+
+/// This thread lets no signals through until the object goes.
+class BlockedSignals {
+ public:
+  BlockedSignals() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~BlockedSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
+  [[nodiscard]] const sigset_t& before() const { return before_; }
+
+ private:
+  sigset_t before_{};
+};
+
+/// What handles a signal in csgsim has nothing to do here; what is ignored stays so.
+void drop_handlers() {
+  for (int signal = 1; signal <= SIGRTMAX; ++signal) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action.sa_handler = SIG_DFL;
+    action.sa_flags = 0;
+    ::sigaction(signal, &action, nullptr);
+  }
+  std::signal(SIGCHLD, SIG_DFL);
+}
+
+void limit(int what, std::size_t most) {
+  rlimit now{};
+  if (most == std::numeric_limits<std::size_t>::max() || ::getrlimit(what, &now) != 0) return;
+  now.rlim_cur = std::min<rlim_t>({now.rlim_cur, now.rlim_max, most});
+  now.rlim_max = std::min<rlim_t>(now.rlim_max, most);
+  ::setrlimit(what, &now);
+}
+
+void tell(int file, const GuardReport& report) {
+  // So few bytes go into a pipe at once. Where nobody reads them any more, nobody misses them.
+  static_cast<void>(!::write(file, &report, sizeof report));
+}
+
+/// Ends with the process that started it; not if that has ended already.
+void follow(pid_t parent, int signal) {
+  ::prctl(PR_SET_PDEATHSIG, signal);
+  if (::getppid() != parent) ::raise(signal);
+}
+
+[[noreturn]] void become(const GuardedProgram& program, pid_t guard, const sigset_t& signals) {
+  ::setpgid(0, 0);
+  follow(guard, SIGKILL);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_AS, program.memory);
+  ::dup2(program.input, STDIN_FILENO);
+  ::dup2(program.output, STDOUT_FILENO);
+  ::dup2(program.errors, STDERR_FILENO);
+  ::close_range(STDERR_FILENO + 1, std::numeric_limits<unsigned>::max(), CLOSE_RANGE_CLOEXEC);
+  ::pthread_sigmask(SIG_SETMASK, &signals, nullptr);
+  ::execvp(program.words[0], program.words);
+  tell(program.told, {errno, 0});
+  ::_exit(1);
+}
+
+/// Only what is written to: ends of pipes that others read must not stay open here.
+void close_all_but(int kept) {
+  ::dup2(kept, STDIN_FILENO);
+  ::close_range(STDIN_FILENO + 1, std::numeric_limits<unsigned>::max(), 0);
+}
+
+/// Waits until the program has ended, or this is told to stop.
+void wait_for(pid_t program) {
+  sigset_t awaited;
+  ::sigemptyset(&awaited);
+  ::sigaddset(&awaited, SIGCHLD);
+  ::sigaddset(&awaited, SIGTERM);
+  for (siginfo_t ended{};
+       ::waitid(P_PID, static_cast<id_t>(program), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;) {
+    if (::sigwaitinfo(&awaited, nullptr) == SIGTERM) return;
+  }
+}
+
+[[noreturn]] void guard(const GuardedProgram& program, pid_t parent, const sigset_t& signals) {
+  ::setpgid(0, 0);
+  drop_handlers();
+  follow(parent, SIGTERM);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // what the program leaves behind is waited for here
+  const pid_t self = ::getpid();
+  const pid_t child = ::fork();
+  if (child == 0) become(program, self, signals);
+  if (child < 0) {
+    tell(program.told, {errno, 0});
+    ::_exit(1);
+  }
+  ::setpgid(child, child);
+  close_all_but(program.told);
+  wait_for(child);
+  // The group keeps its number until its last process has been waited for.
+  ::kill(-child, SIGKILL);
+  GuardReport report;
+  int status = 0;
+  for (pid_t ended = 0; (ended = ::waitpid(-child, &status, 0)) > 0;) {
+    if (ended == child) report.status = status;
+  }
+  tell(STDIN_FILENO, report);
+  ::_exit(0);
+}
+
+}  // namespace
+
+pid_t start_guard(const GuardedProgram& program) {
+  const BlockedSignals blocked;
+  const pid_t parent = ::getpid();
+  const pid_t started = ::fork();
+  if (started == 0) guard(program, parent, blocked.before());
+  return started;
+}
+
+}  // namespace csgsim

@@ -1,0 +1,33 @@
+#include "hw/base/work.h"
+
+#include <fmt/format.h>
+
+namespace csgsim {
+
+namespace {
+
+constexpr std::uint64_t million = 1'000'000;
+
+}  // namespace
+
+Work::Work(std::uint64_t limit) : count_(std::make_shared<Count>(Count{0, limit})) {}
+
+void Work::charge(std::uint64_t steps, std::string_view doing) const {
+  if (count_ == nullptr) return;
+  Count& count = *count_;
+  if (steps <= count.limit - count.done) {
+    count.done += steps;
+    return;
+  }
+  count.done = count.limit;
+  throw WorkError(
+      fmt::format("{} takes more work than the limit of {} million steps; give the model fewer or coarser "
+                  "parts, or allow more by --limit",
+                  doing, static_cast<double>(count.limit) / static_cast<double>(million)));
+}
+
+Work Work::afresh() const { return count_ == nullptr ? Work() : Work(count_->limit); }
+
+std::uint64_t Work::done() const { return count_ == nullptr ? 0 : count_->done; }
+
+}  // namespace csgsim

@@ -1,0 +1,92 @@
+#include "sim/plots/glyphs.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "hw/base/child_process.h"
+#include "hw/base/memory_file.h"
+#include "hw/base/text.h"
+#include "sim/plots/characters.h"
+#include "sim/plots/program_limits.h"
+
+namespace csgsim::plots {
+
+namespace {
+
+/// Characters from the first to the last.
+struct CharacterRange {
+  char32_t first = 0;
+  char32_t last = 0;
+};
+
+constexpr CharacterRange every_character{0, 0x10ffff};
+
+/// `20-7e` or `a9`, in hexadecimal.
+CharacterRange range_of(const std::string& words) {
+  std::uint32_t first = 0;
+  const char* const end = words.data() + words.size();
+  const char* const behind = std::from_chars(words.data(), end, first, 16).ptr;
+  std::uint32_t last = first;
+  if (behind != end) std::from_chars(behind + 1, end, last, 16);
+  return {first, last};
+}
+
+/// Of a line for each font: its format and its ranges. Pango draws with outlines in these formats alone.
+std::vector<CharacterRange> ranges_of(const std::string& listed) {
+  std::vector<CharacterRange> ranges;
+  std::istringstream lines(listed);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word) || (word != "TrueType" && word != "CFF")) continue;
+    while (words >> word) ranges.push_back(range_of(word));
+  }
+  return ranges;
+}
+
+/// In order, none of them touching another.
+std::vector<CharacterRange> joined(std::vector<CharacterRange> ranges) {
+  std::ranges::sort(ranges, {}, &CharacterRange::first);
+  std::vector<CharacterRange> all;
+  for (const CharacterRange& range : ranges) {
+    if (!all.empty() && range.first <= all.back().last + 1)
+      all.back().last = std::max(all.back().last, range.last);
+    else
+      all.push_back(range);
+  }
+  return all;
+}
+
+/// The characters of all fonts that are installed.
+std::vector<CharacterRange> installed() {
+  const std::array<std::string, 3> words{"fc-list", "-f", "%{fontformat} %{charset}\\n"};
+  const std::optional<ChildEnd> ended = run_child(words, MemoryFile("fc-list"), program_limits);
+  if (!ended || !is_done(*ended)) return {every_character};
+  return joined(ranges_of(ended->output));
+}
+
+bool has_glyph(char32_t character) {
+  static const std::vector<CharacterRange> known = installed();
+  const auto range = std::ranges::lower_bound(known, character, {}, &CharacterRange::last);
+  return range != known.end() && range->first <= character;
+}
+
+bool is_ascii(std::string_view character) { return character.size() == 1; }
+
+}  // namespace
+
+std::string with_glyphs(std::string_view text) {
+  const std::string shown = printable(text);
+  std::string result;
+  for (const std::string_view character : characters_of(shown))
+    result += is_ascii(character) || has_glyph(code_point(character)) ? character : "?";
+  return result;
+}
+
+}  // namespace csgsim::plots

@@ -1,0 +1,145 @@
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hw/base/address_sanitizer.h"
+#include "places.h"
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
+
+/// A program of that name in the folder that does what the shell commands say.
+void stand_in(const Folder& folder, const std::string& name, const std::string& commands) {
+  write(folder / name, "#!/bin/sh\n" + commands + "\n");
+  fs::permissions(folder / name, fs::perms::owner_all);
+}
+
+std::string path_with(const Folder& folder) { return "PATH=" + folder.path().string() + ":/usr/bin:/bin"; }
+
+/// Draws source by that stand-in for OpenSCAD. Ends by itself within some seconds, or with code 124.
+Outcome draw_source(const std::string& commands, const std::vector<std::string>& more = {}) {
+  const Folder folder;
+  stand_in(folder, "openscad", commands);
+  write(folder / "part.scad", "// whatever\n");
+  std::vector<std::string> words{"--kill-after=1", "60",     "env",  path_with(folder), program, "render",
+                                 "part.scad",      "--size", "16x16"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_program("timeout", words, folder.path());
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+/// Until the condition holds, for some seconds.
+template <class Condition>
+bool comes_true(Condition condition) {
+  for (int i = 0; i < 1000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return condition();
+}
+
+/// The numbers in a file, as many as there are whole lines.
+std::vector<pid_t> numbers_in(const std::string& file) {
+  std::istringstream text(content(file));
+  std::vector<pid_t> numbers;
+  for (std::string line; std::getline(text, line) && !text.eof();) numbers.push_back(std::stoi(line));
+  return numbers;
+}
+
+bool is_running(pid_t process) {
+  // One that has ended, and that nobody has asked about yet, does nothing more.
+  const std::string status = content("/proc/" + std::to_string(process) + "/stat");
+  return !status.empty() && !contains(status, ") Z ");
+}
+
+/// Begins to draw the source in the folder.
+pid_t begin_drawing(const Folder& folder) {
+  const pid_t process = ::fork();
+  REQUIRE(process >= 0);
+  if (process != 0) return process;
+  const std::string path = path_with(folder).substr(5);
+  ::setenv("PATH", path.c_str(), 1);
+  ::setpgid(0, 0);
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, number);
+  if (::chdir(folder.path().c_str()) == 0)
+    ::execl(program.c_str(), "csgsim", "render", "part.scad", "--size", "16x16", nullptr);
+  std::_Exit(127);
+}
+
+}  // namespace
+
+TEST_CASE("whatever signal ends csgsim, nothing of what it runs lives on") {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGKILL}) {
+    for (const bool is_group : {false, true}) {
+      CAPTURE(signal);
+      CAPTURE(is_group);
+      const Folder folder;
+      stand_in(folder, "openscad", "sleep 300 & echo $! > numbers; echo $$ >> numbers; wait; sleep 300");
+      write(folder / "part.scad", "// whatever\n");
+      const pid_t process = begin_drawing(folder);
+      CHECK(comes_true([&] { return numbers_in(folder / "numbers").size() == 2; }));
+      const std::vector<pid_t> numbers = numbers_in(folder / "numbers");
+      ::kill(is_group ? -process : process, signal);
+      ::waitpid(process, nullptr, 0);
+      for (const pid_t number : numbers) {
+        CHECK(comes_true([&] { return !is_running(number); }));
+        ::kill(number, SIGKILL);
+      }
+    }
+  }
+}
+
+TEST_CASE("OpenSCAD that says more than it may is ended, and that is told") {
+  const Outcome outcome = draw_source("exec yes 'ECHO: \"much\"' >&2");
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err ==
+        "part.scad: OpenSCAD was ended: it writes more than 16 MiB of messages; take its echo() out of loops\n");
+}
+
+TEST_CASE("OpenSCAD that takes longer than it may is ended, and that is told") {
+  const Outcome outcome = draw_source("sleep 300", {"--openscad-time", "1"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err ==
+        "part.scad: OpenSCAD was ended: it is not done after 1 s; make the model simpler, or give it more time with "
+        "--openscad-time SECONDS\n");
+}
+
+TEST_CASE("OpenSCAD has 8 GiB of memory at most, and less where csgsim has less") {
+  const std::string tells = "echo \"WARNING: $(ulimit -v)\" >&2; echo 'cube(size = [8, 6, 4]);'";
+  CHECK(draw_source(tells).err == "openscad: WARNING: 8388608\n");
+  const Folder folder;
+  stand_in(folder, "openscad", tells);
+  write(folder / "part.scad", "// whatever\n");
+  const Outcome less = run_program(
+      "sh",
+      {"-c", "ulimit -v 4000000 && exec env " + path_with(folder) + " " + program + " render part.scad --size 16x16"},
+      folder.path());
+  // The sanitizer's own memory is more.
+  if (CSGSIM_ADDRESS_SANITIZER == 0) CHECK(less.err == "openscad: WARNING: 4000000\n");
+}
+
+TEST_CASE("OpenSCAD has no file of csgsim's but its standard ones") {
+  // Besides, the shell has the script, and for a while the folder of which it lists the files.
+  const Outcome outcome = draw_source(
+      "for file in /proc/$$/fd/*; do readlink $file | sed 's/^/WARNING: /' >&2; done; echo 'cube(size = [8, 6, 4]);'");
+  CHECK(outcome.code == 0);
+  int files = 0;
+  std::istringstream lines(outcome.err);
+  for (std::string line; std::getline(lines, line);) files += contains(line, "/openscad") ? 0 : 1;
+  CAPTURE(outcome.err);
+  CHECK(files == 3);
+}

@@ -1,0 +1,149 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli.h"
+#include "hw/isa/binary.h"
+#include "hw/isa/program_file.h"
+#include "hw/isa/text.h"
+#include "places.h"
+#include "tests/support/bare_text.h"
+
+using namespace csgsim;
+using namespace csgsim::testing::cli;
+
+namespace {
+
+std::string trace(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/traces/" + name + ".csgt"; }
+
+std::string compiled(const Folder& folder, const std::string& name, const std::string& options) {
+  const std::string program = folder / name;
+  const Outcome outcome =
+      run("compile " + model("old_example002") + " --view-all --size 40x30 " + options + " -o " + program);
+  REQUIRE(outcome.code == 0);
+  return program;
+}
+
+nlohmann::json stats_of(const Folder& folder, const std::string& words) {
+  const Outcome outcome = run("run " + words + " --stats " + (folder / "stats.json"));
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  return json(folder / "stats.json");
+}
+
+/// What a machine does, not what for.
+void check_same_at_cycle_level(const std::string& path) {
+  CAPTURE(path);
+  const Folder folder;
+  write(folder / "bare.csgt", testing::bare_text(isa::load_program(path)));
+  const nlohmann::json with = stats_of(folder, path + " --level cycle -o " + (folder / "with.png"));
+  const nlohmann::json without =
+      stats_of(folder, (folder / "bare.csgt") + " --level cycle -o " + (folder / "without.png"));
+  for (const char* key : {"clocks", "shown_clocks", "interval_clocks", "instructions", "pixel_operations", "account"}) {
+    CAPTURE(key);
+    REQUIRE(with.contains(key));
+    CHECK(with[key] == without[key]);
+  }
+  CHECK(content(folder / "with.png") == content(folder / "without.png"));
+}
+
+}  // namespace
+
+TEST_CASE("at the cycle level too a golden Program without facts and comments is the same to its machine") {
+  for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "old_example002", "old_example002_lines",
+                           "thesis_fig_2_3_squares", "thesis_fig_2_3_nodes"})
+    check_same_at_cycle_level(trace(name));
+}
+
+TEST_CASE(
+    "a Program runs on the machine that it was compiled for, with its figures, and takes the clocks of its render") {
+  const Folder folder;
+  for (const std::string machine : {"scan-line", "pixel-square", "multi-processor", "pixel-powers",
+                                    "pixel-planes-4+alu.bits=4+array.memory_bits=96"}) {
+    CAPTURE(machine);
+    const std::string program = compiled(folder, "p.csgt", "--machine " + machine);
+    REQUIRE(run("render " + model("old_example002") + " --view-all --size 40x30 --machine " + machine + " -o " +
+                (folder / "render.png") + " --stats " + (folder / "render.json"))
+                .code == 0);
+    const nlohmann::json rendered = json(folder / "render.json");
+    const nlohmann::json ran = stats_of(folder, program + " -o " + (folder / "run.png"));
+    CHECK(ran["machine"] == rendered["machine"]);
+    CHECK(ran["machine"]["name"] == machine);
+    CHECK(ran["clocks"] == rendered["clocks"]);
+    CHECK(ran["configuration"]["machine"] == rendered["configuration"]["machine"]);
+    CHECK(content(folder / "run.png") == content(folder / "render.png"));
+  }
+}
+
+TEST_CASE("a Program of a machine from a file runs without the file") {
+  const Folder folder;
+  std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/scan-line.toml");
+  text.replace(text.find("name = \"scan-line\""), 18, "name = \"my lines\"");
+  text.replace(text.find("value = 10_000_000"), 18, "value = 12_000_000");
+  write(folder / "mine.toml", text);
+  const std::string program = compiled(folder, "p.csgt", "--machine " + (folder / "mine.toml"));
+  const nlohmann::json named = stats_of(folder, program + " --machine " + (folder / "mine.toml"));
+  fs::remove(folder / "mine.toml");
+  const nlohmann::json ran = stats_of(folder, program);
+  CHECK(ran["machine"]["name"] == "my lines");
+  CHECK(ran["machine"] == named["machine"]);
+  CHECK(ran["clocks"] == named["clocks"]);
+}
+
+TEST_CASE("a Program is refused by a machine of another kind, or with less memory, and told what another one has") {
+  const Folder folder;
+  const std::string lines = compiled(folder, "lines.csgt", "--machine scan-line");
+  const std::string output = " -o " + (folder / "out.png");
+  const auto refused = [&](const std::string& words, const std::string& text) {
+    const Outcome outcome = run(words);
+    CAPTURE(words);
+    CHECK(outcome.code == 1);
+    CHECK(one_line(outcome.err));
+    CHECK(outcome.err.find(text) != std::string::npos);
+  };
+  const std::string other =
+      "was compiled for scan-line, of the kind scan-line, and pixel-planes-4 is of the kind frame-buffer";
+  refused("run " + lines + " --machine pixel-planes-4" + output, other);
+  refused("explain " + lines + " --machine pixel-planes-4 --pixel 3,3", other);
+  refused("wave " + lines + " --machine pixel-planes-4 --pixel 3,3 -o " + (folder / "out.vcd"), other);
+  refused("debug " + lines + " --machine pixel-planes-4 -x " + lines, other);
+  refused("diff " + lines + " --machine-b pixel-planes-4", other);
+  const std::string wide = compiled(folder, "wide.csgt", "--machine pixel-planes-4 --memory-bits 96");
+  CHECK(run("run " + wide + output).err.empty());
+  CHECK(run("run " + wide + " --machine pixel-planes-4" + output).err.empty());
+  refused("run " + wide + " --machine pixel-planes-4+alu.bits=4" + output,
+          "takes 96 bits of memory a pixel, and pixel-planes-4+alu.bits=4 has 72");
+  const Outcome told = run("run " + wide + " --machine pixel-planes-4+alu.bits=4+array.memory_bits=100" + output);
+  CHECK(told.code == 0);
+  CHECK(one_line(told.err));
+  CHECK(told.err.find("was compiled for pixel-planes-4; ") != std::string::npos);
+  CHECK(told.err.find("alu.bits 4 instead of 1") != std::string::npos);
+  CHECK(told.err.find("array.memory_bits 100 instead of 72") != std::string::npos);
+}
+
+TEST_CASE("of a Program that names no machine it is said which one is assumed") {
+  const Folder folder;
+  isa::Program program = isa::load_program(trace("old_example002"));
+  program.machine = {};
+  isa::save_program(program, folder / "p.csgt", isa::ProgramForm::binary);
+  const std::string output = " -o " + (folder / "out.png");
+  const Outcome assumed = run("run " + (folder / "p.csgt") + output);
+  CHECK(assumed.code == 0);
+  CHECK(one_line(assumed.err));
+  CHECK(assumed.err.find(
+            "warning: the Program does not name the machine that it was compiled for; pixel-planes-4 is assumed;") !=
+        std::string::npos);
+  CHECK(run("run " + (folder / "p.csgt") + " --machine pixel-planes-4" + output).err.empty());
+  program.shape.memory_bits = 96;
+  isa::save_program(program, folder / "p.csgt", isa::ProgramForm::binary);
+  CHECK(run("run " + (folder / "p.csgt") + output).err.find("with 96 bits of memory a pixel instead of its 72") !=
+        std::string::npos);
+  CHECK(run("run " + (folder / "p.csgt") + " --machine pixel-planes-4" + output).code == 1);
+  program.machine = {"no-such-machine", "", {}};
+  isa::save_program(program, folder / "p.csgt", isa::ProgramForm::binary);
+  const Outcome unknown = run("run " + (folder / "p.csgt") + output);
+  CHECK(unknown.code == 1);
+  CHECK(unknown.err.find("'no-such-machine'") != std::string::npos);
+}

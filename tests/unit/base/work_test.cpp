@@ -1,0 +1,46 @@
+#include "hw/base/work.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/support/error_of.h"
+
+using namespace csgsim;
+
+TEST_CASE("work without a limit is never refused, and not counted") {
+  const Work work;
+  work.charge(~std::uint64_t{0}, "counting");
+  work.charge(~std::uint64_t{0}, "counting");
+  CHECK(work.done() == 0);
+}
+
+TEST_CASE("work up to its limit is done, and one step more is refused with what was being done") {
+  const Work work(2'500'000);
+  work.charge(2'000'000, "counting");
+  work.charge(500'000, "counting");
+  CHECK(work.done() == 2'500'000);
+  CHECK(testing::error_of([&] { work.charge(1, "folding paper"); }) ==
+        "folding paper takes more work than the limit of 2.5 million steps; give the model fewer or coarser parts, or "
+        "allow more by --limit");
+}
+
+TEST_CASE("a charge that no sum holds is past the limit") {
+  const Work work(10);
+  work.charge(5, "counting");
+  CHECK_THROWS_AS(work.charge(~std::uint64_t{0}, "counting"), WorkError);
+}
+
+TEST_CASE("once past the limit all that follows is refused") {
+  const Work work(10);
+  CHECK_THROWS_AS(work.charge(11, "counting"), WorkError);
+  CHECK_THROWS_AS(work.charge(1, "counting"), WorkError);
+}
+
+TEST_CASE("copies of a work count together") {
+  const Work work(10);
+  const Work copy = work;  // NOLINT(performance-unnecessary-copy-initialization): that is what is tested
+  copy.charge(6, "counting");
+  CHECK(work.done() == 6);
+  CHECK_THROWS_AS(work.charge(5, "counting"), WorkError);
+}

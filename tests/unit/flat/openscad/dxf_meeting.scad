@@ -1,0 +1,1 @@
+import("../drawings/meeting.dxf");

@@ -1,0 +1,90 @@
+#include "sim/plots/common_looks.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <set>
+
+#include "sim/plots/chart_series.h"
+#include "sim/plots/palette.h"
+
+using namespace csgsim;
+
+namespace {
+
+plots::Plot chart_of(const std::string& plot, const plots::Names& names) {
+  plots::Chart chart{"title", {"across"}, {{"up"}}, {}, "table.csv"};
+  double height = 100;
+  for (const std::string& name : names) chart.series.push_back({name, 0, plots::Trace::line, {{0, --height}}});
+  return {plot, std::move(chart)};
+}
+
+/// How a series is drawn in a plot.
+plots::palette::Look look_in(const plots::Plot& plot, const std::string& name) {
+  const auto& chart = std::get<plots::Chart>(plot.content);
+  const plots::SeriesLooks looks = plots::looks_of(chart);
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    if (chart.series[i].name == name) return looks.looks[i];
+  }
+  FAIL("no such series");
+  return {};
+}
+
+plots::Names numbered(const std::string& stem, int count) {
+  plots::Names names;
+  for (int i = 0; i < count; ++i) names.push_back(stem + std::to_string(i));
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("a series keeps its colour and its mark from plot to plot, whatever else is in them") {
+  std::vector<plots::Plot> plots{chart_of("one", {"a", "b", "c"}), chart_of("other", {"c", "d", "a"})};
+  plots::give_common_looks(plots);
+  std::set<std::string_view> colours;
+  for (const char* name : {"a", "c"}) {
+    const plots::palette::Look look = look_in(plots[0], name);
+    CHECK(look.colour == look_in(plots[1], name).colour);
+    CHECK(look.mark == look_in(plots[1], name).mark);
+    colours.insert(look.colour);
+  }
+  colours.insert(look_in(plots[0], "b").colour);
+  colours.insert(look_in(plots[1], "d").colour);
+  CHECK(colours.size() == 4);
+}
+
+TEST_CASE("plots with more names than colours in all share colours, but none twice in one plot") {
+  std::vector<plots::Plot> plots{chart_of("one", numbered("a", 5)), chart_of("other", numbered("b", 7))};
+  plots::give_common_looks(plots);
+  for (const plots::Plot& plot : plots) {
+    std::set<std::string_view> colours;
+    const auto& chart = std::get<plots::Chart>(plot.content);
+    for (const plots::Series& series : chart.series) colours.insert(look_in(plot, series.name).colour);
+    CHECK(colours.size() == chart.series.size());
+    CHECK(!colours.contains(plots::palette::background.colour));
+  }
+}
+
+TEST_CASE("series without a name have a look that no name in other plots has, as long as there is one") {
+  std::vector<plots::Plot> plots{chart_of("one", {""}), chart_of("other", {"a", "b"})};
+  plots::give_common_looks(plots);
+  CHECK(look_in(plots[1], "a").colour == plots::palette::looks[0].colour);
+  CHECK(look_in(plots[0], "").colour == plots::palette::looks[2].colour);
+}
+
+TEST_CASE("the key of a plot whose coloured series were chosen by another one does not say that the rest is smaller") {
+  plots::Names names = numbered("a", 9);
+  std::vector<plots::Plot> plots{chart_of("one", names), chart_of("other", {names.rbegin(), names.rend()})};
+  plots::give_common_looks(plots);
+  const auto last_of_key = [](const plots::Plot& plot) {
+    return plots::looks_of(std::get<plots::Chart>(plot.content)).key.back().text;
+  };
+  CHECK(last_of_key(plots[0]) == "1 more, with smaller values: table.csv");
+  CHECK(last_of_key(plots[1]) == "1 more: table.csv");
+  CHECK(look_in(plots[1], "a8").colour == plots::palette::background.colour);
+}
+
+TEST_CASE("names for which no look is left have no place") {
+  const std::array<plots::Names, 1> plots{plots::Names{"a", "b", "c"}};
+  CHECK(plots::common_looks(plots, 2, 2) == plots::Looks{{"a", 0}, {"b", 1}});
+}

@@ -1,0 +1,128 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "host/facet/scene.h"
+#include "host/read/read.h"
+#include "tests/support/error_of.h"
+
+using namespace csgsim;
+
+namespace {
+
+/// Some seconds of work.
+constexpr std::uint64_t much = 1'000'000'000;
+
+model::Tree read_within(const std::string& text, std::uint64_t limit = much) {
+  read::Options options;
+  options.work = Work(limit);
+  return read::read_csg_text(text, "m.csg", options);
+}
+
+std::string refusal(const std::string& text, std::uint64_t limit = much) {
+  return testing::error_of([&] { (void)read_within(text, limit); });
+}
+
+/// A polygon whose sides run across all of it, most of them crossing most others.
+std::string crossing_polygon(int corners) {
+  std::string points;
+  for (int i = 0; i < corners; ++i) {
+    const double x = std::fmod(0.6180339887 * i, 1.0);
+    const double y = std::fmod(0.7548776662 * i * (i % 7 + 1), 1.0);
+    points += fmt::format("{}[{:.6f},{:.6f}]", i == 0 ? "" : ",", 1000 * x, 1000 * y);
+  }
+  return "polygon(points = [" + points + "], paths = undef, convexity = 1);";
+}
+
+std::string twisted(const std::string& arguments, const std::string& square) {
+  return "linear_extrude(height = 24, center = false, convexity = 1, twist = 360, " + arguments +
+         ") {\n  square(size = " + square + ", center = true);\n}\n";
+}
+
+}  // namespace
+
+TEST_CASE("a thin area twisted to a point is cut in an end of steps") {
+  const model::Tree tree = read_within(twisted("slices = 30, scale = [0, 0]", "[12, 1e-7]"));
+  CHECK(tree.primitives.size() < 1000);
+}
+
+TEST_CASE("slices of which no solid can have so many are refused before they are cut") {
+  const std::string expected =
+      "m.csg:1:1: linear_extrude(): linear_extrude() falls into more than 100000 convex pieces; ask for fewer slices, "
+      "or "
+      "raise $fa or $fs";
+  CHECK(refusal(twisted("slices = 100001, scale = [0.5, 0.5]", "[12, 5]"), 1'000) == expected);
+  const std::string two =
+      "square(size = [1, 1], center = false);\n"
+      "multmatrix([[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { square(size = [1, 1], center = false); }";
+  CHECK(
+      refusal(
+          "linear_extrude(height = 24, center = false, convexity = 1, twist = 360, slices = 60000, scale = [1, 1]) {" +
+              two + "}",
+          1'000'000) == expected);
+}
+
+TEST_CASE("shapes whose sides cross more often than work is allowed are refused before they are combined") {
+  CHECK(
+      refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
+      "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; give the model "
+      "fewer or coarser parts, or allow more by --limit");
+  CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
+}
+
+TEST_CASE("what 2-D Booleans, hulls, sums and meshes take is told with the place of their node") {
+  const std::string areas = "circle($fn = 100, $fa = 12, $fs = 2, r = 2); square(size = [3, 3], center = true);";
+  const std::string solids = "sphere($fn = 30, $fa = 12, $fs = 2, r = 2); cube(size = [3, 3, 3], center = true);";
+  CHECK(refusal("union() {\n  difference() {" + areas + "}\n}", 1'000).find("m.csg:2:3: ") == 0);
+  CHECK(refusal("group() {\n hull() {" + solids + "}}", 10'000).find("m.csg:2:2: hull(): ") == 0);
+  CHECK(refusal("group() {\n minkowski(convexity = 0) {" + solids + "}}", 10'000).find("m.csg:2:2: minkowski(): ") ==
+        0);
+  CHECK(refusal("\n\nprojection(cut = true, convexity = 0) {" + solids + solids + "}", 1'000)
+            .find("m.csg:3:1: projection(): ") == 0);
+  CHECK(refusal(twisted("slices = 5, scale = [1, 1]", "[12, 5]"), 1'000).find("m.csg:1:1: linear_extrude(): ") == 0);
+}
+
+TEST_CASE("steps are counted alike each time") {
+  const std::string text = twisted("slices = 20, scale = [0.3, 0.4]", "[12, 5]") + crossing_polygon(50);
+  const auto steps = [&] {
+    read::Options options;
+    options.work = Work(much);
+    (void)read::read_csg_text(text, "m.csg", options);
+    return options.work.done();
+  };
+  const std::uint64_t first = steps();
+  CHECK(first > 10'000);
+  CHECK(steps() == first);
+  CHECK_NOTHROW((void)read_within(text, first));
+  CHECK(refusal(text, first - 1) != "");
+}
+
+TEST_CASE("a solid beyond the numbers that it could be drawn with is refused with its place") {
+  const auto faceted = [](const std::string& text) {
+    return testing::error_of([&] { (void)facet::make_scene(read::read_csg_text(text, "m.csg")); });
+  };
+  const std::string far =
+      " it reaches farther than 1e12 from the origin, where numbers are too coarse to draw it; move it nearer, or "
+      "scale "
+      "it down";
+  const auto moved = [](const char* by) {
+    return fmt::format(
+        "cube(size = [1, 1, 1], center = false);\nmultmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,{}],[0,0,0,1]]) "
+        "{{\n  cylinder(h = 1, r1 = 2, r2 = 2, center = false, $fn = 8, $fa = 12, $fs = 2);\n}}",
+        by);
+  };
+  CHECK(faceted(moved("1e308")) == "m.csg:3:3:" + far);
+  CHECK(faceted(moved("-2e12")) == "m.csg:3:3:" + far);
+  CHECK(faceted(moved("9e11")) == "");
+  CHECK(faceted("cube(size = [1, 1e13, 1], center = true);") == "m.csg:1:1:" + far);
+}
+
+TEST_CASE("a mesh of which checking alone takes too much is refused before that") {
+  const std::string tetrahedron =
+      "polyhedron(points = [[0,0,0],[9,0,0],[0,9,0],[2,2,9],[2,2,3]], faces = "
+      "[[0,2,1],[0,1,4],[1,3,4],[1,2,3],[0,4,2],[2,4,3]], convexity = 2);";
+  CHECK(refusal(tetrahedron, 10'000).find("m.csg:1:1: checking a mesh of 6 faces takes more work than") == 0);
+  CHECK(refusal(tetrahedron, 100'000) == "");
+}

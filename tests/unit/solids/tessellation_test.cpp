@@ -1,0 +1,92 @@
+#include "host/solids/tessellation.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "places.h"
+
+using csgsim::solids::tessellate;
+
+namespace {
+
+/// A face as polyhedron() is given it, and the triangles that OpenSCAD made of it (openscad/make.py).
+struct Cut {
+  std::vector<glm::vec3> corners;
+  std::set<std::set<std::uint32_t>> triangles;
+};
+
+std::vector<Cut> cuts() {
+  std::ifstream file(std::string(CSGSIM_SOURCE_DIR) + "/tests/unit/solids/openscad/faces.txt");
+  std::vector<Cut> all;
+  for (std::string line; std::getline(file, line);) {
+    Cut& cut = all.emplace_back();
+    std::istringstream corners(line.substr(0, line.find('|')));
+    for (glm::vec3 corner; corners >> corner.x >> corner.y >> corner.z;) cut.corners.push_back(corner);
+    std::istringstream numbers(line.substr(line.find('|') + 1));
+    for (std::uint32_t a = 0, b = 0, c = 0; numbers >> a >> b >> c;) cut.triangles.insert({a, b, c});
+  }
+  return all;
+}
+
+/// Nothing where the face crosses itself as it is seen.
+std::optional<bool> agrees(const Cut& cut) {
+  // OpenSCAD turns the faces of polyhedron() around.
+  const std::vector<glm::vec3> outline(cut.corners.rbegin(), cut.corners.rend());
+  const auto triangles = tessellate(outline);
+  if (!triangles) return std::nullopt;
+  std::set<std::set<std::uint32_t>> made;
+  const auto last = static_cast<std::uint32_t>(outline.size() - 1);
+  for (const auto& [a, b, c] : *triangles) made.insert({last - a, last - b, last - c});
+  return made == cut.triangles;
+}
+
+}  // namespace
+
+TEST_CASE("faces that are not flat are cut into the triangles that OpenSCAD cuts them into") {
+  int crossed = 0;
+  int others = 0;
+  int alike = 0;
+  for (const Cut& cut : cuts()) {
+    const std::optional<bool> agree = agrees(cut);
+    if (!agree) {
+      ++crossed;
+    } else if (cut.corners.size() == 4) {
+      CHECK(*agree);
+    } else {
+      ++others;
+      alike += *agree ? 1 : 0;
+    }
+  }
+  CHECK(crossed == 5);
+  CHECK(others == 195);
+  // Where a face has reflex corners the order in which diagonals are turned may be another.
+  CHECK(alike >= 194);
+}
+
+TEST_CASE("triangles run as their outline does and cover a hole's face but for the hole") {
+  // A square with a square hole, which an edge that is run along both ways joins to the outline.
+  const std::vector<glm::vec3> outline{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
+                                       {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
+  const auto triangles = tessellate(outline);
+  REQUIRE(triangles);
+  CHECK(triangles->size() == 8);
+  float area = 0;
+  for (const auto& [a, b, c] : *triangles) {
+    const glm::vec3 normal = glm::cross(outline[b] - outline[a], outline[c] - outline[a]);
+    CHECK(normal.z > 0);
+    area += normal.z / 2;
+  }
+  CHECK(area == 12);
+}
+
+TEST_CASE("a triangle, and an outline of five corners that crosses itself, are not cut") {
+  const std::vector<glm::vec3> bow{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {1, 2, 0}, {0, 2, 0}};
+  CHECK(!tessellate(bow));
+  CHECK(!tessellate(std::span(bow).first(3)));
+}

@@ -1,0 +1,45 @@
+#include "sim/study/gather.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "places.h"
+#include "tests/support/error_of.h"
+
+using namespace csgsim;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What gathering two shards says, of which the second has that many points and those columns.
+std::string refusal(const std::string& name, std::size_t points, const std::string& columns) {
+  const fs::path folder = fs::path(CSGSIM_BINARY_DIR) / "scratch_gather" / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  study::ShardHeader header{{1, 2}, 2, {"model", "machine", "csgsim"}, {"sweep"}};
+  const std::vector<unsigned> shard_of = study::shard_of_each(2, 2);
+  const std::size_t first = shard_of[0] == 1 ? 0 : 1;
+  study::ShardWriter(folder, header, "a,b").add({first, "1,2"});
+  header.shard.number = 2;
+  header.points = points;
+  study::ShardWriter(folder, header, columns).add({1 - first, "3,4"});
+  const std::array<fs::path, 1> studies{folder};
+  const std::string error = testing::error_of([&] { study::gather(studies); });
+  fs::remove_all(folder);
+  return error;
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE(
+    "shards of other numbers of points, or of other columns, are not of the same study, and the message says so") {
+  CHECK(refusal("alike", 2, "a,b").empty());
+  CHECK(holds(refusal("points", 3, "a,b"), "not of the same study: the number of points changed between them"));
+  CHECK(holds(refusal("columns", 2, "a,c"), "not of the same study: the columns changed between them"));
+}

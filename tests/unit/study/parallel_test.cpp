@@ -1,0 +1,49 @@
+#include "sim/study/parallel.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <set>
+#include <stdexcept>
+
+using namespace csgsim;
+
+namespace {
+
+constexpr std::size_t many = 64;
+
+}  // namespace
+
+TEST_CASE("every point of a study is measured once and handed on once") {
+  std::set<std::size_t> handed_on;
+  study::measure_each(
+      many, 4, [](std::size_t i) { return i; }, [&](std::size_t i) { handed_on.insert(i); });
+  CHECK(handed_on.size() == many);
+  CHECK(*handed_on.rbegin() == many - 1);
+}
+
+TEST_CASE("nobody is handed a result after the receiver has failed, however the threads meet") {
+  for (int round = 0; round < 2000; ++round) {
+    int calls = 0;
+    const auto fails = [&](std::size_t) {
+      ++calls;
+      throw std::runtime_error("full");
+    };
+    CHECK_THROWS_AS(study::measure_each(
+                        many, 4, [](std::size_t i) { return i; }, fails),
+                    std::runtime_error);
+    REQUIRE(calls == 1);
+  }
+}
+
+TEST_CASE("a point that throws ends the others, and its exception comes out") {
+  std::atomic<int> measured = 0;
+  const auto throws_at_once = [&](std::size_t i) {
+    ++measured;
+    if (i == 0) throw std::runtime_error("first");
+    return i;
+  };
+  CHECK_THROWS_WITH_AS(study::measure_each(1000, 1, throws_at_once, [](std::size_t) {}), "first", std::runtime_error);
+  CHECK(measured == 1);
+}
