@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -58,8 +59,11 @@ std::vector<pid_t> numbers_in(const std::string& file) {
 }
 
 bool is_running(pid_t process) {
+  // One that ends between the opening of its file and the reading leaves nothing to read.
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string status;
+  std::getline(file, status);
   // One that has ended, and that nobody has asked about yet, does nothing more.
-  const std::string status = content("/proc/" + std::to_string(process) + "/stat");
   return !status.empty() && !contains(status, ") Z ");
 }
 

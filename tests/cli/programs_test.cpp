@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli.h"
+#include "tests/cli/cli.h"
 #include "hw/isa/binary.h"
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"

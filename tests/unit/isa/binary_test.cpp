@@ -17,7 +17,9 @@
 #include "tests/support/random_program.h"
 #include "tests/unit/isa/sample.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 using test::contains;
@@ -234,4 +236,3 @@ TEST_CASE("a Program that is not valid is refused when it is read") {
 }
 
 }  // namespace
-}  // namespace csgsim::isa

@@ -6,7 +6,9 @@
 #include "hw/isa/opcodes.h"
 #include "tests/unit/isa/sample.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 TEST_CASE("the tables of the manual have a row an instruction, a number of clocks and a purpose") {
@@ -39,4 +41,3 @@ TEST_CASE("the manual gives the bits of each command on a link") {
 }
 
 }  // namespace
-}  // namespace csgsim::isa

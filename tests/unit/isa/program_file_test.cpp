@@ -9,7 +9,9 @@
 #include "places.h"
 #include "tests/unit/isa/sample.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +87,3 @@ TEST_CASE("a Program file past 1 GiB is refused without being read") {
 }
 
 }  // namespace
-}  // namespace csgsim::isa

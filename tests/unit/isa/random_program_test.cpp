@@ -7,7 +7,9 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 
-namespace csgsim::test {
+using namespace csgsim;
+using namespace csgsim::test;
+
 namespace {
 
 /// Checks that so many random Programs are valid, and says which opcodes they have.
@@ -34,4 +36,3 @@ TEST_CASE("random Programs for a single memory bit leave out what does not fit i
 }
 
 }  // namespace
-}  // namespace csgsim::test

@@ -12,7 +12,9 @@
 #include "hw/pixel_planes/kind.h"
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+using namespace csgsim;
+using namespace csgsim::sim;
+
 namespace {
 
 using isa::Opcode;
@@ -196,4 +198,3 @@ TEST_CASE("the engine is the reference") {
 }
 
 }  // namespace
-}  // namespace csgsim::sim

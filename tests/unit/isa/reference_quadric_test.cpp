@@ -8,7 +8,9 @@
 #include "sim/reference/reference_array.h"
 #include "tests/support/quadric_judge.h"
 
-namespace csgsim::sim {
+using namespace csgsim;
+using namespace csgsim::sim;
+
 namespace {
 
 using isa::Field;
@@ -124,4 +126,3 @@ TEST_CASE("F is added to a field, or the field taken from F, modulo 2^width, and
 }
 
 }  // namespace
-}  // namespace csgsim::sim

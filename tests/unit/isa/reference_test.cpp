@@ -8,7 +8,9 @@
 #include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
 
-namespace csgsim::sim {
+using namespace csgsim;
+using namespace csgsim::sim;
+
 namespace {
 
 using isa::Field;
@@ -428,4 +430,3 @@ TEST_CASE("enable bits come in words of 64 with each row padded") {
 }
 
 }  // namespace
-}  // namespace csgsim::sim

@@ -8,7 +8,9 @@
 #include "hw/isa/text.h"
 #include "tests/unit/isa/sample.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 using test::contains;
@@ -135,4 +137,3 @@ TEST_CASE("no binary form of another instruction holds what squares do not") {
 }
 
 }  // namespace
-}  // namespace csgsim::isa

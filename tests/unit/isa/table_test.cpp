@@ -8,7 +8,9 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 TEST_CASE("an opcode's row is found by its number, wherever it stands") {
@@ -130,4 +132,3 @@ TEST_CASE("fields overlap when they share a bit") {
 }
 
 }  // namespace
-}  // namespace csgsim::isa

@@ -8,7 +8,9 @@
 #include "hw/isa/text.h"
 #include "tests/unit/isa/sample.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 using test::refusal;
@@ -174,4 +176,3 @@ TEST_CASE("the nearest name takes the fewest edits") {
 }
 
 }  // namespace
-}  // namespace csgsim::isa

@@ -10,7 +10,9 @@
 #include "tests/support/random_program.h"
 #include "tests/unit/isa/sample.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 using test::sample_program;
@@ -143,4 +145,3 @@ TEST_CASE("a hundred thousand named fields are read and printed in no time, and 
 TEST_CASE("an origin that is left out is setup") { CHECK(instruction_of("enable_all").origin == Origin{}); }
 
 }  // namespace
-}  // namespace csgsim::isa

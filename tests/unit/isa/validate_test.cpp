@@ -8,7 +8,9 @@
 #include "hw/isa/opcodes.h"
 #include "tests/unit/isa/sample.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 using test::contains;
@@ -258,4 +260,3 @@ TEST_CASE("depth runs between finite distances, in perspective before the eye") 
 }
 
 }  // namespace
-}  // namespace csgsim::isa

@@ -13,7 +13,9 @@
 #include "hw/isa/operands.h"
 #include "tests/support/random_program.h"
 
-namespace csgsim::isa {
+using namespace csgsim;
+using namespace csgsim::isa;
+
 namespace {
 
 __extension__ using Wide = __int128;
@@ -364,4 +366,3 @@ TEST_CASE("what does not fit its bits is not sent") {
 }
 
 }  // namespace
-}  // namespace csgsim::isa

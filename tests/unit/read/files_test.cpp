@@ -7,7 +7,7 @@
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 namespace {
 

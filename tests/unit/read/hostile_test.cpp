@@ -5,8 +5,8 @@
 #include <chrono>
 
 #include "hw/base/address_sanitizer.h"
-#include "support.h"
-#include "tree_invariants.h"
+#include "tests/unit/read/support.h"
+#include "tests/unit/read/tree_invariants.h"
 
 using csgsim::model::count;
 using csgsim::model::Tree;

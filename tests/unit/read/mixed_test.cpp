@@ -4,7 +4,7 @@
 
 #include "host/read/read.h"
 #include "places.h"
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 using csgsim::read_test::dump;
 using csgsim::read_test::outline;

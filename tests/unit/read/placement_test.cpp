@@ -2,7 +2,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 using csgsim::model::Tree;
 using csgsim::read_test::error_of;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 using csgsim::model::Polyhedron;
 using csgsim::read_test::error_of;

@@ -1,4 +1,4 @@
-#include "random_model.h"
+#include "tests/unit/read/random_model.h"
 
 #include <fmt/format.h>
 #include <rapidcheck.h>

@@ -3,7 +3,7 @@
 
 #include <glm/common.hpp>
 
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 using csgsim::model::Polyhedron;
 

@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "random_model.h"
-#include "support.h"
-#include "tree_invariants.h"
+#include "tests/unit/read/random_model.h"
+#include "tests/unit/read/support.h"
+#include "tests/unit/read/tree_invariants.h"
 
 using namespace csgsim::read_test;
 

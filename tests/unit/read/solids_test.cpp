@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 using csgsim::model::Cube;
 using csgsim::model::Cylinder;

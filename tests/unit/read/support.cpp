@@ -1,4 +1,4 @@
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "support.h"
+#include "tests/unit/read/support.h"
 
 using csgsim::model::Cube;
 using csgsim::read_test::error_of;

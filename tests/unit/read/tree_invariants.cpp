@@ -1,4 +1,4 @@
-#include "tree_invariants.h"
+#include "tests/unit/read/tree_invariants.h"
 
 #include <algorithm>
 #include <cmath>

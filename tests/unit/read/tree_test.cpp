@@ -2,8 +2,8 @@
 
 #include "host/read/read.h"
 #include "places.h"
-#include "support.h"
-#include "tree_invariants.h"
+#include "tests/unit/read/support.h"
+#include "tests/unit/read/tree_invariants.h"
 
 using csgsim::model::count;
 using csgsim::model::Tree;
