@@ -6,6 +6,8 @@
 #include <iterator>
 #include <vector>
 
+#include "host/model/exact_coordinate.h"
+
 namespace csgsim::flat {
 
 Area hull(std::span<const Area> areas) {
@@ -13,7 +15,9 @@ Area hull(std::span<const Area> areas) {
   std::vector<Point> points;
   for (const Area& area : areas) {
     for (const Outline& outline : area.outlines) {
-      for (const glm::dvec2& corner : outline) points.emplace_back(corner.x, corner.y);
+      for (const glm::dvec2& corner : outline) {
+        points.emplace_back(model::exact_coordinate(corner.x), model::exact_coordinate(corner.y));
+      }
     }
   }
   std::vector<Point> around;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host/model/exact_coordinate.h"
+
 namespace csgsim::solids {
 
 namespace {
@@ -26,7 +28,10 @@ std::vector<FlatPoint> projection(const Mesh& mesh, const Face& face, const glm:
   if (normal[axis] < 0) std::swap(u, v);
   std::vector<FlatPoint> points;
   points.reserve(face.size());
-  for (const std::uint32_t corner : face) points.emplace_back(mesh.points[corner][u], mesh.points[corner][v]);
+  for (const std::uint32_t corner : face) {
+    const glm::dvec3& point = mesh.points[corner];
+    points.emplace_back(model::exact_coordinate(point[u]), model::exact_coordinate(point[v]));
+  }
   return points;
 }
 

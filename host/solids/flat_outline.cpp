@@ -6,6 +6,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "host/model/exact_coordinate.h"
 #include "host/solids/neighbours.h"
 
 namespace csgsim::solids {
@@ -161,7 +162,10 @@ class OutlineSweep {
 
 int turn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  return CGAL::orientation(Point(a.s, a.t), Point(b.s, b.t), Point(c.s, c.t));
+  const auto exact = [](const SeenPoint& point) {
+    return Point(model::exact_coordinate(point.s), model::exact_coordinate(point.t));
+  };
+  return CGAL::orientation(exact(a), exact(b), exact(c));
 }
 
 bool is_simple(std::span<const SeenPoint> points, std::span<const Link> sides) {

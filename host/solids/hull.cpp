@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/model/exact_coordinate.h"
 #include "host/solids/exact_sign.h"
 #include "host/solids/hull_faces.h"
 #include "host/solids/pieces.h"
@@ -25,6 +26,11 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 using Triple = CGAL::Point_triple<Kernel>;
+
+Point exact_point(const glm::dvec3& point) {
+  using model::exact_coordinate;
+  return {exact_coordinate(point.x), exact_coordinate(point.y), exact_coordinate(point.z)};
+}
 
 glm::dvec3 at(const Point& point) { return {point.x(), point.y(), point.z()}; }
 
@@ -77,8 +83,7 @@ Mesh hull(std::span<const glm::dvec3> points, const Work& work) {
   work.charge(hull_steps * points.size(), "finding a convex hull");
   std::vector<Point> given;
   given.reserve(points.size());
-  // -0 is 0 then, so that equal points are alike.
-  for (const glm::dvec3& point : points) given.emplace_back(point.x + 0.0, point.y + 0.0, point.z + 0.0);
+  for (const glm::dvec3& point : points) given.push_back(exact_point(point));
   if (!have_volume(given)) return {};
   Surface surface;
   CGAL::convex_hull_3(given.begin(), given.end(), surface, Traits());

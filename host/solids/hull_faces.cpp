@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/model/exact_coordinate.h"
 #include "host/solids/exact_sign.h"
 #include "host/solids/neighbours.h"
 
@@ -20,9 +21,13 @@ using Loop = std::vector<std::uint32_t>;
 
 bool are_in_one_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  using model::exact_coordinate;
   const auto found = sign_of_determinant({{{b, a}, {c, a}, {d, a}}});
   if (found) return *found == 0;
-  return CGAL::coplanar(Point(a.x, a.y, a.z), Point(b.x, b.y, b.z), Point(c.x, c.y, c.z), Point(d.x, d.y, d.z));
+  const auto exact = [](const glm::dvec3& point) {
+    return Point(exact_coordinate(point.x), exact_coordinate(point.y), exact_coordinate(point.z));
+  };
+  return CGAL::coplanar(exact(a), exact(b), exact(c), exact(d));
 }
 
 /// Of each triangle the first one of its face, which is all that is in its plane.

@@ -12,9 +12,9 @@ namespace csgsim::solids {
 inline constexpr std::size_t most_mesh_bytes = std::size_t{1} << 30U;  ///< of a file
 inline constexpr std::size_t most_mesh_faces = 4'000'000;
 
-/// The meshes of a file, by what its name ends with: .stl, .off, .amf or .3mf. An STL or OFF file has one. They are as
-/// the file has them: points may repeat, and nothing is checked but that numbers are finite and corners are there.
-/// Throws InputError that names the file, and the place in it where there is one.
+/// The meshes of a file, by what its name ends with: .stl, .off, .obj, .amf or .3mf. An STL, OFF or OBJ file has one.
+/// They are as the file has them: points may repeat, and nothing is checked but that numbers are finite and corners are
+/// there. Throws InputError that names the file, and the place in it where there is one.
 std::vector<Mesh> read_meshes(const std::filesystem::path& path);
 
 /// The parts of it: first by the name's ending, then each kind. The text is the file's, and the name is for messages.
@@ -25,6 +25,9 @@ Mesh parse_stl(std::string_view text, std::string_view name);
 
 /// Object File Format in text. Colours and normals after a point's coordinates or a face's corners are not looked at.
 Mesh parse_off(std::string_view text, std::string_view name);
+
+/// Wavefront's OBJ, all of its objects. What is said of looks is not looked at; curves and surfaces are refused.
+Mesh parse_obj(std::string_view text, std::string_view name);
 
 /// Additive Manufacturing File: a mesh an object, of all its volumes, which may be zipped. As in OpenSCAD, curved
 /// triangles are flat, units and constellations are not looked at.

@@ -168,6 +168,26 @@ TEST_CASE("advise measures nothing twice, whatever is wished") {
   CHECK(run(ask + " --projection perspective").code == 1);
 }
 
+TEST_CASE("rows that say something else than what is drawn are told, and nobody is blamed for them") {
+  const Folder folder;
+  const std::string ask =
+      "advise " + model("old_example011") + narrow + "--max-wrong-pixels 1000 --no-plots -o " + (folder / "a");
+  REQUIRE(run(ask).code == 0);
+  std::string table = content(folder / "a/advise.csv");
+  // Each line of a choice ends in its clocks, wrong pixels and the like: every picture has a pixel more that is wrong.
+  std::size_t changed = 0;
+  for (std::size_t at = table.find(",0,0,"); at != std::string::npos; at = table.find(",0,0,", at + 1)) {
+    table[at + 1] = '1';
+    ++changed;
+  }
+  REQUIRE(changed > 0);
+  write(folder / "a/advise.csv", table);
+  const Outcome outcome = run(ask);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.find("a choice that is recommended draws another picture than its row says; what was read of them "
+                         "may not be as it was measured") != std::string::npos);
+}
+
 TEST_CASE("advise without a folder leaves no file behind") {
   const Folder folder;
   const Outcome outcome = run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits", "16",

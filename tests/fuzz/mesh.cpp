@@ -80,6 +80,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text = fuzz::text_of(data, size);
   check([&] { return std::vector{solids::parse_stl(text, "m")}; }, solids::single_precision_tolerance);
   check([&] { return std::vector{solids::parse_off(text, "m")}; }, solids::printed_tolerance);
+  check([&] { return std::vector{solids::parse_obj(text, "m")}; }, solids::printed_tolerance);
   check([&] { return solids::parse_amf(text, "m"); }, solids::printed_tolerance);
   check([&] { return solids::parse_3mf(text, "m"); }, solids::single_precision_tolerance);
   if (text.starts_with('<')) {

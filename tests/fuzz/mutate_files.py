@@ -163,6 +163,7 @@ def of_sources() -> list[Sample]:
     solid = "import(file = \"FILE\", layer = \"\", origin = [0, 0], scale = 1, convexity = 1, $fn = 0, $fa = 12, $fs = 2);\n"
     all_samples.extend(imported("stl", ["tests/models/solids/*.stl", "tests/corpus/data/*.stl", "tests/fuzz/corpus/mesh/*.stl"], solid))
     all_samples.extend(imported("off", ["tests/models/solids/*.off", "tests/fuzz/corpus/mesh/*.off"], solid))
+    all_samples.extend(imported("obj", ["tests/models/solids/*.obj", "tests/fuzz/corpus/mesh/*.obj"], solid))
     all_samples.extend(imported("amf", ["tests/models/solids/*.amf"], solid))
     all_samples.extend(imported("3mf", ["tests/models/solids/*.3mf"], solid))
     all_samples.extend(imported("svg", ["tests/unit/flat/drawings/*.svg", "tests/fuzz/corpus/svg/*"], flat))

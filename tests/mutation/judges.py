@@ -69,7 +69,7 @@ LOCKSTEP_PROGRAMS = {"lockstep_functional": 6, "lockstep_cycle": 6}  # which wor
 RANDOM = "seed=1 noshrink=1"
 PATIENCE = 10  # times the usual time
 LEAST_TIME_LIMIT = 10.0  # seconds
-MEMORY = 6 << 30  # bytes of address space
+MEMORY = 12 << 30  # bytes of address space; a test looks at the 8 GiB that a child process may have
 
 
 @dataclass(frozen=True)

@@ -110,9 +110,11 @@ Rows complete(const AdviseOptions& options, const AdviceQuestion& question, Tabl
 }
 
 /// What is recommended is drawn again, each with its own strategy, colouring and ALU.
-void check_by_drawing(const study::AdviceJob& job, const AdviceRow& row) {
-  if (study::draw_advice(job, row.point) != row)
-    throw std::logic_error("a choice that is recommended draws another picture than was judged");
+void check_by_drawing(const study::AdviceJob& job, const AdviceRow& row, bool has_read_rows) {
+  if (study::draw_advice(job, row.point) == row) return;
+  if (has_read_rows)
+    throw InputError("a choice that is recommended draws another picture than its row says; " + whose_fault(true));
+  throw std::logic_error("a choice that is recommended draws another picture than was judged");
 }
 
 std::string picture_name(const AdviseOptions& options, const std::string& what) {
@@ -122,16 +124,16 @@ std::string picture_name(const AdviseOptions& options, const std::string& what) 
 }
 
 study::Advice advice_of(const AdviseOptions& options, const Command& command, const AdviceQuestion& question,
-                        const Rows& rows) {
+                        const Rows& rows, bool has_read_rows) {
   study::Advice advice{study::recommend(rows, question.wishes), {}};
   for (const study::Recommendation& one : advice.recommendations) {
-    check_by_drawing(question.job, one.row);
+    check_by_drawing(question.job, one.row, has_read_rows);
     advice.commands.push_back(
         render_command(options, command, one.row, picture_name(options, study::recommendation_name(one.wish))));
   }
   const AdviceRow nearest = study::nearest_choices(rows, question.wishes, 1).front();
   if (study::meets_all(nearest, question.wishes)) return advice;
-  check_by_drawing(question.job, nearest);
+  check_by_drawing(question.job, nearest, has_read_rows);
   advice.nearest = nearest;
   advice.nearest_command = render_command(options, command, nearest, picture_name(options, "nearest"));
   return advice;
@@ -180,7 +182,7 @@ void run(const AdviseOptions& options, const Command& command) {
   const Rows rows = complete(options, question, table ? &*table : nullptr);
   if (std::none_of(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); }))
     throw InputError(rows.front().reason);
-  const study::Advice advice = advice_of(options, command, question, rows);
+  const study::Advice advice = advice_of(options, command, question, rows, has_read_rows);
   const view::Sampling& sampling = question.job.sampling;
   print_question(fmt::format("{}, {} x {} pixels, on {}", options.model.model, sampling.width, sampling.height,
                              options.model.machine),

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "host/flat/combine.h"
+#include "host/flat/hull.h"
 #include "host/flat/made.h"
 #include "host/flat/place.h"
 #include "tests/unit/flat/support.h"
@@ -74,6 +75,15 @@ TEST_CASE("a convex area is one part, corner by corner") {
     CHECK(parts[0].size() == area.outlines[0].size());
     CHECK(std::ranges::is_permutation(parts[0], area.outlines[0]));
   }
+}
+
+TEST_CASE("coordinates that are hardly numbers are 0 in a part") {
+  const Area area{{{{1e-320, 0}, {3, -1e-320}, {3, 2}, {1, 2}, {1, 1}, {0, 1}}}};
+  double sum = 0;
+  for (const Outline& part : flat::convex_parts(area)) sum += flat::signed_area(part);
+  CHECK(sum == doctest::Approx(5).epsilon(1e-12));
+  const Area around = flat::hull(std::vector<Area>{area});
+  CHECK(around.outlines[0].size() == 5);
 }
 
 TEST_CASE("an area without outlines or without size has no parts") {

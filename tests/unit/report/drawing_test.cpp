@@ -19,7 +19,7 @@ using namespace csgsim;
 
 namespace {
 
-const std::string model =
+const std::string bitten_cube =
     "difference() { cube(size = [8, 8, 8], center = true); multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], "
     "[0, 0, 0, 1]]) { sphere($fn = 8, $fa = 12, $fs = 2, r = 4); } }";
 
@@ -30,7 +30,7 @@ testing::Compiled compiled(const std::string& machine = {}) {
   setup.sampling.width = 40;
   setup.sampling.height = 30;
   setup.machine = machine;
-  return testing::compile_text(model, setup);
+  return testing::compile_text(bitten_cube, setup);
 }
 
 /// The states of pixels at each step.

@@ -101,6 +101,25 @@ TEST_CASE("points in one plane, on a line, at one place and none have an empty h
   }
 }
 
+TEST_CASE("coordinates that are hardly numbers are 0 in a hull") {
+  for (const double tiny : {1e-320, -1e-320, 0x1p-1074, -0x1p-600, -0.0}) {
+    CAPTURE(tiny);
+    std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> plain;
+    for (int i = 0; i < 27; ++i) {
+      const glm::dvec3 point(i % 3, i / 3 % 3, i / 9);
+      plain.push_back(point);
+      for (const double off : {tiny, 0.0}) points.push_back(point * 0.25 + glm::dvec3(off, 0, off));
+    }
+    for (glm::dvec3& point : plain) point *= 0.25;
+    const Mesh found = hull(points);
+    CHECK(found.faces.size() == 12);
+    CHECK(testing::volume_of(found.points, found.faces) == 0.125);
+    CHECK(hull_piece(points)->faces.size() == 6);
+    CHECK(found.faces.size() == hull(plain).faces.size());
+  }
+}
+
 TEST_CASE("a hull that is thinner than rounding is empty as a piece") {
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 8; ++i) points.emplace_back(i % 2, i / 2 % 2, i / 4 * 1e-14);

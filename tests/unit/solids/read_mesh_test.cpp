@@ -57,10 +57,10 @@ std::string stl_error(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a solid is the same from every format that OpenSCAD writes") {
+TEST_CASE("a solid is the same from every format") {
   // A block of 4 by 3 by 2 without a corner of 2.5 by 1.75.
   constexpr double volume = 2 * (4 * 3 - 2.5 * 1.75);
-  for (const char* name : {"corner.off", "corner.stl", "corner.amf", "corner_zipped.amf", "corner.3mf"}) {
+  for (const char* name : {"corner.off", "corner.obj", "corner.stl", "corner.amf", "corner_zipped.amf", "corner.3mf"}) {
     CAPTURE(name);
     const auto meshes = solids::read_meshes(model_file(name));
     REQUIRE(meshes.size() == 1);
@@ -140,6 +140,34 @@ TEST_CASE("what is wrong with an OFF file is said, with its place") {
         "m.off:3:5: a coordinate has to be a finite number, and is the end of the file; correct it");
 }
 
+TEST_CASE("corners of an OBJ file are counted from either end, and its looks are passed over") {
+  const Mesh mesh = solids::parse_obj(
+      "# a tetrahedron\nmtllib a.mtl\no one\nv 0 0 0 1\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 0 1 0\nusemtl red\ns off\n"
+      "f 3/1/1 2//1 1\nv 0 0 1 0.5 0.5 0.5\nf -4 2 \\\n4\nf 2/1 3/1 4/1\r\nf 3 1 -1 # the last",
+      "m.obj");
+  CHECK(mesh.points.size() == 4);
+  CHECK(mesh.points[3] == glm::dvec3(0, 0, 1));
+  CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+}
+
+TEST_CASE("what is wrong with an OBJ file is said, with its place") {
+  const auto error = [](const std::string& text) { return error_of([&] { solids::parse_obj(text, "m.obj"); }); };
+  CHECK(error("v 0 0\n") == "m.obj:1:5: a point has three coordinates; complete it");
+  CHECK(error("v 0 zero 0\n") == "m.obj:1:5: a coordinate has to be a finite number, and is 'zero'; correct it");
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  CHECK(error(points + "f 1 2\n") == "m.obj:4:5: a face needs at least 3 corners; take it out or complete it");
+  for (const char* corner : {"0", "4", "-4", "/1", "1.5", "99999999999999999999"}) {
+    CAPTURE(corner);
+    CHECK(error(points + "f 1 2 " + corner + "\n") ==
+          "m.obj:4:7: a corner has to be one of the 3 points before it, counted from 1 or back from -1; correct it");
+  }
+  CHECK(
+      error(points + "curv 0 1 1 2\n") ==
+      "m.obj:4:1: points, faces and what they look like are read of an OBJ file, and this is something else; export it "
+      "as a mesh of flat faces");
+  CHECK(error("").empty());
+}
+
 TEST_CASE("what is wrong with an AMF file is said, with its place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_amf(text, "m.amf"); }); };
   CHECK(error("<stl/>") == "m.amf:1:1: there is no <amf>; correct it");
@@ -169,7 +197,7 @@ TEST_CASE("damaged packages are refused") {
 }
 
 TEST_CASE("other kinds of files, and none, are refused") {
-  CHECK(error_of([] { solids::parse_meshes("", "m.obj"); }) ==
-        "m.obj: meshes are read from .stl, .off, .amf and .3mf files; convert it");
+  CHECK(error_of([] { solids::parse_meshes("", "m.ply"); }) ==
+        "m.ply: meshes are read from .stl, .off, .obj, .amf and .3mf files; convert it");
   CHECK(error_of([] { solids::read_meshes("there/is/none.stl"); }).starts_with("there/is/none.stl: cannot be read"));
 }
