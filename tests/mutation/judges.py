@@ -1,5 +1,6 @@
 """The tests that judge mutants: what to build, what to run, and how long it usually takes."""
 
+import concurrent.futures
 import json
 import os
 import re
@@ -8,6 +9,7 @@ import signal
 import subprocess
 import time
 from dataclasses import dataclass
+from pathlib import Path
 
 PICTURES = ["rules", "strategies", "golden", "hard_cases", "agreement"]
 JUDGES_OF = {  # in the order in which they are asked
@@ -63,6 +65,7 @@ JUDGES_OF = {  # in the order in which they are asked
 BY_CASE = {  # as ctest runs them, mostly a process a test case: SystemC elaborates once
     "pixel_planes", "pixel_square", "pixel_square_modules", "scan_line", "scan_line_array", "cycle", "elaboration", "kinds",
     "multi_processor", "multi_processor_kind", "waves", "debug", "long_work", "checkpoint", "picture_faults", "cli", "corpus"}
+BY_FILE = {"cli"}  # takes minutes, and has a file of tests for most files that it judges
 TOO_SLOW = ["*half a million facets*", "*turned by a hair*"]
 LEFT_OUT = {"hard_cases": ["--source-file-exclude=*hard_cases_many*"]}  # trees of 10,000 nodes take minutes
 LOCKSTEP_PROGRAMS = {"lockstep_functional": 6, "lockstep_cycle": 6}  # which word of the command says how many Programs
@@ -152,17 +155,32 @@ class Judges:
                 environment = {"RC_PARAMS": f"{RANDOM} max_success=30"}
             yield command, environment | environment_of(test)
 
-    def ask(self, judge):
-        """The judge's verdict on the sources as they are."""
+    def ask(self, judge, about=""):
+        """The judge's verdict on the sources as they are; the tests whose file is named like `about` are asked first."""
         made = self.make(judge)
         if made.result != "passed":
             return made
         end = time.monotonic() + max(LEAST_TIME_LIMIT, PATIENCE * self.usual.get(judge, 60.0))
-        for command, environment in self.commands_of(judge):
-            outcome = run(command, max(1.0, end - time.monotonic()), self.build, environment, MEMORY)
+
+        def outcome_of(command, environment):
+            return run(command, max(1.0, end - time.monotonic()), self.build, environment, MEMORY)
+
+        if about and judge in BY_FILE:
+            outcome = outcome_of(*self.command_about(judge, about))
             if outcome.result != "passed":
                 return outcome
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            running = [pool.submit(outcome_of, *command) for command in self.commands_of(judge)]
+            for done in concurrent.futures.as_completed(running):
+                if done.result().result != "passed":
+                    pool.shutdown(wait=False, cancel_futures=True)
+                    return done.result()
         return Outcome("passed")
+
+    def command_about(self, judge, file):
+        """Those tests of a judge in whose file's name a word of another's stands."""
+        words = ",".join(f"*{word}*" for word in Path(file).stem.split("_") if len(word) > 2)
+        return [str(self.build / target_of(judge)), "--abort-after=1", f"--source-file={words}"], {"RC_PARAMS": RANDOM}
 
     def measure(self, judges):
         """Makes sure that every judge passes the sources as they are, and notes how long it takes."""

@@ -50,7 +50,7 @@ def judge(judges, room, asked, mutant, build):
     """(result, by whom) of a mutant."""
     with Restored(build, mutant):
         for name in asked or JUDGES_OF[room]:
-            outcome = judges.ask(name)
+            outcome = judges.ask(name, mutant.file)
             if outcome.result != "passed":
                 return outcome.result, name
     return "survived", ""

@@ -112,7 +112,7 @@ TEST_CASE("coordinates that are hardly numbers are 0 in a hull") {
       for (const double off : {tiny, 0.0}) points.push_back(point * 0.25 + glm::dvec3(off, 0, off));
     }
     for (glm::dvec3& point : plain) point *= 0.25;
-    const Mesh found = hull(points);
+    const solids::Mesh found = hull(points);
     CHECK(found.faces.size() == 12);
     CHECK(testing::volume_of(found.points, found.faces) == 0.125);
     CHECK(hull_piece(points)->faces.size() == 6);
