@@ -121,7 +121,7 @@ class Judges:
     def configure(self):
         if not (self.build / "build.ninja").exists():
             subprocess.run(["cmake", "-S", self.root, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=",
-                            "-DCMAKE_CXX_FLAGS=-O1"], check=True)
+                            "-DCMAKE_CXX_FLAGS=-O1", "-DCSGSIM_PRECOMPILE=ON", "-DCSGSIM_BATCH_TESTS=ON"], check=True)
 
     def make(self, judge):
         """Builds what the judge runs."""

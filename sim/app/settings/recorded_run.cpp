@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr InputKind stats_input{"name a stats file, .json", std::size_t{256} << 20U, "that is no stats file"};
 
 /// Commands that write stats.
-constexpr auto commands = std::to_array<std::string_view>({"render", "run"});
+constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "run"});
 
 /// Options without effect on picture and counts, beside names of what is written.
 constexpr auto without_effect =
@@ -175,7 +175,7 @@ RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
 std::string command_of(const RecordedRun& run) {
   const Json& words = member(run, run.configuration, "command");
   std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
-  if (std::ranges::find(commands, name) == commands.end()) {
+  if (std::ranges::find(recorded_commands, name) == recorded_commands.end()) {
     throw InputError(fmt::format("{}: it is of 'csgsim {}'; only stats of render and run can be run again", run.file,
                                  printable(name)));
   }
