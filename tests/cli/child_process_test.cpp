@@ -22,14 +22,6 @@ namespace {
 
 const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
 
-/// A program of that name in the folder that does what the shell commands say.
-void stand_in(const Folder& folder, const std::string& name, const std::string& commands) {
-  write(folder / name, "#!/bin/sh\n" + commands + "\n");
-  fs::permissions(folder / name, fs::perms::owner_all);
-}
-
-std::string path_with(const Folder& folder) { return "PATH=" + folder.path().string() + ":/usr/bin:/bin"; }
-
 /// Draws source by that stand-in for OpenSCAD. Ends by itself within some seconds, or with code 124.
 Outcome draw_source(const std::string& commands, const std::vector<std::string>& more = {}) {
   const Folder folder;

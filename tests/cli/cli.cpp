@@ -55,6 +55,19 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
 }
 
+void stand_in(const Folder& folder, const std::string& name, const std::string& commands) {
+  write(folder / name, "#!/bin/sh\n" + commands + "\n");
+  fs::permissions(folder / name, fs::perms::owner_all);
+}
+
+std::string path_with(const Folder& folder) { return "PATH=" + folder.path().string() + ":/usr/bin:/bin"; }
+
+Outcome run_beside(const Folder& folder, const std::vector<std::string>& words) {
+  std::vector<std::string> all{path_with(folder), std::string(CSGSIM_BINARY_DIR) + "/csgsim"};
+  all.insert(all.end(), words.begin(), words.end());
+  return run_program("env", all, folder.path());
+}
+
 std::string model(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/tests/models/" + name + ".csg"; }
 
 nlohmann::json json(const std::string& path) { return nlohmann::json::parse(std::ifstream(path)); }

@@ -49,6 +49,12 @@ Outcome run(const std::string& words);
 Outcome run_words(const std::vector<std::string>& words, const fs::path& where = ".");
 /// The same with another program than csgsim, found as the shell would find it.
 Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& where = ".");
+/// A program of that name in the folder, which does what the shell commands say.
+void stand_in(const Folder& folder, const std::string& name, const std::string& commands);
+/// Runs csgsim in the folder, whose programs stand for those of their names.
+Outcome run_beside(const Folder& folder, const std::vector<std::string>& words);
+/// `PATH=...` for env: the folder's programs come before all others.
+std::string path_with(const Folder& folder);
 std::string model(const std::string& name);
 nlohmann::json json(const std::string& path);
 bool one_line(const std::string& text);

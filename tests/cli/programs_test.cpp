@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/cli/cli.h"
 #include "hw/isa/binary.h"
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
 #include "places.h"
+#include "tests/cli/cli.h"
 #include "tests/support/bare_text.h"
 
 using namespace csgsim;

@@ -164,12 +164,13 @@ TEST_CASE("a file that has changed since is noticed before anything is run or wr
 
 TEST_CASE("a change in a file that OpenSCAD's source includes is noticed") {
   const Folder folder;
+  stand_in(folder, "openscad", "cat part.scad");
   write(folder / "m.scad", "include <part.scad>\n");
-  write(folder / "part.scad", "cube(9);\n");
-  REQUIRE(run_words({"render", "m.scad", "--size", "16x16", "--stats", "a.json"}, folder.path()).code == 0);
-  CHECK(run_words({"rerun", "a.json"}, folder.path()).code == 0);
-  write(folder / "part.scad", "cube(8);\n");
-  refused(run_words({"rerun", "a.json", "-o", "b.png"}, folder.path()),
+  write(folder / "part.scad", "cube(size = [9, 9, 9]);\n");
+  REQUIRE(run_beside(folder, {"render", "m.scad", "--size", "16x16", "--stats", "a.json"}).code == 0);
+  CHECK(run_beside(folder, {"rerun", "a.json"}).code == 0);
+  write(folder / "part.scad", "cube(size = [8, 8, 8]);\n");
+  refused(run_beside(folder, {"rerun", "a.json", "-o", "b.png"}),
           "a.json: m.scad, or a file that it takes in, has changed; --anyway goes on");
   CHECK(!fs::exists(folder / "b.png"));
 }

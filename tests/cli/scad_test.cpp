@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -14,15 +13,11 @@ namespace {
 /// Draws source with a program on the PATH that does for `openscad` what the shell commands say.
 Outcome draw_source(const std::string& commands, const std::vector<std::string>& words = {"render", "part.scad"}) {
   const Folder folder;
-  write(folder / "openscad", "#!/bin/sh\n" + commands);
-  fs::permissions(folder / "openscad", fs::perms::owner_all);
+  stand_in(folder, "openscad", commands);
   write(folder / "part.scad", "// whatever\n");
-  const std::string path = "PATH=" + folder.path().string() + ":/usr/bin:/bin";
-  const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
-  std::vector<std::string> all = {path, program};
-  all.insert(all.end(), words.begin(), words.end());
+  std::vector<std::string> all = words;
   all.insert(all.end(), {"--size", "16x16"});
-  return run_program("/usr/bin/env", all, folder.path());
+  return run_beside(folder, all);
 }
 
 }  // namespace
