@@ -2,29 +2,34 @@
 """Runs csgsim itself on mutations of files of every kind, and tells what it should not have done.
 
     mutate_files.py CSGSIM [--minutes M | --cases N] [--seed S] [--jobs J] [--kinds a,b] [--limit SECONDS] [--out FOLDER]
+                           [--server build/release/libcsgsim_fork_server.so]
     mutate_files.py CSGSIM --again FINDING
 
 A case is a folder with what a command reads, in which one file has been changed. What is looked for: an end by a signal,
 an exit code other than 0, 1 and 2, more than --limit seconds of a processor, or without any, a failure without a word, a
 message that asks to report it, and files written that the command line does not name. Each finding is the folder of its
 case, with its `command` and what it said, in FOLDER; --again runs one once more. The exit code is 1 if there are any.
+With --server (fork_server.cpp) csgsim is started once a job and forked for each case.
 """
 
 import argparse
 import collections
 import concurrent.futures
 import dataclasses
+import fcntl
 import io
 import os
 import pathlib
 import random
 import re
 import resource
+import select
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import zipfile
 import zlib
@@ -198,6 +203,11 @@ def of_sources() -> list[Sample]:
     return all_samples
 
 
+def seldom_plotted(words: list[str]) -> list[list[str]]:
+    """Commands with plots, which take seconds, and more often without."""
+    return [words, *[[*words, "--no-plots"]] * 7]
+
+
 def of_runs(csgsim: str) -> list[Sample]:
     """Those whose files csgsim writes."""
     samples = []
@@ -241,7 +251,8 @@ def of_runs(csgsim: str) -> list[Sample]:
             run(*words, "-o", "out", "--no-plots")
             table = f"out/{study}.csv"
             beside = files("m.csg", "n.csg", table)
-            samples.append(Sample("table", beside, table, [words + ["-o", "out"]], ("out/",)))
+            again = words + ["-o", "out"]
+            samples.append(Sample("table", beside, table, seldom_plotted(again), ("out/",)))
             if study == "advise":
                 continue
             shutil.rmtree(out)
@@ -250,7 +261,8 @@ def of_runs(csgsim: str) -> list[Sample]:
             shards = [str(path.relative_to(folder)) for path in sorted(out.glob("shards/*.csv"))]
             for changed in shards:
                 samples.append(Sample("shard", files("m.csg", "n.csg", *shards), changed,
-                                      [["gather", "out"], ["gather", "out", "--missing"], ["gather", "out", "--no-plots", "--report", "p.html"]],
+                                      [*seldom_plotted(["gather", "out"]), ["gather", "out", "--missing"],
+                                       ["gather", "out", "--no-plots", "--report", "p.html"]],
                                       ("out/", "p.html")))
     return samples
 
@@ -279,34 +291,101 @@ def worked(pid: int) -> float:
     return sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
 
 
-def wait_for(child: subprocess.Popen, limit: float) -> int | None:
-    """Its exit code; none if it works for longer than the limit, or stands still for as long. Others that use the
-    machine do not count."""
+def wait_for(pid: int, ended, limit: float) -> int | None:
+    """What ended(seconds) says, once it says something; none if the process works for longer than the limit, or stands
+    still for as long. Others that use the machine do not count."""
     last, since = 0.0, time.monotonic()
     while True:
-        try:
-            return child.wait(min(limit, 0.5) if last else limit)
-        except subprocess.TimeoutExpired:
-            now = worked(child.pid)
-            if now > last + 0.05:
-                last, since = now, time.monotonic()
-            if now > limit or time.monotonic() - since > limit:
+        code = ended(min(limit, 0.5) if last else limit)
+        if code is not None:
+            return code
+        now = worked(pid)
+        if now > last + 0.05:
+            last, since = now, time.monotonic()
+        if now > limit or time.monotonic() - since > limit:
+            return None
+
+
+def kill_group(pid: int):
+    """What the process has started, too."""
+    try:
+        os.killpg(pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+
+
+class Starter:
+    """Starts csgsim anew for each case."""
+
+    def __init__(self, csgsim: str):
+        self.csgsim = csgsim
+
+    def code_of(self, words: list[str], folder: pathlib.Path, err: pathlib.Path, limit: float) -> int | None:
+        with open(err, "wb") as file:
+            child = subprocess.Popen([self.csgsim, *words], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                     stderr=file, preexec_fn=limits, start_new_session=True)
+
+        def ended(seconds: float) -> int | None:
+            try:
+                return child.wait(seconds)
+            except subprocess.TimeoutExpired:
                 return None
 
-
-def run_limited(words: list[str], folder: pathlib.Path, limit: float) -> Ended:
-    begin = time.monotonic()
-    with open(folder.parent / "err", "wb") as err:
-        child = subprocess.Popen(words, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err,
-                                 preexec_fn=limits, start_new_session=True)
-        code = wait_for(child, limit)
-        try:
-            os.killpg(child.pid, signal.SIGKILL)  # what it has started, too
-        except ProcessLookupError:
-            pass
+        code = wait_for(child.pid, ended, limit)
+        kill_group(child.pid)
         child.wait()
-    with open(folder.parent / "err", "rb") as err_file:
-        text = err_file.read(20_000).decode(errors="replace")
+        return code
+
+
+class Server:
+    """One csgsim that forks for each case."""
+
+    def __init__(self, csgsim: str, library: str):
+        requests, self.asked = os.pipe()
+        self.answers, answering = os.pipe()
+
+        def connect():
+            # Beyond 4 first, so that neither is in the other's way.
+            copies = os.dup(requests), os.dup(answering)
+            copies = tuple(fcntl.fcntl(one, fcntl.F_DUPFD, 10) for one in copies)
+            os.dup2(copies[0], 3)
+            os.dup2(copies[1], 4)
+            os.closerange(5, 100)
+
+        subprocess.Popen([csgsim], env={**os.environ, "LD_PRELOAD": str(pathlib.Path(library).resolve())}, stdin=subprocess.DEVNULL,
+                         preexec_fn=connect, close_fds=False)
+        os.close(requests)
+        os.close(answering)
+        self.csgsim = csgsim
+
+    def answer(self) -> int:
+        text = os.read(self.answers, 4)
+        if len(text) != 4:
+            sys.exit("mutate_files.py: the server has ended")
+        return int.from_bytes(text, sys.byteorder, signed=True)
+
+    def code_of(self, words: list[str], folder: pathlib.Path, err: pathlib.Path, limit: float) -> int | None:
+        text = b"".join(os.fsencode(word) + b"\0" for word in [folder, err, self.csgsim, *words])
+        os.write(self.asked, len(text).to_bytes(4, sys.byteorder) + text)
+        pid = self.answer()
+
+        def ended(seconds: float) -> int | None:
+            ready, _, _ = select.select([self.answers], [], [], seconds)
+            return os.waitstatus_to_exitcode(self.answer()) if ready else None
+
+        code = wait_for(pid, ended, limit)
+        kill_group(pid)
+        if code is None:
+            self.answer()
+        return code
+
+
+def run_limited(starter: Starter | Server, words: list[str], folder: pathlib.Path, limit: float) -> Ended:
+    begin = time.monotonic()
+    err = folder.parent / "err"
+    code = starter.code_of(words, folder, err, limit)
+    with open(err, "rb") as file:
+        text = file.read(20_000).decode(errors="replace")
     return Ended(code, text, time.monotonic() - begin)
 
 
@@ -363,6 +442,13 @@ class Search:
         self.kinds = sorted(self.by_kind)
         self.out = pathlib.Path(arguments.out)
         self.csgsim = str(pathlib.Path(arguments.csgsim).resolve())
+        self.of_thread = threading.local()
+
+    def starter(self) -> Starter | Server:
+        if not hasattr(self.of_thread, "starter"):
+            library = self.arguments.server
+            self.of_thread.starter = Server(self.csgsim, library) if library else Starter(self.csgsim)
+        return self.of_thread.starter
 
     def case(self, number: int) -> tuple[str, str, Ended, list[str]]:
         """Runs the case of that number; says its kind and what is wrong with it."""
@@ -377,7 +463,7 @@ class Search:
             folder.mkdir()
             write_case(sample, folder, files)
             before = state_of(folder)
-            ended = run_limited([self.csgsim, *command], folder, self.arguments.limit)
+            ended = run_limited(self.starter(), command, folder, self.arguments.limit)
             wrong = faults_of(ended, before, state_of(folder), sample)
             if wrong:
                 self.keep(number, sample, files, command, wrong, ended)
@@ -395,6 +481,7 @@ class Search:
         cases = collections.Counter()
         wrong_ones: dict[tuple[str, str, str], list[int]] = collections.defaultdict(list)
         slowest: dict[str, float] = collections.defaultdict(float)
+        seconds: dict[str, float] = collections.defaultdict(float)
 
         def goes_on(number: int) -> bool:
             if self.arguments.cases:
@@ -413,6 +500,7 @@ class Search:
                 for one in done:
                     kind, wrong, ended, _ = one.result()
                     cases[kind] += 1
+                    seconds[kind] += ended.seconds
                     slowest[kind] = max(slowest[kind], ended.seconds)
                     if wrong:
                         said = re.sub(r"\d+|'.*?'", "#", ended.err.strip().split("\n")[-1])[:100]
@@ -423,9 +511,9 @@ class Search:
                     next_told += 60
                     print(f"{cases.total()} cases, {cases.total() / minutes:.0f} a minute, {sum(map(len, wrong_ones.values()))} findings", flush=True)
         minutes = (time.monotonic() - begin) / 60
-        print(f"\n{'kind':<14}{'cases':>8}{'slowest, s':>12}")
+        print(f"\n{'kind':<14}{'cases':>8}{'mean, s':>12}{'slowest, s':>12}")
         for kind in self.kinds:
-            print(f"{kind:<14}{cases[kind]:>8}{slowest[kind]:>12.1f}")
+            print(f"{kind:<14}{cases[kind]:>8}{seconds[kind] / max(cases[kind], 1):>12.3f}{slowest[kind]:>12.1f}")
         print(f"\n{cases.total()} cases in {minutes:.1f} minutes, {cases.total() / max(minutes, 1e-9):.0f} a minute; seed {self.arguments.seed}, "
               f"the next is --first {number}")
         for (kind, wrong, said), numbers in sorted(wrong_ones.items()):
@@ -438,7 +526,7 @@ def run_again(csgsim: str, finding: pathlib.Path, limit: float) -> int:
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name) / "case"
         shutil.copytree(finding, folder)
-        ended = run_limited([str(pathlib.Path(csgsim).resolve()), *command], folder, limit)
+        ended = run_limited(Starter(str(pathlib.Path(csgsim).resolve())), command, folder, limit)
     print(f"csgsim {' '.join(command)}: exit {ended.code}, {ended.seconds:.1f} s\n{ended.err}")
     return 0 if ended.code in (0, 1, 2) else 1
 
@@ -454,6 +542,7 @@ def main() -> int:
     parser.add_argument("--kinds", default="", help="list; all if not given")
     parser.add_argument("--limit", type=float, default=20, help="seconds for a case")
     parser.add_argument("--out", default="findings")
+    parser.add_argument("--server", help="the library that forks csgsim")
     parser.add_argument("--again", help="the folder of a finding")
     arguments = parser.parse_args()
     if arguments.again:
