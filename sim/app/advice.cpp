@@ -31,7 +31,7 @@ struct TriedSetting {
 constexpr const char* same_picture = "the same picture";
 constexpr const char* other_picture = "another picture: csgsim accuracy tells how many pixels become wrong";
 
-constexpr auto settings = std::to_array<TriedSetting>({
+constexpr auto tried_settings = std::to_array<TriedSetting>({
     {[](ModelOptions& options) -> std::optional<std::string> {
        if (options.strategy == "auto") return std::nullopt;
        options.strategy = "auto";
@@ -95,7 +95,7 @@ std::optional<std::uint64_t> interval_with(const ModelOptions& options, const Co
 std::vector<sim::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
                                      const machines::Machine& machine, const sim::RunResult& result) {
   std::vector<sim::Knob> knobs;
-  for (const TriedSetting& setting : settings) {
+  for (const TriedSetting& setting : tried_settings) {
     ModelOptions turned = options;
     const std::optional<std::string> option = setting.turn(turned);
     if (!option) continue;

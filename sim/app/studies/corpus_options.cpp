@@ -9,12 +9,12 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/app/manual/subjects.h"
 #include "sim/app/options.h"
 #include "sim/app/paths.h"
 #include "sim/app/read_by.h"
 #include "sim/app/run_options.h"
 #include "sim/app/studies/shard_run.h"
+#include "sim/app/studies/subjects.h"
 #include "sim/app/subject.h"
 #include "sim/app/version.h"
 #include "sim/study/ranges.h"

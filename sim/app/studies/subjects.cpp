@@ -1,4 +1,4 @@
-#include "sim/app/manual/subjects.h"
+#include "sim/app/studies/subjects.h"
 
 #include <fmt/format.h>
 
