@@ -15,9 +15,7 @@ Area hull(std::span<const Area> areas) {
   std::vector<Point> points;
   for (const Area& area : areas) {
     for (const Outline& outline : area.outlines) {
-      for (const glm::dvec2& corner : outline) {
-        points.emplace_back(model::exact_coordinate(corner.x), model::exact_coordinate(corner.y));
-      }
+      for (const glm::dvec2& corner : outline) points.push_back(model::exact_point<Point>(corner.x, corner.y));
     }
   }
   std::vector<Point> around;

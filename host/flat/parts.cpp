@@ -39,16 +39,12 @@ using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
 using FaceHandle = Triangulation::Face_handle;
 using VertexHandle = Triangulation::Vertex_handle;
 
-Point exact_point(const glm::dvec2& point) {
-  return {model::exact_coordinate(point.x), model::exact_coordinate(point.y)};
-}
-
 void insert(Triangulation& triangulation, const Outline& outline) {
   std::vector<VertexHandle> corners;
   corners.reserve(outline.size());
   FaceHandle near;
   for (const glm::dvec2& corner : outline) {
-    corners.push_back(triangulation.insert(exact_point(corner), near));
+    corners.push_back(triangulation.insert(model::exact_point<Point>(corner.x, corner.y), near));
     near = corners.back()->face();
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {

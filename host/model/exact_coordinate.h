@@ -10,4 +10,10 @@ constexpr double exact_coordinate(double coordinate) {
   return coordinate < least_exact_coordinate && coordinate > -least_exact_coordinate ? 0.0 : coordinate;
 }
 
+/// CGAL's point of two or three coordinates.
+template <typename Point, typename... Coordinates>
+Point exact_point(Coordinates... coordinates) {
+  return Point(exact_coordinate(coordinates)...);
+}
+
 }  // namespace csgsim::model

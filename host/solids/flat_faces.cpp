@@ -30,7 +30,7 @@ std::vector<FlatPoint> projection(const Mesh& mesh, const Face& face, const glm:
   points.reserve(face.size());
   for (const std::uint32_t corner : face) {
     const glm::dvec3& point = mesh.points[corner];
-    points.emplace_back(model::exact_coordinate(point[u]), model::exact_coordinate(point[v]));
+    points.push_back(model::exact_point<FlatPoint>(point[u], point[v]));
   }
   return points;
 }

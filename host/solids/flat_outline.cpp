@@ -162,9 +162,7 @@ class OutlineSweep {
 
 int turn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  const auto exact = [](const SeenPoint& point) {
-    return Point(model::exact_coordinate(point.s), model::exact_coordinate(point.t));
-  };
+  const auto exact = [](const SeenPoint& point) { return model::exact_point<Point>(point.s, point.t); };
   return CGAL::orientation(exact(a), exact(b), exact(c));
 }
 

@@ -27,11 +27,6 @@ using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 using Triple = CGAL::Point_triple<Kernel>;
 
-Point exact_point(const glm::dvec3& point) {
-  using model::exact_coordinate;
-  return {exact_coordinate(point.x), exact_coordinate(point.y), exact_coordinate(point.z)};
-}
-
 glm::dvec3 at(const Point& point) { return {point.x(), point.y(), point.z()}; }
 
 /// Whether a point is in front of the plane of three others.
@@ -83,7 +78,7 @@ Mesh hull(std::span<const glm::dvec3> points, const Work& work) {
   work.charge(hull_steps * points.size(), "finding a convex hull");
   std::vector<Point> given;
   given.reserve(points.size());
-  for (const glm::dvec3& point : points) given.push_back(exact_point(point));
+  for (const glm::dvec3& point : points) given.push_back(model::exact_point<Point>(point.x, point.y, point.z));
   if (!have_volume(given)) return {};
   Surface surface;
   CGAL::convex_hull_3(given.begin(), given.end(), surface, Traits());

@@ -21,12 +21,9 @@ using Loop = std::vector<std::uint32_t>;
 
 bool are_in_one_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-  using model::exact_coordinate;
   const auto found = sign_of_determinant({{{b, a}, {c, a}, {d, a}}});
   if (found) return *found == 0;
-  const auto exact = [](const glm::dvec3& point) {
-    return Point(exact_coordinate(point.x), exact_coordinate(point.y), exact_coordinate(point.z));
-  };
+  const auto exact = [](const glm::dvec3& point) { return model::exact_point<Point>(point.x, point.y, point.z); };
   return CGAL::coplanar(exact(a), exact(b), exact(c), exact(d));
 }
 

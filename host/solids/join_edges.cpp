@@ -43,9 +43,9 @@ class Nearest {
   std::uint32_t first_near(std::uint32_t point) {
     const Cell at = cell_of(mesh_.points[point]);
     std::uint32_t first = point;
-    for (Cell cell = {at[0] - 1, 0, 0}; cell[0] <= at[0] + 1; ++cell[0]) {
-      for (cell[1] = at[1] - 1; cell[1] <= at[1] + 1; ++cell[1]) {
-        for (cell[2] = at[2] - 1; cell[2] <= at[2] + 1; ++cell[2]) first = std::min(first, first_in(cell, point));
+    for (const double x : beside) {
+      for (const double y : beside) {
+        for (const double z : beside) first = std::min(first, first_in({at[0] + x, at[1] + y, at[2] + z}, point));
       }
     }
     if (first == point) cells_[at].push_back(point);
@@ -53,11 +53,15 @@ class Nearest {
   }
 
  private:
-  using Cell = std::array<std::int64_t, 3>;
+  static constexpr std::array<double, 3> beside = {-1, 0, 1};
+
+  /// Whole numbers: what is near is in the same cell or one beside it. From 2^53 on the coordinates lie further apart
+  /// than the tolerance, so that only equal ones are near, and those are in the same cell.
+  using Cell = std::array<double, 3>;
 
   [[nodiscard]] Cell cell_of(const glm::dvec3& point) const {
-    const glm::dvec3 cell = glm::floor(point / tolerance_);
-    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y), static_cast<std::int64_t>(cell.z)};
+    const glm::dvec3 cell = glm::floor(point / (2 * tolerance_));
+    return {cell.x, cell.y, cell.z};
   }
 
   [[nodiscard]] std::uint32_t first_in(const Cell& cell, std::uint32_t point) const {
@@ -130,6 +134,7 @@ class Joining {
 }  // namespace
 
 void join_near_points(Numbered& numbered, double tolerance) {
+  if (tolerance <= 0) return;
   std::set<std::uint32_t> ends;
   for (const auto& [from, to] : unjoined_edges(numbered.mesh)) ends.insert({from, to});
   Nearest nearest(numbered.mesh, tolerance);

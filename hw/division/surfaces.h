@@ -13,8 +13,8 @@ namespace csgsim::division {
 
 /// What may be drawn in a square as one convex solid: a primitive, or several that are joined.
 struct Surface {
-  std::uint32_t first = 0;  ///< the first primitive
-  std::uint32_t count = 1;
+  std::uint32_t first;  ///< the first primitive
+  std::uint32_t count;
   Box box;                     ///< the pixels and depths of the square that the surface can be in
   std::vector<Tested> tested;  ///< the half-spaces of all of them, at the corners of the box's pixels
 

@@ -17,14 +17,14 @@ namespace csgsim::multi_processor {
 struct RecordFormat {
   static constexpr unsigned header = 256;
 
-  unsigned depth = 0;  ///< a depth step or the end of the range
-  unsigned colour = 0;
-  unsigned slope = 0;       ///< A and B, two's complement
-  unsigned constant = 0;    ///< C, two's complement
-  unsigned halfspaces = 0;  ///< the number of a primitive's half-spaces
-  unsigned operands = 0;    ///< the number of an operator's operands
-  unsigned index = 0;       ///< of a primitive
-  unsigned primitives = 0;  ///< the number of those that are left
+  unsigned depth;  ///< a depth step or the end of the range
+  unsigned colour;
+  unsigned slope;       ///< A and B, two's complement
+  unsigned constant;    ///< C, two's complement
+  unsigned halfspaces;  ///< the number of a primitive's half-spaces
+  unsigned operands;    ///< the number of an operator's operands
+  unsigned index;       ///< of a primitive
+  unsigned primitives;  ///< the number of those that are left
 
   [[nodiscard]] unsigned primitive_record() const;
   [[nodiscard]] unsigned node_record() const { return 2 + operands; }
@@ -76,7 +76,7 @@ class RecordReader {
   Record next_ = Record::none;
   division::BitWriter gathered_;
   unsigned wanted_ = 0;  ///< bits of the record at hand that have not come
-  RecordFormat format_;
+  RecordFormat format_{};
   division::DisplayModel model_;
   division::Candidates left_;
   std::uint64_t primitives_ = 0;  ///< of the frame

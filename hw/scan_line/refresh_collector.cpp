@@ -22,7 +22,6 @@ void RefreshCollector::begin(const PictureLines& frame) {
   for (std::vector<std::uint32_t>& line : lines_) line.reserve(frame.pixels());
   std::iota(line_of_chain_.begin(), line_of_chain_.end(), std::size_t{0});
   chains_.assign(refresh.size(), {});
-  last_chain_ = 0;
   last_pixel_ = 0;
   missing_lines_ = frame.lines.size();
 }

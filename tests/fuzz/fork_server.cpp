@@ -1,5 +1,6 @@
 // Loaded before csgsim (LD_PRELOAD) by mutate_files.py: in place of main() it serves runs of main(), each in a child
-// that is forked when all libraries are loaded, which takes a tenth of the time of a start.
+// that is forked when all libraries are loaded, which takes a tenth of the time of a start. The server's own limits are
+// those of its children.
 //
 // A run is asked for on descriptor 3: the number of bytes that follow, then words, each ended by 0: the folder, the
 // file for standard error, main's arguments. Answers on descriptor 4: the child's number, and its wait status when it
@@ -7,7 +8,6 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,8 +22,6 @@ using Main = int (*)(int, char**, char**);
 
 constexpr int requests = 3;
 constexpr int answers = 4;
-constexpr rlim_t most_memory = rlim_t{4} << 30U;
-constexpr rlim_t most_file = rlim_t{256} << 20U;
 
 Main csgsims_main = nullptr;
 
@@ -41,11 +39,6 @@ void answer(std::int32_t number) {
   if (::write(answers, &number, sizeof number) != sizeof number) std::_Exit(127);
 }
 
-void limit(__rlimit_resource what, rlim_t most) {
-  const rlimit both{most, most};
-  if (::setrlimit(what, &both) != 0) std::_Exit(127);
-}
-
 void connect(const char* file, int flags, int number) {
   const int opened = ::open(file, flags, 0600);
   if (opened < 0 || ::dup2(opened, number) != number) std::_Exit(127);
@@ -60,9 +53,6 @@ void connect(const char* file, int flags, int number) {
   connect("/dev/null", O_RDONLY, STDIN_FILENO);
   connect("/dev/null", O_WRONLY, STDOUT_FILENO);
   connect(words[1], O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
-  limit(RLIMIT_AS, most_memory);
-  limit(RLIMIT_FSIZE, most_file);
-  limit(RLIMIT_CORE, 0);
   words.push_back(nullptr);
   std::exit(csgsims_main(static_cast<int>(words.size()) - 3, words.data() + 2, environment));
 }

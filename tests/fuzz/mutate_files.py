@@ -2,7 +2,7 @@
 """Runs csgsim itself on mutations of files of every kind, and tells what it should not have done.
 
     mutate_files.py CSGSIM [--minutes M | --cases N] [--seed S] [--jobs J] [--kinds a,b] [--limit SECONDS] [--out FOLDER]
-                           [--server build/release/libcsgsim_fork_server.so]
+                           [--server build/release/tests/fuzz/libcsgsim_fork_server.so]
     mutate_files.py CSGSIM --again FINDING
 
 A case is a folder with what a command reads, in which one file has been changed. What is looked for: an end by a signal,
@@ -351,6 +351,7 @@ class Server:
             os.dup2(copies[0], 3)
             os.dup2(copies[1], 4)
             os.closerange(5, 100)
+            limits()
 
         subprocess.Popen([csgsim], env={**os.environ, "LD_PRELOAD": str(pathlib.Path(library).resolve())}, stdin=subprocess.DEVNULL,
                          preexec_fn=connect, close_fds=False)

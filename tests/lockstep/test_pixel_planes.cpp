@@ -420,6 +420,20 @@ TEST_CASE("between two windows nothing is known") {
   CHECK(dump.text.find("#500000\n") == std::string::npos);
 }
 
+TEST_CASE("a wave is sampled in the middle of each clock") {
+  const sc_core::sc_time period(100, sc_core::SC_NS);
+  csgsim::kernel::WaveRecorder recorder("recorder", period);
+  std::vector<sc_core::sc_time> sampled;
+  const auto tap = csgsim::wave::bit("one", [&sampled] {
+    sampled.push_back(sc_core::sc_time_stamp());
+    return 1;
+  });
+  recorder.arm({"top", {tap}, 100'000, [](std::string_view) {}}, {{2, 4}}, 0, false);
+  sc_core::sc_start(10 * period);
+  CHECK(recorder.finish());
+  CHECK(sampled == std::vector{3.5 * period, 4.5 * period});  // clock 0 begins a period from the start
+}
+
 TEST_CASE("after a jump the wave shows the next instruction when the host has gone on") {
   PixelPlanes machine("machine", machine_8x8());
   Dump dump(machine);

@@ -19,7 +19,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "hw/machines": ["machines", "observe", "golden"],
     "hw/array": ["array", "pixel_planes", "pixel_square", "lockstep_cycle", "lockstep_squares", "lockstep_models"],
     "hw/wave": ["waves", "cycle"],
-    "hw/link": ["cycle", "pixel_square_modules", "scan_line", "pixel_planes"],
+    "hw/link": ["link", "cycle", "pixel_square_modules", "scan_line", "pixel_planes"],
     "hw/pixel_planes": ["machines", "pixel_planes", "lockstep_planes", "lockstep_cycle"],
     "hw/scan_line": ["machines", "scan_line", "scan_line_array", "lockstep_scan_line"],
     "hw/pixel_square": ["machines", "pixel_square_modules", "pixel_square", "lockstep_squares"],
@@ -63,7 +63,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/app/studies": ["cli"],
 }
 BY_CASE = {  # as ctest runs them, mostly a process a test case: SystemC elaborates once
-    "pixel_planes", "pixel_square", "pixel_square_modules", "scan_line", "scan_line_array", "cycle", "elaboration", "kinds",
+    "pixel_planes", "pixel_square", "pixel_square_modules", "scan_line", "scan_line_array", "cycle", "elaboration", "kinds", "link",
     "multi_processor", "multi_processor_kind", "waves", "debug", "long_work", "checkpoint", "picture_faults", "cli", "corpus"}
 BY_FILE = {"cli"}  # takes minutes, and has a file of tests for most files that it judges
 TOO_SLOW = ["*half a million facets*", "*turned by a hair*"]

@@ -175,7 +175,7 @@ def check():
     yosys([f"read_verilog -I. {SOURCES}", "hierarchy -check -top frame_buffer", "proc", "check -assert", "stat"])
     nodes = {1: synthesised("area_node", {}, None)["transistors"], 2: node_of_degree_2(None)["transistors"]}
     expect(f"degree == 1 ? {nodes[1]} : {nodes[2]};", text, TABLE, f"tree nodes take {nodes[1]} and {nodes[2]} transistors")
-    for alu_bits, reads, degree in ((1, 1, 1), (1, 2, 1), (2, 1, 1), (1, 1, 2)):
+    for alu_bits, reads, degree in ((1, 1, 1), (1, 2, 1), (2, 1, 1), (1, 1, 2), (1, 2, 2)):
         now = pixel(alu_bits, reads, degree, None)["transistors"]
         what = f"an ALU of {alu_bits} with {reads} reads and degree {degree} takes {now} transistors"
         expect(f"{{{alu_bits}, {reads}, {degree}, {now}}}", text, TABLE, what)

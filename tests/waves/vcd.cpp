@@ -1,6 +1,7 @@
 #include "tests/waves/vcd.h"
 
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -21,49 +22,109 @@ std::string unescaped(const std::string& text) {
   return result;
 }
 
+/// The sections of a dump, and what stands in them and between them.
+class Sections {
+ public:
+  explicit Sections(std::size_t variables) : variables_(variables) {}
+
+  void keyword(const std::string& word, std::uint64_t time) {
+    if (word == "$end") return close();
+    require(open_.empty(), word + " in " + open_);
+    if (word == "$dumpvars") {
+      require(!has_begun_, "another $dumpvars");
+    } else if (word == "$dumpoff") {
+      require(has_begun_ && !is_off_, "$dumpoff where nothing is dumped");
+      off_since_ = time;
+    } else {
+      require(word == "$dumpon", "the keyword " + word);
+      require(is_off_ && time > off_since_, "$dumpon where nothing was off");
+    }
+    open_ = word;
+  }
+
+  void value(const std::string& code, const std::string& value) {
+    if (open_.empty()) return require(has_begun_ && !is_off_, "a value where nothing is dumped");
+    require(given_.insert(code).second, "two values of a variable in " + open_);
+    require(open_ != "$dumpoff" || value == "x" || value == "-", "a value in $dumpoff");
+  }
+
+ private:
+  static void require(bool holds, const std::string& what) {
+    if (!holds) throw std::runtime_error(what);
+  }
+
+  void close() {
+    require(!open_.empty(), "$end without a section");
+    require(given_.size() == variables_, open_ + " without all variables");
+    has_begun_ = true;
+    is_off_ = open_ == "$dumpoff";
+    open_.clear();
+    given_.clear();
+  }
+
+  std::size_t variables_;
+  std::string open_;             ///< keyword of the section at hand; empty between sections
+  std::set<std::string> given_;  ///< codes in it
+  bool has_begun_ = false;
+  bool is_off_ = false;
+  std::uint64_t off_since_ = 0;
+};
+
 }  // namespace
 
 Vcd::Vcd(std::string_view text) {
   std::istringstream in{std::string(text)};
+  read_header(in);
+  read_changes(in);
+}
+
+void Vcd::read_header(std::istream& in) {
   std::vector<std::string> scopes;
   std::string word;
   const auto skip_to_end = [&] {
-    while (in >> word && word != "$end") continue;
+    while (word != "$end" && in >> word) continue;
   };
   while (in >> word && word != "$enddefinitions") {
     if (word == "$scope") {
       std::string kind;
       in >> kind >> word;
       scopes.push_back(word);
-      skip_to_end();
     } else if (word == "$upscope") {
       scopes.pop_back();
-      skip_to_end();
     } else if (word == "$var") {
       std::string type;
       std::string width;
       std::string code;
       std::string name;
-      in >> type >> width >> code >> name;
+      in >> type >> width >> code >> name >> word;
       std::string full;
       for (const std::string& scope : scopes) full += scope + ".";
-      if (!codes_.emplace(full + name, code).second) throw std::runtime_error("two variables " + full + name);
+      full += name;
+      if (!codes_.emplace(full, code).second) throw std::runtime_error("two variables " + full);
       if (!changes_.emplace(code, Changes{}).second) throw std::runtime_error("two variables of code " + code);
-      skip_to_end();
-    } else {
-      skip_to_end();
+      if (word != "$end" && word != "[" + std::to_string(std::stoul(width) - 1) + ":0]")
+        throw std::runtime_error(full + " of " + width + " bits has the range " + word);
     }
+    skip_to_end();
   }
   skip_to_end();
+}
+
+void Vcd::read_changes(std::istream& in) {
+  Sections sections(changes_.size());
   std::optional<std::uint64_t> now;
-  while (in >> word) {
-    if (word.front() == '$') continue;
+  for (std::string word; in >> word;) {
     if (word.front() == '#') {
       const std::uint64_t time = std::stoull(word.substr(1));
       if (now && time < *now) throw std::runtime_error("the time goes back to " + word);
       if (!now) first_time_ = time;
       now = time;
       last_time_ = time;
+      continue;
+    }
+    if (!now) throw std::runtime_error(word + " before the first time");
+    if (word.front() == '$') {
+      sections.keyword(word, *now);
       continue;
     }
     std::string value = word.substr(1);
@@ -77,7 +138,7 @@ Vcd::Vcd(std::string_view text) {
       code = value;
       value = word.substr(0, 1);
     }
-    if (!now) throw std::runtime_error("a value before the first time");
+    sections.value(code, value);
     changes_.at(code)[*now] = value;
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <istream>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,7 +13,9 @@ namespace csgsim::test {
 /// A value change dump, read by the rules of IEEE 1364-2005, 18.2, with variables of the type `string`.
 class Vcd {
  public:
-  /// Throws std::runtime_error for what it does not know, a time that goes back, and a change of an unknown variable.
+  /// Throws std::runtime_error for what it does not know, a time that goes back, a range of more or fewer bits than the
+  /// variable has, a section ($dumpvars, $dumpoff, $dumpon) without all variables or where it has no business, and a
+  /// change before the first or between $dumpoff and $dumpon; std::out_of_range for a change of an unknown variable.
   explicit Vcd(std::string_view text);
 
   /// Full names, with dots, `top.part.name`.
@@ -30,6 +33,9 @@ class Vcd {
 
  private:
   using Changes = std::map<std::uint64_t, std::string>;
+
+  void read_header(std::istream& in);
+  void read_changes(std::istream& in);
 
   std::map<std::string, std::string> codes_;  ///< of names
   std::map<std::string, Changes> changes_;    ///< of codes

@@ -140,6 +140,7 @@ TEST_CASE("what the probed pixels do alone is what they do in the whole machine"
     REQUIRE(run(words + (folder / "whole.vcd") + " --whole").code == 0);
     CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
     CHECK(content(folder / "probed.vcd").size() > 3000);
+    CHECK_NOTHROW(Vcd(content(folder / "probed.vcd")));
   }
 }
 

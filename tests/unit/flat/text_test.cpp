@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hw/base/error.h"
+#include "places.h"
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
@@ -78,6 +79,14 @@ TEST_CASE("text without ink is empty") {
 
 TEST_CASE("bytes that are not UTF-8 are shown as such") {
   CHECK(flat::area_of(flat::text({.text = "a\xff\xc3z"})) > flat::area_of(flat::text({.text = "az"})));
+}
+
+TEST_CASE("a font that cannot be scaled is named, if it has a name") {
+  const std::string folder = CSGSIM_SOURCE_DIR "/tests/support/fonts/";
+  CHECK_THROWS_WITH_AS(flat::text({.text = "x", .font = ":file=" + folder + "small.bdf"}),
+                       "font Small cannot be scaled", InputError);
+  CHECK_THROWS_WITH_AS(flat::text({.text = "x", .font = ":file=" + folder + "nameless.bdf"}),
+                       "font without a name cannot be scaled", InputError);
 }
 
 TEST_CASE("text that cannot be set is an error") {

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
@@ -68,18 +70,49 @@ TEST_CASE("a pixel takes the transistors of its logic and of its memory, where i
   machine.memory_reads = 2;
   CHECK(*machines::pixel_transistors(machine, 100) == *machines::pixel_transistors(machine, 0) + 5 * 100);
   machine.memory_reads = 1;
-  std::uint64_t narrower = logic;
-  for (const std::uint32_t alu_bits : {2U, 4U, 8U, 16U, 32U}) {
-    machine.alu_bits = alu_bits;
-    const std::uint64_t wider = *machines::pixel_transistors(machine, 0);
-    CHECK(wider > narrower);
-    narrower = wider;
-  }
   machine.alu_bits = 3;
   CHECK(machines::pixel_transistors(machine, 72) == std::nullopt);
   CHECK(machines::pixel_transistors(kinds::load("pixel-square"), 72) == logic + std::uint64_t{3 * 72});
   CHECK(machines::pixel_transistors(kinds::load("scan-line"), 72) == std::nullopt);
   CHECK(machines::pixel_transistors(kinds::load("multi-processor"), 72) == std::nullopt);
+}
+
+TEST_CASE("processor and node of a pixel take the transistors that the page on area tells") {
+  struct Row {
+    std::uint32_t alu_bits;
+    std::uint32_t reads;
+    std::uint32_t degree;
+    std::uint64_t logic;
+  };
+  // docs/area.md, "A pixel, with its memory".
+  const std::vector<Row> rows{{1, 1, 1, 434},  {1, 2, 1, 388},  {2, 1, 1, 670},  {2, 2, 1, 586}, {4, 1, 1, 1158},
+                              {4, 2, 1, 1024}, {8, 1, 1, 2196}, {8, 2, 1, 2056}, {1, 1, 2, 650}, {1, 2, 2, 608}};
+  Machine machine = kinds::load("pixel-planes-4");
+  for (const Row& row : rows) {
+    machine.alu_bits = row.alu_bits;
+    machine.memory_reads = row.reads;
+    machine.evaluator_degree = row.degree;
+    CHECK(machines::pixel_transistors(machine, 0) == row.logic);
+  }
+}
+
+TEST_CASE("a pixel is larger with a wider ALU, and with quadratic expressions") {
+  Machine machine = kinds::load("pixel-planes-4");
+  for (const std::uint32_t reads : {1U, 2U}) {
+    machine.memory_reads = reads;
+    std::array<std::uint64_t, 2> narrower{};
+    for (const std::uint32_t alu_bits : {1U, 2U, 4U, 8U, 16U, 32U}) {
+      machine.alu_bits = alu_bits;
+      machine.evaluator_degree = 1;
+      const std::uint64_t linear = machines::pixel_transistors(machine, 0).value();
+      machine.evaluator_degree = 2;
+      const std::uint64_t quadratic = machines::pixel_transistors(machine, 0).value();
+      CHECK(linear > narrower[0]);
+      CHECK(quadratic > narrower[1]);
+      CHECK(quadratic > linear);
+      narrower = {linear, quadratic};
+    }
+  }
 }
 
 TEST_CASE("quadratic expressions and the flag for roots make a pixel larger, by about what is published") {

@@ -61,6 +61,12 @@ TEST_CASE("what is wrong with a key that is set is told with it") {
   CHECK_FALSE(error_of_set("ambient.intensity.x=2").empty());
 }
 
+TEST_CASE("a key has eight parts at most") {
+  CHECK(error_of_set("a.b.c.d.e.f.g.h=1").find("dots between") == std::string::npos);
+  CHECK_FALSE(error_of_set("a.b.c.d.e.f.g.h=1").empty());
+  CHECK(error_of_set("a.b.c.d.e.f.g.h.i=1").find("dots between") != std::string::npos);
+}
+
 TEST_CASE("a table that is set and not known is told with the key that was set") {
   CHECK_THROWS_AS(set({"effects.smoth.on=true"}), scene::SetError);
   CHECK(error_of_set("effects.smoth.on=true").find("--set effects.smoth.on=true") != std::string::npos);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include "host/solids/limits.h"
 #include "tests/unit/solids/support.h"
@@ -209,6 +211,30 @@ TEST_CASE("a corner far away joins no points of a small solid") {
   testing::append(mesh, box(glm::dvec3(3), glm::dvec3(4)));
   mesh.points.back() = glm::dvec3(4e9, 4, 4);
   CHECK(defect_of(mesh).find("the mesh is open") != std::string::npos);
+}
+
+TEST_CASE("points far off are joined where they are equal, however small the tolerance") {
+  Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
+  mesh.faces.pop_back();
+  for (glm::dvec3& point : mesh.points) point = point * 1e-8 + glm::dvec3(1e12, -1e12, 0);
+  for (const double near : {1e-9, 1e-300, 0.0}) {
+    solids::Numbered numbered = solids::join_points(mesh);
+    const auto points = numbered.mesh.points.size();
+    solids::join_near_points(numbered, near);
+    CHECK(numbered.mesh.points.size() == points);
+  }
+  // Where doubles are further apart than the tolerance, the next one is not near; where they are not, it is.
+  mesh = box(glm::dvec3(1e12, 0, 0), glm::dvec3(1e12 + 1, 1, 1));
+  const std::uint32_t corner = mesh.faces[0][0];
+  mesh.faces[0][0] = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.push_back(mesh.points[corner]);
+  mesh.points.back().x = std::nextafter(mesh.points[corner].x, 2e12);
+  for (const auto& [near, count] : {std::pair(1e-5, 9), std::pair(1e-3, 8)}) {
+    CAPTURE(near);
+    solids::Numbered numbered = solids::join_points(mesh);
+    solids::join_near_points(numbered, near);
+    CHECK(numbered.mesh.points.size() == count);
+  }
 }
 
 TEST_CASE("coordinates of which the squares are beyond doubles are refused") {
