@@ -43,7 +43,7 @@ class Division {
       : mesh_(with_flat_convex_faces(mesh, tolerance_of(mesh, box, limits))),
         limits_(limits),
         neighbours_(find_neighbours(mesh_)),
-        regions_(find_regions(mesh_, neighbours_, tolerance_of(mesh, box, limits))),
+        regions_(find_regions(mesh_, neighbours_, tolerance_of(mesh, box, limits), limits.work)),
         planes_(box.centre(), glm::length(box.high - box.low)),
         near_(2.0 * std::max(regions_.deviation, convex::tolerance(planes_))) {
     for (const facet::Plane& plane : regions_.planes) halfspaces_.push_back(planes_.add(plane));

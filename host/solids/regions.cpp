@@ -4,12 +4,18 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <string_view>
 
 #include "host/solids/flat_faces.h"
 
 namespace csgsim::solids {
 
 namespace {
+
+/// Of a face that is gathered, and of one that is held against its region's plane again.
+constexpr std::uint64_t gather_steps = 40;
+constexpr std::uint64_t settle_steps = 8;
+constexpr std::string_view gathering = "gathering the faces of a plane";
 
 /// What is summed up over faces to fit a plane.
 struct Sums {
@@ -31,8 +37,8 @@ struct Sums {
 
 class Growing {
  public:
-  Growing(const Mesh& mesh, const Neighbours& neighbours, double tolerance)
-      : mesh_(mesh), neighbours_(neighbours), tolerance_(tolerance) {
+  Growing(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work)
+      : mesh_(mesh), neighbours_(neighbours), tolerance_(tolerance), work_(work) {
     regions_.of_face.assign(mesh.faces.size(), none);
     for (const auto& face : mesh.faces) sums_.push_back(sums_of(face));
   }
@@ -78,6 +84,7 @@ class Growing {
     Sums sums = total(members);
     // Those gathered first need not fit what has become of the plane.
     for (bool settled = false; !settled && members.size() > 1; sums = total(members)) {
+      work_.charge(settle_steps * members.size(), gathering);
       const facet::Plane plane = sums.plane();
       settled = std::erase_if(members, [&](std::uint32_t face) {
                   if (off(face, plane) <= tolerance_) return false;
@@ -102,6 +109,7 @@ class Growing {
     regions_.of_face[seed] = region;
     Sums sums = sums_[seed];
     for (std::size_t next = 0; next < members.size(); ++next) {
+      work_.charge(gather_steps, gathering);
       const std::uint32_t face = members[next];
       for (std::uint32_t side = neighbours_.first_side[face]; side < neighbours_.first_side[face + 1]; ++side) {
         const std::uint32_t beyond = neighbours_.face[side];
@@ -123,14 +131,15 @@ class Growing {
   const Mesh& mesh_;
   const Neighbours& neighbours_;
   double tolerance_;
+  const Work& work_;
   std::vector<Sums> sums_;  ///< of each face
   Regions regions_;
 };
 
 }  // namespace
 
-Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance) {
-  return Growing(mesh, neighbours, tolerance)();
+Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work) {
+  return Growing(mesh, neighbours, tolerance, work)();
 }
 
 }  // namespace csgsim::solids

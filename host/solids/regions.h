@@ -5,6 +5,7 @@
 
 #include "host/facet/solid.h"
 #include "host/solids/neighbours.h"
+#include "hw/base/work.h"
 
 namespace csgsim::solids {
 
@@ -18,6 +19,7 @@ struct Regions {
 /// From the largest face down, each gathers the faces beside it, and those beside them, for as long as no corner is
 /// farther than the tolerance, in model units, off the plane of all that it has gathered: the one with the sum of their
 /// area vectors, through the mean of their middles, weighted by area. Faces have to be flat.
-Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance);
+/// Throws WorkError past the limit on work.
+Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work);
 
 }  // namespace csgsim::solids

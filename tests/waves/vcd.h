@@ -15,7 +15,7 @@ class Vcd {
  public:
   /// Throws std::runtime_error for what it does not know, a time that goes back, a range of more or fewer bits than the
   /// variable has, a section ($dumpvars, $dumpoff, $dumpon) without all variables or where it has no business, and a
-  /// change before the first or between $dumpoff and $dumpon; std::out_of_range for a change of an unknown variable.
+  /// change before $dumpvars or between $dumpoff and $dumpon; std::out_of_range for a change of an unknown variable.
   explicit Vcd(std::string_view text);
 
   /// Full names, with dots, `top.part.name`.

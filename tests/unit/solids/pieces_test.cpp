@@ -11,6 +11,7 @@
 #include <string>
 
 #include "host/solids/check.h"
+#include "hw/base/work.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/solids/support.h"
 
@@ -296,4 +297,12 @@ TEST_CASE("more pieces or parts of faces than the limits allow are refused") {
   limits.most_fragments = 100;
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }) ==
         "the solid's faces fall into more than 100 parts; give it fewer faces, or divide it");
+}
+
+TEST_CASE("gathering the faces of planes is work") {
+  const Mesh mesh = testing::load_off("gear");
+  solids::Limits limits;
+  // A step or more for each face.
+  limits.work = Work(mesh.faces.size());
+  CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }).starts_with("gathering the faces of a plane takes"));
 }
