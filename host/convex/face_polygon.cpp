@@ -22,15 +22,12 @@ class Polygon {
   void clip(const facet::Plane& outward, double near) {
     heights_.clear();
     double deepest = 0;
-    double farthest = 0;
     for (const glm::dvec3& corner : corners_) {
       const double height = glm::dot(outward.normal, corner) + outward.offset;
       deepest = std::min(deepest, height);
-      farthest = std::max(farthest, height);
       heights_.push_back(height);
     }
     if (deepest >= -near) corners_.clear();
-    if (corners_.empty() || farthest <= near) return;
     kept_.clear();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       const std::size_t next = i + 1 < corners_.size() ? i + 1 : 0;

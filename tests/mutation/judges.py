@@ -41,7 +41,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "host/csg": ["csg", "emit", *PICTURES, "study"],
     "host/emit": ["emit", *PICTURES, "lockstep_models", "study"],
     "host/effects": ["effects", "scene", "story", "scenes"],
-    "sim/reference": ["reference", "functional_lockstep", "lockstep_functional"],
+    "sim/reference": ["reference", "functional_lockstep", "lockstep_functional", "checkpoint"],
     "sim/functional": ["functional", "functional_lockstep", "lockstep_functional", "threads", "golden"],
     "sim/cycle": ["cycle", "elaboration", "lockstep_cycle", "golden"],
     "sim/waves": ["waves", "cli"],

@@ -169,10 +169,14 @@ TEST_CASE("pieces of glass that overlap, and that the near plane cuts open, are 
                            testing::box_text({-1, -8, 0}, {0, 7, 1}) + " } cube(size = [1, 2, 1], center = false); }";
   const Plate cross{
       {{{-8, -1}, {-1, -1}, {-1, -8}, {1, -8}, {1, -1}, {8, -1}, {8, 2}, {1, 2}, {1, 9}, {-1, 9}, {-1, 2}, {-8, 2}}}};
-  for (const std::optional<double>& near : {std::optional<double>(), std::optional(34.0)}) {
-    CAPTURE(near.value_or(0));
-    testing::Setup setup = look_at_plate(0.7, 30, view::Projection::perspective);
-    setup.sampling.near = near;
+  const testing::Setup whole = look_at_plate(0.7, 30, view::Projection::perspective);
+  testing::Setup cut_open = whole;
+  cut_open.sampling.near = 34.0;
+  testing::Setup from_above = whole;  // all front faces are at one depth
+  from_above.camera = {{0, 0, 34}, {0, 0, 1}, view::Projection::orthographic};
+  for (const testing::Setup& setup : {whole, cut_open, from_above}) {
+    CAPTURE(setup.camera.eye.z);
+    CAPTURE(setup.sampling.near.value_or(0));
     const auto drawn = [&](const std::string& csg) {
       return testing::draw(testing::compile_text(testing::tinted({1, 1, 1}, alpha, csg), setup).program);
     };

@@ -100,6 +100,9 @@ TEST_CASE("simple shapes have as few parts as there can be") {
   CHECK(checked_parts(plus).size() == 3);
   const Area dart = flat::polygon(std::array<glm::dvec2, 4>{{{0, 0}, {10, 0}, {3, 3}, {0, 10}}}, {});
   CHECK(checked_parts(dart).size() == 2);
+  // Three corners are reflex, (3, 5), (4, 2) and (5, 2), and a cut mends two at most.
+  const Area notched{{{{3, 6}, {3, 5}, {1, 4}, {4, 2}, {6, 0}, {6, 1}, {4, 6}, {5, 2}}}};
+  CHECK(checked_parts(notched).size() == 3);
 }
 
 TEST_CASE("areas with holes and islands, and areas that touch, are covered") {
