@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -124,4 +125,19 @@ TEST_CASE("POV-Ray is given the same half-spaces, in boxes, and the same tree") 
   const std::size_t opposite = text.find("plane { <-1, ");
   REQUIRE(opposite != std::string::npos);
   CHECK(text.substr(opposite, text.find('}', opposite) - opposite).ends_with(">, 1 "));
+}
+
+TEST_CASE("a scene for POV-Ray is seen by the same camera: upwards and to the right, as much as 22.5 degrees show") {
+  const model::Tree tree = read::read_csg_text("cube(size = [2, 2, 2], center = true);", "m.csg");
+  const std::string text = bench::povray_scene(tree, facet::make_scene(tree), {.eye = {0, 0, 10}, .centre = {0, 0, 0}});
+  std::array<double, 12> found{};
+  const std::size_t at = text.find("location");
+  REQUIRE(at != std::string::npos);
+  REQUIRE(std::sscanf(text.c_str() + at,
+                      "location <%lf, %lf, %lf> direction <%lf, %lf, %lf> right <%lf, %lf, %lf> up <%lf, %lf, %lf>",
+                      &found[0], &found[1], &found[2], &found[3], &found[4], &found[5], &found[6], &found[7], &found[8],
+                      &found[9], &found[10], &found[11]) == 12);
+  constexpr double side = 3.978247348;  // 2 * 10 * tan(11.25 degrees)
+  const std::array<double, 12> expected{0, 0, 10, 0, 0, -1, side, 0, 0, 0, side, 0};
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == doctest::Approx(expected[i]));
 }
