@@ -50,9 +50,13 @@ void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) cons
   tree_->items.query(bg::index::intersects(bounds_of(box)), boost::make_function_output_iterator(append));
 }
 
-bool BoxIndex::any_covering(const Box& box, const std::function<bool(std::uint32_t number)>& test) const {
-  return std::any_of(tree_->items.qbegin(bg::index::covers(bounds_of(box))), tree_->items.qend(),
-                     [&](const Item& item) { return test(item.second); });
+bool BoxIndex::any_covering(const Box& box, std::size_t most,
+                            const std::function<bool(std::uint32_t number)>& test) const {
+  const auto end = tree_->items.qend();
+  for (auto item = tree_->items.qbegin(bg::index::covers(bounds_of(box))); item != end && most > 0; ++item, --most) {
+    if (test(item->second)) return true;
+  }
+  return false;
 }
 
 BoxIndex::Box picture_box(const view::PixelRect& pixels, std::int64_t z_low, std::int64_t z_high, std::uint32_t first,

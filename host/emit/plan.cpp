@@ -12,6 +12,10 @@ namespace csgsim::emit {
 
 namespace {
 
+/// That are tried for a surface. Of a model of very many small pieces thousands may be in front of each; a surface that
+/// is kept costs clocks, and changes no picture.
+constexpr std::size_t most_hiders = 256;
+
 /// Solids that nothing is taken from, as what hides surfaces behind them.
 class Hiders {
  public:
@@ -24,7 +28,7 @@ class Hiders {
   [[nodiscard]] bool hide(const csg::Block& block) const {
     if (block.z_low <= 0) return false;
     const std::int64_t before = block.z_low - 1;
-    return index_.any_covering(csg::picture_box(block.pixels, before, before), [&](std::uint32_t number) {
+    return index_.any_covering(csg::picture_box(block.pixels, before, before), most_hiders, [&](std::uint32_t number) {
       const PlannedSurface& front = surfaces_[number];
       return front.block.z_low < block.z_low &&
              std::all_of(front.set.begin(), front.set.end(), [&](std::uint32_t primitive) {

@@ -175,8 +175,23 @@ TEST_CASE("an index of boxes finds those that meet a box, and tells whether any 
       any = any || (is_wanted(entry.number) && covers(entry.box, box));
     }
     RC_ASSERT(found == expected);
-    RC_ASSERT(index.any_covering(box, is_wanted) == any);
+    RC_ASSERT(index.any_covering(box, entries.size(), is_wanted) == any);
   }));
+}
+
+TEST_CASE("of many boxes that cover one, as many are tested as are asked for") {
+  const csg::BoxIndex::Box box{{1, 1, 1, 1}, {2, 2, 2, 2}};
+  const std::vector<csg::BoxIndex::Entry> entries(1000, {box, 0});
+  const csg::BoxIndex index(entries);
+  std::size_t tested = 0;
+  const auto count = [&](std::uint32_t) {
+    ++tested;
+    return false;
+  };
+  CHECK(!index.any_covering(box, 7, count));
+  CHECK(tested == 7);
+  CHECK(!index.any_covering(box, 2000, count));
+  CHECK(tested == 7 + 1000);
 }
 
 TEST_CASE("the paths of a tree lead to the same nodes as steps from parent to parent") {
