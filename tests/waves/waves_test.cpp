@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,25 @@ TEST_CASE("level by level the trees form A x + C and then A x + B y + C") {
     }
   }
   CHECK(streams > 100);
+}
+
+TEST_CASE("the wave of the last write of a field ends with the clock that shows what was written") {
+  const Folder folder;
+  const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
+  const isa::Program program = compiled(one, folder / "p.csgt");
+  const Outcome outcome = run("wave " + (folder / "p.csgt") + " --pixel 12,8 --at Z2 -o " + (folder / "w.vcd"));
+  REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+  const Vcd vcd(content(folder / "w.vcd"));
+  machines::Machine machine = kinds::load(one.machine);
+  machines::adopt(machine, program);
+  const EngineState state(program, machine, 12, 8);
+  const auto z2 = std::ranges::find(program.facts.fields, "Z2", &isa::NamedField::name)->field;
+  const std::uint64_t period = 100'000;
+  const std::uint64_t last = vcd.last_time() / period - 2;
+  const auto written = vcd.number_at("frame_buffer.pixel_12_8.Z2", (last + 1) * period + period / 2);
+  CHECK(written == state.field_at(z2, last));
+  CHECK(written != vcd.number_at("frame_buffer.pixel_12_8.Z2", vcd.first_time() + period / 2));
+  CHECK(state.instruction_at(last) != state.instruction_at(last - 1));
 }
 
 TEST_CASE("a file is as long as its window") {

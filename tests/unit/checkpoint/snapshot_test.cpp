@@ -294,6 +294,7 @@ TEST_CASE("states that no run of the Program can be in are refused") {
   CHECK(refused([](sim::Snapshot& one) { one.run.skips.push_back({0, 0}); }));
   CHECK(refused([](sim::Snapshot& one) { one.run.skips.push_back({0, 2}); }));
   CHECK(refused([](sim::Snapshot& one) { one.run.planes[1].at(1) |= std::uint64_t{1} << 6U; }));
+  CHECK(refused([](sim::Snapshot& one) { one.run.planes[1].at(7) |= std::uint64_t{1} << 6U; }));  // of the last row
   CHECK(refused([](sim::Snapshot& one) { one.picture.frame.owner[3] = 1; }));
   CHECK(refused([](sim::Snapshot& one) { one.picture.frame.depth[3] = 256; }));
   CHECK(refused([](sim::Snapshot& one) { one.picture.frame.colour[3] = 64; }));

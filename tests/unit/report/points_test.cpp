@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/vec2.hpp>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,27 @@ TEST_CASE("a ninth line of a plot has the first one's colour and other dashes") 
   CHECK(html.find("\"series s0 d0\"") != std::string::npos);
   CHECK(html.find("\"series s7 d7\"") != std::string::npos);
   CHECK(html.find("\"series s0 d1\"") != std::string::npos);
+}
+
+TEST_CASE("points stand in the frame as their values do, upwards and to the right") {
+  const report::Plot plot{"title", {"x"}, {"y"}, {{"line", {{0, 0}, {1, 3}, {4, 4}}}}};
+  const std::string html = report::plot_html(plot, "id");
+  const std::regex axis("<path class=axis d=\"M([0-9.]+) ([0-9.]+)V([0-9.]+)H([0-9.]+)\"/>");
+  std::smatch frame;
+  REQUIRE(std::regex_search(html, frame, axis));
+  const double height = std::stod(frame[3]) - std::stod(frame[2]);
+  const double width = std::stod(frame[4]) - std::stod(frame[1]);
+  const std::regex mark("<use href=\"#m[0-9]+\" x=([0-9.]+) y=([0-9.]+) />");
+  std::vector<glm::dvec2> places;
+  for (auto found = std::sregex_iterator(html.begin(), html.end(), mark); found != std::sregex_iterator(); ++found)
+    places.emplace_back(std::stod((*found)[1]), std::stod((*found)[2]));
+  REQUIRE(places.size() >= 3);
+  const glm::dvec2 first = places[1] - places[0];
+  const glm::dvec2 second = places[2] - places[1];
+  CHECK(first.x > width / 8);
+  CHECK(first.y < -height / 2);
+  CHECK(second.x == doctest::Approx(3 * first.x).epsilon(0.01));
+  CHECK(first.y == doctest::Approx(3 * second.y).epsilon(0.01));
 }
 
 TEST_CASE("lines of one name look alike in all plots of a page, whatever else is in them") {
