@@ -5,6 +5,8 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "host/emit/compile.h"
@@ -13,6 +15,7 @@
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
+#include "sim/study/advice_plot.h"
 #include "sim/study/advice_run.h"
 #include "sim/study/fitted_program.h"
 #include "sim/study/measure.h"
@@ -223,6 +226,25 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
     }
     CHECK(one.miss == 0);
   }
+}
+
+TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels that buys more than a stricter one") {
+  const Rows rows{row(72, 0, 50'000), row(64, 7, 50'000), row(80, 0, 25'000), row(90, 3, 20'000), row(70, 800, 10'000)};
+  const study::Wishes wishes{.max_bits = 80, .max_wrong_pixels = 5, .min_fps = 300, .min_colour_bits = 12};
+  const plots::Plot plot = study::plot_of_advice(rows, wishes, {}, "m.csg");
+  const auto& chart = std::get<plots::Chart>(plot.content);
+  const auto steps = [&](std::size_t series) {
+    std::vector<std::pair<double, double>> points;
+    for (const plots::Point& point : chart.series.at(series).points) points.emplace_back(point.x, point.y);
+    return points;
+  };
+  REQUIRE(chart.series.size() == 5);  // the wishes of bits and of frames are the last two
+  CHECK(chart.series[0].name == "no wrong pixel");
+  CHECK(steps(0) == std::vector<std::pair<double, double>>{{72, 200}, {80, 400}});
+  CHECK(chart.series[1].name == "at most 5 wrong pixels");
+  CHECK(steps(1) == std::vector<std::pair<double, double>>{{72, 200}, {80, 400}, {90, 500}});
+  CHECK(chart.series[2].name == "at most 50 wrong pixels");
+  CHECK(steps(2) == std::vector<std::pair<double, double>>{{64, 200}, {80, 400}, {90, 500}});
 }
 
 TEST_CASE("advice does not depend on threads, nor on which points are measured together") {

@@ -5,11 +5,14 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
 #include "places.h"
+#include "sim/study/comparison.h"
+#include "sim/study/csv.h"
 #include "sim/study/measure.h"
 #include "sim/study/pareto.h"
 #include "sim/study/table.h"
@@ -236,4 +239,37 @@ TEST_CASE("only the knobs that are named are turned, each to its values") {
     points.push_back(one.knob + " " + one.value);
   CHECK(points == std::vector<std::string>{"size 12x12", "size 24x24", "size 48x48", "size 96x96", "tolerance 0.5",
                                            "tolerance 0.25"});
+}
+
+TEST_CASE("a line of a comparison has a cell for each thing that a point takes, below its name") {
+  study::ComparisonRow row;
+  row.point = {"a machine", 1001, 1002, 1003, "an ideal"};
+  row.inputs = {"a model", "a hash", "a build"};
+  std::uint64_t number = 1004;
+  for (std::uint64_t study::ComparisonRow::*const count :
+       {&study::ComparisonRow::primitives, &study::ComparisonRow::halfspaces, &study::ComparisonRow::segments,
+        &study::ComparisonRow::drawn_segments, &study::ComparisonRow::instructions, &study::ComparisonRow::clocks,
+        &study::ComparisonRow::shown_clocks, &study::ComparisonRow::pixel_operations, &study::ComparisonRow::enabled,
+        &study::ComparisonRow::processors, &study::ComparisonRow::processor_clocks, &study::ComparisonRow::memory_bits,
+        &study::ComparisonRow::instruction_clocks})
+    row.*count = number++;
+  row.pixel_transistors = number++;
+  row.transistors = number++;
+  for (double study::ComparisonRow::*const fraction :
+       {&study::ComparisonRow::seconds, &study::ComparisonRow::frames_per_second, &study::ComparisonRow::utilisation,
+        &study::ComparisonRow::bound_share})
+    row.*fraction = static_cast<double>(number++);
+  row.bound_by = "a part";
+  row.dearest = {{"cube@1:1", 7}};
+  row.picture = "a picture";
+  row.reason = "a reason";
+  std::vector<std::string> cells = study::split_cells(study::to_line(row));
+  CHECK(study::split_cells(study::header_of<study::ComparisonRow>()).size() == cells.size());
+  std::vector<std::string> expected{"a machine", "an ideal",  "a model",  "a hash",    "a build",
+                                    "a part",    "a picture", "a reason", "cube@1:1=7"};
+  for (std::uint64_t i = 1001; i < number; ++i) expected.push_back(std::to_string(i));
+  std::ranges::sort(cells);
+  std::ranges::sort(expected);
+  CHECK(cells == expected);
+  CHECK(study::to_line(study::from_line<study::ComparisonRow>(study::to_line(row))) == study::to_line(row));
 }
