@@ -126,7 +126,10 @@ TEST_CASE("wave records the window of clocks that was asked for, and a view for 
   const auto last = std::stoull(wave.substr(wave.rfind("\n#") + 2));
   CHECK(last > 80 * 100'000ULL);
   CHECK(last <= 82 * 100'000ULL);
-  CHECK(content(folder / "w.gtkw").find("frame_buffer.pixel_8_8.Z1[19:0]") != std::string::npos);
+  const std::string view = content(folder / "w.gtkw");
+  CHECK(view.find("frame_buffer.pixel_8_8.Z1[19:0]") != std::string::npos);
+  // What was probed is seen without scrolling.
+  CHECK(view.rfind("frame_buffer.pixel_") < view.find("frame_buffer.host."));
   CHECK(folder.files() == 2);
 }
 

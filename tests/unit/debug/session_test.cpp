@@ -96,6 +96,12 @@ TEST_CASE("a session steps through instructions, past what is skipped, to the en
   CHECK(debug("run") == last);
 }
 
+TEST_CASE("a session tells where it is in Programs of one instruction and of none") {
+  const std::string none = ".array width=8 height=2 memory_bits=24\n.segment x=0 y=0 width=8 height=2\n";
+  CHECK(Debugger(none.c_str())("where") == "the Program has no instructions\n");
+  CHECK(Debugger((none + "  enable_all\n").c_str())("where").starts_with("i0 of 1: enable_all\n"));
+}
+
 TEST_CASE("until goes to an instruction, a primitive, a clock, and says where nothing of the kind is ahead") {
   Debugger debug;
   CHECK(debug("until i4") == "i4\ni4 of 18: set_constant Z1, 40\n");
