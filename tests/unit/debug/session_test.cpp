@@ -305,6 +305,18 @@ TEST_CASE("a word is completed as far as those that fit agree") {
   CHECK(debug::complete("x", words).candidates.empty());
 }
 
+TEST_CASE("a state serves the instructions behind it, up to the next at which one should be kept") {
+  debug::History history;
+  CHECK(!history.is_kept(0));
+  history.keep(512, {});
+  const std::uint64_t next = history.due(512);
+  CHECK(next > 513);
+  CHECK(!history.is_kept(511));
+  CHECK(history.is_kept(512));
+  CHECK(history.is_kept(next - 1));
+  CHECK(!history.is_kept(next));
+}
+
 TEST_CASE("states are kept at the beginning and, the longer the run, the farther apart") {
   debug::History history;
   sim::Snapshot snapshot;
