@@ -68,6 +68,8 @@ Picture<Value> read(const fs::path& path, OIIO::TypeDesc type) {
   const auto input = OIIO::ImageInput::open(path.native());
   REQUIRE(input);
   const OIIO::ImageSpec& spec = input->spec();
+  CHECK(spec.x == 0);
+  CHECK(spec.y == 0);
   Picture<Value> picture{{}, spec.width, spec.height, spec.channelnames};
   picture.values.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                         static_cast<std::size_t>(spec.nchannels));
