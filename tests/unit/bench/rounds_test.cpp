@@ -72,6 +72,10 @@ TEST_CASE("no exponent is told from two points, nor from more at two sizes, in t
   REQUIRE(plots.size() == 2);
   CHECK(std::get<plots::Chart>(plots[0].content).series[0].name == "run");
   CHECK(std::get<plots::Chart>(plots[1].content).series[0].name == "run: exponent 1.00");
+  const auto& points = std::get<plots::Chart>(plots[0].content).series[0].points;
+  REQUIRE(points.size() == 2);
+  CHECK(points[1].x == 2);
+  CHECK(points[1].y == doctest::Approx(30));  // milliseconds
 }
 
 TEST_CASE("generated models have as many half-spaces as they say, and lie about the origin") {

@@ -73,6 +73,12 @@ TEST_CASE("points stand in the frame as their values do, upwards and to the righ
   CHECK(first.y < -height / 2);
   CHECK(second.x == doctest::Approx(3 * first.x).epsilon(0.01));
   CHECK(first.y == doctest::Approx(3 * second.y).epsilon(0.01));
+  // The lines of 4, across and up, go through the point at 4,4.
+  std::smatch tick;
+  REQUIRE(std::regex_search(html, tick, std::regex("d=\"M([0-9.-]+) [0-9.]+V[0-9.]+\"/><text [^>]*>4<")));
+  CHECK(std::stod(tick[1]) == doctest::Approx(places[2].x));
+  REQUIRE(std::regex_search(html, tick, std::regex("d=\"M[0-9.]+ ([0-9.-]+)H[0-9.]+\"/><text [^>]*>4<")));
+  CHECK(std::stod(tick[1]) == doctest::Approx(places[2].y));
 }
 
 TEST_CASE("lines of one name look alike in all plots of a page, whatever else is in them") {
