@@ -139,6 +139,9 @@ TEST_CASE("the page of advice has the front, what is recommended and its command
     kept.erase("points");
     CHECK(data_of(html) == kept);
     CHECK(hold_cells(html, expected) > 10 * expected["front"].size());
+    const std::size_t recommended = expected["recommendations"].size();
+    for (std::size_t i = 0; i < recommended; ++i)
+      CHECK(html.find("/recommendations/" + std::to_string(i) + "/point/z_bits") != std::string::npos);
     for (const Json& one : expected["recommendations"]) {
       const std::string command = one["command"];
       CHECK(command.find("--report") == std::string::npos);

@@ -123,6 +123,7 @@ TEST_CASE("POV-Ray is given the same half-spaces, in boxes, and the same tree") 
   CHECK(count("difference {") == 1);
   CHECK(count("intersection {") == 2);
   CHECK(count("bounded_by {") == 2);
+  CHECK(count("pigment { rgb <0.98, 0.84, 0.17> }") == 2);  // OpenSCAD's yellow, 249, 215 and 44 of 255
   CHECK(count("plane {") == 6 + bench::sphere_halfspaces(8));
   // The cube's faces at x = 1 and x = -1: inside is what is below 1 along their normals.
   CHECK(count("plane { <1, 0, 0>, 1 }") == 1);
