@@ -33,8 +33,8 @@ class BoxIndex {
   /// Appends the numbers of the entries that have a point in common with the box, in no order.
   void meeting(const Box& box, std::vector<std::uint32_t>& numbers) const;
 
-  /// Whether the test holds for any of the entries that hold the whole box. It is made for `most` of these, in no
-  /// order, and for none after the first that it holds for.
+  /// Whether the test holds for any of the entries that hold the whole box. At most `most` of these are tested, in no
+  /// order, and none after the first that it holds for.
   [[nodiscard]] bool any_covering(const Box& box, std::size_t most,
                                   const std::function<bool(std::uint32_t number)>& test) const;
 

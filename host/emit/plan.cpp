@@ -12,8 +12,8 @@ namespace csgsim::emit {
 
 namespace {
 
-/// That are tried for a surface. Of a model of very many small pieces thousands may be in front of each; a surface that
-/// is kept costs clocks, and changes no picture.
+/// The most solids that are tried for one surface: in a model of very many small pieces thousands may stand before
+/// each. A hidden surface that is kept costs clocks and changes no picture.
 constexpr std::size_t most_hiders = 256;
 
 /// Solids that nothing is taken from, as what hides surfaces behind them.

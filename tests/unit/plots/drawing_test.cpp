@@ -9,17 +9,37 @@ using namespace csgsim;
 
 namespace {
 
-/// Whole numbers from 0 to 8.
-class Places {
- public:
-  plots::Pixel place() { return {coordinate(), coordinate()}; }
-  plots::Segment segment() { return {place(), place()}; }
+/// With ends of whole numbers from 0 to 8.
+plots::Segment random_segment(std::mt19937& random) {
+  const auto place = [&] {
+    const auto x = static_cast<double>(random() % 9);
+    return plots::Pixel{x, static_cast<double>(random() % 9)};
+  };
+  const plots::Pixel from = place();
+  return {from, place()};
+}
 
- private:
-  double coordinate() { return static_cast<double>(random_() % 9); }
+/// Holds what is found of random pairs of segments against what is expected; tells how often that is true.
+template <class Found, class Expected>
+int count_true(int pairs, const Found& found, const Expected& expected) {
+  std::mt19937 random(1987);
+  int count = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const plots::Segment one = random_segment(random);
+    const plots::Segment other = random_segment(random);
+    const bool is_expected = expected(one, other);
+    CHECK(found(one, other) == is_expected);
+    count += is_expected ? 1 : 0;
+  }
+  return count;
+}
 
-  std::mt19937 random_{1987};
-};
+/// The box with the segment as its diagonal.
+plots::Box box_about(const plots::Segment& diagonal) {
+  const auto [left, right] = std::minmax({diagonal.from.x, diagonal.to.x});
+  const auto [top, bottom] = std::minmax({diagonal.from.y, diagonal.to.y});
+  return {left, top, right, bottom};
+}
 
 plots::Pixel operator-(const plots::Pixel& a, const plots::Pixel& b) { return {a.x - b.x, a.y - b.y}; }
 double determinant(const plots::Pixel& a, const plots::Pixel& b) { return a.x * b.y - b.x * a.y; }
@@ -49,29 +69,15 @@ bool has_a_point_inside(const plots::Segment& segment, const plots::Box& box) {
 }  // namespace
 
 TEST_CASE("segments cross where each has the other's ends on both of its sides") {
-  Places random;
-  int crossings = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const plots::Segment one = random.segment();
-    const plots::Segment other = random.segment();
-    const bool expected = cross_between_ends(one, other);
-    CHECK(plots::cross(one, other) == expected);
-    crossings += expected ? 1 : 0;
-  }
-  CHECK(crossings > 1000);
+  CHECK(count_true(20'000, plots::cross, cross_between_ends) > 1000);
 }
 
 TEST_CASE("a segment meets a box where one of its points is inside, not on the edge") {
-  Places random;
-  int meetings = 0;
-  for (int i = 0; i < 2'000; ++i) {
-    const plots::Segment segment = random.segment();
-    const plots::Segment corners = random.segment();
-    const plots::Box box{std::min(corners.from.x, corners.to.x), std::min(corners.from.y, corners.to.y),
-                         std::max(corners.from.x, corners.to.x), std::max(corners.from.y, corners.to.y)};
-    const bool expected = has_a_point_inside(segment, box);
-    CHECK(plots::meets(segment, box) == expected);
-    meetings += expected ? 1 : 0;
-  }
-  CHECK(meetings > 200);
+  const auto meets = [](const plots::Segment& segment, const plots::Segment& diagonal) {
+    return plots::meets(segment, box_about(diagonal));
+  };
+  const auto has_point = [](const plots::Segment& segment, const plots::Segment& diagonal) {
+    return has_a_point_inside(segment, box_about(diagonal));
+  };
+  CHECK(count_true(2'000, meets, has_point) > 200);
 }
