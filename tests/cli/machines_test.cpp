@@ -133,6 +133,24 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
   CHECK(run(command + " --machines nothing").code == 1);
 }
 
+TEST_CASE("compare names the one figure of a machine that is worth most if it is ideal") {
+  const Folder folder;
+  const Outcome outcome = run("compare " + model("carburettor") + " --size 32x32 --machines pixel-planes-4 --ideal -o " +
+                              (folder / "c"));
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  std::string best;
+  double most = 0;
+  for (const nlohmann::json& point : json(folder / "c/compare.json")["points"]) {
+    const std::string ideal = point["ideal"];
+    if (ideal.empty() || ideal == "all" || point["frames_per_second"] <= most) continue;
+    best = ideal;
+    most = point["frames_per_second"];
+  }
+  REQUIRE_FALSE(best.empty());
+  CHECK(outcome.out.find("pixel-planes-4: " + best + " ideal gives ") != std::string::npos);
+}
+
 TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-spaces, less each level") {
   const Folder folder;
   const Outcome outcome = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
