@@ -28,12 +28,12 @@ if(NOT date)
   file(TIMESTAMP ${SOURCE}/CMakeLists.txt date %Y-%m-%d UTC)
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
-#include "sim/app/commit.h"
+#include "sim/shell/commit.h"
 
-namespace csgsim::app {
+namespace csgsim::shell {
 
 const char* const commit = "@commit@";
 const char* const commit_date = "@date@";
 
-}  // namespace csgsim::app
+}  // namespace csgsim::shell
 ]])

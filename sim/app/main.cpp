@@ -11,7 +11,10 @@
 #include "hw/base/partial_files.h"
 #include "hw/base/standard_streams.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/usage.h"
+#include "sim/shell/usage.h"
+#include "sim/studies/gather_command.h"
+#include "sim/studies/rows.h"
+#include "sim/studies/runner.h"
 
 namespace {
 
@@ -30,10 +33,10 @@ int not_printed() {
   return bad_input;
 }
 
-int run(csgsim::app::CommandLine& line, std::span<char* const> arguments) {
+int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   try {
     line.run(arguments);
-  } catch (const csgsim::app::UsageError& error) {
+  } catch (const csgsim::shell::UsageError& error) {
     csgsim::tell_line("csgsim: " + std::string(error.what()));
     return bad_usage;
   } catch (const csgsim::InputError& error) {
@@ -50,10 +53,12 @@ int run(csgsim::app::CommandLine& line, std::span<char* const> arguments) {
   return 0;
 }
 
-void add_commands(csgsim::app::CommandLine& line) {
+void add_commands(csgsim::shell::CommandLine& line) {
 #define CSGSIM_ADD_COMMAND(name) csgsim::app::add_##name(line);
   CSGSIM_COMMANDS(CSGSIM_ADD_COMMAND)
 #undef CSGSIM_ADD_COMMAND
+  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) csgsim::studies::add_study(line, *row);
+  csgsim::studies::add_gather(line, csgsim::studies::all());
 }
 
 }  // namespace
@@ -62,7 +67,7 @@ int main(int argc, char** argv) {
   csgsim::keep_standard_numbers();
   csgsim::delete_partial_files_on_signals();
   csgsim::keep_inputs();
-  csgsim::app::CommandLine line(
+  csgsim::shell::CommandLine line(
       "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models",
       "csgsim");
   line.add_own_options();

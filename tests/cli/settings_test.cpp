@@ -10,7 +10,7 @@
 
 #include "places.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/settings/file_options.h"
+#include "sim/shell/settings/file_options.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -199,7 +199,7 @@ TEST_CASE("every option that names a file is known to, so that its name is one o
       if (!is_text || !std::regex_search(key.meaning, of_file)) continue;
       CAPTURE(command);
       CAPTURE(key.name);
-      CHECK(csgsim::app::role_of(key.name) != csgsim::app::FileRole::none);
+      CHECK(csgsim::shell::role_of(key.name) != csgsim::shell::FileRole::none);
       ++files;
     }
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/settings/settings_dump.h"
-#include "sim/app/settings/settings_file.h"
+#include "sim/shell/settings/settings_dump.h"
+#include "sim/shell/settings/settings_file.h"
 #include "tests/fuzz/property.h"
 
 namespace app = csgsim::app;
@@ -14,41 +14,41 @@ namespace fuzz = csgsim::fuzz;
 
 namespace {
 
-const std::vector<app::SettableOption> options{{"view-all", app::Takes::flag}, {"z-bits", app::Takes::whole_number},
-                                               {"near", app::Takes::number},   {"camera", app::Takes::text},
-                                               {"machines", app::Takes::text}, {"set", app::Takes::texts},
-                                               {"output", app::Takes::text},   {"levels", app::Takes::text}};
+const std::vector<shell::SettableOption> options{
+    {"view-all", shell::Takes::flag}, {"z-bits", shell::Takes::whole_number}, {"near", shell::Takes::number},
+    {"camera", shell::Takes::text},   {"machines", shell::Takes::text},       {"set", shell::Takes::texts},
+    {"output", shell::Takes::text},   {"levels", shell::Takes::text}};
 
-const std::vector<app::SettableCommand> commands{
-    {"render", options}, {"levels", {{"z-bits", app::Takes::text}, {"turn", app::Takes::number}}}};
+const std::vector<shell::SettableCommand> commands{
+    {"render", options}, {"levels", {{"z-bits", shell::Takes::text}, {"turn", shell::Takes::number}}}};
 
-const app::SettableOption& option_named(const std::string& name) {
-  const auto found = std::ranges::find(options, name, &app::SettableOption::name);
+const shell::SettableOption& option_named(const std::string& name) {
+  const auto found = std::ranges::find(options, name, &shell::SettableOption::name);
   fuzz::require(found != options.end(), "a setting is of an option of the command");
   return *found;
 }
 
-void check(const app::Setting& setting) {
-  const app::SettableOption& option = option_named(setting.name);
-  fuzz::require(option.takes == app::Takes::texts || setting.values.size() == 1, "an option has one value");
+void check(const shell::Setting& setting) {
+  const shell::SettableOption& option = option_named(setting.name);
+  fuzz::require(option.takes == shell::Takes::texts || setting.values.size() == 1, "an option has one value");
   fuzz::require(setting.place.starts_with("fuzz.toml:"), "a setting has a place");
   for (const std::string& value : setting.values) {
     fuzz::require(value.find('\0') == std::string::npos, "a value could stand on a command line");
-    if (option.takes == app::Takes::flag) fuzz::require(value == "true" || value == "false", "a flag is on or off");
-    if (option.takes == app::Takes::whole_number)
+    if (option.takes == shell::Takes::flag) fuzz::require(value == "true" || value == "false", "a flag is on or off");
+    if (option.takes == shell::Takes::whole_number)
       fuzz::require(std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; }), "a whole number is one");
   }
 }
 
 /// Those that are read of what was dumped are those that were dumped.
-void check_dump(const std::vector<app::Setting>& settings) {
-  std::vector<app::DumpedOption> dumped;
-  for (const app::Setting& setting : settings) {
+void check_dump(const std::vector<shell::Setting>& settings) {
+  std::vector<shell::DumpedOption> dumped;
+  for (const shell::Setting& setting : settings) {
     dumped.push_back({option_named(setting.name), "a meaning", setting.values});
     if (setting.values.empty()) dumped.pop_back();
   }
-  const std::vector<app::Setting> again =
-      app::read_settings(app::dump("render", dumped), "fuzz.toml", commands, "render");
+  const std::vector<shell::Setting> again =
+      shell::read_settings(shell::dump("render", dumped), "fuzz.toml", commands, "render");
   fuzz::require(again.size() == dumped.size(), "a dump is read again");
   for (std::size_t i = 0; i < again.size(); ++i)
     fuzz::require(again[i].name == dumped[i].option.name && again[i].values == dumped[i].values,
@@ -59,9 +59,9 @@ void check_dump(const std::vector<app::Setting>& settings) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const std::vector<app::Setting> settings =
-        app::read_settings(fuzz::text_of(data, size), "fuzz.toml", commands, "render");
-    for (const app::Setting& setting : settings) check(setting);
+    const std::vector<shell::Setting> settings =
+        shell::read_settings(fuzz::text_of(data, size), "fuzz.toml", commands, "render");
+    for (const shell::Setting& setting : settings) check(setting);
     check_dump(settings);
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.toml");

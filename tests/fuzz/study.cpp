@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/comparison.h"
-#include "sim/study/corpus.h"
-#include "sim/study/csv.h"
-#include "sim/study/measure.h"
-#include "sim/study/memory_map.h"
-#include "sim/study/ranges.h"
-#include "sim/study/sweep.h"
-#include "sim/study/table.h"
+#include "sim/shell/lists.h"
+#include "sim/studies/accuracy/measure.h"
+#include "sim/studies/compare/measure.h"
+#include "sim/studies/corpus/measure.h"
+#include "sim/studies/csv.h"
+#include "sim/studies/sweep/memory_map.h"
+#include "sim/studies/sweep/points.h"
+#include "sim/studies/table.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;
@@ -35,34 +35,34 @@ void look(const Read& read, const Check& check) {
 }
 
 void look_at_cells(const std::string& line) {
-  look([&] { return study::split_cells(line); },
+  look([&] { return studies::split_cells(line); },
        [](const std::vector<std::string>& cells) {
          std::string again;
-         for (const std::string& cell : cells) again += (&cell == &cells.front() ? "" : ",") + study::to_cell(cell);
-         fuzz::require(study::split_cells(again) == cells, "cells are read back as they were");
+         for (const std::string& cell : cells) again += (&cell == &cells.front() ? "" : ",") + studies::to_cell(cell);
+         fuzz::require(studies::split_cells(again) == cells, "cells are read back as they were");
        });
 }
 
 /// Rows are held against each other as text, since a number that is none equals nothing.
 template <class Row>
 void look_at_row(const std::string& line) {
-  look([&] { return study::from_line<Row>(line); },
+  look([&] { return studies::from_line<Row>(line); },
        [](const Row& row) {
-         const std::string again = study::to_line(row);
+         const std::string again = studies::to_line(row);
          fuzz::require(again.find('\n') == std::string::npos, "a row is one line");
-         fuzz::require(study::to_line(study::from_line<Row>(again)) == again, "a row is read back as it was");
+         fuzz::require(studies::to_line(studies::from_line<Row>(again)) == again, "a row is read back as it was");
        });
 }
 
 void look_at_memory_map(const std::string& cell) {
   const auto read = [](const std::string& text) {
-    study::MemoryMap map;
-    study::from_cell(text, map);
+    studies::MemoryMap map;
+    studies::from_cell(text, map);
     return map;
   };
   look([&] { return read(cell); },
-       [&](const study::MemoryMap& map) {
-         const std::vector<std::string> cells = study::split_cells(study::to_cell(map));
+       [&](const studies::MemoryMap& map) {
+         const std::vector<std::string> cells = studies::split_cells(studies::to_cell(map));
          fuzz::require(cells.size() == 1 && read(cells.front()) == map, "a memory map is read back as it was");
        });
 }
@@ -76,14 +76,14 @@ bool has_doubles(std::vector<Value> values) {
 void look_at_lists(const std::string& text) {
   constexpr unsigned least = 3;
   constexpr unsigned most = 300;
-  look([&] { return study::parse_numbers(text, least, most); },
+  look([&] { return shell::parse_numbers(text, least, most); },
        [](const std::vector<unsigned>& values) {
          const auto within = [](unsigned value) { return value >= least && value <= most; };
          fuzz::require(!values.empty() && std::ranges::all_of(values, within), "numbers are within their range");
          fuzz::require(!has_doubles(values), "no number comes twice");
        });
   const std::vector<std::string> known{"stack", "list", "bits"};
-  look([&] { return study::parse_names(text, "strategy", known); },
+  look([&] { return shell::parse_names(text, "strategy", known); },
        [&](const std::vector<std::string>& names) {
          const auto is_known = [&](const std::string& name) { return std::ranges::count(known, name) == 1; };
          fuzz::require(!names.empty() && std::ranges::all_of(names, is_known), "names are known ones");
@@ -98,10 +98,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text = fuzz::text_of(data, size);
   const std::string line(text.substr(0, text.find('\n')));
   look_at_cells(line);
-  look_at_row<study::Measurement>(line);
-  look_at_row<study::ComparisonRow>(line);
-  look_at_row<study::SweepRow>(line);
-  look_at_row<study::CorpusRow>(line);
+  look_at_row<studies::Measurement>(line);
+  look_at_row<studies::ComparisonRow>(line);
+  look_at_row<studies::SweepRow>(line);
+  look_at_row<studies::CorpusRow>(line);
   look_at_memory_map(line);
   look_at_lists(line);
   return 0;

@@ -1,12 +1,12 @@
 // Files of a study's table, as an interrupted study leaves them or somebody has changed them.
 
-#include "sim/study/table.h"
+#include "sim/studies/table.h"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "sim/study/comparison.h"
+#include "sim/studies/compare/measure.h"
 #include "tests/fuzz/property.h"
 #include "tests/fuzz/scratch_file.h"
 
@@ -16,9 +16,9 @@ namespace study = csgsim::study;
 namespace {
 
 std::vector<std::string> lines_of(const std::filesystem::path& path) {
-  const study::Table<study::ComparisonRow> table(path, "title");
+  const studies::Table<studies::ComparisonRow> table(path, "title");
   std::vector<std::string> lines;
-  for (const study::ComparisonRow& row : table.rows()) lines.push_back(study::to_line(row));
+  for (const studies::ComparisonRow& row : table.rows()) lines.push_back(studies::to_line(row));
   return lines;
 }
 
@@ -26,10 +26,10 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
 void check(const std::filesystem::path& path, std::vector<std::string> lines) {
   try {
     fuzz::require(lines_of(path) == lines, "a table opened again holds the same rows");
-    study::ComparisonRow row;
+    studies::ComparisonRow row;
     row.reason = "commas, \"quotes\"";
-    study::Table<study::ComparisonRow>(path, "title").add(row);
-    lines.push_back(study::to_line(row));
+    studies::Table<studies::ComparisonRow>(path, "title").add(row);
+    lines.push_back(studies::to_line(row));
     fuzz::require(lines_of(path) == lines, "a row that was added follows those that were there");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());

@@ -13,7 +13,7 @@
 #include "hw/base/output_file.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
-#include "sim/study/sweep_run.h"
+#include "sim/studies/sweep/measure.h"
 #include "tests/support/drawing.h"
 
 using namespace csgsim;
@@ -44,18 +44,18 @@ isa::Program carburettor(emit::Strategy strategy) {
 }
 
 /// One model under every strategy with several depths: each job shares the model with the others.
-std::vector<study::SweepJob> jobs() {
+std::vector<studies::SweepJob> jobs() {
   model::Tree tree = read::read_csg_file(testing::model_path("thesis_fig_2_3"));
   facet::Scene scene = facet::make_scene(tree);
   const view::Camera camera = view::default_camera(scene.box, 40, 33);
-  const auto subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
-  std::vector<study::SweepJob> jobs;
+  const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
+  std::vector<studies::SweepJob> jobs;
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::products}) {
     for (const unsigned z_bits : {12U, 14U, 16U, 18U}) {
-      study::SweepPoint point;
+      studies::SweepPoint point;
       point.strategy = emit::name_of(strategy);
       point.z_bits = z_bits;
-      study::SweepJob job{std::move(point), subject, camera, {}, kinds::load("pixel-planes-4"), {}, {}};
+      studies::SweepJob job{std::move(point), subject, camera, {}, kinds::load("pixel-planes-4"), {}, {}};
       job.machine.array = {40, 33, 128};
       job.sampling.width = 40;
       job.sampling.height = 33;
@@ -88,12 +88,12 @@ TEST_CASE(
 }
 
 TEST_CASE("points of one model measured on four threads are those measured on one") {
-  const std::vector<study::SweepJob> all = jobs();
-  std::vector<study::SweepRow> rows;
-  study::measure_all(all, true, 4, [&](study::SweepRow row) { rows.push_back(std::move(row)); });
+  const std::vector<studies::SweepJob> all = jobs();
+  std::vector<studies::SweepRow> rows;
+  studies::measure_all(all, true, 4, [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
   REQUIRE(rows.size() == all.size());
-  for (const study::SweepJob& job : all) {
-    const study::SweepRow alone = study::measure(job, true);
+  for (const studies::SweepJob& job : all) {
+    const studies::SweepRow alone = studies::measure(job, true);
     CHECK(alone.compiled());
     CHECK(std::ranges::count(rows, alone) == 1);
   }
@@ -101,10 +101,10 @@ TEST_CASE("points of one model measured on four threads are those measured on on
 
 TEST_CASE("what a receiver throws while others still measure comes out once, and nothing is received after it") {
   std::size_t received = 0;
-  const auto fails_at_the_third = [&](const study::SweepRow& /*row*/) {
+  const auto fails_at_the_third = [&](const studies::SweepRow& /*row*/) {
     if (++received == 3) throw std::runtime_error("the disk is full");
   };
-  CHECK_THROWS_WITH_AS(study::measure_all(jobs(), false, 4, fails_at_the_third), "the disk is full",
+  CHECK_THROWS_WITH_AS(studies::measure_all(jobs(), false, 4, fails_at_the_third), "the disk is full",
                        std::runtime_error);
   CHECK(received == 3);
 }

@@ -13,14 +13,14 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/machine_list.h"
-#include "sim/app/numbers.h"
-#include "sim/app/options.h"
-#include "sim/app/paths.h"
-#include "sim/app/run_options.h"
-#include "sim/app/studies/study_files.h"
 #include "sim/bench/report.h"
-#include "sim/study/ranges.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/machine_list.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/run_options.h"
+#include "sim/studies/folder.h"
 
 namespace csgsim::app {
 
@@ -53,7 +53,7 @@ constexpr std::array parts{
     Part{"growth", [](const auto& settings, auto& results) { results.growths = bench::measure_growths(settings); }},
 };
 
-std::vector<std::string> levels_of(const std::string& text) { return study::parse_names(text, "level", level_names()); }
+std::vector<std::string> levels_of(const std::string& text) { return parse_names(text, "level", level_names()); }
 
 std::vector<std::string> part_names() {
   std::vector<std::string> known;
@@ -62,7 +62,7 @@ std::vector<std::string> part_names() {
   return known;
 }
 
-std::vector<std::string> parts_of(const std::string& text) { return study::parse_names(text, "part", part_names()); }
+std::vector<std::string> parts_of(const std::string& text) { return parse_names(text, "part", part_names()); }
 
 void check_size(const std::string& text) { numbers<std::uint32_t>(text, 'x', 2, "--size", "WxH, as in 512x512"); }
 
@@ -70,7 +70,7 @@ bench::Settings settings_of(const Options& options, const std::filesystem::path&
   return {.csgsim = std::filesystem::read_symlink("/proc/self/exe"),
           .folder = folder,
           .models = {options.models.begin(), options.models.end()},
-          .machines = study::parse_words(options.machines),
+          .machines = parse_words(options.machines),
           .levels = levels_of(options.levels),
           .size = options.size,
           .rounds = {options.rounds, options.seconds}};
@@ -86,8 +86,8 @@ bench::Results measure(const bench::Settings& settings, const std::string& asked
 void run(const Options& options) {
   check_size(options.size);
   const std::vector<std::filesystem::path> inputs =
-      input_files({options.models.begin(), options.models.end()}, study::parse_words(options.machines));
-  const StudyFolder folder(options.folder, "bench", inputs);
+      input_files({options.models.begin(), options.models.end()}, parse_words(options.machines));
+  const studies::StudyFolder folder(options.folder, "bench", inputs);
   const bench::Results results = measure(settings_of(options, folder.path()), options.parts);
   const std::string tables = bench::to_tables(results);
   write_file(folder.path() / "bench.json", bench::to_json(results).dump(2) + "\n");

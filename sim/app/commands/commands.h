@@ -1,10 +1,12 @@
 #pragma once
 
-#include "sim/app/command_line.h"
+#include "sim/shell/command_line.h"
 
 namespace csgsim::app {
 
-/// Every command, in the order of help: command_NAME.cpp describes the command NAME in add_NAME.
+using namespace shell;  // in whose words commands are written
+
+/// Every command but studies, in the order of help: NAME.cpp describes the command NAME in add_NAME.
 #define CSGSIM_COMMANDS(COMMAND) \
   COMMAND(render)                \
   COMMAND(compile)               \
@@ -15,12 +17,6 @@ namespace csgsim::app {
   COMMAND(diff)                  \
   COMMAND(explain)               \
   COMMAND(wave)                  \
-  COMMAND(accuracy)              \
-  COMMAND(advise)                \
-  COMMAND(sweep)                 \
-  COMMAND(corpus)                \
-  COMMAND(compare)               \
-  COMMAND(gather)                \
   COMMAND(subdivide)             \
   COMMAND(effects)               \
   COMMAND(levels)                \

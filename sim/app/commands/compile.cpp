@@ -10,10 +10,10 @@
 #include "hw/base/text.h"
 #include "hw/isa/binary.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/model_options.h"
-#include "sim/app/near_faces_warning.h"
-#include "sim/app/options.h"
-#include "sim/app/paths.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/near_faces_warning.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
 
 namespace csgsim::app {
 

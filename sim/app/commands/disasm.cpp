@@ -7,10 +7,10 @@
 #include "hw/base/output_file.h"
 #include "hw/isa/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/options.h"
-#include "sim/app/paths.h"
-#include "sim/app/program_input.h"
-#include "sim/app/subject.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/program_input.h"
+#include "sim/shell/subject.h"
 
 namespace csgsim::app {
 

@@ -14,20 +14,20 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/memory.h"
-#include "sim/app/model_options.h"
-#include "sim/app/numbers.h"
-#include "sim/app/options.h"
-#include "sim/app/paths.h"
-#include "sim/app/report_option.h"
-#include "sim/app/run_options.h"
-#include "sim/app/studies/study_files.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/pictures.h"
 #include "sim/observe/stats.h"
 #include "sim/observe/stats_json.h"
 #include "sim/report/pictures.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/report_option.h"
+#include "sim/shell/run_options.h"
+#include "sim/studies/folder.h"
 
 namespace csgsim::app {
 
@@ -192,7 +192,7 @@ void write(const fs::path& path, const Variant& variant) {
   file.commit();
 }
 
-void write_all(const Bill& bill, const StudyFolder& folder) {
+void write_all(const Bill& bill, const studies::StudyFolder& folder) {
   write(folder.path() / "all.png", bill.all);
   write(folder.path() / "none.png", bill.none);
   for (std::size_t i = 0; i < bill.without.size(); ++i)
@@ -213,7 +213,7 @@ report::Page page_of(const Options& options, const Bill& bill) {
 }
 
 void run(const Options& options) {
-  std::optional<StudyFolder> folder;
+  std::optional<studies::StudyFolder> folder;
   if (!options.folder.empty()) folder.emplace(options.folder, "effects", options.model.inputs());
   ReportFile report(options.report, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);

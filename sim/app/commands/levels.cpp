@@ -11,16 +11,16 @@
 
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/memory.h"
-#include "sim/app/model_options.h"
-#include "sim/app/options.h"
-#include "sim/app/paths.h"
-#include "sim/app/run_options.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/progress.h"
 #include "sim/observe/stats.h"
-#include "sim/study/ranges.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/run_options.h"
 
 namespace csgsim::app {
 
@@ -66,7 +66,7 @@ Outcome run_level(const std::string& level, const isa::Program& program, const m
 }
 
 void compare_levels(const Options& options) {
-  const std::vector<std::string> levels = study::parse_names(options.levels, "level", level_names());
+  const std::vector<std::string> levels = parse_names(options.levels, "level", level_names());
   const machines::Machine machine = machine_of(options.model);
   const isa::Program program = compile_model(options.model, machine).program;
   const machines::Size picture = machine.picture;

@@ -5,7 +5,7 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/settings/sets.h"
+#include "sim/shell/settings/sets.h"
 
 namespace csgsim::app {
 

@@ -5,20 +5,20 @@
 #include <optional>
 
 #include "hw/base/error.h"
-#include "sim/app/advice.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/frames.h"
-#include "sim/app/model_options.h"
-#include "sim/app/near_faces_warning.h"
-#include "sim/app/options.h"
-#include "sim/app/run_options.h"
-#include "sim/app/run_outputs.h"
-#include "sim/app/settings/configuration.h"
-#include "sim/app/usage.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "sim/judges/truth.h"
-#include "sim/study/measure.h"
+#include "sim/shell/advice.h"
+#include "sim/shell/frames.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/near_faces_warning.h"
+#include "sim/shell/options.h"
+#include "sim/shell/run_options.h"
+#include "sim/shell/run_outputs.h"
+#include "sim/shell/settings/configuration.h"
+#include "sim/shell/usage.h"
+#include "sim/studies/accuracy/measure.h"
 
 namespace csgsim::app {
 
@@ -57,9 +57,9 @@ void choose_settings(Options& options, const machines::Machine& machine) {
   const facet::Faceting faceting = faceting_of(options.model, machine, tree);
   const view::Camera camera = camera_of(options.model, machine, tree, facet::make_scene(tree, faceting));
   refuse_see_through(options.model, tree, camera);
-  study::Meter meter(tree, {camera}, machine, emit_options_of(options.model));
+  studies::Meter meter(tree, {camera}, machine, emit_options_of(options.model));
   const auto chosen =
-      study::cheapest(meter, study::grid(sampling_of(options.model, machine), faceting), *options.max_wrong_pixels);
+      studies::cheapest(meter, studies::grid(sampling_of(options.model, machine), faceting), *options.max_wrong_pixels);
   if (!chosen) {
     throw InputError(
         fmt::format("no choice of --z-bits and --fraction-bits that fits the machine has at most {} wrong pixels; "

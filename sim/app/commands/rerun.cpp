@@ -11,10 +11,10 @@
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/options.h"
-#include "sim/app/paths.h"
-#include "sim/app/settings/file_options.h"
-#include "sim/app/settings/recorded_run.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/settings/file_options.h"
+#include "sim/shell/settings/recorded_run.h"
 
 namespace csgsim::app {
 

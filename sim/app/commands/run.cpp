@@ -2,16 +2,16 @@
 #include <memory>
 #include <vector>
 
-#include "sim/app/advice.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/paths.h"
-#include "sim/app/program_input.h"
-#include "sim/app/program_machine.h"
-#include "sim/app/run_options.h"
-#include "sim/app/run_outputs.h"
-#include "sim/app/settings/configuration.h"
-#include "sim/app/settings/sets.h"
-#include "sim/app/subject.h"
+#include "sim/shell/advice.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/program_input.h"
+#include "sim/shell/program_machine.h"
+#include "sim/shell/run_options.h"
+#include "sim/shell/run_outputs.h"
+#include "sim/shell/settings/configuration.h"
+#include "sim/shell/settings/sets.h"
+#include "sim/shell/subject.h"
 
 namespace csgsim::app {
 

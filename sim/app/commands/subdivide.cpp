@@ -14,15 +14,15 @@
 #include "hw/multi_processor/kind.h"
 #include "hw/pixel_square/kind.h"
 #include "sim/app/commands/commands.h"
-#include "sim/app/memory.h"
-#include "sim/app/model_options.h"
-#include "sim/app/numbers.h"
-#include "sim/app/options.h"
-#include "sim/app/paths.h"
-#include "sim/app/read_by.h"
-#include "sim/app/studies/tolerances.h"
-#include "sim/study/ranges.h"
-#include "sim/study/subdivision.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/studies/subdivide/measure.h"
+#include "sim/studies/tolerances.h"
 
 namespace csgsim::app {
 
@@ -44,9 +44,9 @@ struct Column {
   std::optional<double> tolerance;
   std::uint64_t primitives = 0;
   std::uint64_t halfspaces = 0;
-  study::Squares segments;
-  study::Squares subsegments;
-  std::optional<study::Stages> stages;  ///< of a multi-processor
+  studies::Squares segments;
+  studies::Squares subsegments;
+  std::optional<studies::Stages> stages;  ///< of a multi-processor
 };
 
 /// Rounded up, so that the squares cover the picture.
@@ -73,15 +73,15 @@ Column measure(const Options& options, const Subject& subject, unsigned levels,
       tree, tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_of(options.model, machine, tree));
   const view::View view =
       view::make_view(scene, tree, camera_of(options.model, machine, tree, scene), sampling_of(options.model, machine));
-  const study::Subdivided subdivided{tree, scene, view, machine, emit_options_of(options.model)};
+  const studies::Subdivided subdivided{tree, scene, view, machine, emit_options_of(options.model)};
   const machines::Size picture = machine.picture;
   const auto squares = [&](std::uint32_t columns, std::uint32_t rows) {
-    return study::measure_squares(subdivided, {part_of(picture.width, columns), part_of(picture.height, rows)});
+    return studies::measure_squares(subdivided, {part_of(picture.width, columns), part_of(picture.height, rows)});
   };
   Column column{levels, tolerance, tree.primitives.size(), 0, {}, {}, {}};
   for (const facet::Convex& solid : scene.solids) column.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
   if (machine.kind == &multi_processor::kind) {
-    column.stages = study::measure_stages(subdivided, levels);
+    column.stages = studies::measure_stages(subdivided, levels);
     column.segments = column.stages->segments;
     column.subsegments = column.stages->subsegments;
     return column;
@@ -105,7 +105,7 @@ std::string mean_text(double mean) { return fmt::format("{:.1f}", mean); }
 /// A row of seconds: ours, and those of thesis table 7.3, whose models have so many half-spaces.
 struct StageRow {
   const char* name;
-  double study::StageSeconds::*seconds;
+  double studies::StageSeconds::*seconds;
   std::array<double, 3> thesis;
 };
 
@@ -113,15 +113,15 @@ constexpr std::array<unsigned, 3> thesis_halfspaces{1258, 2042, 3876};
 
 // Its scan conversion, classification and depth sort are what its nodes do to pixels.
 constexpr auto stage_rows = std::to_array<StageRow>({
-    {"transformation of half-spaces, s", &study::StageSeconds::transformation, {6.4, 10.2, 19.0}},
-    {"first pruning, s", &study::StageSeconds::first_pruning, {12.8, 20.3, 38.0}},
-    {"second pruning, s", &study::StageSeconds::second_pruning, {2.4, 3.4, 5.4}},
-    {"communication, s", &study::StageSeconds::communication, {0.2, 0.3, 0.5}},
-    {"rendering, s", &study::StageSeconds::rendering, {67.3, 67.7, 76.2}},
-    {"  scan conversion, s", &study::StageSeconds::scan_conversion, {32.6, 34.5, 42.3}},
-    {"  CSG classification, s", &study::StageSeconds::classification, {29.1, 27.6, 28.3}},
-    {"  depth sort, s", &study::StageSeconds::depth_sort, {5.6, 5.6, 5.6}},
-    {"total, s", &study::StageSeconds::total, {89.7, 102.5, 139.7}},
+    {"transformation of half-spaces, s", &studies::StageSeconds::transformation, {6.4, 10.2, 19.0}},
+    {"first pruning, s", &studies::StageSeconds::first_pruning, {12.8, 20.3, 38.0}},
+    {"second pruning, s", &studies::StageSeconds::second_pruning, {2.4, 3.4, 5.4}},
+    {"communication, s", &studies::StageSeconds::communication, {0.2, 0.3, 0.5}},
+    {"rendering, s", &studies::StageSeconds::rendering, {67.3, 67.7, 76.2}},
+    {"  scan conversion, s", &studies::StageSeconds::scan_conversion, {32.6, 34.5, 42.3}},
+    {"  CSG classification, s", &studies::StageSeconds::classification, {29.1, 27.6, 28.3}},
+    {"  depth sort, s", &studies::StageSeconds::depth_sort, {5.6, 5.6, 5.6}},
+    {"total, s", &studies::StageSeconds::total, {89.7, 102.5, 139.7}},
 });
 
 void print_stages(const std::vector<Column>& columns) {
@@ -174,7 +174,7 @@ void print_table(const std::vector<Column>& columns) {
              [](const Column& c) { return grouped(c.subsegments.clocks); });
 }
 
-nlohmann::ordered_json to_json(const study::Squares& squares) {
+nlohmann::ordered_json to_json(const studies::Squares& squares) {
   return {{"count", squares.count},
           {"touched", squares.touched},
           {"primitives_mean", squares.primitives},
@@ -186,8 +186,8 @@ nlohmann::ordered_json to_json(const study::Squares& squares) {
           {"instruction_clocks", squares.instruction_clocks}};
 }
 
-nlohmann::ordered_json to_json(const study::Stages& stages) {
-  const study::StageSeconds& seconds = stages.seconds;
+nlohmann::ordered_json to_json(const studies::Stages& stages) {
+  const studies::StageSeconds& seconds = stages.seconds;
   return {{"first_halfspace_tests", stages.halfspace_tests},
           {"halfspaces_touching", stages.halfspaces_touching},
           {"broadcast_halfspaces_mean", stages.broadcast_halfspaces},
@@ -224,7 +224,7 @@ nlohmann::ordered_json to_json(const std::vector<Column>& columns) {
 
 std::vector<unsigned> levels_of(const std::string& text) {
   constexpr unsigned most_levels = 20;
-  return study::parse_numbers(text, 0, most_levels);
+  return parse_numbers(text, 0, most_levels);
 }
 
 void run(const Options& options) {
@@ -237,7 +237,7 @@ void run(const Options& options) {
     columns.push_back(measure(options, subject, level, tolerance));
   };
   const std::vector<double> tolerances =
-      options.tolerances.empty() ? std::vector<double>{} : tolerances_in(options.tolerances);
+      options.tolerances.empty() ? std::vector<double>{} : studies::tolerances_in(options.tolerances);
   for (const unsigned level : levels_of(options.levels)) {
     if (tolerances.empty()) add(level, std::nullopt);
     for (const double tolerance : tolerances) add(level, tolerance);
@@ -268,7 +268,7 @@ void add_subdivide(CommandLine& line) {
   command
       .option("--tolerances", options->tolerances,
               "List of tolerances, model units, that curved solids are faceted with")
-      .check(is_read_by(tolerances_in))
+      .check(is_read_by(studies::tolerances_in))
       .excludes("--tolerance");
   command.option("-o,--output", options->json, "The same figures, .json").check(not_empty);
   command.prints_summary();

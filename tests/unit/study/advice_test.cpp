@@ -15,16 +15,16 @@
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
-#include "sim/study/advice_plot.h"
-#include "sim/study/advice_run.h"
-#include "sim/study/fitted_program.h"
-#include "sim/study/measure.h"
-#include "sim/study/table.h"
+#include "sim/studies/accuracy/measure.h"
+#include "sim/studies/advise/fitted_program.h"
+#include "sim/studies/advise/measure.h"
+#include "sim/studies/advise/plots.h"
+#include "sim/studies/table.h"
 
 using namespace csgsim;
-using study::AdvicePoint;
-using study::AdviceRow;
-using study::Wish;
+using studies::AdvicePoint;
+using studies::AdviceRow;
+using studies::Wish;
 
 namespace {
 
@@ -47,15 +47,15 @@ AdviceRow row(std::uint32_t bits, std::uint64_t wrong, std::uint64_t interval, u
   return one;
 }
 
-study::AdviceRanges small_ranges() {
+studies::AdviceRanges small_ranges() {
   return {{12, 16}, {2, 6}, {24, 12}, {"rebroadcast", "field"}, {"stack", "list", "bits"}, {3, 5}, {1, 4}};
 }
 
-study::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Options& options = {}) {
+studies::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Options& options = {}) {
   model::Tree tree = read::read_csg_text(bitten_cube, "test");
   facet::Scene scene = facet::make_scene(tree);
-  study::AdviceJob job;
-  job.subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
+  studies::AdviceJob job;
+  job.subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   job.camera = {{40, -60, 45}, {0, 0, 0}};
   job.sampling.width = job.sampling.height = side;
   job.options = options;
@@ -66,9 +66,9 @@ study::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Op
   return job;
 }
 
-Rows measured(const study::AdviceJob& job, const std::vector<AdvicePoint>& points, unsigned threads) {
+Rows measured(const studies::AdviceJob& job, const std::vector<AdvicePoint>& points, unsigned threads) {
   Rows rows;
-  study::measure_advice(job, points, threads, [&](AdviceRow one) { rows.push_back(std::move(one)); });
+  studies::measure_advice(job, points, threads, [&](AdviceRow one) { rows.push_back(std::move(one)); });
   std::sort(rows.begin(), rows.end(), [](const AdviceRow& a, const AdviceRow& b) { return a.point < b.point; });
   return rows;
 }
@@ -79,24 +79,24 @@ auto named(const Choices& choices, const std::string& name) {
 }
 
 /// As csgsim sweep measures it.
-study::SweepRow swept(const study::AdviceJob& job, const AdvicePoint& point, std::uint32_t memory_bits) {
+studies::SweepRow swept(const studies::AdviceJob& job, const AdvicePoint& point, std::uint32_t memory_bits) {
   machines::Machine machine = *std::find_if(job.machines.begin(), job.machines.end(),
                                             [&](const auto& one) { return one.alu_bits == point.alu_bits; });
   machine.array.memory_bits = memory_bits;
-  study::SweepJob sweep{{}, job.subject, job.camera, job.sampling, machine, job.options, {}};
+  studies::SweepJob sweep{{}, job.subject, job.camera, job.sampling, machine, job.options, {}};
   sweep.sampling.z_bits = point.z_bits;
   sweep.sampling.fraction_bits = point.fraction_bits;
   sweep.options.strategy = named(emit::strategies, point.strategy);
   sweep.options.stack_bits = std::max(point.stack_bits, emit::fewest_stack_bits);
   sweep.options.colouring = named(emit::colourings, point.colouring);
   sweep.options.colour_bits = point.colour_bits;
-  return study::measure(sweep, true);
+  return studies::measure(sweep, true);
 }
 
 /// As csgsim accuracy judges it.
-std::uint64_t judged(const study::AdviceJob& job, const AdvicePoint& point) {
-  study::Meter meter(job.subject->tree, {job.camera}, job.machines.front(), job.options);
-  study::Settings settings{"together", "", {}, job.sampling};
+std::uint64_t judged(const studies::AdviceJob& job, const AdvicePoint& point) {
+  studies::Meter meter(job.subject->tree, {job.camera}, job.machines.front(), job.options);
+  studies::Settings settings{"together", "", {}, job.sampling};
   settings.sampling.z_bits = point.z_bits;
   settings.sampling.fraction_bits = point.fraction_bits;
   return meter.measure(settings).wrong;
@@ -120,7 +120,7 @@ TEST_CASE("points of advice are every combination once, ALU widths together") {
   CHECK(points[0] == AdvicePoint{12, 2, 24, "rebroadcast", "stack", 0, 1});
   CHECK(points[1] == AdvicePoint{12, 2, 24, "rebroadcast", "stack", 0, 4});
   CHECK(points[4] == AdvicePoint{12, 2, 24, "rebroadcast", "bits", 3, 1});
-  CHECK(study::strategy_name(points[6]) == "bits 5");
+  CHECK(studies::strategy_name(points[6]) == "bits 5");
   std::vector<AdvicePoint> sorted = points;
   std::sort(sorted.begin(), sorted.end());
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
@@ -129,39 +129,39 @@ TEST_CASE("points of advice are every combination once, ALU widths together") {
 TEST_CASE("advice's front has what no other choice beats, colours and the ALU counted too, and equals once") {
   const Rows rows{row(66, 0, 100),    row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2),
                   row(54, 0, 95, 12), row(66, 1, 100), row(70, 0, 110), row(62, 9, 100, 12)};
-  const Rows front = study::advice_front(rows);
+  const Rows front = studies::advice_front(rows);
   CHECK(front == Rows{row(54, 0, 95, 12), row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2)});
 }
 
 TEST_CASE("a choice without a Program is neither on the front nor recommended") {
   AdviceRow refused = row(0, 0, 1);
   refused.reason = "it does not fit";
-  const study::Wishes wishes{72, 10, 0, 24};
+  const studies::Wishes wishes{72, 10, 0, 24};
   const Rows rows{refused, row(66, 0, 100)};
-  CHECK(study::advice_front(rows) == Rows{rows[1]});
-  for (const study::Recommendation& one : study::recommend(rows, wishes)) CHECK(one.row == rows[1]);
-  CHECK(study::nearest_choices(rows, wishes, 9) == Rows{rows[1]});
+  CHECK(studies::advice_front(rows) == Rows{rows[1]});
+  for (const studies::Recommendation& one : studies::recommend(rows, wishes)) CHECK(one.row == rows[1]);
+  CHECK(studies::nearest_choices(rows, wishes, 9) == Rows{rows[1]});
 }
 
 TEST_CASE("each recommendation is the best by its wish of those that meet the others") {
   // 1e7 / 400,000 is 25 frames a second.
-  const study::Wishes wishes{64, 10, 25, 24};
+  const studies::Wishes wishes{64, 10, 25, 24};
   const Rows rows{row(60, 8, 390'000), row(64, 2, 400'000), row(64, 9, 300'000),    row(58, 11, 390'000),
                   row(58, 5, 410'000), row(72, 0, 200'000), row(64, 0, 390'000, 18)};
-  const std::vector<study::Recommendation> all = study::recommend(rows, wishes);
+  const std::vector<studies::Recommendation> all = studies::recommend(rows, wishes);
   REQUIRE(all.size() == 4);
   CHECK(all[0].wish == Wish::bits);
   CHECK(all[0].row == rows[0]);
   CHECK(all[1].row == rows[1]);
   CHECK(all[2].row == rows[2]);
   CHECK(all[3].row == rows[0]);
-  for (const study::Recommendation& one : all) CHECK(one.miss == 0);
+  for (const studies::Recommendation& one : all) CHECK(one.miss == 0);
 }
 
 TEST_CASE("where nothing meets all wishes, a recommendation says by how much its wish is missed") {
   const Rows rows{row(70, 3, 300'000), row(64, 30, 300'000), row(60, 3, 500'000), row(50, 500, 600'000, 3)};
-  const study::Wishes wishes{64, 10, 25, 24};
-  const std::vector<study::Recommendation> all = study::recommend(rows, wishes);
+  const studies::Wishes wishes{64, 10, 25, 24};
+  const std::vector<studies::Recommendation> all = studies::recommend(rows, wishes);
   REQUIRE(all.size() == 3);
   CHECK(all[0].row == rows[0]);
   CHECK(all[0].miss == 6);
@@ -170,27 +170,27 @@ TEST_CASE("where nothing meets all wishes, a recommendation says by how much its
   CHECK(all[2].row == rows[2]);
   CHECK(all[2].miss == doctest::Approx(5));
   // 6 of 64 bits are a smaller part than 20 of 10 pixels and 5 of 25 frames.
-  CHECK(study::nearest_choices(rows, wishes, 2) == Rows{rows[0], rows[2]});
-  CHECK(std::none_of(rows.begin(), rows.end(), [&](const AdviceRow& one) { return study::meets_all(one, wishes); }));
+  CHECK(studies::nearest_choices(rows, wishes, 2) == Rows{rows[0], rows[2]});
+  CHECK(std::none_of(rows.begin(), rows.end(), [&](const AdviceRow& one) { return studies::meets_all(one, wishes); }));
 }
 
 TEST_CASE("where no wrong pixel is wished, choices that miss it and another wish are told apart by both") {
-  const study::Wishes wishes{60, 0, 0, 0};
+  const studies::Wishes wishes{60, 0, 0, 0};
   // 1 pixel and 6 of 60 bits are nearer than 3 pixels and 1 of 60 bits, though more bits are dearer.
   const Rows rows{row(61, 3, 100), row(66, 1, 100)};
-  CHECK(study::nearest_choices(rows, wishes, 2) == Rows{rows[1], rows[0]});
+  CHECK(studies::nearest_choices(rows, wishes, 2) == Rows{rows[1], rows[0]});
 }
 
 TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and its answers with a plain search") {
-  const study::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
+  const studies::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
   const std::vector<AdvicePoint> points = points_of(small_ranges());
   const Rows rows = measured(job, points, 2);
   REQUIRE(rows.size() == points.size());
   for (const AdviceRow& one : rows) {
     CAPTURE(one.point.z_bits);
-    CAPTURE(study::strategy_name(one.point));
+    CAPTURE(studies::strategy_name(one.point));
     REQUIRE(one.reason.empty());
-    const study::SweepRow other = swept(job, one.point, one.memory_bits);
+    const studies::SweepRow other = swept(job, one.point, one.memory_bits);
     CHECK(other.used_bits == one.memory_bits);
     CHECK(other.classification_bits == one.classification_bits);
     CHECK(other.clocks == one.clocks);
@@ -207,16 +207,16 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
     }
     if (!is_beaten) front.push_back(rows[i]);
   }
-  const Rows answer = study::advice_front(rows);
+  const Rows answer = studies::advice_front(rows);
   CHECK(answer.size() == front.size());
   for (const AdviceRow& one : front) CHECK(std::find(answer.begin(), answer.end(), one) != answer.end());
   CHECK(front.size() > 4);
-  const study::Wishes wishes{static_cast<std::uint32_t>(front[front.size() / 2].memory_bits),
-                             front[front.size() / 2].wrong, front[front.size() / 2].frames_per_second, 12};
-  for (const study::Recommendation& one : study::recommend(rows, wishes)) {
+  const studies::Wishes wishes{static_cast<std::uint32_t>(front[front.size() / 2].memory_bits),
+                               front[front.size() / 2].wrong, front[front.size() / 2].frames_per_second, 12};
+  for (const studies::Recommendation& one : studies::recommend(rows, wishes)) {
     for (const AdviceRow& other : rows) {
       const bool is_eligible = std::all_of(std::begin(every_wish), std::end(every_wish), [&](Wish wish) {
-        return wish == one.wish || study::miss(other, wish, wishes) == 0;
+        return wish == one.wish || studies::miss(other, wish, wishes) == 0;
       });
       if (!is_eligible) continue;
       if (one.wish == Wish::bits) CHECK(one.row.memory_bits <= other.memory_bits);
@@ -230,8 +230,8 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
 
 TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels that buys more than a stricter one") {
   const Rows rows{row(72, 0, 50'000), row(64, 7, 50'000), row(80, 0, 25'000), row(90, 3, 20'000), row(70, 800, 10'000)};
-  const study::Wishes wishes{.max_bits = 80, .max_wrong_pixels = 5, .min_fps = 300, .min_colour_bits = 12};
-  const plots::Plot plot = study::plot_of_advice(rows, wishes, {}, "m.csg");
+  const studies::Wishes wishes{.max_bits = 80, .max_wrong_pixels = 5, .min_fps = 300, .min_colour_bits = 12};
+  const plots::Plot plot = studies::plot_of_advice(rows, wishes, {}, "m.csg");
   const auto& chart = std::get<plots::Chart>(plot.content);
   const auto steps = [&](std::size_t series) {
     std::vector<std::pair<double, double>> points;
@@ -248,22 +248,22 @@ TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels tha
 }
 
 TEST_CASE("advice does not depend on threads, nor on which points are measured together") {
-  const study::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
+  const studies::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
   const std::vector<AdvicePoint> points = points_of(small_ranges());
   const Rows rows = measured(job, points, 1);
   CHECK(measured(job, points, 3) == rows);
-  for (std::size_t i = 0; i < rows.size(); i += 7) CHECK(study::draw_advice(job, rows[i].point) == rows[i]);
+  for (std::size_t i = 0; i < rows.size(); i += 7) CHECK(studies::draw_advice(job, rows[i].point) == rows[i]);
 }
 
 TEST_CASE("memory that shows one picture while the next is drawn counts among a choice's bits") {
   const AdvicePoint point{16, 6, 24, "rebroadcast", "stack", 0, 1};
-  const AdviceRow one = study::draw_advice(job_on({"pixel-planes-4"}), point);
-  const AdviceRow two = study::draw_advice(job_on({"pixel-planes-4+scan_out.buffers=2"}), point);
+  const AdviceRow one = studies::draw_advice(job_on({"pixel-planes-4"}), point);
+  const AdviceRow two = studies::draw_advice(job_on({"pixel-planes-4+scan_out.buffers=2"}), point);
   CHECK(two.memory_bits == one.memory_bits + 24);
 }
 
 TEST_CASE("a choice that needs more memory than any may take is a row that says so") {
-  study::AdviceJob job = job_on({"pixel-planes-4"});
+  studies::AdviceJob job = job_on({"pixel-planes-4"});
   const std::string many = [] {
     std::string text = "intersection(){cube(size=14,center=true);union(){";
     for (int i = 0; i < 600; ++i)
@@ -273,37 +273,37 @@ TEST_CASE("a choice that needs more memory than any may take is a row that says 
   }();
   model::Tree tree = read::read_csg_text(many, "test");
   facet::Scene scene = facet::make_scene(tree);
-  job.subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
+  job.subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   job.options.pruning = {.space = false, .picture = false, .separation = false};
-  const AdviceRow refused = study::draw_advice(job, {16, 6, 24, "rebroadcast", "parallel", 0, 1});
+  const AdviceRow refused = studies::draw_advice(job, {16, 6, 24, "rebroadcast", "parallel", 0, 1});
   CHECK(refused.reason.find("memory bits") != std::string::npos);
-  CHECK(study::draw_advice(job, {16, 6, 24, "rebroadcast", "list", 0, 1}).compiled());
+  CHECK(studies::draw_advice(job, {16, 6, 24, "rebroadcast", "list", 0, 1}).compiled());
 }
 
 TEST_CASE("a Program fitted to its memory is the same whatever was guessed") {
-  const study::AdviceJob job = job_on({"pixel-planes-4"});
+  const studies::AdviceJob job = job_on({"pixel-planes-4"});
   const view::View view = view::make_view(job.subject->scene, job.subject->tree, job.camera, job.sampling);
   const auto fitted = [&](std::uint32_t likely) {
-    return study::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(), job.options,
-                                  {likely, 256});
+    return studies::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(), job.options,
+                                    {likely, 256});
   };
-  const study::Fitted plain = fitted(0);
+  const studies::Fitted plain = fitted(0);
   const std::uint32_t bits = plain.machine.array.memory_bits;
   CHECK(plain.program.shape.memory_bits == bits);
   for (const std::uint32_t likely : {bits - 3, bits, bits + 5, 300U}) {
-    const study::Fitted other = fitted(likely);
+    const studies::Fitted other = fitted(likely);
     CHECK(other.machine.array.memory_bits == bits);
     CHECK(other.program.segments == plain.program.segments);
   }
-  CHECK_THROWS_AS(study::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(), job.options,
-                                         {0, bits - 1}),
+  CHECK_THROWS_AS(studies::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(),
+                                           job.options, {0, bits - 1}),
                   InputError);
 }
 
 TEST_CASE("a timer tells of every machine what a run of its own tells, though it runs a Program once") {
-  const study::AdviceJob job = job_on({"pixel-planes-4"});
+  const studies::AdviceJob job = job_on({"pixel-planes-4"});
   const view::View view = view::make_view(job.subject->scene, job.subject->tree, job.camera, job.sampling);
-  study::RunTimer timer;
+  studies::RunTimer timer;
   bool skips = false;
   for (const char* name : {"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+link.width=16"}) {
     machines::Machine machine = kinds::load(name);
@@ -322,5 +322,5 @@ TEST_CASE("a line of a table of advice reads back as it was") {
   AdviceRow one = row(66, 3, 411'000, 18, 4);
   one.inputs = {"0123456789abcdef", "fedcba9876543210", "0.1.0"};
   one.colour_error = 2;
-  CHECK(study::from_line<AdviceRow>(study::to_line(one)) == one);
+  CHECK(studies::from_line<AdviceRow>(studies::to_line(one)) == one);
 }

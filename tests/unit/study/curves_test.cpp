@@ -8,8 +8,8 @@
 #include "host/csg/positive_tree.h"
 #include "host/read/read.h"
 #include "hw/kinds/load.h"
-#include "sim/study/measure.h"
-#include "sim/study/settings.h"
+#include "sim/studies/accuracy/measure.h"
+#include "sim/studies/accuracy/settings.h"
 
 using namespace csgsim;
 
@@ -23,7 +23,7 @@ const char* const joined_balls =
 
 machines::Machine machine_of(const std::string& name) {
   machines::Machine machine = kinds::load(name);
-  machine.array = {side, side, study::ample_memory_bits};
+  machine.array = {side, side, studies::ample_memory_bits};
   return machine;
 }
 
@@ -33,14 +33,14 @@ view::Sampling sampling() {
   return sampling;
 }
 
-const study::CurvesChoice& choice(emit::Curves curves) {
-  const auto found = std::ranges::find(study::curves_choices(), curves, &study::CurvesChoice::curves);
-  REQUIRE(found != study::curves_choices().end());
+const studies::CurvesChoice& choice(emit::Curves curves) {
+  const auto found = std::ranges::find(studies::curves_choices(), curves, &studies::CurvesChoice::curves);
+  REQUIRE(found != studies::curves_choices().end());
   return *found;
 }
 
 /// As curved surfaces are asked for in place of `base`.
-study::Settings drawn_as(emit::Curves curves, const facet::Faceting& base = {}) {
+studies::Settings drawn_as(emit::Curves curves, const facet::Faceting& base = {}) {
   return {"curves", std::string(emit::name_of(curves)), choice(curves).faceting(base), sampling()};
 }
 
@@ -56,9 +56,9 @@ std::optional<std::string> why_not(emit::Curves curves, const std::string& csg, 
 
 TEST_CASE("fast spheres are held against the true ones: outlines are right, edges where they meet and depths are not") {
   const model::Tree tree = read::read_csg_text(joined_balls, "test");
-  study::Meter meter(tree, study::turned_views(camera, 2), machine_of("pixel-planes-4"), {});
-  const study::Measurement facets = meter.measure(drawn_as(emit::Curves::facets));
-  const study::Measurement fast = meter.measure(drawn_as(emit::Curves::fast));
+  studies::Meter meter(tree, studies::turned_views(camera, 2), machine_of("pixel-planes-4"), {});
+  const studies::Measurement facets = meter.measure(drawn_as(emit::Curves::facets));
+  const studies::Measurement fast = meter.measure(drawn_as(emit::Curves::fast));
   CHECK(fast.halfspaces == 2);
   CHECK(fast.clocks * 5 < facets.clocks);
   CHECK(facets.unexplained == 0);
@@ -75,7 +75,7 @@ TEST_CASE("a sphere that does not fit the machine's numbers is in facets among f
   const std::string cut = "intersection(){cube(size=20,center=true);sphere($fn=16,$fa=12,$fs=2,r=20000);}";
   const auto halfspaces = [&](const std::string& csg, emit::Curves curves) {
     const model::Tree tree = read::read_csg_text(csg, "test");
-    study::Meter meter(tree, {camera}, machine_of("pixel-planes-4"), {});
+    studies::Meter meter(tree, {camera}, machine_of("pixel-planes-4"), {});
     return meter.measure(drawn_as(curves)).halfspaces;
   };
   const std::uint64_t of_small = halfspaces(small, emit::Curves::facets);
@@ -86,9 +86,9 @@ TEST_CASE("a sphere that does not fit the machine's numbers is in facets among f
 
 TEST_CASE("pictures of the same size are not mixed up where other solids are faceted") {
   const model::Tree tree = read::read_csg_text(joined_balls, "test");
-  study::Meter meter(tree, {camera}, machine_of("pixel-powers"), {});
+  studies::Meter meter(tree, {camera}, machine_of("pixel-powers"), {});
   for (const emit::Curves curves : {emit::Curves::fast, emit::Curves::exact}) {
-    study::Settings settings = drawn_as(curves);
+    studies::Settings settings = drawn_as(curves);
     CHECK(meter.measure(settings).halfspaces == 2);
     settings.faceting.faceted = {true, false};
     const std::uint64_t first = meter.measure(settings).halfspaces;

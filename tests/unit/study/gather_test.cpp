@@ -1,4 +1,4 @@
-#include "sim/study/gather.h"
+#include "sim/studies/gather.h"
 
 #include <doctest/doctest.h>
 
@@ -20,15 +20,15 @@ std::string refusal(const std::string& name, std::size_t points, const std::stri
   const fs::path folder = fs::path(CSGSIM_BINARY_DIR) / "scratch_gather" / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
-  study::ShardHeader header{{1, 2}, 2, {"model", "machine", "csgsim"}, {"sweep"}};
-  const std::vector<unsigned> shard_of = study::shard_of_each(2, 2);
+  studies::ShardHeader header{{1, 2}, 2, {"model", "machine", "csgsim"}, {"sweep"}};
+  const std::vector<unsigned> shard_of = studies::shard_of_each(2, 2);
   const std::size_t first = shard_of[0] == 1 ? 0 : 1;
-  study::ShardWriter(folder, header, "a,b").add({first, "1,2"});
+  studies::ShardWriter(folder, header, "a,b").add({first, "1,2"});
   header.shard.number = 2;
   header.points = points;
-  study::ShardWriter(folder, header, columns).add({1 - first, "3,4"});
+  studies::ShardWriter(folder, header, columns).add({1 - first, "3,4"});
   const std::array<fs::path, 1> studies{folder};
-  const std::string error = testing::error_of([&] { study::gather(studies); });
+  const std::string error = testing::error_of([&] { studies::gather(studies); });
   fs::remove_all(folder);
   return error;
 }

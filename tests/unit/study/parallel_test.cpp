@@ -1,4 +1,4 @@
-#include "sim/study/parallel.h"
+#include "sim/studies/parallel.h"
 
 #include <doctest/doctest.h>
 
@@ -17,7 +17,7 @@ constexpr std::size_t many = 64;
 
 TEST_CASE("every point of a study is measured once and handed on once") {
   std::set<std::size_t> handed_on;
-  study::measure_each(
+  studies::measure_each(
       many, 4, [](std::size_t i) { return i; }, [&](std::size_t i) { handed_on.insert(i); });
   CHECK(handed_on.size() == many);
   CHECK(*handed_on.rbegin() == many - 1);
@@ -30,7 +30,7 @@ TEST_CASE("nobody is handed a result after the receiver has failed, however the 
       ++calls;
       throw std::runtime_error("full");
     };
-    CHECK_THROWS_AS(study::measure_each(
+    CHECK_THROWS_AS(studies::measure_each(
                         many, 4, [](std::size_t i) { return i; }, fails),
                     std::runtime_error);
     REQUIRE(calls == 1);
@@ -44,6 +44,6 @@ TEST_CASE("a point that throws ends the others, and its exception comes out") {
     if (i == 0) throw std::runtime_error("first");
     return i;
   };
-  CHECK_THROWS_WITH_AS(study::measure_each(1000, 1, throws_at_once, [](std::size_t) {}), "first", std::runtime_error);
+  CHECK_THROWS_WITH_AS(studies::measure_each(1000, 1, throws_at_once, [](std::size_t) {}), "first", std::runtime_error);
   CHECK(measured == 1);
 }

@@ -1,14 +1,14 @@
-#include "sim/study/plots.h"
+#include "sim/studies/accuracy/plots.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <variant>
 
-#include "sim/study/comparison.h"
-#include "sim/study/corpus.h"
-#include "sim/study/sweep_axis.h"
-#include "sim/study/sweep_plots.h"
+#include "sim/studies/compare/measure.h"
+#include "sim/studies/corpus/measure.h"
+#include "sim/studies/sweep/axis.h"
+#include "sim/studies/sweep/plots.h"
 
 using namespace csgsim;
 
@@ -16,8 +16,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-study::SweepRow row(const study::SweepPoint& point, std::uint64_t clocks) {
-  study::SweepRow one;
+studies::SweepRow row(const studies::SweepPoint& point, std::uint64_t clocks) {
+  studies::SweepRow one;
   one.point = point;
   one.clocks = clocks;
   one.classification_bits = point.stack_bits;
@@ -25,7 +25,7 @@ study::SweepRow row(const study::SweepPoint& point, std::uint64_t clocks) {
   return one;
 }
 
-study::SweepPoint point(const std::string& strategy, unsigned stack_bits, const std::string& pruning = "all") {
+studies::SweepPoint point(const std::string& strategy, unsigned stack_bits, const std::string& pruning = "all") {
   return {"a.csg", "pixel-planes-4", 72, 20, pruning, "rebroadcast", strategy, stack_bits};
 }
 
@@ -44,28 +44,28 @@ plots::Chart chart_named(const std::vector<plots::Plot>& all, const std::string&
 }  // namespace
 
 TEST_CASE("a sweep's x axis is what it varies most, numbers before names, and the strategy where only it varies") {
-  using Rows = std::vector<study::SweepRow>;
+  using Rows = std::vector<studies::SweepRow>;
   const Rows stack_bits{row(point("stack", 0), 1), row(point("bits", 3), 2), row(point("bits", 4), 3)};
-  CHECK(tick_texts(study::SweepAxis(stack_bits).axis()) == Words{"3", "4"});
+  CHECK(tick_texts(studies::SweepAxis(stack_bits).axis()) == Words{"3", "4"});
   const Rows prunings{row(point("bits", 3, "all"), 1), row(point("bits", 3, "no-sets"), 2),
                       row(point("bits", 4, "none"), 3)};
-  CHECK(study::SweepAxis(prunings).axis().title == "prunings that are done");
-  CHECK(study::SweepAxis(prunings).axis().is_names);
-  CHECK(study::SweepAxis(prunings).others(prunings[2].point) == "bits, m = 4");
+  CHECK(studies::SweepAxis(prunings).axis().title == "prunings that are done");
+  CHECK(studies::SweepAxis(prunings).axis().is_names);
+  CHECK(studies::SweepAxis(prunings).others(prunings[2].point) == "bits, m = 4");
   const Rows strategies{row(point("stack", 0), 1), row(point("list", 0), 2)};
-  CHECK(tick_texts(study::SweepAxis(strategies).axis()) == Words{"stack", "list"});
+  CHECK(tick_texts(studies::SweepAxis(strategies).axis()) == Words{"stack", "list"});
   Rows both = stack_bits;
   both[1].point.z_bits = 16;
-  CHECK(study::SweepAxis(both).axis().title == "bits of depth");
+  CHECK(studies::SweepAxis(both).axis().title == "bits of depth");
   both.push_back(row(point("bits", 5), 4));
-  CHECK(study::SweepAxis(both).axis().title.starts_with("m, "));
+  CHECK(studies::SweepAxis(both).axis().title.starts_with("m, "));
 }
 
 TEST_CASE("machines of a sweep stand side by side, each by its name") {
-  study::SweepPoint other = point("stack", 0);
+  studies::SweepPoint other = point("stack", 0);
   other.machine = "alu-4.toml";
-  const std::vector<study::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};
-  const plots::Chart chart = chart_named(study::plots_of_sweep(rows, "a"), "a_clocks");
+  const std::vector<studies::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};
+  const plots::Chart chart = chart_named(studies::plots_of_sweep(rows, "a"), "a_clocks");
   CHECK(tick_texts(chart.x) == Words{"pixel-planes-4", "alu-4.toml"});
   REQUIRE(chart.series.size() == 1);
   CHECK(chart.series[0].points[1].x == 1);
@@ -73,18 +73,18 @@ TEST_CASE("machines of a sweep stand side by side, each by its name") {
 }
 
 TEST_CASE("prunings are called as they were asked for, also where one begins as another does") {
-  study::SweepPoint space = point("stack", 0);
+  studies::SweepPoint space = point("stack", 0);
   space.pruning = "space";
-  study::SweepPoint both = point("stack", 0);
+  studies::SweepPoint both = point("stack", 0);
   both.pruning = "space+hidden";
-  const std::vector<study::SweepRow> rows{row(space, 100), row(both, 50)};
-  CHECK(tick_texts(study::SweepAxis(rows).axis()) == Words{"space", "space+hidden"});
+  const std::vector<studies::SweepRow> rows{row(space, 100), row(both, 50)};
+  CHECK(tick_texts(studies::SweepAxis(rows).axis()) == Words{"space", "space+hidden"});
 }
 
 TEST_CASE("a strategy without stack bits is a level, and lines that would cover each other are one") {
-  const std::vector<study::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 7), row(point("bits", 4), 8),
-                                          row(point("bits", 3), 9)};
-  const std::vector<plots::Plot> all = study::plots_of_sweep(rows, "a");
+  const std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 7),
+                                            row(point("bits", 4), 8), row(point("bits", 3), 9)};
+  const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
   const plots::Chart chart = chart_named(all, "a_clocks");
   REQUIRE(chart.series.size() == 2);
   CHECK(chart.series[0].name == "stack; list");
@@ -94,18 +94,18 @@ TEST_CASE("a strategy without stack bits is a level, and lines that would cover 
 }
 
 TEST_CASE("points that cannot be compiled are in no plot") {
-  std::vector<study::SweepRow> rows{row(point("stack", 0), 7), row(point("bits", 3), 0)};
+  std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("bits", 3), 0)};
   rows[1].reason = "does not fit";
-  const plots::Chart chart = chart_named(study::plots_of_sweep(rows, "a"), "a_clocks");
+  const plots::Chart chart = chart_named(studies::plots_of_sweep(rows, "a"), "a_clocks");
   for (const plots::Series& series : chart.series) {
     for (const plots::Point& one : series.points) CHECK(one.y == 7);
   }
   rows[0].reason = "does not fit";
-  CHECK(study::plots_of_sweep(rows, "a").empty());
+  CHECK(studies::plots_of_sweep(rows, "a").empty());
 }
 
 TEST_CASE("a knob's values are across, where they belong") {
-  std::vector<study::Measurement> rows(5);
+  std::vector<studies::Measurement> rows(5);
   const Words values{"1/4", "1/16", "128x64", "0.125", "12"};
   const Words knobs{"edge-on", "edge-on", "size", "tolerance", "z-bits"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -114,7 +114,7 @@ TEST_CASE("a knob's values are across, where they belong") {
     rows[i].clocks = 100 + i;
     rows[i].wrong = i;
   }
-  const std::vector<plots::Plot> all = study::plots_of_accuracy(rows, {"a", 4});
+  const std::vector<plots::Plot> all = studies::plots_of_accuracy(rows, {"a", 4});
   const plots::Chart edge_on = chart_named(all, "edge-on");
   CHECK(edge_on.panels.size() == 3);
   REQUIRE(edge_on.series[0].points.size() == 2);
@@ -128,7 +128,7 @@ TEST_CASE("a knob's values are across, where they belong") {
 }
 
 TEST_CASE("facets and curved surfaces stand in one plot, clocks across and pixels off the true surfaces upwards") {
-  std::vector<study::Measurement> rows(5);
+  std::vector<studies::Measurement> rows(5);
   const Words knobs{"tolerance", "tolerance", "fn", "curves", "curves"};
   const Words values{"0.1", "0.5", "16", "facets", "exact"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -138,7 +138,7 @@ TEST_CASE("facets and curved surfaces stand in one plot, clocks across and pixel
     rows[i].facet_wrong = 10 * i;
     rows[i].wrong = 7;
   }
-  const plots::Chart chart = chart_named(study::plots_of_accuracy(rows, {"a", 4}), "curves");
+  const plots::Chart chart = chart_named(studies::plots_of_accuracy(rows, {"a", 4}), "curves");
   REQUIRE(chart.series.size() == 4);
   CHECK(chart.series[0].name == "facets, by tolerance");
   CHECK(chart.series[0].points.front().label == "0.5");
@@ -152,8 +152,8 @@ TEST_CASE("facets and curved surfaces stand in one plot, clocks across and pixel
 }
 
 TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
-  std::vector<study::ComparisonRow> rows(2);
-  for (study::ComparisonRow& one : rows) {
+  std::vector<studies::ComparisonRow> rows(2);
+  for (studies::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
     one.seconds = 0.5;
     one.frames_per_second = 2;
@@ -162,7 +162,7 @@ TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
   rows[1].point.machine = "pixel-square";
   const auto names = [&] {
     Words words;
-    for (const plots::Plot& plot : study::plots_of_comparison(rows, {64, 64}, "a")) words.push_back(plot.name);
+    for (const plots::Plot& plot : studies::plots_of_comparison(rows, {64, 64}, "a")) words.push_back(plot.name);
     return words;
   };
   CHECK(names() == Words{"compare_machines"});
@@ -176,23 +176,23 @@ TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
 }
 
 TEST_CASE("machines that differ by a figure are called by it, and transistors are shown where all have some") {
-  std::vector<study::ComparisonRow> rows(3);
+  std::vector<studies::ComparisonRow> rows(3);
   const Words machines{"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+alu.bits=2+array.memory_bits=96"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].point = {machines[i], 64, 64, 0, {}};
     rows[i].frames_per_second = 1;
     rows[i].transistors = 100 + i;
   }
-  const plots::Chart chart = chart_named(study::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines");
+  const plots::Chart chart = chart_named(studies::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines");
   CHECK(tick_texts(chart.x) == Words{"pixel-planes-4", "+alu.bits=2", "+array.memory_bits=96"});
   REQUIRE(chart.panels.size() == 4);
   CHECK(chart.series[3].points[2].y == 102);
   rows[1].transistors.reset();
-  CHECK(chart_named(study::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines").panels.size() == 3);
+  CHECK(chart_named(studies::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines").panels.size() == 3);
 }
 
 TEST_CASE("a comparison shows the time from frame to frame first, and that of drawing alone beside it") {
-  std::vector<study::ComparisonRow> rows(4);
+  std::vector<studies::ComparisonRow> rows(4);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].point = {i % 2 == 0 ? "pixel-planes-4" : "pixel-square", 64, 64, i < 2 ? 0.0 : 8.0, {}};
     rows[i].halfspaces = i < 2 ? 100 : 50;
@@ -202,7 +202,7 @@ TEST_CASE("a comparison shows the time from frame to frame first, and that of dr
     rows[i].seconds = i % 2 == 0 ? 0.003 : 0.004;
     rows[i].frames_per_second = i % 2 == 0 ? 64 : 200;
   }
-  const std::vector<plots::Plot> all = study::plots_of_comparison(rows, {64, 64}, "a");
+  const std::vector<plots::Plot> all = studies::plots_of_comparison(rows, {64, 64}, "a");
   const plots::Chart machines = chart_named(all, "compare_machines");
   CHECK(machines.panels[0].title == "from frame to frame, ms");
   CHECK(machines.panels[1].title == "drawing alone, ms");
@@ -222,16 +222,16 @@ TEST_CASE("a comparison shows the time from frame to frame first, and that of dr
 
 TEST_CASE(
     "a corpus shows clocks from frame to frame first, and those of drawing alone beside them, in the same colours") {
-  std::vector<study::CorpusRow> rows(2);
+  std::vector<studies::CorpusRow> rows(2);
   rows[0].point = {"a.csg", "pixel-planes-4"};
   rows[1].point = {"a.csg", "pixel-square"};
-  for (study::CorpusRow& row : rows) {
+  for (studies::CorpusRow& row : rows) {
     row.halfspaces = 10;
     row.clocks = 300;
     row.interval_clocks = 1500;
     row.frames_per_second = 7;
   }
-  const std::vector<plots::Plot> all = study::plots_of_corpus(rows);
+  const std::vector<plots::Plot> all = studies::plots_of_corpus(rows);
   const plots::Chart clocks = chart_named(all, "corpus_clocks");
   REQUIRE(clocks.panels.size() == 2);
   CHECK(clocks.panels[0].title == "clocks from frame to frame");
@@ -243,7 +243,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what accuracy adds up over views is said to be a sum, and a percentile is called one") {
-  std::vector<study::Measurement> rows(4);
+  std::vector<studies::Measurement> rows(4);
   const Words knobs{"z-bits", "together", "curves", "tolerance"};
   const Words values{"12", "12/4", "facets", "0.1"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -251,7 +251,7 @@ TEST_CASE("what accuracy adds up over views is said to be a sum, and a percentil
     rows[i].value = values[i];
     rows[i].clocks = 100;
   }
-  const std::vector<plots::Plot> all = study::plots_of_accuracy(rows, {"a", 4});
+  const std::vector<plots::Plot> all = studies::plots_of_accuracy(rows, {"a", 4});
   const plots::Chart z_bits = chart_named(all, "z-bits");
   CHECK(z_bits.panels[0].title == "wrong pixels, sum of 4 views");
   CHECK(z_bits.panels[1].title == "depth error, 99.9th percentile");
@@ -261,7 +261,7 @@ TEST_CASE("what accuracy adds up over views is said to be a sum, and a percentil
     CHECK(chart.x.title == "clocks, sum of 4 views");
     CHECK(chart.panels[0].title.ends_with(", sum of 4 views"));
   }
-  const plots::Chart alone = chart_named(study::plots_of_accuracy(rows, {"a", 1}), "z-bits");
+  const plots::Chart alone = chart_named(studies::plots_of_accuracy(rows, {"a", 1}), "z-bits");
   CHECK(alone.panels[0].title == "wrong pixels");
   CHECK(alone.panels[2].title == "clocks");
 }

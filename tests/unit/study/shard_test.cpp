@@ -1,4 +1,4 @@
-#include "sim/study/shard.h"
+#include "sim/studies/shard.h"
 
 #include <doctest/doctest.h>
 
@@ -9,15 +9,15 @@
 #include "tests/support/error_of.h"
 
 using namespace csgsim;
-using study::Shard;
+using studies::Shard;
 
 TEST_CASE("a shard is read as k/n and told in the same way") {
-  CHECK(study::parse_shard("1/1") == Shard{1, 1});
-  CHECK(study::parse_shard("3/16") == Shard{3, 16});
-  CHECK(study::to_text({3, 16}) == "3/16");
+  CHECK(studies::parse_shard("1/1") == Shard{1, 1});
+  CHECK(studies::parse_shard("3/16") == Shard{3, 16});
+  CHECK(studies::to_text({3, 16}) == "3/16");
   for (const char* const text :
        {"", "/", "1/", "/1", "0/1", "2/1", "1/0", "1/2x", " 1/2", "+1/2", "1/2/2", "1/1000001"})
-    CHECK_THROWS_AS(study::parse_shard(text), InputError);
+    CHECK_THROWS_AS(studies::parse_shard(text), InputError);
 }
 
 TEST_CASE("each point is in one shard, and shards differ by one point at most") {
@@ -25,7 +25,7 @@ TEST_CASE("each point is in one shard, and shards differ by one point at most") 
     for (const unsigned shards : {1U, 2U, 3U, 16U, 999U}) {
       CAPTURE(points);
       CAPTURE(shards);
-      const std::vector<unsigned> shard_of = study::shard_of_each(points, shards);
+      const std::vector<unsigned> shard_of = studies::shard_of_each(points, shards);
       REQUIRE(shard_of.size() == points);
       std::vector<std::size_t> counts(shards);
       for (const unsigned shard : shard_of) ++counts.at(shard - 1);
@@ -37,18 +37,18 @@ TEST_CASE("each point is in one shard, and shards differ by one point at most") 
 
 TEST_CASE("points are dealt out in the order of SplitMix64, whatever csgsim they are measured with") {
   // Worked out by another implementation of it: shards of a study that has begun must not change.
-  CHECK(study::shard_of_each(10, 3) == std::vector<unsigned>{2, 3, 1, 1, 2, 2, 3, 1, 1, 3});
+  CHECK(studies::shard_of_each(10, 3) == std::vector<unsigned>{2, 3, 1, 1, 2, 2, 3, 1, 1, 3});
 }
 
 TEST_CASE("a study in which every tenth point is dear has no shard of ten with dear points only") {
-  const std::vector<unsigned> shard_of = study::shard_of_each(160, 10);
+  const std::vector<unsigned> shard_of = studies::shard_of_each(160, 10);
   std::vector<std::size_t> dear(10);
   for (std::size_t i = 0; i < shard_of.size(); i += 10) ++dear.at(shard_of[i] - 1);
   CHECK(std::ranges::max(dear) <= 5);
 }
 
 TEST_CASE("numbers of shards are told by ranges") {
-  CHECK(study::compact({}).empty());
-  CHECK(study::compact({3}) == "3");
-  CHECK(study::compact({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
+  CHECK(studies::compact({}).empty());
+  CHECK(studies::compact({3}) == "3");
+  CHECK(studies::compact({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
 }

@@ -11,20 +11,20 @@
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
 #include "places.h"
-#include "sim/study/comparison.h"
-#include "sim/study/csv.h"
-#include "sim/study/measure.h"
-#include "sim/study/pareto.h"
-#include "sim/study/table.h"
+#include "sim/studies/accuracy/measure.h"
+#include "sim/studies/accuracy/pareto.h"
+#include "sim/studies/compare/measure.h"
+#include "sim/studies/csv.h"
+#include "sim/studies/table.h"
 
 using namespace csgsim;
 
 namespace {
 
-using Table = study::Table<study::Measurement>;
+using Table = studies::Table<studies::Measurement>;
 
-study::Measurement point(const std::string& value, std::uint64_t clocks, std::uint64_t wrong) {
-  study::Measurement measurement;
+studies::Measurement point(const std::string& value, std::uint64_t clocks, std::uint64_t wrong) {
+  studies::Measurement measurement;
   measurement.knob = "together";
   measurement.value = value;
   measurement.clocks = clocks;
@@ -45,7 +45,7 @@ std::string content(const std::filesystem::path& path) {
 
 machines::Machine small_machine() {
   machines::Machine machine = kinds::load("pixel-planes-4");
-  machine.array = {96, 96, study::ample_memory_bits};
+  machine.array = {96, 96, studies::ample_memory_bits};
   return machine;
 }
 
@@ -61,17 +61,17 @@ const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($
 }  // namespace
 
 TEST_CASE("the Pareto front has what no other point beats in clocks and in wrong pixels") {
-  const std::vector<study::Measurement> all{point("d", 40, 2), point("a", 10, 90), point("c", 30, 50),
-                                            point("b", 20, 50), point("e", 50, 2)};
+  const std::vector<studies::Measurement> all{point("d", 40, 2), point("a", 10, 90), point("c", 30, 50),
+                                              point("b", 20, 50), point("e", 50, 2)};
   std::string names;
-  for (const study::Measurement& one : study::pareto_front(all)) names += one.value;
+  for (const studies::Measurement& one : studies::pareto_front(all)) names += one.value;
   CHECK(names == "abd");
 }
 
 TEST_CASE("halvings go from each point to the cheapest with at most half its wrong pixels") {
-  const std::vector<study::Measurement> front{point("a", 100, 90), point("b", 110, 50), point("c", 120, 45),
-                                              point("d", 180, 3), point("e", 200, 0)};
-  const std::vector<study::Halving> steps = study::halvings(front);
+  const std::vector<studies::Measurement> front{point("a", 100, 90), point("b", 110, 50), point("c", 120, 45),
+                                                point("d", 180, 3), point("e", 200, 0)};
+  const std::vector<studies::Halving> steps = studies::halvings(front);
   REQUIRE(steps.size() == 3);
   CHECK(steps[0].from.value + steps[0].to.value == "ac");
   CHECK(steps[0].more_clocks == doctest::Approx(0.2));
@@ -82,7 +82,7 @@ TEST_CASE("halvings go from each point to the cheapest with at most half its wro
 
 TEST_CASE("a table goes on where it was interrupted, even in the middle of a line") {
   const std::filesystem::path path = fresh("study_table.csv");
-  study::Measurement first = point("10/2", 1234, 56);
+  studies::Measurement first = point("10/2", 1234, 56);
   first.depth_p999 = 0.1234567890123456789;
   {
     Table table(path, "a study");
@@ -93,7 +93,7 @@ TEST_CASE("a table goes on where it was interrupted, even in the middle of a lin
   Table table(path, "a study");
   REQUIRE(table.rows().size() == 2);
   CHECK(table.rows()[0] == first);
-  study::WantedSettings wanted;
+  studies::WantedSettings wanted;
   wanted.point.knob = "together";
   wanted.point.value = "12/2";
   CHECK(table.find(wanted) != nullptr);
@@ -125,13 +125,13 @@ TEST_CASE("a table with a broken line says which") {
 
 TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond the stated bounds") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  study::Meter meter(tree, study::turned_views(camera, 3), small_machine(), {});
+  studies::Meter meter(tree, studies::turned_views(camera, 3), small_machine(), {});
   std::uint64_t clocks = 0;
   double depth = 1e300;
   for (const unsigned bits : {8U, 12U, 16U, 20U}) {
-    study::Settings settings{"z-bits", std::to_string(bits), {}, small_sampling()};
+    studies::Settings settings{"z-bits", std::to_string(bits), {}, small_sampling()};
     settings.sampling.z_bits = bits;
-    const study::Measurement measurement = meter.measure(settings);
+    const studies::Measurement measurement = meter.measure(settings);
     CAPTURE(bits);
     CHECK(measurement.unexplained == 0);
     CHECK(measurement.covered > 3000);
@@ -145,11 +145,11 @@ TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond 
 
 TEST_CASE("a tighter faceting tolerance brings the picture nearer to the curved surface, for more half-spaces") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  study::Meter meter(tree, {camera}, small_machine(), {});
+  studies::Meter meter(tree, {camera}, small_machine(), {});
   double error = 1e300;
   std::uint64_t halfspaces = 0;
   for (const double tolerance : {0.5, 0.1, 0.02}) {
-    const study::Measurement measurement =
+    const studies::Measurement measurement =
         meter.measure({"tolerance", "t", {tolerance, std::nullopt}, small_sampling()});
     CHECK(measurement.halfspaces > halfspaces);
     CHECK(measurement.facet_depth_p999 < error);
@@ -161,26 +161,26 @@ TEST_CASE("a tighter faceting tolerance brings the picture nearer to the curved 
 
 TEST_CASE("the cheapest settings with few enough wrong pixels are chosen, and fit the machine") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  study::Meter meter(tree, {camera}, small_machine(), {});
-  const std::vector<study::Settings> grid = study::grid(small_sampling(), {});
-  const auto chosen = study::cheapest(meter, grid, 10);
+  studies::Meter meter(tree, {camera}, small_machine(), {});
+  const std::vector<studies::Settings> grid = studies::grid(small_sampling(), {});
+  const auto chosen = studies::cheapest(meter, grid, 10);
   REQUIRE(chosen);
   CHECK(meter.measure(*chosen).wrong <= 10);
-  for (const study::Settings& other : grid) {
+  for (const studies::Settings& other : grid) {
     if (meter.measure(other).wrong <= 10) CHECK(meter.clocks(other) >= meter.clocks(*chosen));
   }
   machines::Machine tight = small_machine();
   tight.array.memory_bits = 2 * 12 + 24 + 3;
-  study::Meter in_little_memory(tree, {camera}, tight, {});
-  const auto little = study::cheapest(in_little_memory, grid, 1000);
+  studies::Meter in_little_memory(tree, {camera}, tight, {});
+  const auto little = studies::cheapest(in_little_memory, grid, 1000);
   REQUIRE(little);
   CHECK(little->sampling.z_bits <= 12);
 }
 
 namespace {
 
-study::Measurement faceted(const char* knob, const char* value, std::uint64_t clocks, std::uint64_t off) {
-  study::Measurement measurement = point(value, clocks, 0);
+studies::Measurement faceted(const char* knob, const char* value, std::uint64_t clocks, std::uint64_t off) {
+  studies::Measurement measurement = point(value, clocks, 0);
   measurement.knob = knob;
   measurement.facet_wrong = off;
   return measurement;
@@ -189,37 +189,37 @@ study::Measurement faceted(const char* knob, const char* value, std::uint64_t cl
 }  // namespace
 
 TEST_CASE("facets as right as curved surfaces are those of the fewest clocks with no more pixels off") {
-  std::vector<study::Measurement> rows{faceted("fn", "8", 10, 90),          faceted("fn", "64", 70, 5),
-                                       faceted("tolerance", "0.1", 60, 4),  faceted("tolerance", "0.01", 90, 0),
-                                       faceted("curves", "facets", 30, 40), faceted("curves", "exact", 20, 5),
-                                       faceted("z-bits", "24", 5, 0)};
-  const auto all = study::facets_as_right(rows);
+  std::vector<studies::Measurement> rows{faceted("fn", "8", 10, 90),          faceted("fn", "64", 70, 5),
+                                         faceted("tolerance", "0.1", 60, 4),  faceted("tolerance", "0.01", 90, 0),
+                                         faceted("curves", "facets", 30, 40), faceted("curves", "exact", 20, 5),
+                                         faceted("z-bits", "24", 5, 0)};
+  const auto all = studies::facets_as_right(rows);
   REQUIRE(all.size() == 1);
   CHECK(all[0].curved.value == "exact");
   CHECK(all[0].facets.value == "0.1");
   CHECK(all[0].as_right);
   rows[5].facet_wrong = 40;
-  CHECK(study::facets_as_right(rows)[0].facets.value == "facets");
+  CHECK(studies::facets_as_right(rows)[0].facets.value == "facets");
   rows[3].facet_wrong = 3;
   rows[5].facet_wrong = 2;
-  const auto nearest = study::facets_as_right(rows);
+  const auto nearest = studies::facets_as_right(rows);
   CHECK(nearest[0].facets.value == "0.01");
   CHECK_FALSE(nearest[0].as_right);
-  CHECK(study::facets_as_right(std::vector{rows[5]}).empty());
+  CHECK(studies::facets_as_right(std::vector{rows[5]}).empty());
 }
 
 TEST_CASE("curved surfaces without facets are right to the arithmetic, where facets are off by their tolerance") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   machines::Machine machine = kinds::load("pixel-powers");
-  machine.array = {96, 96, study::ample_memory_bits};
-  study::Meter meter(tree, study::turned_views(camera, 2), machine, {});
-  study::Knobs knobs{{"curves", "tolerance"}, {0.05}, {}};
-  for (const study::CurvesChoice& choice : study::curves_choices()) knobs.curves.push_back(choice);
-  std::vector<study::Measurement> rows;
-  for (const study::Settings& settings : study::points(small_sampling(), {}, knobs))
+  machine.array = {96, 96, studies::ample_memory_bits};
+  studies::Meter meter(tree, studies::turned_views(camera, 2), machine, {});
+  studies::Knobs knobs{{"curves", "tolerance"}, {0.05}, {}};
+  for (const studies::CurvesChoice& choice : studies::curves_choices()) knobs.curves.push_back(choice);
+  std::vector<studies::Measurement> rows;
+  for (const studies::Settings& settings : studies::points(small_sampling(), {}, knobs))
     rows.push_back(meter.measure(settings));
   const auto row = [&](const std::string& value) {
-    const auto found = std::ranges::find(rows, value, &study::Measurement::value);
+    const auto found = std::ranges::find(rows, value, &studies::Measurement::value);
     REQUIRE(found != rows.end());
     return *found;
   };
@@ -233,43 +233,44 @@ TEST_CASE("curved surfaces without facets are right to the arithmetic, where fac
 }
 
 TEST_CASE("only the knobs that are named are turned, each to its values") {
-  study::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
+  studies::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
   std::vector<std::string> points;
-  for (const study::Settings& one : study::points(small_sampling(), {}, knobs))
+  for (const studies::Settings& one : studies::points(small_sampling(), {}, knobs))
     points.push_back(one.knob + " " + one.value);
   CHECK(points == std::vector<std::string>{"size 12x12", "size 24x24", "size 48x48", "size 96x96", "tolerance 0.5",
                                            "tolerance 0.25"});
 }
 
 TEST_CASE("a line of a comparison has a cell for each thing that a point takes, below its name") {
-  study::ComparisonRow row;
+  studies::ComparisonRow row;
   row.point = {"a machine", 1001, 1002, 1003, "an ideal"};
   row.inputs = {"a model", "a hash", "a build"};
   std::uint64_t number = 1004;
-  for (std::uint64_t study::ComparisonRow::*const count :
-       {&study::ComparisonRow::primitives, &study::ComparisonRow::halfspaces, &study::ComparisonRow::segments,
-        &study::ComparisonRow::drawn_segments, &study::ComparisonRow::instructions, &study::ComparisonRow::clocks,
-        &study::ComparisonRow::shown_clocks, &study::ComparisonRow::pixel_operations, &study::ComparisonRow::enabled,
-        &study::ComparisonRow::processors, &study::ComparisonRow::processor_clocks, &study::ComparisonRow::memory_bits,
-        &study::ComparisonRow::instruction_clocks})
+  for (std::uint64_t studies::ComparisonRow::*const count :
+       {&studies::ComparisonRow::primitives, &studies::ComparisonRow::halfspaces, &studies::ComparisonRow::segments,
+        &studies::ComparisonRow::drawn_segments, &studies::ComparisonRow::instructions, &studies::ComparisonRow::clocks,
+        &studies::ComparisonRow::shown_clocks, &studies::ComparisonRow::pixel_operations,
+        &studies::ComparisonRow::enabled, &studies::ComparisonRow::processors,
+        &studies::ComparisonRow::processor_clocks, &studies::ComparisonRow::memory_bits,
+        &studies::ComparisonRow::instruction_clocks})
     row.*count = number++;
   row.pixel_transistors = number++;
   row.transistors = number++;
-  for (double study::ComparisonRow::*const fraction :
-       {&study::ComparisonRow::seconds, &study::ComparisonRow::frames_per_second, &study::ComparisonRow::utilisation,
-        &study::ComparisonRow::bound_share})
+  for (double studies::ComparisonRow::*const fraction :
+       {&studies::ComparisonRow::seconds, &studies::ComparisonRow::frames_per_second,
+        &studies::ComparisonRow::utilisation, &studies::ComparisonRow::bound_share})
     row.*fraction = static_cast<double>(number++);
   row.bound_by = "a part";
   row.dearest = {{"cube@1:1", 7}};
   row.picture = "a picture";
   row.reason = "a reason";
-  std::vector<std::string> cells = study::split_cells(study::to_line(row));
-  CHECK(study::split_cells(study::header_of<study::ComparisonRow>()).size() == cells.size());
+  std::vector<std::string> cells = studies::split_cells(studies::to_line(row));
+  CHECK(studies::split_cells(studies::header_of<studies::ComparisonRow>()).size() == cells.size());
   std::vector<std::string> expected{"a machine", "an ideal",  "a model",  "a hash",    "a build",
                                     "a part",    "a picture", "a reason", "cube@1:1=7"};
   for (std::uint64_t i = 1001; i < number; ++i) expected.push_back(std::to_string(i));
   std::ranges::sort(cells);
   std::ranges::sort(expected);
   CHECK(cells == expected);
-  CHECK(study::to_line(study::from_line<study::ComparisonRow>(study::to_line(row))) == study::to_line(row));
+  CHECK(studies::to_line(studies::from_line<studies::ComparisonRow>(studies::to_line(row))) == studies::to_line(row));
 }

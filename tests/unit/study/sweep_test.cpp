@@ -10,13 +10,13 @@
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
+#include "hw/base/hash.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/area.h"
 #include "places.h"
-#include "sim/study/hash.h"
-#include "sim/study/ranges.h"
-#include "sim/study/sweep_run.h"
-#include "sim/study/table.h"
+#include "sim/shell/lists.h"
+#include "sim/studies/sweep/measure.h"
+#include "sim/studies/table.h"
 
 using namespace csgsim;
 
@@ -25,8 +25,8 @@ namespace {
 using Numbers = std::vector<unsigned>;
 using Words = std::vector<std::string>;
 
-study::SweepRanges small_ranges() {
-  study::SweepRanges ranges;
+studies::SweepRanges small_ranges() {
+  studies::SweepRanges ranges;
   ranges.models = {"a.csg", "b.csg"};
   ranges.machines = {"m"};
   ranges.memory_bits = {{"m", {72}}};
@@ -38,8 +38,8 @@ study::SweepRanges small_ranges() {
   return ranges;
 }
 
-study::SweepRow row_of(const study::SweepPoint& point, const std::string& picture) {
-  study::SweepRow row;
+studies::SweepRow row_of(const studies::SweepPoint& point, const std::string& picture) {
+  studies::SweepRow row;
   row.point = point;
   row.inputs = {"0123456789abcdef", "fedcba9876543210", "0.1.0"};
   row.width = 48;
@@ -52,17 +52,17 @@ study::SweepRow row_of(const study::SweepPoint& point, const std::string& pictur
 const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($fn=24,$fa=12,$fs=2,r=9);}";
 
 /// Points of one model under strategies that all fit.
-std::vector<study::SweepJob> jobs() {
+std::vector<studies::SweepJob> jobs() {
   model::Tree tree = read::read_csg_text(bitten_cube, "test");
   facet::Scene scene = facet::make_scene(tree);
-  const auto subject = std::make_shared<study::Subject>(study::Subject{std::move(tree), std::move(scene), "hash"});
+  const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   machines::Machine machine = kinds::load("pixel-planes-4");
   machine.array.width = machine.array.height = 40;
   view::Sampling sampling;
   sampling.width = sampling.height = 40;
-  std::vector<study::SweepJob> jobs;
+  std::vector<studies::SweepJob> jobs;
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits}) {
-    study::SweepJob job{{}, subject, {{40, -60, 45}, {0, 0, 0}}, sampling, machine, {}, {}};
+    studies::SweepJob job{{}, subject, {{40, -60, 45}, {0, 0, 0}}, sampling, machine, {}, {}};
     job.point.strategy = emit::name_of(strategy);
     job.options.strategy = strategy;
     jobs.push_back(std::move(job));
@@ -79,37 +79,37 @@ std::filesystem::path fresh(const std::string& name) {
 }  // namespace
 
 TEST_CASE("numbers are lists and ranges, in the order given, none twice") {
-  CHECK(study::parse_numbers("7", 3, 9) == Numbers{7});
-  CHECK(study::parse_numbers("3..6", 3, 9) == Numbers{3, 4, 5, 6});
-  CHECK(study::parse_numbers("9,3,5", 3, 9) == Numbers{9, 3, 5});
-  CHECK(study::parse_numbers("3..5,4..6,3", 3, 9) == Numbers{3, 4, 5, 6});
-  CHECK(study::parse_numbers("8..8", 3, 9) == Numbers{8});
+  CHECK(shell::parse_numbers("7", 3, 9) == Numbers{7});
+  CHECK(shell::parse_numbers("3..6", 3, 9) == Numbers{3, 4, 5, 6});
+  CHECK(shell::parse_numbers("9,3,5", 3, 9) == Numbers{9, 3, 5});
+  CHECK(shell::parse_numbers("3..5,4..6,3", 3, 9) == Numbers{3, 4, 5, 6});
+  CHECK(shell::parse_numbers("8..8", 3, 9) == Numbers{8});
 }
 
 TEST_CASE("what is no list of numbers is refused") {
   for (const char* const text :
        {"", ",", "3,", "3..", "..3", "3...5", "a", "3-5", "3..x", "-3", "3 ", "8..3", "2..5", "3..10", "99999999999"}) {
     CAPTURE(text);
-    CHECK_THROWS_AS(study::parse_numbers(text, 3, 9), InputError);
+    CHECK_THROWS_AS(shell::parse_numbers(text, 3, 9), InputError);
   }
 }
 
 TEST_CASE("an unknown name is told with the nearest known one, if any is like it") {
   const Words known{"stack", "list", "bits"};
-  CHECK(study::parse_names("list,stack,list", "strategy", known) == Words{"list", "stack"});
-  CHECK_THROWS_WITH_AS(study::parse_names("stack,lst", "strategy", known),
+  CHECK(shell::parse_names("list,stack,list", "strategy", known) == Words{"list", "stack"});
+  CHECK_THROWS_WITH_AS(shell::parse_names("stack,lst", "strategy", known),
                        "there is no strategy 'lst'; did you mean list? The strategies are stack, list, bits",
                        InputError);
-  CHECK_THROWS_WITH_AS(study::parse_names("quixotic", "level", known),
+  CHECK_THROWS_WITH_AS(shell::parse_names("quixotic", "level", known),
                        "there is no level 'quixotic'; the levels are stack, list, bits", InputError);
-  CHECK_THROWS_AS(study::parse_names("", "level", known), InputError);
+  CHECK_THROWS_AS(shell::parse_names("", "level", known), InputError);
 }
 
 TEST_CASE("the product has a point for each combination, and stack bits only where they matter") {
-  const std::vector<study::SweepPoint> points = study::points_of(small_ranges());
+  const std::vector<studies::SweepPoint> points = studies::points_of(small_ranges());
   REQUIRE(points.size() == 2 * 2 * 3);
-  CHECK(points[0] == study::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "stack", 0});
-  CHECK(points[1] == study::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "bits", 3});
+  CHECK(points[0] == studies::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "stack", 0});
+  CHECK(points[1] == studies::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "bits", 3});
   CHECK(points[2].stack_bits == 5);
   CHECK(points[3].z_bits == 20);
   CHECK(points[6].model == "b.csg");
@@ -118,62 +118,62 @@ TEST_CASE("the product has a point for each combination, and stack bits only whe
 
 TEST_CASE("a row comes back from a table as it was, commas and quotes included") {
   const std::filesystem::path path = fresh("sweep_table.csv");
-  study::SweepRow row = row_of(study::points_of(small_ranges())[1], "");
+  studies::SweepRow row = row_of(studies::points_of(small_ranges())[1], "");
   row.point.model = "a \"model\", of mine.csg";
   row.reason = "needs 90 bits, has 72; take \"list\"";
   row.memory_map = {{"Z2", 0, 20}, {"stack", 65, 3}};
   row.simulated_seconds = 0.1;
-  study::Table<study::SweepRow>(path, "sweep").add(row);
-  const study::Table<study::SweepRow> table(path, "sweep");
+  studies::Table<studies::SweepRow>(path, "sweep").add(row);
+  const studies::Table<studies::SweepRow> table(path, "sweep");
   REQUIRE(table.rows().size() == 1);
   CHECK(table.rows()[0] == row);
-  CHECK_THROWS_AS(study::to_cell(std::string("two\nlines")), InputError);
+  CHECK_THROWS_AS(studies::to_cell(std::string("two\nlines")), InputError);
 }
 
 TEST_CASE("a memory map comes back from a table, whatever its names hold but blanks and equals signs") {
-  study::SweepRow row;
+  studies::SweepRow row;
   row.memory_map = {{"a,b", 0, 20}, {"\"c\"", 20, 1}};
-  const std::string line = study::to_line(row);
-  CHECK(study::from_line<study::SweepRow>(line) == row);
+  const std::string line = studies::to_line(row);
+  CHECK(studies::from_line<studies::SweepRow>(line) == row);
 }
 
 TEST_CASE("a line of a table that an editor ended with CR LF is refused") {
-  const std::string line = study::to_line(row_of(study::points_of(small_ranges())[1], "")) + "\r";
-  CHECK_THROWS_WITH_AS(study::from_line<study::SweepRow>(line),
+  const std::string line = studies::to_line(row_of(studies::points_of(small_ranges())[1], "")) + "\r";
+  CHECK_THROWS_WITH_AS(studies::from_line<studies::SweepRow>(line),
                        "a line break within the line, maybe of an editor that ends lines with CR LF", InputError);
 }
 
 TEST_CASE("a point counts as measured only for the same model, machine and program, and drawn if it is to be drawn") {
   const std::filesystem::path path = fresh("sweep_wanted.csv");
-  const study::SweepPoint point = study::points_of(small_ranges())[0];
-  study::Table<study::SweepRow> table(path, "sweep");
+  const studies::SweepPoint point = studies::points_of(small_ranges())[0];
+  studies::Table<studies::SweepRow> table(path, "sweep");
   table.add(row_of(point, ""));
-  const study::Inputs inputs = table.rows()[0].inputs;
-  CHECK(table.find(study::WantedPoint{point, inputs, false}) != nullptr);
-  CHECK(table.find(study::WantedPoint{point, inputs, true}) == nullptr);
-  for (std::string study::Inputs::*const input :
-       {&study::Inputs::model_hash, &study::Inputs::machine_hash, &study::Inputs::csgsim}) {
-    study::Inputs others = inputs;
+  const studies::Inputs inputs = table.rows()[0].inputs;
+  CHECK(table.find(studies::WantedPoint{point, inputs, false}) != nullptr);
+  CHECK(table.find(studies::WantedPoint{point, inputs, true}) == nullptr);
+  for (std::string studies::Inputs::*const input :
+       {&studies::Inputs::model_hash, &studies::Inputs::machine_hash, &studies::Inputs::csgsim}) {
+    studies::Inputs others = inputs;
     others.*input = "another";
-    CHECK(table.find(study::WantedPoint{point, others, false}) == nullptr);
+    CHECK(table.find(studies::WantedPoint{point, others, false}) == nullptr);
   }
   table.add(row_of(point, "picture"));
-  CHECK(table.find(study::WantedPoint{point, inputs, true}) == &table.rows()[1]);
+  CHECK(table.find(studies::WantedPoint{point, inputs, true}) == &table.rows()[1]);
 }
 
 TEST_CASE("rows of wanted points that were measured from other inputs are deleted, and what changed is told") {
   const std::filesystem::path path = fresh("sweep_stale.csv");
-  const std::vector<study::SweepPoint> points = study::points_of(small_ranges());
-  study::Table<study::SweepRow> table(path, "sweep");
-  for (const study::SweepPoint& point : points) table.add(row_of(point, "picture"));
-  study::Inputs now = table.rows()[0].inputs;
-  const std::vector<study::WantedPoint> same{{points[0], now, true}};
+  const std::vector<studies::SweepPoint> points = studies::points_of(small_ranges());
+  studies::Table<studies::SweepRow> table(path, "sweep");
+  for (const studies::SweepPoint& point : points) table.add(row_of(point, "picture"));
+  studies::Inputs now = table.rows()[0].inputs;
+  const std::vector<studies::WantedPoint> same{{points[0], now, true}};
   CHECK(table.drop_stale(std::span(same)).empty());
   CHECK(table.rows().size() == points.size());
   now.machine_hash = "of an edited file";
-  const std::vector<study::WantedPoint> other{{points[0], now, true}, {points[2], now, true}};
+  const std::vector<studies::WantedPoint> other{{points[0], now, true}, {points[2], now, true}};
   CHECK(table.drop_stale(std::span(other)) == std::set<std::string>{"the machine"});
-  const study::Table<study::SweepRow> read(path, "sweep");
+  const studies::Table<studies::SweepRow> read(path, "sweep");
   REQUIRE(read.rows().size() == points.size() - 2);
   CHECK(read.rows()[0].point == points[1]);
   CHECK(read.rows()[1].point == points[3]);
@@ -182,31 +182,31 @@ TEST_CASE("rows of wanted points that were measured from other inputs are delete
 TEST_CASE("a table that was cut off in its first lines begins anew") {
   const std::filesystem::path path = fresh("sweep_cut.csv");
   std::ofstream(path) << "# swe";
-  CHECK(study::Table<study::SweepRow>(path, "sweep").rows().empty());
-  CHECK(study::Table<study::SweepRow>(path, "sweep").rows().empty());
+  CHECK(studies::Table<studies::SweepRow>(path, "sweep").rows().empty());
+  CHECK(studies::Table<studies::SweepRow>(path, "sweep").rows().empty());
 }
 
 TEST_CASE("names of points say what varies") {
-  study::SweepRanges ranges = small_ranges();
+  studies::SweepRanges ranges = small_ranges();
   ranges.models = {"a.csg"};
-  std::vector<study::SweepRow> rows;
-  for (const study::SweepPoint& point : study::points_of(ranges)) rows.push_back(row_of(point, ""));
-  const study::PointNames names(rows);
+  std::vector<studies::SweepRow> rows;
+  for (const studies::SweepPoint& point : studies::points_of(ranges)) rows.push_back(row_of(point, ""));
+  const studies::PointNames names(rows);
   CHECK(names.name(rows[0].point) == "stack, z 16");
   CHECK(names.name(rows[5].point) == "bits 5, z 20");
-  CHECK(study::by_conditions(rows).size() == 2);
-  CHECK(study::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
+  CHECK(studies::by_conditions(rows).size() == 2);
+  CHECK(studies::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
 }
 
 TEST_CASE("pictures are compared within a model, size and z bits, and overflows are told") {
-  std::vector<study::SweepRow> rows;
-  for (const study::SweepPoint& point : study::points_of(small_ranges()))
+  std::vector<studies::SweepRow> rows;
+  for (const studies::SweepPoint& point : studies::points_of(small_ranges()))
     rows.push_back(row_of(point, point.model + std::to_string(point.z_bits)));
-  CHECK(study::wrong_pictures(rows).empty());
+  CHECK(studies::wrong_pictures(rows).empty());
   rows[4].picture = "another";
   rows[7].picture = "";
-  rows[9].picture = study::overflow;
-  const std::vector<study::WrongPicture> wrong = study::wrong_pictures(rows);
+  rows[9].picture = studies::overflow;
+  const std::vector<studies::WrongPicture> wrong = studies::wrong_pictures(rows);
   REQUIRE(wrong.size() == 2);
   CHECK(wrong[0].reference == rows[3].point);
   CHECK(wrong[0].point == rows[4].point);
@@ -215,12 +215,12 @@ TEST_CASE("pictures are compared within a model, size and z bits, and overflows 
 }
 
 TEST_CASE("points measured in parallel are those measured one by one, with the same picture") {
-  const std::vector<study::SweepJob> all = jobs();
-  std::vector<study::SweepRow> rows;
-  study::measure_all(all, true, 3, [&](study::SweepRow row) { rows.push_back(std::move(row)); });
+  const std::vector<studies::SweepJob> all = jobs();
+  std::vector<studies::SweepRow> rows;
+  studies::measure_all(all, true, 3, [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
   REQUIRE(rows.size() == all.size());
-  for (const study::SweepJob& job : all) {
-    const study::SweepRow expected = study::measure(job, true);
+  for (const studies::SweepJob& job : all) {
+    const studies::SweepRow expected = studies::measure(job, true);
     CHECK(expected.compiled());
     CHECK(expected.clocks > 100);
     CHECK(expected.pixel_transistors == machines::pixel_transistors(job.machine, expected.used_bits));
@@ -228,25 +228,25 @@ TEST_CASE("points measured in parallel are those measured one by one, with the s
     CHECK(expected.picture == rows.front().picture);
     CHECK(std::count(rows.begin(), rows.end(), expected) == 1);
   }
-  CHECK(study::measure(all.front(), false).picture.empty());
+  CHECK(studies::measure(all.front(), false).picture.empty());
 }
 
 TEST_CASE("the colour of a second buffer takes its bits' transistors, once") {
-  study::SweepJob job = jobs().front();
-  const study::SweepRow one = study::measure(job, false);
+  studies::SweepJob job = jobs().front();
+  const studies::SweepRow one = studies::measure(job, false);
   job.machine = kinds::load("pixel-planes-4+scan_out.buffers=2+array.memory_bits=128");
   job.machine.array.width = job.machine.array.height = 40;
-  const study::SweepRow two = study::measure(job, false);
+  const studies::SweepRow two = studies::measure(job, false);
   CHECK(two.used_bits == one.used_bits + 24);
   CHECK(two.pixel_transistors == machines::pixel_transistors(job.machine, one.used_bits + 24));
 }
 
 TEST_CASE("a point that does not fit says why, and its neighbours are measured") {
-  std::vector<study::SweepJob> all = jobs();
+  std::vector<studies::SweepJob> all = jobs();
   all[1].machine.array.memory_bits = 40;
   std::size_t compiled = 0;
   std::string reason;
-  study::measure_all(all, false, 2, [&](const study::SweepRow& row) {
+  studies::measure_all(all, false, 2, [&](const studies::SweepRow& row) {
     if (row.compiled()) ++compiled;
     reason += row.reason;
   });
@@ -255,18 +255,18 @@ TEST_CASE("a point that does not fit says why, and its neighbours are measured")
 }
 
 TEST_CASE("an exception of the receiver ends a sweep and comes out of it") {
-  const std::vector<study::SweepJob> all = jobs();
+  const std::vector<studies::SweepJob> all = jobs();
   int calls = 0;
-  const auto fails = [&](const study::SweepRow&) {
+  const auto fails = [&](const studies::SweepRow&) {
     ++calls;
     throw InputError("full");
   };
-  CHECK_THROWS_AS(study::measure_all(all, false, 2, fails), InputError);
+  CHECK_THROWS_AS(studies::measure_all(all, false, 2, fails), InputError);
   CHECK(calls == 1);
 }
 
 TEST_CASE("the hash is FNV-1a") {
-  study::Hash hash;
+  Hash hash;
   hash.add("foobar");
   CHECK(hash.text() == "85944171f73967e8");
 }

@@ -1,0 +1,119 @@
+#include "sim/shell/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+
+#include "host/emit/compile.h"
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+#include "hw/machines/timing.h"
+#include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
+
+namespace csgsim::shell {
+
+namespace {
+
+constexpr unsigned fewer_bits = 4;
+constexpr unsigned few_colour_bits = 12;
+
+/// An option that is turned by one step.
+struct TriedSetting {
+  /// What it becomes, as on the command line; nothing where it stands at its end.
+  std::optional<std::string> (*turn)(ModelOptions& options);
+  const char* but;  ///< what else changes
+};
+
+constexpr const char* same_picture = "the same picture";
+constexpr const char* other_picture = "another picture: csgsim accuracy tells how many pixels become wrong";
+
+constexpr auto tried_settings = std::to_array<TriedSetting>({
+    {[](ModelOptions& options) -> std::optional<std::string> {
+       if (options.strategy == "auto") return std::nullopt;
+       options.strategy = "auto";
+       return "--strategy auto";
+     },
+     same_picture},
+    {[](ModelOptions& options) -> std::optional<std::string> {
+       if (options.colouring == "auto") return std::nullopt;
+       options.colouring = "auto";
+       return "--colouring auto";
+     },
+     same_picture},
+    {[](ModelOptions& options) -> std::optional<std::string> {
+       if (options.z_bits < view::fewest_z_bits + fewer_bits) return std::nullopt;
+       options.z_bits -= fewer_bits;
+       return fmt::format("--z-bits {}", options.z_bits);
+     },
+     other_picture},
+    {[](ModelOptions& options) -> std::optional<std::string> {
+       if (options.fraction_bits < fewer_bits) return std::nullopt;
+       options.fraction_bits -= fewer_bits;
+       return fmt::format("--fraction-bits {}", options.fraction_bits);
+     },
+     other_picture},
+    {[](ModelOptions& options) -> std::optional<std::string> {
+       if (options.colour_bits <= few_colour_bits) return std::nullopt;
+       options.colour_bits = few_colour_bits;
+       return fmt::format("--colour-bits {}", few_colour_bits);
+     },
+     "coarser colours"},
+});
+
+bool may_skip(const isa::Program& program) {
+  return std::ranges::any_of(program.segments, [](const isa::Segment& segment) {
+    return std::ranges::any_of(segment.instructions,
+                               [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
+  });
+}
+
+std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
+  if (!may_skip(program)) return machines::time_frame(program, machine).interval_clocks;
+  return sim::make_functional_engine(machine)->run(program, {}).interval_clocks;
+}
+
+/// Nothing where the model does not fit the machine so.
+std::optional<std::uint64_t> interval_with(const ModelOptions& options, const CompiledModel& model,
+                                           const machines::Machine& machine) {
+  try {
+    const view::View view = view::make_view(model.scene, model.tree, model.camera, sampling_of(options, machine));
+    const isa::Program program =
+        emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
+                      [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+    return interval_of(program, machine);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<sim::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
+                                     const machines::Machine& machine, const sim::RunResult& result) {
+  std::vector<sim::Knob> knobs;
+  for (const TriedSetting& setting : tried_settings) {
+    ModelOptions turned = options;
+    const std::optional<std::string> option = setting.turn(turned);
+    if (!option) continue;
+    const std::optional<std::uint64_t> after = interval_with(turned, model, machine);
+    if (!after) continue;
+    sim::Knob knob{"", *option, result.interval_clocks, *after};
+    knob.sentence = fmt::format("{}: {}; {}", *option, sim::worth(knob), setting.but);
+    knobs.push_back(std::move(knob));
+  }
+  return knobs;
+}
+
+std::vector<sim::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
+                                const sim::RunResult& result) {
+  if (!advice.is_asked || result.interval_clocks == 0) return {};
+  std::vector<sim::Knob> knobs = sim::figure_knobs(program, machine, result, advice.machine);
+  if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
+  return sim::that_help(std::move(knobs));
+}
+
+}  // namespace csgsim::shell

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+
+#include "hw/kinds/load.h"
+
+namespace csgsim::shell {
+
+/// The machines that studies of several draw on if none are named: all that come with csgsim, as an option has them.
+inline std::string all_machines() { return fmt::format("{}", fmt::join(kinds::built_in_names(), ",")); }
+
+}  // namespace csgsim::shell

@@ -1,0 +1,443 @@
+#include "sim/shell/model_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "host/convex/extent.h"
+#include "host/csg/positive_tree.h"
+#include "host/effects/rows.h"
+#include "host/effects/transparency.h"
+#include "host/emit/compile.h"
+#include "host/emit/curves.h"
+#include "host/emit/effect.h"
+#include "host/emit/no_room.h"
+#include "host/facet/scene.h"
+#include "host/lighting/colour_schemes.h"
+#include "host/read/read.h"
+#include "host/read/source.h"
+#include "host/scene/read.h"
+#include "host/view/projection.h"
+#include "hw/base/error.h"
+#include "hw/base/hash.h"
+#include "hw/base/input_file.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
+#include "sim/functional/clocks.h"
+#include "sim/shell/fast_curves.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/prunings.h"
+#include "sim/shell/scad.h"
+#include "sim/shell/settings/sets.h"
+#include "sim/shell/subject.h"
+#include "sim/shell/usage.h"
+
+namespace csgsim::shell {
+
+namespace {
+
+/// OpenSCAD's words, and their first letters, as it takes them.
+const std::map<std::string, view::Projection> projections{{"ortho", view::Projection::orthographic},
+                                                          {"o", view::Projection::orthographic},
+                                                          {"perspective", view::Projection::perspective},
+                                                          {"p", view::Projection::perspective}};
+
+std::vector<std::string> scheme_names() {
+  std::vector<std::string> names;
+  for (const lighting::ColourScheme& scheme : lighting::colour_schemes()) names.emplace_back(scheme.name);
+  return names;
+}
+
+void apply_scheme(const std::string& name, scene::Scene& scene) {
+  for (const lighting::ColourScheme& scheme : lighting::colour_schemes())
+    if (scheme.name == name) lighting::apply(scheme, scene);
+}
+
+/// Everything that a list of named choices has, by name.
+template <class Choices>
+auto by_name(const Choices& choices) {
+  std::map<std::string, typename Choices::value_type> named;
+  for (const auto choice : choices) named.emplace(emit::name_of(choice), choice);
+  return named;
+}
+
+/// A number, or a number followed by px.
+Tolerance parse_tolerance(const std::string& text) {
+  const bool in_pixels = text.ends_with("px");
+  const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
+  return {numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0], in_pixels};
+}
+
+/// A near plane much too close leaves no depth steps for what is farther away.
+void warn_of_coarse_depth(const view::View& view) {
+  if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
+  tell_line(
+      fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
+                  view.depth_step));
+}
+
+constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
+
+view::Projection projection_of(const ModelOptions& options) {
+  if (!options.projection.empty()) return projections.at(options.projection);
+  const bool is_perspective = options.scene().camera.is_perspective.value_or(false);
+  return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
+}
+
+/// Eye and centre, or centre, turns and distance.
+view::Camera camera_in(const std::string& text) {
+  const bool is_gimbal = std::ranges::count(text, ',') == 6;
+  const auto v = numbers<double>(text, ',', is_gimbal ? 7 : 6, "--camera", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
+  const glm::dvec3 first(v[0], v[1], v[2]);
+  const glm::dvec3 second(v[3], v[4], v[5]);
+  if (is_gimbal && !(v[6] > 0)) throw UsageError("--camera", "the distance, its last number, has to be above 0");
+  if (is_gimbal) return view::gimbal_camera(first, second, v[6]);
+  return {first, second};
+}
+
+/// As the scene says it; an orthographic view has none.
+std::optional<double> near_of(const ModelOptions& options) {
+  return projection_of(options) == view::Projection::perspective ? options.scene().camera.near : std::nullopt;
+}
+
+/// Whatever the scene or the model calls for.
+void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
+  for (const scene::Section& section : effects::sections()) {
+    const auto is_named = [&](const std::string& name) { return section.name == "effects." + name; };
+    if (std::none_of(names.begin(), names.end(), is_named)) continue;
+    std::erase_if(scene.effects, [&](const scene::CalledEffect& one) { return one.name == section.name; });
+    scene.effects.push_back({section.name, {}, false});
+  }
+}
+
+Work work_of(const ModelOptions& options) { return Work(options.limit * std::uint64_t{1'000'000}); }
+
+std::string said_pruning(const ModelOptions& options) {
+  if (options.without.empty()) return options.pruning;
+  if (options.pruning != "all") throw UsageError("--without", "is the older way to say --pruning; take one of them");
+  return pruning_without(options.without);
+}
+
+}  // namespace
+
+const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
+  if (scene_ != nullptr) return *scene_;
+  LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}, {}};
+  try {
+    const std::vector<scene::Section> sections = effects::sections();
+    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sorted(sets).scene, sections, &loaded.values);
+  } catch (const scene::SetError& error) {
+    throw UsageError(error.what());
+  }
+  switch_off(effects_off_, loaded.scene);
+  apply_scheme(colour_scheme, loaded.scene);
+  scene_ = std::make_shared<const LoadedScene>(std::move(loaded));
+  return *scene_;
+}
+
+ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names) const {
+  ModelOptions fewer = *this;
+  fewer.scene_ = nullptr;
+  fewer.effects_off_ = names;
+  return fewer;
+}
+
+std::vector<std::string> strategy_names() {
+  std::vector<std::string> names;
+  names.reserve(std::size(emit::strategies));
+  for (const auto strategy : emit::strategies) names.emplace_back(emit::name_of(strategy));
+  return names;
+}
+
+void ModelOptions::add_to(Command& command, const std::string& what) {
+  command.option("MODEL", model, what).required();
+  command.option("--machine", machine,
+                 "A machine's name (see csgsim machines) or its .toml file; with figures changed: "
+                 "NAME+KEY=VALUE");
+  command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
+      .between(1U, isa::max_memory_bits);
+  add_view_to(command);
+  command.option("--z-bits", z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
+  command
+      .option("--strategy", strategy,
+              "How classifications are worked out; bits with --stack-bits, auto: the fewest clocks that fit")
+      .one_of(strategy_names());
+  command
+      .option("--stack-bits", stack_bits,
+              "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 renders a primitive "
+              "for each product, 4 sums products, each more keeps the results of one more level")
+      .between(emit::fewest_stack_bits, most_stack_bits);
+  command
+      .option("--colouring", colouring,
+              "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour "
+              "beside Z1)")
+      .one_of(by_name(emit::colourings));
+  command
+      .option("--pruning", pruning,
+              "Prunings that are done: all, none, those named (space+hidden) or all but those (no-space+no-hidden)")
+      .words(pruning_words(), check_pruning);
+  command.option("--without", without, "Prunings to leave out, with commas")
+      .comma_list()
+      .one_of(left_out_words(), "pruning")
+      .hidden();
+}
+
+void ModelOptions::add_view_to(Command& command) {
+  command.option("--size,--imgsize", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  command.option("--camera", camera,
+                 "As OpenSCAD's: eye and centre, ex,ey,ez,cx,cy,cz; or centre, turns and distance, x,y,z,rx,ry,rz,d");
+  command.option("--projection", projection, "ortho (o) or perspective (p); ortho if the scene says nothing either")
+      .one_of(projections);
+  command.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
+  command
+      .option("--colour-scheme,--colorscheme", colour_scheme,
+              "Background and usual colours of faces as OpenSCAD's scheme of that name has them")
+      .one_of(scheme_names());
+  command.option(
+      "--set", sets,
+      "A figure of the machine, as in alu.bits=4, or a key of the scene, as in lights.0.direction=0,0,-1; once for "
+      "each");
+  command.option("--imports-from", imports_from,
+                 "Folder in which, or below which, the model's imports may be, and are looked for, besides its own "
+                 "folder");
+  add_openscad_time(command);
+  command.flag("--snap", snap,
+               "Restore rotations by hundredths of a degree from the six digits that OpenSCAD writes, so that planes "
+               "that should coincide do");
+  command
+      .option("--limit", limit,
+              "Work that reading the model may take, and compiling it again, in millions of steps; what takes more is "
+              "refused, with its place")
+      .between(1U, most_limit);
+  command.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
+  command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+  command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
+      .between(0U, view::most_fraction_bits);
+  command.option("--edge-on", edge_on,
+                 "Planes that pass the depth range within this part of a pixel become edge tests");
+  command.read_option(
+      "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
+      "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
+      "of as OpenSCAD does");
+  command
+      .option("--curves", curves,
+              "How spheres, cylinders and cones are drawn: facets; fast (spheres as circles and paraboloids, on any "
+              "machine); exact (without facets, on a machine whose "
+              "evaluator.degree is 2); auto (exact where the machine and the scene's effects can)")
+      .one_of(by_name(emit::curve_choices), "curve drawing");
+  command.option("--colour-bits", colour_bits, "Bits of a colour")
+      .between(isa::fewest_colour_bits, isa::most_colour_bits);
+}
+
+machines::Machine machine_of(const ModelOptions& options) {
+  machines::Machine machine = load_machine(options.machine, options.sets);
+  if (!options.size.empty()) {
+    const char between = options.size.find(',') == std::string::npos ? 'x' : ',';
+    const auto size = numbers<std::uint32_t>(options.size, between, 2, "--size", "WxH");
+    machines::set_picture_size(machine, {size[0], size[1]});
+  }
+  if (options.memory_bits) machine.array.memory_bits = *options.memory_bits;
+  return machine;
+}
+
+emit::Options emit_options_of(const ModelOptions& options) {
+  emit::Options emit;
+  emit.strategy = by_name(emit::strategies).at(options.strategy);
+  emit.stack_bits = options.stack_bits;
+  emit.colouring = by_name(emit::colourings).at(options.colouring);
+  emit.colour_bits = options.colour_bits;
+  emit.scene = options.scene();
+  emit.effects = effects::all();
+  emit.pruning = pruning_of(said_pruning(options));
+  emit.work = work_of(options);
+  return emit;
+}
+
+namespace {
+
+/// As they are asked for, but for curved surfaces.
+facet::Faceting planar_faceting_of(const ModelOptions& options, const machines::Machine& machine,
+                                   const model::Tree& tree) {
+  if (!options.tolerance) return {};
+  if (!options.tolerance->in_pixels) return {.tolerance = options.tolerance->value};
+  const facet::Scene scene = facet::make_scene(tree);
+  const view::Camera camera = camera_of(options, machine, tree, scene);
+  const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
+  const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
+  fmt::print("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
+             options.tolerance->value);
+  return {.tolerance = tolerance};
+}
+
+}  // namespace
+
+std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& view) {
+  std::vector<bool> unfit(scene.solids.size());
+  bool any = false;
+  for (std::size_t i = 0; i < unfit.size(); ++i) {
+    const std::vector<facet::QuadricSide>& quadrics = scene.solids[i].quadrics;
+    unfit[i] = std::ranges::any_of(quadrics, [&](const facet::QuadricSide& side) {
+      return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
+    });
+    any = any || unfit[i];
+  }
+  return any ? unfit : std::vector<bool>{};
+}
+
+facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree) {
+  facet::Faceting faceting = planar_faceting_of(options, machine, tree);
+  const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
+  if (curves == emit::Curves::facets) return faceting;
+  if (curves == emit::Curves::automatic && machine.evaluator_degree < 2) return faceting;
+  const emit::Options emit = emit_options_of(options);
+  const view::Camera camera = camera_of(options, machine, tree, facet::make_scene(tree));
+  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  if (curves == emit::Curves::fast)
+    return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(options, machine), machine, emit, look);
+  const std::optional<std::string> reason = emit::why_no_quadrics(machine, emit, look);
+  if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or draw facets by --curves auto");
+  if (reason) return faceting;
+  faceting.exact_curves = true;
+  if (curves == emit::Curves::exact) return faceting;
+  const facet::Scene scene = facet::make_scene(tree, faceting);
+  faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling_of(options, machine)));
+  return faceting;
+}
+
+view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine) {
+  if (options.near && projection_of(options) != view::Projection::perspective) {
+    throw UsageError("--near", "an orthographic view has no near plane; leave it out");
+  }
+  const machines::Size picture = machine.picture;
+  const std::optional<double> near = options.near ? options.near : near_of(options);
+  return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, near};
+}
+
+view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Scene& scene) {
+  const machines::Size picture = machine.picture;
+  const scene::Camera& seen_by = options.scene().camera;
+  const bool is_given = !options.camera.empty() || (seen_by.eye && seen_by.centre);
+  const bool sees_all = options.view_all || seen_by.view_all.value_or(false);
+  // The same picture, whatever curved surfaces are drawn as.
+  const bool has_quadrics = !scene.quadrics.quadrics().empty();
+  const facet::Box box = is_given && !sees_all ? scene.box
+                         : has_quadrics        ? convex::extent(facet::make_scene(tree), csg::make_positive(tree))
+                                               : convex::extent(scene, csg::make_positive(tree));
+  view::Camera camera = view::default_camera(box, picture.width, picture.height);
+  camera.eye = seen_by.eye.value_or(camera.eye);
+  camera.centre = seen_by.centre.value_or(camera.centre);
+  if (!options.camera.empty()) camera = camera_in(options.camera);
+  camera.projection = projection_of(options);
+  return sees_all ? view::view_all(camera, box, picture.width, picture.height) : camera;
+}
+
+std::vector<std::filesystem::path> ModelOptions::inputs() const {
+  return input_files(scene_file.empty() ? std::vector{model} : std::vector{model, scene_file}, {machine});
+}
+
+void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera) {
+  const emit::Options emit = emit_options_of(options);
+  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  for (const emit::CalledEffect& one : emit::called_effects(emit, look)) {
+    if (!one.effect->sees_through) continue;
+    throw InputError(fmt::format(
+        "{}: the exact picture that others are held against knows opaque solids alone; add --set effects.{}.on=false",
+        printable(options.model), one.effect->name()));
+  }
+}
+
+ModelFile read_model_file(const ModelOptions& options) {
+  if (is_program(options.model))
+    throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
+  return with_memory_for("the model " + options.model, [&] {
+    const bool is_source = subject_in(options.model) == Subject::scad;
+    const std::string text = is_source ? csg_of_scad(options.model) : read::load(options.model);
+    const std::string name = shown_name(options.model);
+    Hash hash;
+    hash.add(text);
+    hash.add(options.scene_text());
+    if (options.snap) hash.add("--snap");
+    model::Tree tree = read::read_csg_text(
+        text, is_source ? name + " (as .csg)" : name,
+        {options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); }, work_of(options)});
+    tree.file = name;
+    return ModelFile{effects::reshaped(std::move(tree), options.scene()), hash.text()};
+  });
+}
+
+model::Tree read_model(const ModelOptions& options) { return read_model_file(options).tree; }
+
+namespace {
+
+CompiledModel compile(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
+  model::Tree& tree = file.tree;
+  facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
+  const view::Camera camera = camera_of(options, machine, tree, scene);
+  CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
+  model.program = compile_seen_by(model.camera, model, options, machine);
+  return model;
+}
+
+/// What the picture shows in place of what it would with more memory. Once, however often it is compiled.
+void warn_of_pattern(const emit::NoRoom& layers, const ModelOptions& options, const machines::Machine& machine) {
+  static std::set<std::string> told;
+  const std::string line = fmt::format(
+      "{}: warning: what is see-through is drawn by a pattern, screen-door: in layers the picture would need {} memory "
+      "bits a pixel, and the machine has {}; take --memory-bits {}, or say --set "
+      "effects.transparency.method=screen-door",
+      shown_name(options.model), layers.needed, machine.array.memory_bits, layers.needed);
+  if (told.insert(line).second) tell_line(line);
+}
+
+bool sees_through(const CompiledModel& model, const emit::Options& emit, const view::View& view) {
+  const emit::Look look = emit::make_look(emit.scene, model.tree, csg::make_positive(model.tree), view.camera);
+  const std::vector<emit::CalledEffect> called = emit::called_effects(emit, look);
+  return std::ranges::any_of(called, [](const emit::CalledEffect& one) { return one.effect->sees_through; });
+}
+
+/// Where colours of the model alone let something through, and there is no room to blend it, by screen-door.
+isa::Program compile_with_room(const CompiledModel& model, const view::View& view, const ModelOptions& options,
+                               const machines::Machine& machine) {
+  emit::Options emit = emit_options_of(options);
+  const auto compiled = [&] {
+    return emit::compile(model.tree, model.scene, view, machine, emit,
+                         [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+  };
+  try {
+    return compiled();
+  } catch (const emit::NoRoom& layers) {
+    std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
+    if (!by_pattern || !sees_through(model, emit, view)) throw;
+    emit.scene = std::move(*by_pattern);
+    isa::Program program = compiled();
+    warn_of_pattern(layers, options, machine);
+    return program;
+  }
+}
+
+}  // namespace
+
+isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
+                             const machines::Machine& machine) {
+  const view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
+  warn_of_coarse_depth(view);
+  std::size_t halfspaces = 0;
+  for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
+  return with_memory([&] { return short_of_memory(options.model, halfspaces); },
+                     [&] { return compile_with_room(model, view, options, machine); });
+}
+
+CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
+  ModelFile file = read_model_file(options);
+  return with_memory_for("the half-spaces of " + options.model,
+                         [&] { return compile(std::move(file), options, machine); });
+}
+
+}  // namespace csgsim::shell

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/emit/options.h"
+#include "host/facet/scene.h"
+#include "host/scene/read.h"
+#include "host/scene/scene.h"
+#include "host/view/camera.h"
+#include "host/view/projection.h"
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "sim/shell/command_line.h"
+
+namespace csgsim::shell {
+
+/// How far facets may be from the curved surface.
+struct Tolerance {
+  double value = 0;
+  bool in_pixels = false;  ///< else in model units
+};
+
+/// Of strategy bits; no tree needs as many.
+inline constexpr unsigned most_stack_bits = 64;
+
+/// Of the work that reading a model may take, and compiling it: millions of steps (hw/base/work.h).
+inline constexpr std::uint32_t usual_limit = 8'000;
+inline constexpr std::uint32_t most_limit = 1'000'000'000;
+
+/// Memory bits a pixel where a picture is drawn for its own sake, or what it needs is one of the results.
+inline constexpr std::uint32_t ample_memory_bits = 256;
+
+/// Options of every command that compiles a model.
+struct ModelOptions {
+  std::string model;
+  std::string imports_from;
+  bool snap = false;  ///< rotations are restored from the digits that are written
+  std::uint32_t limit = usual_limit;
+  std::string machine = "pixel-planes-4";
+  std::string size;
+  std::optional<std::uint32_t> memory_bits;
+  std::string camera;
+  std::string projection;  ///< empty: the scene's
+  bool view_all = false;
+  std::optional<double> near;
+  std::string scene_file;
+  std::string colour_scheme;      ///< empty: the scene's colours
+  std::vector<std::string> sets;  ///< KEY=VALUE of the scene, or of a figure of the machine
+  unsigned z_bits = 20;
+  unsigned fraction_bits = 12;
+  double edge_on = 1.0 / 256;
+  std::optional<Tolerance> tolerance;
+  std::string curves = "auto";
+  std::string strategy = "stack";
+  unsigned stack_bits = emit::fewest_stack_bits;
+  std::string colouring = "rebroadcast";
+  unsigned colour_bits = isa::most_colour_bits;
+  std::string pruning = "all";       ///< see pruning_of
+  std::vector<std::string> without;  ///< prunings that are left out, in place of `pruning`
+
+  void add_to(Command& command,
+              const std::string& what = "The model, an OpenSCAD .csg file (- is standard input), or its source, .scad");
+
+  /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
+  [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
+  [[nodiscard]] const std::vector<scene::SectionValues>& scene_values() const { return loaded_scene().values; }
+  [[nodiscard]] const std::string& scene_text() const { return loaded_scene().text; }
+
+  /// The same with those effects switched off, whatever the scene or the model calls for.
+  [[nodiscard]] ModelOptions without_effects(const std::vector<std::string>& names) const;
+
+  /// The files that are read: the model, the scene, and the machine if it is one.
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
+
+  /// Of these only what the picture shows and how exactly: nothing that a sweep varies.
+  void add_view_to(Command& command);
+
+ private:
+  struct LoadedScene {
+    std::string text;
+    scene::Scene scene;
+    std::vector<scene::SectionValues> values;  ///< of its keys
+  };
+
+  [[nodiscard]] const LoadedScene& loaded_scene() const;
+
+  mutable std::shared_ptr<const LoadedScene> scene_;
+  std::vector<std::string> effects_off_;
+};
+
+/// Those of --strategy.
+std::vector<std::string> strategy_names();
+
+/// The machine with the array that the options ask for.
+machines::Machine machine_of(const ModelOptions& options);
+
+/// A tolerance in pixels is turned into model units by what a pixel covers where the model is nearest to the eye, and
+/// what was chosen is printed.
+facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree);
+
+/// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
+std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& view);
+
+view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine);
+emit::Options emit_options_of(const ModelOptions& options);
+
+/// With --view-all, or without a camera, the extent of the model (convex/extent.h) is seen.
+view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Scene& scene);
+
+/// Throws InputError where what is seen through would be held against an exact picture, which knows opaque solids
+/// alone.
+void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera);
+
+/// A model's file as it was read.
+struct ModelFile {
+  model::Tree tree;
+  std::string hash;  ///< of its bytes and the scene's
+};
+
+/// Reads the model. Throws InputError.
+ModelFile read_model_file(const ModelOptions& options);
+model::Tree read_model(const ModelOptions& options);
+
+/// A model read, faceted, seen and compiled.
+struct CompiledModel {
+  std::string hash;  ///< of what was read
+  model::Tree tree;
+  facet::Scene scene;
+  view::Camera camera;
+  isa::Program program;
+};
+
+/// Throws InputError, or UsageError for options that make no sense.
+CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine);
+
+/// The Program of the same facets, seen by another camera. Throws as compile_model does.
+isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
+                             const machines::Machine& machine);
+
+}  // namespace csgsim::shell

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "sim/shell/command_line.h"
+#include "sim/shell/model_options.h"
+
+namespace csgsim::shell {
+
+/// For commands that take a model or a Program. A Program has been compiled: what says how to compile has no meaning
+/// for it. Throws UsageError where an option was given that is none of the command's `own`, by their long names
+/// without dashes.
+void refuse_model_options(const Command& command, const std::set<std::string>& own);
+
+/// What is run, and what runs it.
+struct ProgramOnMachine {
+  machines::Machine machine;
+  isa::Program program;
+};
+
+/// A model is compiled; anything else is a Program, and its machine the one that it names, or that --machine names.
+/// Both get the array that the Program is for. Throws InputError, or UsageError where a key of the scene is set for a
+/// Program.
+ProgramOnMachine program_of(const ModelOptions& options, const Command& command);
+
+/// The same, where `asked` is what --machine of a Program says; empty if it was not given.
+ProgramOnMachine program_of(const ModelOptions& options, const std::string& asked);
+
+/// Was the option given, by its long name without dashes?
+bool is_given(const Command& command, std::string_view name);
+
+}  // namespace csgsim::shell

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/csg/pruning.h"
+
+namespace csgsim::shell {
+
+/// Which prunings are done, as options and studies say it: `all`, `none`, those that are done (`space+hidden`), or
+/// those that are not (`no-space+no-hidden`). Throws UsageError.
+csg::Pruning pruning_of(const std::string& text);
+
+/// What is wrong with such a text, or nothing.
+std::string check_pruning(const std::string& text);
+
+/// The same for a list of them with commas. Throws UsageError.
+std::vector<std::string> prunings_of(const std::string& text);
+
+/// The words that such a text is made of.
+std::vector<std::string> pruning_words();
+
+/// The older way to say it: names of those that are left out, or `all`.
+std::vector<std::string> left_out_words();
+std::string pruning_without(const std::vector<std::string>& left_out);
+
+}  // namespace csgsim::shell

@@ -1,0 +1,158 @@
+#include "sim/shell/run_options.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/stats.h"
+#include "sim/observe/stats_json.h"
+#include "sim/report/run_page.h"
+#include "sim/shell/advice.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/run_outputs.h"
+#include "sim/shell/settings/configuration.h"
+#include "sim/shell/summary.h"
+
+namespace csgsim::shell {
+
+namespace {
+
+enum class Level : std::uint8_t { functional, cycle, reference };
+
+const std::map<std::string, Level> levels{
+    {"functional", Level::functional}, {"cycle", Level::cycle}, {"reference", Level::reference}};
+
+/// What is wrong with the name of a picture that has to be an EXR file, or nothing.
+std::string exr_name(const std::string& name) {
+  return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' has to end in .exr";
+}
+
+/// The same of an owner picture.
+std::string owner_name(const std::string& name) {
+  return ends_in(name, ".exr") || ends_in(name, ".png") || is_unnamed_stream(name)
+             ? ""
+             : "'" + name + "' has to end in .png or .exr";
+}
+
+}  // namespace
+
+std::vector<std::string> level_names() {
+  std::vector<std::string> names;
+  names.reserve(levels.size());
+  for (const auto& [name, level] : levels) names.push_back(name);
+  return names;
+}
+
+sim::LongWork long_run(const std::string& level) {
+  return {"the run at the " + level + " level",
+          level == "functional" ? "more --threads and a smaller --size take less"
+                                : "--level functional draws the same picture and tells the same counts in far less"};
+}
+
+std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads) {
+  switch (levels.at(level)) {
+    case Level::functional: return sim::make_functional_engine(machine, threads);
+    case Level::cycle: return sim::make_cycle_engine(machine);
+    case Level::reference: return sim::make_reference_engine(machine);
+  }
+  throw std::logic_error("a level without an engine");
+}
+
+void RunOptions::add_to(Command& command) {
+  command
+      .option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...), PNG for -")
+      .check(not_empty);
+  command.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
+      .check(exr_name);
+  command
+      .option("--owner", owner,
+              "Which primitive is seen: .png, a colour each and a legend, .json beside it; or .exr, its index")
+      .check(owner_name);
+  command
+      .option("--surface", surface,
+              "What --depth and --owner tell: the nearest surface that is seen, see-through or not; or the opaque one "
+              "that is seen, through others or not")
+      .one_of({"nearest", "opaque"}, "surface");
+  command.option("--stats", stats, "All counts, .json").check(not_empty);
+  command
+      .option("--level", level,
+              "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same")
+      .one_of(levels);
+  command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
+      .between(1U, most_threads);
+  command.flag("--advice", advice,
+               "Try what could be turned, each of the machine's figures and each setting by one step, and tell what "
+               "it is worth");
+  add_progress(command, progress);
+}
+
+void refuse_overflow(const sim::RunResult& result) {
+  if (result.overflows == 0) return;
+  throw InputError("the Program overflows: at " + std::to_string(result.overflows) +
+                   " enabled pixels a linear expression does not fit its width; compile it again");
+}
+
+namespace {
+
+/// Worked out where somebody wants to see it: files are read once more for it.
+nlohmann::ordered_json wanted_configuration(const Command& command, const RunSubject& subject,
+                                            const RunOptions& options) {
+  if (options.stats.empty() && !options.report.asked() && !command.watch().before) return nullptr;
+  nlohmann::ordered_json configuration = configuration_of(command, subject);
+  if (command.watch().before) command.watch().before(configuration);
+  return configuration;
+}
+
+void simulate(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
+              const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
+  const isa::Program& program = subject.program;
+  const machines::Machine& machine = subject.machine;
+  nlohmann::ordered_json configuration = wanted_configuration(command, subject, options);
+  RunObservers observers{sim::FrameObserver(program), sim::StatsObserver(program), {}};
+  const bool shows = shows_progress(options.progress);
+  sim::LongWork work = long_run(options.level);
+  if (shows || options.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
+  const std::unique_ptr<sim::Engine> engine = make_engine(machine, options.level, options.threads);
+  const auto begin = std::chrono::steady_clock::now();
+  const sim::RunResult result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  observers.progress.reset();
+  refuse_overflow(result);
+  sim::Frame picture = std::move(observers.frame).frame();
+  if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
+  const std::vector<sim::Knob> knobs = knobs_of(advice, program, machine, result);
+  const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count(), knobs};
+  nlohmann::ordered_json stats_file = sim::to_json(report);
+  if (!configuration.is_null()) put_configuration(stats_file, std::move(configuration), picture);
+  const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
+  outputs.write_pictures(picture, program);
+  outputs.write_stats(stats_file.dump(2) + "\n");
+  if (options.report.asked())
+    outputs.write_report(report::run_page(stats_file, picture, program, machine, options.report.context()));
+  outputs.commit();
+  print_summary(report);
+  fmt::print("{}", verdict);
+  print_words(report, picture, advice);
+  if (command.watch().after) command.watch().after(stats_file);
+}
+
+}  // namespace
+
+void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
+                 const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
+  announce_memory(subject.machine, subject.program.shape, options.level);
+  with_memory_for_run({&subject.program, 1}, subject.machine.array,
+                      [&] { simulate(command, subject, options, outputs, advice, judge, checkpoints); });
+}
+
+}  // namespace csgsim::shell

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/long_work.h"
+#include "sim/shell/checkpoint_options.h"
+#include "sim/shell/command_line.h"
+#include "sim/shell/report_option.h"
+
+namespace csgsim::shell {
+
+inline constexpr unsigned most_threads = 1024;
+
+/// Options of every command that runs a Program to a picture.
+struct RunOptions {
+  std::string picture;
+  std::string depth;
+  std::string owner;
+  std::string surface = "nearest";  ///< of which depth and owner are: `nearest`, or what is `opaque` behind it
+  std::string stats;
+  ReportOption report;  ///< only commands that have a model add it
+  std::string level = "functional";
+  std::string progress = "auto";
+  unsigned threads = 1;
+  bool advice = false;  ///< try all that could be turned, to see what it is worth
+
+  void add_to(Command& command);
+};
+
+/// The names of the levels of fidelity.
+std::vector<std::string> level_names();
+
+/// Of a run that may take long: what to say of it.
+sim::LongWork long_run(const std::string& level);
+
+/// An engine of the level of that name.
+std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads);
+
+/// Says how right a finished picture is: writes it for the stats, and returns lines of text for the summary.
+using Judge = std::function<std::string(const sim::Frame&, nlohmann::ordered_json&)>;
+
+class RunOutputs;
+struct Advice;
+
+/// Throws InputError if a linear expression did not fit its width somewhere.
+void refuse_overflow(const sim::RunResult& result);
+
+struct RunSubject;
+
+/// Runs the Program at the level asked for, writes what was asked for and prints the summary. Where there is a judge,
+/// its verdict goes into the stats under `accuracy`; all that the run follows from is under `configuration`. `advice`
+/// says what may be tried to better it.
+void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
+                 const Advice& advice, const Judge& judge = {}, const CheckpointOptions& checkpoints = {});
+
+}  // namespace csgsim::shell

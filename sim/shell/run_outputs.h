@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "hw/base/output_file.h"
+#include "sim/shell/run_options.h"
+
+namespace csgsim::shell {
+
+/// The files that a run is to write: opened before it, so that nothing is simulated in vain, and put in their places
+/// together at its end.
+class RunOutputs {
+ public:
+  /// Throws UsageError for one that is another or an input, InputError for one that cannot be written.
+  RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs);
+
+  void write_pictures(const sim::Frame& frame, const isa::Program& program);
+  void write_stats(std::string_view json);
+  void write_report(const report::Page& page);
+  void commit();
+
+ private:
+  bool of_opaque_;  ///< depth and owner are of opaque surfaces
+  std::optional<OutputFile> picture_;
+  std::optional<OutputFile> depth_;
+  std::optional<OutputFile> owner_;
+  std::optional<OutputFile> legend_;  ///< of the owner picture
+  std::optional<OutputFile> stats_;
+  std::optional<OutputFile> report_;
+};
+
+}  // namespace csgsim::shell

@@ -1,0 +1,242 @@
+#include "sim/shell/settings/recorded_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/nearest.h"
+#include "hw/base/text.h"
+#include "sim/shell/settings/file_options.h"
+#include "sim/shell/settings/recorded_values.h"
+#include "sim/shell/version.h"
+
+namespace csgsim::shell {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr InputKind stats_input{"name a stats file, .json", std::size_t{256} << 20U, "that is no stats file"};
+
+/// Commands that write stats.
+constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "run"});
+
+/// Options without effect on picture and counts, beside names of what is written.
+constexpr auto without_effect =
+    std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet"});
+
+constexpr std::size_t most_differences = 10;  ///< that are told
+constexpr int most_depth = 100;               ///< of brackets: values are compared by recursion
+
+std::string place_of(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
+  const std::size_t line = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
+  return fmt::format("{}:{}", std::count(before.begin(), before.end(), '\n') + 1, before.size() - line + 1);
+}
+
+/// Remembers where a text ceases to be JSON that can be read.
+struct FirstFault final : nlohmann::json_sax<Json> {
+  std::size_t byte = 0;
+
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(std::int64_t /*value*/) override { return true; }
+  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
+  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
+  bool string(std::string& /*value*/) override { return true; }
+  bool binary(Json::binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*count*/) override { return true; }
+  bool key(std::string& /*value*/) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t /*count*/) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t position, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*why*/) override {
+    byte = position;
+    return false;
+  }
+};
+
+std::string place_of_fault(const std::string& text) {
+  FirstFault fault;
+  static_cast<void>(Json::sax_parse(text, &fault));
+  return place_of(text, fault.byte);
+}
+
+const Json& member(const RecordedRun& run, const Json& json, const std::string& key) {
+  if (!json.is_object() || !json.contains(key)) {
+    throw InputError(
+        fmt::format("{}: there is no '{}' in its configuration; take a stats file as csgsim wrote it", run.file, key));
+  }
+  return json.at(key);
+}
+
+[[noreturn]] void fail_value(const RecordedRun& run, const Json& value, std::string_view wanted) {
+  throw InputError(fmt::format("{}: its configuration has {} where {} should be; take a stats file as csgsim wrote it",
+                               run.file, printable(value.dump().substr(0, 40)), wanted));
+}
+
+/// No text of a command line or a file's name has a zero byte.
+std::string text_in(const RecordedRun& run, const Json& json) {
+  try {
+    std::string text = bytes_of(json);
+    if (text.find('\0') == std::string::npos) return text;
+  } catch (const InputError&) {
+    // as below
+  }
+  fail_value(run, json, "a text");
+}
+
+std::string number_in(const RecordedRun& run, const Json& value) {
+  return value.is_number() ? value.dump() : text_in(run, value);
+}
+
+/// Empty where the option was not given.
+std::vector<std::string> values_of(const RecordedRun& run, const SettableOption& option, const Json& value) {
+  if (value.is_null()) return {};
+  std::vector<std::string> values;
+  switch (option.takes) {
+    case Takes::flag:
+      if (!value.is_boolean()) fail_value(run, value, "true or false");
+      if (value.get<bool>()) values.emplace_back("true");
+      return values;
+    case Takes::whole_number:
+    case Takes::number: return {number_in(run, value)};
+    case Takes::text:
+      values.push_back(text_in(run, value));
+      if (values.front().empty()) values.clear();
+      return values;
+    case Takes::texts: break;
+  }
+  if (!value.is_array() || value.size() > most_in_list)
+    fail_value(run, value, fmt::format("a list of at most {} texts", most_in_list));
+  for (const Json& one : value) values.push_back(text_in(run, one));
+  return values;
+}
+
+bool has_effect(std::string_view option) {
+  return role_of(option) != FileRole::output && std::ranges::find(without_effect, option) == without_effect.end();
+}
+
+const SettableOption& option_named(const RecordedRun& run, std::string_view name,
+                                   std::span<const SettableOption> options) {
+  const auto found = std::ranges::find(options, name, &SettableOption::name);
+  if (found != options.end()) return *found;
+  std::vector<std::string_view> known;
+  for (const SettableOption& option : options) known.push_back(option.name);
+  throw InputError(fmt::format("{}: '{}' is no option of csgsim {} that stats tell of; the nearest is '{}'", run.file,
+                               printable(name), command_of(run), nearest(name, known)));
+}
+
+std::string shown(const Json& json) { return printable(json.dump().substr(0, 60)); }
+
+/// Without what tells of the run and not of its result.
+Json counts_of(const Json& stats) {
+  Json counts = stats;
+  counts.erase("configuration");
+  counts.erase("wall_seconds");
+  return counts;
+}
+
+Json picture_of(const Json& stats) {
+  const Json::json_pointer place("/configuration/picture/hash");
+  return stats.contains(place) ? stats.at(place) : Json();
+}
+
+}  // namespace
+
+RecordedRun read_recorded_run(const std::string& file) { return recorded_run_of(read_file(file, stats_input), file); }
+
+RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
+  RecordedRun run{printable(file), {}, {}};
+  try {
+    run.stats = Json::parse(text, [&](int depth, Json::parse_event_t /*event*/, const Json& /*parsed*/) {
+      if (depth > most_depth) throw InputError(run.file + ": too many brackets in brackets; name a stats file");
+      return true;
+    });
+  } catch (const Json::exception&) {
+    throw InputError(
+        fmt::format("{}:{}: this is no JSON that csgsim writes; name a stats file, as of csgsim render --stats",
+                    run.file, place_of_fault(text)));
+  }
+  if (!run.stats.is_object() || !run.stats.contains("configuration")) {
+    throw InputError(run.file +
+                     ": it has no configuration, so that nothing tells what it is of; name a stats file of "
+                     "csgsim render or run");
+  }
+  run.configuration = run.stats.at("configuration");
+  return run;
+}
+
+std::string command_of(const RecordedRun& run) {
+  const Json& words = member(run, run.configuration, "command");
+  std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
+  if (std::ranges::find(recorded_commands, name) == recorded_commands.end()) {
+    throw InputError(fmt::format("{}: it is of 'csgsim {}'; only stats of render and run can be run again", run.file,
+                                 printable(name)));
+  }
+  return name;
+}
+
+std::vector<Setting> settings_of(const RecordedRun& run, std::span<const SettableOption> options) {
+  const Json& recorded = member(run, run.configuration, "options");
+  const std::string operand = command_of(run) == "render" ? "model" : "program";
+  std::vector<Setting> settings{{operand, {text_in(run, member(run, recorded, operand))}, run.file}};
+  for (const auto& [name, value] : recorded.items()) {
+    std::vector<std::string> values = values_of(run, option_named(run, name, options), value);
+    if (name != operand && has_effect(name) && !values.empty()) settings.push_back({name, std::move(values), run.file});
+  }
+  return settings;
+}
+
+std::vector<std::string> changes_since(const RecordedRun& run) {
+  std::vector<std::string> changes;
+  const std::string version = text_in(run, member(run, run.configuration, "version"));
+  if (version != version_and_build())
+    changes.push_back(fmt::format("it is of csgsim {}, and this is {}", printable(version), version_and_build()));
+  const Json& inputs = member(run, run.configuration, "inputs");
+  if (!inputs.is_array()) fail_value(run, inputs, "a list of files");
+  for (const Json& input : inputs) {
+    const std::string file = text_in(run, member(run, input, "file"));
+    const Json now = hash_of_file(file);
+    if (now.is_null()) {
+      changes.push_back(
+          fmt::format("{} can be read only once, so that nothing tells whether it is the same", printable(file)));
+    } else if (now != member(run, input, "hash")) {
+      changes.push_back(fmt::format("{} has changed", printable(file)));
+    }
+  }
+  return changes;
+}
+
+std::vector<std::string> changes_between(const RecordedRun& run, const Json& configuration) {
+  std::vector<std::string> changes;
+  const auto hash = [&](const Json& of, const char* what) { return member(run, member(run, of, what), "hash"); };
+  if (hash(run.configuration, "machine") != hash(configuration, "machine"))
+    changes.push_back(fmt::format("the machine {} has other figures", configuration.at("machine").value("name", "")));
+  if (hash(run.configuration, "model") != hash(configuration, "model"))
+    changes.push_back(fmt::format("{}, or a file that it takes in, has changed",
+                                  printable(bytes_of(configuration.at("model").at("file")))));
+  return changes;
+}
+
+std::vector<std::string> differences(const RecordedRun& run, const Json& stats) {
+  std::vector<std::string> found;
+  if (picture_of(run.stats) != picture_of(stats)) found.emplace_back("the picture");
+  const Json before = counts_of(run.stats);
+  const Json now = counts_of(stats);
+  for (const Json& one : Json::diff(before, now)) {
+    if (found.size() == most_differences) break;
+    const Json::json_pointer place(one.at("path").get<std::string>());
+    found.push_back(fmt::format("{} was {}, is {}", printable(place.to_string()),
+                                before.contains(place) ? shown(before.at(place)) : "not there",
+                                now.contains(place) ? shown(now.at(place)) : "not there"));
+  }
+  return found;
+}
+
+}  // namespace csgsim::shell

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace csgsim::shell {
+
+inline constexpr std::size_t most_in_list = 10'000;  ///< values that a file gives an option
+
+/// What an option takes.
+enum class Takes : std::uint8_t {
+  flag,          ///< nothing, or true or false
+  whole_number,  ///< 0 or more
+  number,
+  text,
+  texts,  ///< any number of them
+};
+
+/// An option of a command, or an operand of it, under the name that settings have: the long one without dashes, or the
+/// operand's in small letters.
+struct SettableOption {
+  std::string name;
+  Takes takes = Takes::text;
+};
+
+struct SettableCommand {
+  std::string name;
+  std::vector<SettableOption> options;
+};
+
+/// An option that a settings file gives, as the command line would give it.
+struct Setting {
+  std::string name;
+  std::vector<std::string> values;
+  std::string place;  ///< file:line:column
+};
+
+/// What a settings file (TOML) says for one of the commands, whose options there are; `file` is its name, and relative
+/// names of files are relative to its folder. A key at the top is for every command that has such an option; one in
+/// a command's table, [render], is for that command alone and comes before. Throws InputError with file:line:column:
+/// keys that no command has, with the nearest one, and values of the wrong type, for whatever command they are.
+std::vector<Setting> read_settings(std::string_view text, const std::string& file,
+                                   std::span<const SettableCommand> commands, std::string_view command);
+
+}  // namespace csgsim::shell

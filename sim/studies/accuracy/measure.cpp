@@ -1,0 +1,214 @@
+#include "sim/studies/accuracy/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <utility>
+
+#include "host/emit/compile.h"
+#include "host/view/projection.h"
+#include "hw/base/error.h"
+#include "hw/isa/colour_format.h"
+#include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
+#include "sim/judges/analytic.h"
+#include "sim/judges/errors.h"
+#include "sim/judges/explain.h"
+#include "sim/judges/truth.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/stats_json.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+/// The arithmetic that stands for "as fine as can be" when pictures are compared.
+constexpr unsigned finest_z_bits = 24;
+constexpr unsigned finest_fraction_bits = 16;
+
+struct Drawn {
+  isa::Program program;
+  sim::Frame frame;
+  std::uint64_t clocks = 0;
+};
+
+/// Solids are named by 0 and 1: whether they are faceted in spite of what the others are.
+std::string name_of(const facet::Faceting& faceting) {
+  std::string name = faceting.exact_curves ? faceting.fast_spheres ? "fast, " : "exact, " : "";
+  if (faceting.tolerance) {
+    name += fmt::format("tolerance {}", *faceting.tolerance);
+  } else {
+    name += faceting.fragments ? fmt::format("fn {}", *faceting.fragments) : "openscad";
+  }
+  for (const bool is_faceted : faceting.faceted) name += is_faceted ? '1' : '0';
+  return name;
+}
+
+isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
+                     const view::Sampling& sampling, const machines::Machine& machine, const emit::Options& options) {
+  const view::View view = view::make_view(scene, tree, camera, sampling);
+  return emit::compile(tree, scene, view, machine, options,
+                       [&](const isa::Program& program) { return sim::clocks_of_run(program, machine); });
+}
+
+machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
+  machines::set_picture_size(machine, {sampling.width, sampling.height});
+  return machine;
+}
+
+Drawn draw(isa::Program program, const machines::Machine& machine) {
+  sim::FrameObserver frame(program);
+  const std::array<sim::Observer*, 1> observers{&frame};
+  const std::uint64_t clocks = sim::make_functional_engine(machine)->run(program, observers).clocks;
+  return {std::move(program), std::move(frame).frame(), clocks};
+}
+
+/// Sum over pixels and channels of the difference of the colours, which have so many bits.
+double colour_difference(const sim::Frame& a, const sim::Frame& b, unsigned bits) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.colour.size(); ++i) {
+    const std::array<std::uint8_t, 3> of_a = isa::unpack_colour(a.colour[i], bits);
+    const std::array<std::uint8_t, 3> of_b = isa::unpack_colour(b.colour[i], bits);
+    for (std::size_t channel = 0; channel < of_a.size(); ++channel)
+      sum += std::abs(static_cast<double>(of_a[channel]) - static_cast<double>(of_b[channel]));
+  }
+  return sum;
+}
+
+}  // namespace
+
+struct Meter::Subject {
+  facet::Scene scene;
+  judges::Truth exact;     ///< of the half-spaces
+  judges::Truth analytic;  ///< of the curved surfaces
+  sim::Frame finest;
+};
+
+Meter::Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine,
+             const emit::Options& options)
+    : tree_(tree), cameras_(std::move(cameras)), machine_(machine), options_(options) {}
+
+Meter::~Meter() = default;
+
+namespace {
+
+/// The finest arithmetic in place of that which the settings ask for.
+view::Sampling finest(view::Sampling sampling) {
+  sampling.z_bits = finest_z_bits;
+  sampling.fraction_bits = finest_fraction_bits;
+  return sampling;
+}
+
+/// Curved solids whose quadrics, as the camera sees them, do not fit the machine's numbers with the settings or with
+/// the finest arithmetic are faceted.
+facet::Faceting faceting_that_fits(const model::Tree& tree, const Settings& settings, const view::Camera& camera) {
+  facet::Faceting faceting = settings.faceting;
+  if (!faceting.exact_curves) return faceting;
+  const facet::Scene scene = facet::make_scene(tree, faceting);
+  faceting.faceted.resize(scene.solids.size());
+  for (const view::Sampling& sampling : {settings.sampling, finest(settings.sampling)}) {
+    const view::View view = view::make_view(scene, tree, camera, sampling);
+    const auto is_unfit = [&](const facet::QuadricSide& side) {
+      return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
+    };
+    for (std::size_t i = 0; i < scene.solids.size(); ++i)
+      faceting.faceted[i] = faceting.faceted[i] || std::ranges::any_of(scene.solids[i].quadrics, is_unfit);
+  }
+  return faceting;
+}
+
+}  // namespace
+
+Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
+  const view::Sampling& sampling = settings.sampling;
+  const facet::Faceting faceting = faceting_that_fits(tree_, settings, cameras_[camera]);
+  const std::string key = fmt::format("{} {}x{} {}", name_of(faceting), sampling.width, sampling.height, camera);
+  const auto known = subjects_.find(key);
+  if (known != subjects_.end()) return known->second;
+
+  facet::Scene scene = facet::make_scene(tree_, faceting);
+  machines::Machine machine = sized(machine_, sampling);
+  machine.array.memory_bits = std::max(machine.array.memory_bits, shell::ample_memory_bits);
+  Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
+  const isa::DepthScale& depth = drawn.program.facts.depth_scale;
+  judges::Truth exact = judges::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
+  judges::Truth analytic =
+      judges::analytic_truth(tree_, faceting, cameras_[camera], sampling.width, sampling.height, depth);
+  return subjects_
+      .emplace(key, Subject{std::move(scene), std::move(exact), std::move(analytic), std::move(drawn.frame)})
+      .first->second;
+}
+
+std::uint64_t Meter::clocks(const Settings& settings) {
+  const machines::Machine machine = sized(machine_, settings.sampling);
+  std::uint64_t clocks = 0;
+  for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
+    const isa::Program program =
+        compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine, options_);
+    clocks += sim::clocks_of_run(program, machine);
+  }
+  return clocks;
+}
+
+Measurement Meter::measure(const Settings& settings) {
+  const machines::Machine machine = sized(machine_, settings.sampling);
+  Measurement sum;
+  sum.knob = settings.knob;
+  sum.value = settings.value;
+  double difference = 0;
+  for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
+    const Subject& subject = this->subject(settings, camera);
+    const Drawn drawn =
+        draw(compile(tree_, subject.scene, cameras_[camera], settings.sampling, machine, options_), machine);
+    const judges::Explainer explainer(tree_, subject.scene, cameras_[camera], drawn.program);
+    const judges::Errors errors = judges::judge(subject.exact, drawn.frame, drawn.program, explainer);
+    const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
+    sum.clocks += drawn.clocks;
+    sum.halfspaces = std::max(sum.halfspaces, drawn.program.facts.model.halfspaces);
+    sum.memory_bits = std::max(sum.memory_bits, sim::used_memory_bits(drawn.program));
+    sum.covered += errors.covered;
+    sum.wrong += errors.wrong();
+    sum.wrong_silhouette += errors.silhouette;
+    sum.wrong_owner += errors.owner;
+    sum.unexplained += errors.unexplained;
+    sum.depth_max = std::max(sum.depth_max, errors.model_units.max);
+    sum.depth_p999 = std::max(sum.depth_p999, errors.model_units.p999);
+    sum.depth_max_steps = std::max(sum.depth_max_steps, errors.steps.max);
+    sum.depth_p999_steps = std::max(sum.depth_p999_steps, errors.steps.p999);
+    sum.facet_wrong += facets.wrong();
+    sum.facet_depth_p999 = std::max(sum.facet_depth_p999, facets.model_units.p999);
+    difference += colour_difference(drawn.frame, subject.finest, options_.colour_bits) /
+                  (3.0 * static_cast<double>(drawn.frame.colour.size()));
+  }
+  sum.simulated_seconds = static_cast<double>(sum.clocks) / static_cast<double>(machine.clock_hz);
+  sum.picture_difference = difference / static_cast<double>(cameras_.size());
+  return sum;
+}
+
+std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t most_wrong) {
+  std::vector<std::pair<std::uint64_t, const Settings*>> by_clocks;
+  for (const Settings& candidate : candidates) {
+    try {
+      by_clocks.emplace_back(meter.clocks(candidate), &candidate);
+    } catch (const InputError&) {
+      continue;  // it does not fit the machine
+    }
+  }
+  std::stable_sort(by_clocks.begin(), by_clocks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [clocks, candidate] : by_clocks) {
+    if (meter.measure(*candidate).wrong <= most_wrong) return *candidate;
+  }
+  return std::nullopt;
+}
+
+std::vector<view::Camera> turned_views(const view::Camera& camera, unsigned count) {
+  constexpr double golden_angle = 2.399963229728653;
+  std::vector<view::Camera> cameras;
+  for (unsigned i = 0; i < count; ++i) cameras.push_back(view::turned(camera, golden_angle * i));
+  return cameras;
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/studies/accuracy/measure.h"
+
+namespace csgsim::studies {
+
+/// Of measurements of one picture (same size and faceting), those that no other beats in both clocks and wrong pixels;
+/// fewest clocks first. Points that took the same clocks and were as wrong are listed once.
+std::vector<Measurement> pareto_front(std::span<const Measurement> measurements);
+
+/// One step along a front: what it costs to have at most half the wrong pixels.
+struct Halving {
+  Measurement from;
+  Measurement to;
+  double more_clocks = 0;  ///< as a part of from's clocks
+};
+
+/// Steps along a front from its cheapest point, each to the cheapest with at most half the wrong pixels.
+std::vector<Halving> halvings(std::span<const Measurement> front);
+
+/// Curved surfaces that are drawn without facets, and what facets of the same accuracy cost.
+struct EqualFacets {
+  Measurement curved;
+  Measurement facets;     ///< the fewest clocks of those that are as right; if none is, those that are least wrong
+  bool as_right = false;  ///< whether no more pixels of the facets differ from the true curved surfaces
+};
+
+/// One for each way to draw curved surfaces that is not by facets, if facets were measured too: those of the knobs fn
+/// and tolerance, and those that the model says.
+std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows);
+
+}  // namespace csgsim::studies

@@ -1,0 +1,82 @@
+#include "sim/studies/advise/fitted_program.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "host/emit/compile.h"
+#include "hw/base/error.h"
+#include "hw/base/hash.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/stats_json.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+bool may_skip(const isa::Segment& segment) {
+  return std::any_of(segment.instructions.begin(), segment.instructions.end(), [](const isa::Instruction& instruction) {
+    return instruction.opcode == isa::Opcode::skip_if_none;
+  });
+}
+
+/// Of all that the pixels see of it.
+std::uint64_t segment_hash(const isa::Segment& segment) {
+  Hash hash;
+  const auto add = [&](std::uint64_t number) {
+    const std::array<std::uint32_t, 2> words{static_cast<std::uint32_t>(number),
+                                             static_cast<std::uint32_t>(number >> 32U)};
+    hash.add(words);
+  };
+  const auto add_two = [&](std::uint32_t high, std::uint32_t low) { add(std::uint64_t{high} << 32U | low); };
+  add_two(segment.region.x, segment.region.y);
+  add_two(segment.region.width, segment.region.height);
+  for (const isa::Instruction& one : segment.instructions) {
+    add_two(static_cast<std::uint32_t>(one.opcode), std::uint32_t{one.linear.width} << 16U | one.linear.shift);
+    for (const isa::Field& field : one.fields) add_two(field.base, field.width);
+    add(static_cast<std::uint64_t>(one.linear.a));
+    add(static_cast<std::uint64_t>(one.linear.b));
+    add(static_cast<std::uint64_t>(one.linear.c));
+    add(one.constant);
+  }
+  return hash.value();
+}
+
+}  // namespace
+
+Fitted compile_fitting(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+                       machines::Machine machine, const emit::Options& options, const MemoryGuess& guess) {
+  const auto compile = [&](std::uint32_t memory_bits) {
+    machine.array.memory_bits = memory_bits;
+    return emit::compile(tree, scene, view, machine, options);
+  };
+  std::optional<isa::Program> program;
+  if (guess.likely > 0 && guess.likely <= guess.most) {
+    try {
+      program = compile(guess.likely);
+    } catch (const InputError&) {
+      program.reset();  // too few, or there are none that would do
+    }
+  }
+  if (!program) program = compile(guess.most);
+  // Where fields lie may depend on how many bits there are, but not how many are taken.
+  const std::uint32_t used = sim::used_memory_bits(*program);
+  if (used != machine.array.memory_bits) program = compile(used);
+  return {std::move(*program), std::move(machine)};
+}
+
+machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
+  if (std::none_of(program.segments.begin(), program.segments.end(), may_skip))
+    return machines::time_frame(program, machine);
+  std::vector<std::uint64_t> key;
+  key.reserve(program.segments.size());
+  for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
+  const auto [known, is_new] = skips_.try_emplace(std::move(key));
+  if (is_new) known->second = sim::make_functional_engine(machine)->run(program, {}).skips;
+  return machines::time_frame(program, machine, known->second);
+}
+
+}  // namespace csgsim::studies

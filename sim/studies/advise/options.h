@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/shell/command_line.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/report_option.h"
+#include "sim/studies/advise/measure.h"
+
+namespace csgsim::studies {
+
+/// Options of csgsim advise. What is searched are lists and ranges, checked when the command line is read.
+struct AdviseOptions {
+  shell::ModelOptions model;
+  std::string z_bits = "10..20";
+  std::string fraction_bits = "2,4,6,8,10,12";
+  std::string colour_bits = "12,15,18,21,24";
+  std::string strategies;  ///< empty: all that the machine can draw by
+  std::string stack_bits = "3..8";
+  std::string colourings = "rebroadcast,field";
+  std::string alu_bits;  ///< empty: the machine's own
+  std::optional<std::uint32_t> max_bits;
+  std::optional<std::uint64_t> max_wrong_pixels;
+  std::optional<double> min_fps;
+  std::optional<std::uint32_t> min_colour_bits;
+
+  void add_to(shell::Command& command);
+};
+
+/// Names of the options that ask for wishes or lists: all others are those of `csgsim render`, but for those without
+/// effect on results.
+std::vector<std::string> own_options();
+
+/// All that is asked for.
+struct AdviceQuestion {
+  AdviceJob job;
+  std::vector<AdvicePoint> points;
+  Wishes wishes;
+};
+
+/// Reads the model and the machine. Throws InputError, or UsageError for an ALU that the machine has not.
+AdviceQuestion question_of(const AdviseOptions& options);
+
+/// The model as the choice draws it.
+report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, const std::string& caption);
+
+/// `csgsim render` with all options that draw the choice, on a machine with just its memory, and judge it; its picture
+/// is called `picture`.
+std::string render_command(const AdviseOptions& options, const shell::Command& command, const AdviceRow& row,
+                           const std::string& picture);
+
+}  // namespace csgsim::studies

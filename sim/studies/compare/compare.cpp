@@ -1,0 +1,281 @@
+#include "sim/studies/compare/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/machines/hash.h"
+#include "sim/report/points.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/machine_list.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/settings/sets.h"
+#include "sim/shell/version.h"
+#include "sim/studies/compare/ideal.h"
+#include "sim/studies/compare/measure.h"
+#include "sim/studies/compare/words.h"
+#include "sim/studies/folder.h"
+#include "sim/studies/plot_stem.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+using Rows = std::span<const ComparisonRow>;
+
+constexpr unsigned most_fragments = 4096;
+
+struct Options {
+  ModelOptions model;
+  std::string machines = all_machines();
+  std::string sides = "128,256,512";
+  std::string fragments = "8,16,32,64";
+  bool ideal = false;
+};
+
+std::vector<unsigned> fragments_of(const std::string& text) {
+  return text.empty() ? std::vector<unsigned>{} : parse_numbers(text, 3, most_fragments);
+}
+std::vector<unsigned> sides_of(const std::string& text) {
+  return text.empty() ? std::vector<unsigned>{} : parse_numbers(text, 1, isa::max_array_side);
+}
+
+/// A machine, with the picture that --size asks for.
+struct Named {
+  std::string name;
+  machines::Machine machine;
+};
+
+std::vector<Named> named_machines(const Options& options) {
+  std::vector<Named> machines;
+  for (const std::string& name : with_figures(parse_words(options.machines), options.model.sets)) {
+    ModelOptions one = options.model;
+    one.machine = name;  // with its figures as set
+    one.sets = sorted(one.sets).scene;
+    machines.push_back({escaped(name), machine_of(one)});
+  }
+  return machines;
+}
+
+/// The machine's own picture, as the machine is and with one figure after the other made ideal.
+std::vector<ComparisonPoint> ideal_points(const Named& machine) {
+  const machines::Size& picture = machine.machine.picture;
+  std::vector<ComparisonPoint> points{{machine.name, picture.width, picture.height, 0}};
+  for (const std::string& choice : ideal_choices(machine.machine)) {
+    points.push_back(points.front());
+    points.back().ideal = choice;
+  }
+  return points;
+}
+
+/// The machine's own picture, with every number of fragments, and pictures of every size.
+std::vector<ComparisonPoint> points_of(const Options& options, const Named& machine) {
+  if (options.ideal) return ideal_points(machine);
+  const machines::Size& picture = machine.machine.picture;
+  std::vector<ComparisonPoint> points{{machine.name, picture.width, picture.height, 0}};
+  const auto add = [&](const ComparisonPoint& point) {
+    if (std::ranges::find(points, point) == points.end()) points.push_back(point);
+  };
+  for (const unsigned fragments : fragments_of(options.fragments))
+    add({machine.name, picture.width, picture.height, static_cast<double>(fragments)});
+  for (const unsigned side : sides_of(options.sides)) add({machine.name, side, side, 0});
+  return points;
+}
+
+view::Sampling sampling_at(const Options& options, const ComparisonPoint& point, const machines::Machine& machine) {
+  view::Sampling sampling = sampling_of(options.model, machine);
+  sampling.width = point.width;
+  sampling.height = point.height;
+  return sampling;
+}
+
+/// Columns of the machines' names, with a blank behind the longest.
+std::size_t name_width(Rows rows) {
+  std::size_t width = 16;
+  for (const ComparisonRow& row : rows) width = std::max(width, row.point.machine.size() + 1);
+  return width;
+}
+
+void print_row(const ComparisonRow& row, std::size_t width) {
+  const std::string facets = row.point.fragments == 0 ? "own" : fmt::format("{}", row.point.fragments);
+  fmt::print("{:<{}}{:>11}{:>7}", row.point.machine, width, fmt::format("{}x{}", row.point.width, row.point.height),
+             facets);
+  if (!row.drawn()) {
+    fmt::print("  {}\n", row.reason);
+    return;
+  }
+  fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
+             grouped(row.clocks), row.seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations),
+             grouped(row.processors), grouped(row.processor_clocks), grouped(row.memory_bits),
+             row.transistors ? grouped(*row.transistors) : "-", 100.0 * row.utilisation);
+}
+
+/// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
+void print_ideal_rows(Rows rows) {
+  const std::size_t width = name_width(rows);
+  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "frames/s", "worth %");
+  const ComparisonRow* as_it_is = nullptr;
+  for (const ComparisonRow& row : rows) {
+    if (row.point.ideal.empty()) as_it_is = &row;
+    fmt::print("{:<{}}{:<28}", row.point.machine, width, row.point.ideal.empty() ? "as it is" : row.point.ideal);
+    if (!row.drawn()) {
+      fmt::print("  {}\n", row.reason);
+      continue;
+    }
+    fmt::print("{:>13}{:>11.2f}{:>9.1f}", grouped(row.clocks), row.seconds * 1e3, row.frames_per_second);
+    if (as_it_is != nullptr && as_it_is->drawn())
+      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.seconds / as_it_is->seconds));
+    fmt::print("\n");
+  }
+}
+
+void print_rows(Rows rows) {
+  const std::size_t width = name_width(rows);
+  fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", width,
+             "picture", "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.",
+             "processor clocks", "memory bits", "transistors", "used %");
+  for (const ComparisonRow& row : rows) print_row(row, width);
+  fmt::print("Transistors are a model (docs/area.md), of the processors with their memory; -: not synthesised.\n");
+}
+
+/// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
+report::Table worth_table(const report::Json& data) {
+  report::Table table{"What each idealisation is worth", {"machine", "ideal", "clocks", "seconds", "worth"}, {}};
+  double as_it_is = 0;
+  for (std::size_t i = 0; i < data["points"].size(); ++i) {
+    const report::Json& point = data["points"][i];
+    if (!report::is_measured(point)) continue;
+    const std::string at = "/points/" + std::to_string(i);
+    const bool is_plain = point["ideal"].get<std::string>().empty();
+    if (is_plain) as_it_is = point["seconds"].get<double>();
+    table.rows.push_back(
+        {report::cell(data, at + "/machine"), is_plain ? report::Cell{"as it is"} : report::cell(data, at + "/ideal"),
+         report::cell(data, at + "/clocks"), report::cell(data, at + "/seconds"),
+         is_plain || as_it_is == 0 ? report::Cell{} : report::share(as_it_is - point["seconds"].get<double>(), as_it_is)});
+  }
+  return table;
+}
+
+class Compare : public StudyOf<ComparisonRow> {
+ public:
+  void add_options(Command& command) override {
+    options_.model.add_to(command);
+    command.remove("--machine");
+    command.remove("--tolerance");
+    command.remove("--curves");  // all machines draw the same facets
+    command.option("--machines", options_.machines, "List of machines, by name or .toml file");
+    command
+        .option("--fragments", options_.fragments,
+                "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
+                "empty for the model's own only")
+        .check(is_read_by(fragments_of));
+    command
+        .option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; empty for one size only")
+        .check(is_read_by(sides_of));
+    command.flag(
+        "--ideal", options_.ideal,
+        "What each idealisation is worth: every figure of a machine that may be ideal is, one after the other and "
+        "all at once; no other sizes or fragments, and no plots");
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    return input_files({options_.model.model}, parse_words(options_.machines));
+  }
+  [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments"}; }
+  [[nodiscard]] std::string table_model() const override { return options_.model.model; }
+  [[nodiscard]] std::string usual_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
+
+  std::vector<Asked> ask() override {
+    ModelFile file = read_model_file(options_.model);
+    tree_ = std::move(file.tree);
+    const facet::Scene scene = facet::make_scene(tree_);
+    std::vector<Asked> asked;
+    for (const Named& machine : named_machines(options_)) {
+      const Inputs inputs{file.hash, machines::hash_of(machine.machine), version_and_build()};
+      const view::Camera camera = camera_of(options_.model, machine.machine, tree_, scene);
+      for (const ComparisonPoint& point : points_of(options_, machine)) {
+        asked.push_back({to_line(point), inputs});
+        jobs_.push_back({point, inputs, made_ideal(machine.machine, point.ideal), camera,
+                         sampling_at(options_, point, machine.machine), emit_options_of(options_.model)});
+      }
+    }
+    return asked;
+  }
+
+  void print() const override {
+    options_.ideal ? print_ideal_rows(rows()) : print_rows(rows());
+    print_compare_words(rows());
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override {
+    if (options_.ideal) return {};
+    // The first point is of the first machine's own picture.
+    const ComparisonPoint& first = rows().front().point;
+    return plots_of_comparison(rows(), {first.width, first.height}, plot_stem(options_.model.model));
+  }
+
+  [[nodiscard]] std::string page_title() const override { return "Machines compared"; }
+
+  [[nodiscard]] PageSubject page_subject() const override {
+    PageSubject subject{options_.model, {}};
+    for (const Named& machine : named_machines(options_)) subject.machines.push_back(machine.machine);
+    return subject;
+  }
+
+  [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
+    if (!options_.ideal) return {};
+    return {{"Idealisations", {worth_table(data)}}};
+  }
+
+  /// Pictures of the same size and facets have to be the same on every machine.
+  void refuse() const override {
+    for (const ComparisonRow& row : rows()) {
+      const auto first = std::ranges::find_if(rows(), [&](const ComparisonRow& other) {
+        return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
+               other.point.fragments == row.point.fragments;
+      });
+      if (row.drawn() && first->picture != row.picture) {
+        throw InputError(fmt::format("{} draws {}x{} pixels otherwise than {}; {}", row.point.machine, row.point.width,
+                                     row.point.height, first->point.machine, whose_fault(are_read())));
+      }
+    }
+    if (std::ranges::none_of(rows(), &ComparisonRow::drawn)) throw InputError(rows().front().reason);
+    fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
+  }
+
+ protected:
+  [[nodiscard]] ComparisonRow measured(std::size_t point) override {
+    const ComparisonJob& job = jobs_[point];
+    return with_memory_for_picture({job.point.width, job.point.height, job.machine.array.memory_bits},
+                                   [&] { return studies::measure(job, tree_); });
+  }
+
+ private:
+  Options options_;
+  model::Tree tree_;
+  std::vector<ComparisonJob> jobs_;
+};
+
+}  // namespace
+
+const StudyRow compare_row{
+    .name = "compare",
+    .does = "Draw a model on several machines: clocks, time, memory, utilisation, growth",
+    .example =
+        "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5\n"
+        "  csgsim compare carburettor.csg --machines pixel-planes-4,mine.toml --sides 64,128 --fragments 8,16 -o out\n"
+        "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5 --ideal -o carburettor-ideal\n"
+        "What has been measured is in compare.csv at once; the same command goes on after an interruption.",
+    .plots = "plots (.png, .svg) of the machines and of the time against half-spaces and pixels",
+    .folder = Folder::usual,
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Compare>()); }};
+
+}  // namespace csgsim::studies

@@ -1,0 +1,54 @@
+#include "sim/studies/compare/dear_cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/studies/csv.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+/// Without what separates names in a cell; names of models that csgsim reads have none of it.
+std::string as_word(std::string name) {
+  std::ranges::replace_if(
+      name, [](char c) { return c == ' ' || c == '=' || c == '\t'; }, '_');
+  return name;
+}
+
+}  // namespace
+
+DearPrimitives dear_primitives(const sim::ClockShares& shares) {
+  DearPrimitives dear;
+  for (const sim::PrimitiveCost& one : shares.dearest) dear.push_back({as_word(escaped(one.name)), one.clocks});
+  return dear;
+}
+
+std::string to_cell(const DearPrimitives& dear) {
+  std::string cell;
+  for (const DearPrimitive& one : dear) cell += fmt::format("{}{}={}", cell.empty() ? "" : " ", one.name, one.clocks);
+  return to_cell(cell);
+}
+
+void from_cell(const std::string& cell, DearPrimitives& dear) {
+  dear.clear();
+  std::istringstream words(cell);
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.rfind('=');
+    if (equals == std::string::npos) throw InputError("'" + word + "' is not of the form name=clocks");
+    DearPrimitive one{word.substr(0, equals), 0};
+    from_cell(word.substr(equals + 1), one.clocks);
+    dear.push_back(std::move(one));
+  }
+}
+
+void to_json(nlohmann::ordered_json& json, const DearPrimitive& one) {
+  json = {{"name", one.name}, {"clocks", one.clocks}};
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,91 @@
+#include "sim/studies/compare/measure.h"
+
+#include <algorithm>
+#include <array>
+
+#include "host/emit/compile.h"
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/machines/area.h"
+#include "hw/machines/kind.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/bound.h"
+#include "sim/observe/dearest.h"
+#include "sim/observe/frame.h"
+#include "sim/observe/stats.h"
+#include "sim/observe/frame_hash.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+facet::Faceting faceting_of(const ComparisonPoint& point) {
+  if (point.fragments == 0) return {};
+  return {std::nullopt, point.fragments};
+}
+
+void count(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
+  row.primitives = program.facts.model.primitives;
+  row.halfspaces = program.facts.model.halfspaces;
+  row.segments = program.segments.size();
+  for (const isa::Segment& segment : program.segments) {
+    row.instructions += segment.instructions.size();
+    if (!segment.instructions.empty()) ++row.drawn_segments;
+  }
+  const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
+  row.processors = resources.processors;
+  row.memory_bits = resources.memory_bits;
+  row.pixel_transistors = machines::pixel_transistors(machine, machine.array.memory_bits);
+  if (row.pixel_transistors) row.transistors = *row.pixel_transistors * row.processors;
+}
+
+void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
+  sim::FrameObserver frame(program);
+  sim::StatsObserver stats(program);
+  const std::array<sim::Observer*, 2> observers{&frame, &stats};
+  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
+  row.clocks = result.clocks;
+  row.seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
+  row.shown_clocks = result.shown_clocks;
+  row.frames_per_second = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
+  row.pixel_operations = stats.stats().total.pixel_operations;
+  row.enabled = stats.stats().total.enabled;
+  row.processor_clocks = row.processors * row.clocks;
+  row.utilisation = static_cast<double>(row.enabled) / static_cast<double>(row.processor_clocks);
+  if (const std::optional<sim::Bound> bound = sim::bound_of(result, machine)) {
+    row.bound_by = bound->part;
+    row.bound_share = bound->share;
+  }
+  const sim::ClockShares shares = sim::clock_shares(program, result, stats.stats());
+  row.instruction_clocks = shares.whole;
+  row.dearest = dear_primitives(shares);
+  row.picture = hash_of(frame.frame());
+}
+
+}  // namespace
+
+ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
+  ComparisonRow row;
+  const auto begin = [&] {
+    row = {};
+    row.point = job.point;
+    row.inputs = job.inputs;
+  };
+  begin();
+  try {
+    machines::Machine machine = job.machine;
+    machines::set_picture_size(machine, {row.point.width, row.point.height});
+    const facet::Scene scene = facet::make_scene(tree, faceting_of(row.point));
+    const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
+    const isa::Program program = emit::compile(tree, scene, view, machine, job.options);
+    count(program, machine, row);
+    draw(program, machine, row);
+  } catch (const InputError& error) {
+    begin();
+    row.reason = escaped(error.what());
+  }
+  return row;
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "host/emit/options.h"
+#include "host/model/tree.h"
+#include "host/view/camera.h"
+#include "host/view/projection.h"
+#include "hw/machines/machine.h"
+#include "sim/plots/plot.h"
+#include "sim/studies/compare/dear_cell.h"
+#include "sim/studies/inputs.h"
+
+namespace csgsim::studies {
+
+/// One picture of the model on one machine.
+struct ComparisonPoint {
+  std::string machine;
+  std::uint32_t width = 0;   ///< pixels
+  std::uint32_t height = 0;  ///< pixels
+  double fragments = 0;      ///< of a circle; 0 for facets as the model asks for them
+  std::string ideal{};       ///< the figure that is made ideal, `all` of them, or none
+
+  bool operator==(const ComparisonPoint&) const = default;
+};
+
+/// What a point takes. Where `reason` says why the machine cannot draw it, the counts are 0.
+struct ComparisonRow {
+  static constexpr std::size_t point_columns = 5;
+
+  ComparisonPoint point;
+  Inputs inputs;
+  std::uint64_t primitives = 0;
+  std::uint64_t halfspaces = 0;
+  std::uint64_t segments = 0;          ///< parts of the picture
+  std::uint64_t drawn_segments = 0;    ///< of these, those that something touches
+  std::uint64_t instructions = 0;      ///< in all segments
+  std::uint64_t clocks = 0;            ///< in which a frame is drawn
+  double seconds = 0;                  ///< these, at the machine's clock rate
+  std::uint64_t shown_clocks = 0;      ///< until its last pixel has been shown
+  double frames_per_second = 0;        ///< in a sequence of such frames
+  std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
+  std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
+  std::uint64_t processors = 0;
+  std::uint64_t processor_clocks = 0;                ///< processors times clocks: what was paid for
+  std::uint64_t memory_bits = 0;                     ///< of all processors, and of a frame buffer beside them
+  std::optional<std::uint64_t> pixel_transistors{};  ///< of one processor with its memory: hw/machines/area.h
+  std::optional<std::uint64_t> transistors{};        ///< of all processors
+  double utilisation = 0;                            ///< enabled pixel operations in processor clocks
+  std::string bound_by;                  ///< the part that bounds the frame; empty where the kind does not tell
+  double bound_share = 0;                ///< of the clocks from one frame to the next, in which it works
+  std::uint64_t instruction_clocks = 0;  ///< of all instructions, over all segments, and the final latency
+  DearPrimitives dearest;                ///< what they take of these
+  std::string picture;                   ///< hash of depth, owner and colour of every pixel
+  std::string reason;
+
+  [[nodiscard]] bool drawn() const { return reason.empty(); }
+};
+
+template <class Point, class Visitor>
+requires std::same_as<std::remove_const_t<Point>, ComparisonPoint>
+void visit_columns(Point& point, Visitor&& visit) {
+  visit("machine", point.machine);
+  visit("width", point.width);
+  visit("height", point.height);
+  visit("fragments", point.fragments);
+  visit("ideal", point.ideal);
+}
+
+template <class Row, class Visitor>
+requires std::same_as<std::remove_const_t<Row>, ComparisonRow>
+void visit_columns(Row& row, Visitor&& visit) {
+  visit_columns(row.point, visit);
+  visit_columns(row.inputs, visit);
+  visit("primitives", row.primitives);
+  visit("halfspaces", row.halfspaces);
+  visit("segments", row.segments);
+  visit("drawn_segments", row.drawn_segments);
+  visit("instructions", row.instructions);
+  visit("clocks", row.clocks);
+  visit("seconds", row.seconds);
+  visit("shown_clocks", row.shown_clocks);
+  visit("frames_per_second", row.frames_per_second);
+  visit("pixel_operations", row.pixel_operations);
+  visit("enabled", row.enabled);
+  visit("processors", row.processors);
+  visit("processor_clocks", row.processor_clocks);
+  visit("memory_bits", row.memory_bits);
+  visit("pixel_transistors", row.pixel_transistors);
+  visit("transistors", row.transistors);
+  visit("utilisation", row.utilisation);
+  visit("bound_by", row.bound_by);
+  visit("bound_share", row.bound_share);
+  visit("instruction_clocks", row.instruction_clocks);
+  visit("dearest", row.dearest);
+  visit("picture", row.picture);
+  visit("reason", row.reason);
+}
+
+/// All that a point is made from, but for what the point says.
+struct ComparisonJob {
+  ComparisonPoint point;
+  Inputs inputs;
+  machines::Machine machine;
+  view::Camera camera;
+  view::Sampling sampling;
+  emit::Options options;
+};
+
+/// Compiles the point and draws it at the functional level.
+ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
+
+/// On each machine the time from one frame to the next, that of drawing alone, and memory; these times against
+/// half-spaces and against pixels, a line a machine: what varies among the rows, which are of one model. `base` is the
+/// picture size at which half-spaces vary.
+std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
+                                             const std::string& model);
+
+}  // namespace csgsim::studies

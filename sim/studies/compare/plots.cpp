@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "sim/plots/common_looks.h"
+#include "sim/studies/compare/measure.h"
+#include "sim/studies/tick_names.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr const char* comparison_table = "compare.csv";
+constexpr const char* interval_title = "from frame to frame, ms";
+constexpr const char* drawing_title = "drawing alone, ms";
+
+/// One plot: which rows it shows, and against what.
+struct View {
+  const char* name;
+  const char* title;
+  bool (*shows)(const ComparisonRow& row, const machines::Size& base);
+  double (*against)(const ComparisonRow& row);
+};
+
+bool has_size(const ComparisonRow& row, const machines::Size& size) {
+  return machines::Size{row.point.width, row.point.height} == size;
+}
+
+constexpr View views[] = {
+    {"halfspaces", "half-spaces of the model", has_size,
+     [](const ComparisonRow& row) { return static_cast<double>(row.halfspaces); }},
+    {"pixels", "pixels of the picture",
+     [](const ComparisonRow& row, const machines::Size& /*base*/) { return row.point.fragments == 0; },
+     [](const ComparisonRow& row) { return static_cast<double>(row.point.width) * row.point.height; }},
+};
+
+double drawing_ms(const ComparisonRow& row) { return row.seconds * 1e3; }
+
+/// Drawing, showing and all else that has to be done before the next frame is: infinite where it is not known.
+double interval_ms(const ComparisonRow& row) { return 1e3 / row.frames_per_second; }
+
+std::vector<std::string> machines_of(std::span<const ComparisonRow> rows) {
+  std::vector<std::string> names;
+  for (const ComparisonRow& row : rows) {
+    if (std::ranges::find(names, row.point.machine) == names.end()) names.push_back(row.point.machine);
+  }
+  return names;
+}
+
+plots::Chart growth_chart(std::span<const ComparisonRow> rows, const View& view, const machines::Size& base,
+                          const std::string& model) {
+  plots::Chart chart{model + ": machines against " + view.title,
+                     {view.title, plots::Scale::logarithmic},
+                     {{interval_title, plots::Scale::logarithmic}, {drawing_title, plots::Scale::logarithmic}},
+                     {},
+                     comparison_table};
+  for (const std::string& machine : machines_of(rows)) {
+    plots::Series intervals{machine, 0};
+    plots::Series drawings{machine, 1};
+    for (const ComparisonRow& row : rows) {
+      if (!row.drawn() || row.point.machine != machine || !view.shows(row, base)) continue;
+      intervals.points.push_back({view.against(row), interval_ms(row)});
+      drawings.points.push_back({view.against(row), drawing_ms(row)});
+    }
+    for (plots::Series* series : {&intervals, &drawings}) {
+      std::ranges::stable_sort(series->points, {}, &plots::Point::x);
+      if (!series->points.empty()) chart.series.push_back(std::move(*series));
+    }
+  }
+  return chart;
+}
+
+bool varies(const plots::Chart& chart) {
+  return std::ranges::any_of(
+      chart.series, [](const plots::Series& series) { return series.points.front().x < series.points.back().x; });
+}
+
+/// What is told of each machine; where one of them has none, it is told of none.
+struct Property {
+  const char* title;
+  std::optional<double> (*value)(const ComparisonRow& row);
+};
+
+constexpr Property properties[] = {
+    {interval_title,
+     [](const ComparisonRow& row) {
+       return row.frames_per_second > 0 ? std::optional(interval_ms(row)) : std::nullopt;
+     }},
+    {drawing_title, [](const ComparisonRow& row) { return std::optional(drawing_ms(row)); }},
+    {"memory bits in all",
+     [](const ComparisonRow& row) { return std::optional(static_cast<double>(row.memory_bits)); }},
+    {"transistors in all", [](const ComparisonRow& row) {
+       return row.transistors ? std::optional(static_cast<double>(*row.transistors)) : std::nullopt;
+     }}};
+
+void add_property(const Property& property, std::span<const ComparisonRow> own, plots::Chart& chart) {
+  plots::Series series{"", chart.panels.size(), plots::Trace::marks};
+  for (const ComparisonRow& row : own) {
+    const std::optional<double> value = property.value(row);
+    if (!value) return;
+    series.points.push_back({static_cast<double>(series.points.size()), *value});
+  }
+  chart.panels.push_back({property.title});
+  chart.series.push_back(std::move(series));
+}
+
+/// A picture of the first machine's size with the model's own facets, on each machine.
+plots::Chart machines_chart(std::span<const ComparisonRow> rows, const machines::Size& base, const std::string& model) {
+  std::vector<ComparisonRow> own;
+  std::vector<std::string> machines;
+  for (const ComparisonRow& row : rows) {
+    if (!row.drawn() || row.point.fragments != 0 || !row.point.ideal.empty() || !has_size(row, base)) continue;
+    own.push_back(row);
+    machines.push_back(row.point.machine);
+  }
+  plots::Chart chart{model + ": machines", {"machine", plots::Scale::linear, {}, true}, {}, {}, comparison_table};
+  for (const std::string& name : tick_names(machines))
+    chart.x.ticks.push_back({static_cast<double>(chart.x.ticks.size()), name});
+  for (const Property& property : properties) add_property(property, own, chart);
+  return chart;
+}
+
+}  // namespace
+
+std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
+                                             const std::string& model) {
+  std::vector<plots::Plot> all;
+  plots::Chart machines = machines_chart(rows, base, model);
+  if (machines.x.ticks.size() > 1) all.push_back({"compare_machines", std::move(machines)});
+  for (const View& view : views) {
+    plots::Chart chart = growth_chart(rows, view, base, model);
+    if (varies(chart)) all.push_back({std::string("compare_") + view.name, std::move(chart)});
+  }
+  plots::give_common_looks(all);
+  return all;
+}
+
+}  // namespace csgsim::studies

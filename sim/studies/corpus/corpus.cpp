@@ -1,0 +1,244 @@
+#include "sim/studies/corpus/corpus.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/report/number_text.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/machine_list.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/text_columns.h"
+#include "sim/studies/corpus/files.h"
+#include "sim/studies/corpus/measure.h"
+#include "sim/studies/folder.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+using Rows = std::span<const CorpusRow>;
+
+using Lines = std::vector<std::vector<std::string>>;
+
+std::vector<std::string> row_line(const CorpusRow& row) {
+  const std::string name = "  " + row.point.machine;
+  if (!row.drawn()) return {name, row.reason};
+  return {name,
+          grouped(row.clocks),
+          grouped(row.render),
+          grouped(row.classify),
+          grouped(row.merge),
+          grouped(row.shade),
+          grouped(row.pixel_operations),
+          std::to_string(row.used_bits),
+          fmt::format("{:.4g}", row.frames_per_second),
+          row.bound_by};
+}
+
+bool is_drawn(const CorpusRow& row) { return row.drawn(); }
+
+void add_model(std::span<const CorpusRow> rows, Lines& lines) {
+  const auto drawn = std::ranges::find_if(rows, is_drawn);
+  if (drawn == rows.end()) {
+    lines.push_back({told_of(rows.front().point.model, rows.front().reason)});
+    return;
+  }
+  lines.push_back({fmt::format("{}: {}, {}, {}", drawn->point.model, counted(drawn->primitives, "primitive"),
+                               counted(drawn->pieces, "piece"), counted(drawn->halfspaces, "half-space"))});
+  for (const CorpusRow& row : rows) lines.push_back(row_line(row));
+}
+
+/// Rows of one model follow each other.
+std::vector<std::span<const CorpusRow>> by_model(Rows rows) {
+  std::vector<std::span<const CorpusRow>> models;
+  for (auto begin = rows.begin(); begin != rows.end();) {
+    const auto end =
+        std::find_if(begin, rows.end(), [&](const CorpusRow& row) { return row.point.model != begin->point.model; });
+    models.emplace_back(begin, end);
+    begin = end;
+  }
+  return models;
+}
+
+void print_rows(Rows rows) {
+  Lines lines{{"model and machine", "clocks", "render", "classify", "merge", "shade", "pixel operations", "bits",
+               "frames/s", "bound by"}};
+  for (const std::span<const CorpusRow> model : by_model(rows)) add_model(model, lines);
+  fmt::print("{}", in_columns(lines, "<>>>>>>>><"));
+}
+
+std::vector<std::string> distribution_line(const CorpusColumn& column, const Distribution& one) {
+  using report::number_text;
+  return {std::string("  ") + column.heading,
+          number_text(one.minimum),
+          number_text(one.first_quartile),
+          number_text(one.median),
+          number_text(one.third_quartile),
+          number_text(one.maximum),
+          column.adds_up ? number_text(one.total) : ""};
+}
+
+void print_distributions(Rows rows) {
+  for (const std::string& machine : machines_of(rows)) {
+    const auto of_machine = [&](const CorpusRow& row) { return row.point.machine == machine; };
+    const auto models = std::ranges::count_if(rows, of_machine);
+    const auto drawn =
+        std::ranges::count_if(rows, [&](const CorpusRow& row) { return of_machine(row) && row.drawn(); });
+    fmt::print("\n{}: {} of {} models\n", machine, drawn, models);
+    if (drawn == 0) continue;
+    Lines lines{{"", "minimum", "quartile", "median", "quartile", "maximum", "total"}};
+    for (const CorpusColumn& column : corpus_columns())
+      lines.push_back(distribution_line(column, distribution_of(rows, machine, column)));
+    fmt::print("{}", in_columns(lines, "<>>>>>>"));
+  }
+}
+
+/// Models that no machine draws.
+void refuse_failures(Rows rows) {
+  std::vector<std::string> failed;
+  const auto models = by_model(rows);
+  for (const std::span<const CorpusRow> model : models) {
+    if (std::ranges::none_of(model, is_drawn)) failed.push_back(model.front().point.model);
+  }
+  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "corpus.csv"));
+}
+
+constexpr std::pair<const char*, const char*> marks[] = {{"minimum", "minimum"}, {"first_quartile", "first quartile"},
+                                                         {"median", "median"},   {"third_quartile", "third quartile"},
+                                                         {"maximum", "maximum"}, {"total", "total"}};
+
+report::Table distribution_table(const report::Json& data, const std::string& machine) {
+  report::Table table{machine + ": how the models that it draws are distributed", {"count", "models"}, {}};
+  for (const auto& [key, title] : marks) table.columns.emplace_back(title);
+  const std::string at = report::child("/distributions", machine);
+  for (const auto& [name, distribution] : data["distributions"][machine].items()) {
+    const std::string here = report::child(at, name);
+    std::string words = name;
+    std::ranges::replace(words, '_', ' ');
+    report::Row row{{words}, report::cell(data, here + "/count")};
+    for (const auto& [key, title] : marks) row.push_back(report::cell(data, here + "/" + key));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+nlohmann::ordered_json distribution_json(const Distribution& one, bool adds_up) {
+  nlohmann::ordered_json json{{"count", one.count},
+                              {"minimum", one.minimum},
+                              {"first_quartile", one.first_quartile},
+                              {"median", one.median},
+                              {"third_quartile", one.third_quartile},
+                              {"maximum", one.maximum}};
+  if (adds_up) json["total"] = one.total;
+  return json;
+}
+
+class Corpus : public StudyOf<CorpusRow> {
+ public:
+  void add_options(Command& command) override {
+    command.option("MODEL", models_, "Models, .csg or .scad, and folders that hold such").required();
+    command.option("--machines", machines_, "List of machines, by name or .toml file").check(is_read_by(parse_words));
+    view_.add_view_to(command);
+    command.option("--z-bits", view_.z_bits, "Bits of depth");
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    return input_files(corpus_files(models_), parse_words(machines_));
+  }
+  [[nodiscard]] std::set<std::string> varied() const override { return {"machines"}; }
+
+  /// Model after model.
+  std::vector<Asked> ask() override {
+    JobMaker maker;
+    std::vector<Asked> asked;
+    for (const std::string& model : corpus_files(models_)) {
+      for (const std::string& machine : parse_words(machines_)) {
+        ModelOptions one = view_;
+        one.model = model;
+        one.machine = machine;
+        points_.push_back({escaped(model), escaped(machine)});
+        jobs_.push_back(maker.job_of(one));
+        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+      }
+    }
+    return asked;
+  }
+
+  void print() const override {
+    print_rows(rows());
+    print_distributions(rows());
+  }
+
+  /// With the distribution of each column, for each machine.
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    nlohmann::ordered_json json = points_json<CorpusRow>(title, rows());
+    json["distributions"] = nlohmann::ordered_json::object();
+    for (const std::string& machine : machines_of(rows())) {
+      for (const CorpusColumn& column : corpus_columns())
+        json["distributions"][machine][column.name] =
+            distribution_json(distribution_of(rows(), machine, column), column.adds_up);
+    }
+    return json.dump(2) + "\n";
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_corpus(rows()); }
+  [[nodiscard]] std::string page_title() const override { return "What many models take"; }
+
+  [[nodiscard]] PageSubject page_subject() const override {
+    PageSubject subject{view_, {}, false};
+    for (const std::string& name : parse_words(machines_)) {
+      subject.model.machine = name;
+      subject.machines.push_back(machine_of(subject.model));
+    }
+    subject.model.model = rows().front().point.model;
+    const std::size_t models = by_model(rows()).size();
+    if (models > 1) subject.name = counted(models, "model");
+    return subject;
+  }
+
+  [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
+    report::Section distributions{"Distributions", {}};
+    for (const auto& [machine, counts] : data["distributions"].items())
+      distributions.parts.emplace_back(distribution_table(data, machine));
+    return {std::move(distributions)};
+  }
+
+  void refuse() const override { refuse_failures(rows()); }
+
+ protected:
+  [[nodiscard]] CorpusRow measured(std::size_t point) override {
+    return studies::measure(points_[point], jobs_[point]);
+  }
+
+ private:
+  ModelOptions view_;
+  std::vector<std::string> models_;  ///< files and folders
+  std::string machines_ = all_machines();
+  std::vector<CorpusPoint> points_;
+  std::vector<Job> jobs_;
+};
+
+}  // namespace
+
+const StudyRow corpus_row{
+    .name = "corpus",
+    .does = "Count what many models take on many machines: totals, distributions, plots",
+    .example =
+        "  csgsim corpus parts -o parts-corpus\n"
+        "  csgsim corpus a.csg b.scad parts --machines pixel-planes-4,mine.toml --size 256x256 -o out\n"
+        "A model that cannot be read, or that a machine does not draw, is a row that says why; the exit code is 1 if "
+        "no\n"
+        "machine draws some model. What has been measured is in corpus.csv at once; the same command goes on after an\n"
+        "interruption, and with other models or machines measures what is new.",
+    .plots = "plots (.png, .svg) of clocks and frames a second",
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Corpus>()); }};
+
+}  // namespace csgsim::studies

@@ -1,0 +1,60 @@
+#include "sim/studies/corpus/files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/subject.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_source_of(const fs::path& file, const std::vector<fs::path>& files) {
+  return shell::ends_in(file, ".scad") && std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
+}
+
+std::vector<fs::path> models_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (auto entry = fs::recursive_directory_iterator(folder, error);
+       !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    if (entry->is_regular_file() && shell::has_model_name(entry->path())) files.push_back(entry->path());
+  }
+  if (error) throw InputError(fmt::format("{}: cannot be read ({})", printable(folder.native()), error.message()));
+  std::ranges::sort(files);
+  std::vector<fs::path> models;
+  for (const fs::path& file : files) {
+    if (!is_source_of(file, files)) models.push_back(file);
+  }
+  if (models.empty())
+    throw InputError(printable(folder.native()) + ": there is no .csg or .scad file in it; name another folder");
+  return models;
+}
+
+}  // namespace
+
+std::vector<std::string> corpus_files(const std::vector<std::string>& names) {
+  std::vector<std::string> models;
+  const auto add = [&](const std::string& model) {
+    if (std::ranges::find(models, model) == models.end()) models.push_back(model);
+  };
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (!fs::is_directory(name, error)) {
+      add(name);
+      continue;
+    }
+    for (const fs::path& file : models_in(name)) add(file.native());
+  }
+  return models;
+}
+
+}  // namespace csgsim::studies

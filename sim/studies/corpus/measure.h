@@ -1,0 +1,120 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "sim/plots/plot.h"
+#include "sim/studies/corpus/distribution.h"
+#include "sim/studies/inputs.h"
+#include "sim/studies/jobs.h"
+
+namespace csgsim::studies {
+
+/// One model of a corpus on one machine.
+struct CorpusPoint {
+  std::string model;
+  std::string machine;
+
+  bool operator==(const CorpusPoint&) const = default;
+};
+
+/// What a point takes. Where `reason` says why the machine does not draw it, the counts are 0.
+struct CorpusRow {
+  static constexpr std::size_t point_columns = 2;
+
+  CorpusPoint point;
+  Inputs inputs;
+  std::uint64_t primitives = 0;
+  std::uint64_t pieces = 0;  ///< convex ones that the primitives are drawn as
+  std::uint64_t halfspaces = 0;
+  std::uint32_t width = 0;            ///< pixels
+  std::uint32_t height = 0;           ///< pixels
+  std::uint64_t clocks = 0;           ///< in which a frame is drawn
+  std::uint64_t interval_clocks = 0;  ///< from one frame to the next
+  double frames_per_second = 0;
+  std::string bound_by;     ///< the part that bounds the frame; empty where the kind does not tell
+  std::uint64_t setup = 0;  ///< clocks of the instructions of this purpose, and so on
+  std::uint64_t render = 0;
+  std::uint64_t classify = 0;
+  std::uint64_t stack = 0;
+  std::uint64_t merge = 0;
+  std::uint64_t shade = 0;
+  std::uint64_t effect = 0;
+  std::uint64_t latency = 0;           ///< clocks until the last instruction reaches the pixels
+  std::uint64_t instructions = 0;      ///< carried out
+  std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
+  std::uint64_t enabled = 0;           ///< of these, at enabled pixels
+  std::uint32_t used_bits = 0;         ///< memory bits a pixel
+  std::string picture;                 ///< hash of depth, owner and colour of every pixel
+  std::string reason;
+
+  [[nodiscard]] bool drawn() const { return reason.empty(); }
+  bool operator==(const CorpusRow&) const = default;
+};
+
+template <class Point, class Visitor>
+requires std::same_as<std::remove_const_t<Point>, CorpusPoint>
+void visit_columns(Point& point, Visitor&& visit) {
+  visit("model", point.model);
+  visit("machine", point.machine);
+}
+
+template <class Row, class Visitor>
+requires std::same_as<std::remove_const_t<Row>, CorpusRow>
+void visit_columns(Row& row, Visitor&& visit) {
+  visit_columns(row.point, visit);
+  visit_columns(row.inputs, visit);
+  visit("primitives", row.primitives);
+  visit("pieces", row.pieces);
+  visit("halfspaces", row.halfspaces);
+  visit("width", row.width);
+  visit("height", row.height);
+  visit("clocks", row.clocks);
+  visit("interval_clocks", row.interval_clocks);
+  visit("frames_per_second", row.frames_per_second);
+  visit("bound_by", row.bound_by);
+  visit("setup", row.setup);
+  visit("render", row.render);
+  visit("classify", row.classify);
+  visit("stack", row.stack);
+  visit("merge", row.merge);
+  visit("shade", row.shade);
+  visit("effect", row.effect);
+  visit("latency", row.latency);
+  visit("instructions", row.instructions);
+  visit("pixel_operations", row.pixel_operations);
+  visit("enabled", row.enabled);
+  visit("used_bits", row.used_bits);
+  visit("picture", row.picture);
+  visit("reason", row.reason);
+}
+
+/// Compiles the point and draws it at the functional level.
+CorpusRow measure(const CorpusPoint& point, const Job& job);
+
+/// What is told of how a column is distributed over the models that a machine draws.
+struct CorpusColumn {
+  const char* name;     ///< as in the table
+  const char* heading;  ///< for people
+  double (*value)(const CorpusRow& row);
+  bool adds_up = true;  ///< a total over models means something
+};
+
+std::span<const CorpusColumn> corpus_columns();
+
+/// The machines of the rows, in their order.
+std::vector<std::string> machines_of(std::span<const CorpusRow> rows);
+
+/// Of a column over the models that the machine draws.
+Distribution distribution_of(std::span<const CorpusRow> rows, const std::string& machine, const CorpusColumn& column);
+
+/// Clocks from frame to frame and of drawing alone against half-spaces, a mark a model, and how many of the models are
+/// drawn at so many frames a second; none where nothing was drawn.
+std::vector<plots::Plot> plots_of_corpus(std::span<const CorpusRow> rows);
+
+}  // namespace csgsim::studies

@@ -1,0 +1,109 @@
+#include "sim/studies/csv.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <sstream>
+
+#include "hw/base/descriptor.h"
+#include "hw/base/input_file.h"
+#include "hw/base/output_file.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "take another place for the study with -o",
+                               true};
+
+/// All of the file, or nothing if there is none.
+std::string text_of(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) ? read_regular_file(path, table_file) : std::string();
+}
+
+/// Lines above those that are read: the title and the header.
+constexpr std::size_t lines_above = 2;
+
+}  // namespace
+
+CsvFile::CsvFile(std::filesystem::path path, const std::string& title, const std::string& header)
+    : path_(std::move(path)), begin_("# " + title + "\n" + header + "\n") {
+  const std::string text = text_of(path_);
+  if (begin_.starts_with(text)) {
+    if (text != begin_) write_file(path_, begin_);
+    return;
+  }
+  if (!text.starts_with(begin_)) {
+    throw InputError(path_.native() +
+                     ": holds another study; give this one a place of its own with -o, or delete that");
+  }
+  const std::size_t whole_lines = text.rfind('\n') + 1;
+  if (whole_lines < text.size()) write_file(path_, std::string_view(text).substr(0, whole_lines));
+  std::istringstream lines(text.substr(begin_.size(), whole_lines - begin_.size()));
+  for (std::string line; std::getline(lines, line);) found_.push_back(std::move(line));
+}
+
+void CsvFile::refuse(std::size_t found, std::string_view why) const {
+  throw InputError(fmt::format("{}:{}:1: {}; delete the line to have it measured anew", path_.native(),
+                               lines_above + found + 1, why));
+}
+
+void CsvFile::append(const std::string& line) const {
+  Descriptor file(::open(path_.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC));
+  if (!file.is_open()) fail_to_write(path_, last_error());
+  const off_t end = ::lseek(file.number(), 0, SEEK_END);
+  std::error_code error = end < 0 ? last_error() : write_all(file, line + "\n");
+  if (!error) error = sync(file);
+  // Where even this cannot be done, the next start cuts off what is left of the line.
+  if (error && end >= 0) static_cast<void>(::ftruncate(file.number(), end));
+  if (!error) error = file.close();
+  if (error) fail_to_write(path_, error);
+}
+
+void CsvFile::replace(const std::vector<std::string>& lines) const {
+  std::string text = begin_;
+  for (const std::string& line : lines) text += line + "\n";
+  write_file(path_, text);
+}
+
+std::vector<std::string> split_cells(std::string_view line) {
+  if (line.find_first_of("\n\r") != std::string_view::npos)
+    throw InputError("a line break within the line, maybe of an editor that ends lines with CR LF");
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool doubled = quoted && line.substr(i).starts_with("\"\"");
+    if (doubled) {
+      cells.back() += line[++i];
+    } else if (line[i] == '"') {
+      quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
+  }
+  if (quoted) throw InputError("a quote is left open");
+  return cells;
+}
+
+std::string_view first_cells(std::string_view line, std::size_t cells) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (line[i] == ',' && !quoted && --cells == 0) return line.substr(0, i);
+  }
+  return line;
+}
+
+std::string to_cell(const std::string& text) {
+  if (text.find_first_of("\n\r") != std::string::npos)
+    throw InputError("'" + text + "': a line break does not go into a table; take another name");
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+}  // namespace csgsim::studies

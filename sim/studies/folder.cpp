@@ -1,0 +1,111 @@
+#include "sim/studies/folder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/messages.h"
+#include "hw/base/standard_streams.h"
+#include "hw/base/text.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/usage.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+/// Endings of all files that studies write.
+constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".json", ".png", ".svg"});
+
+std::filesystem::path made_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) throw shell::UsageError("--output", "the name is empty; name the folder");
+  if (is_standard_output(folder)) throw shell::UsageError("--output", "a folder is needed for several files; name one");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
+  return folder;
+}
+
+/// What is in the folder under names that a study may write.
+std::vector<std::filesystem::path> replaceable(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (auto entry = std::filesystem::directory_iterator(folder, error);
+       !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const bool is_written = std::any_of(written_endings.begin(), written_endings.end(),
+                                        [&](std::string_view ending) { return shell::ends_in(entry->path(), ending); });
+    if (is_written) files.push_back(entry->path());
+  }
+  if (error) throw InputError(folder.native() + ": cannot be read (" + error.message() + ")");
+  return files;
+}
+
+/// A study writes files of its own. Links would lead it to others, and pipes and devices keep it waiting.
+void refuse_foreign(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::symlink_status(file, error);
+  if (std::filesystem::is_regular_file(status) || std::filesystem::is_directory(status) ||
+      !std::filesystem::exists(status))
+    return;
+  throw InputError(fmt::format("{}: it is {}, where a study may write a file of its own; delete it, or take another -o",
+                               file.native(), std::filesystem::is_symlink(status) ? "a link" : "a pipe or a device"));
+}
+
+constexpr auto without_effect = std::to_array<std::string_view>(
+    {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time"});
+
+}  // namespace
+
+StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string& study,
+                         std::span<const std::filesystem::path> inputs)
+    : path_(made_folder(folder)), lock_(path_, study) {
+  for (const std::filesystem::path& file : replaceable(path_)) {
+    shell::refuse_clashes(inputs, std::span(&file, 1));
+    refuse_foreign(file);
+  }
+}
+
+std::string study_title(const shell::Command& command, const std::set<std::string>& but) {
+  std::string title = "csgsim " + command.name();
+  for (const shell::GivenOption& option : command.given()) {
+    const bool has_effect = std::ranges::find(without_effect, option.name) == without_effect.end();
+    if (!has_effect || option.is_default || but.contains(option.name)) continue;
+    title += fmt::format(" --{} {}", option.name, escaped(option.value));
+  }
+  return title;
+}
+
+std::vector<std::string> study_words(const shell::Command& command) { return command.words(without_effect); }
+
+std::span<const std::string_view> options_without_effect() { return without_effect; }
+
+std::string told_of(const std::string& model, const std::string& reason) {
+  return reason.starts_with(model) ? reason : model + ": " + reason;
+}
+
+std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table) {
+  constexpr std::size_t most_named = 5;
+  const std::span<const std::string> named = failed.first(std::min(failed.size(), most_named));
+  return fmt::format("{} of {} models could not be drawn: {}{}; {} says why", failed.size(), models,
+                     fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
+}
+
+std::string whose_fault(bool has_read_rows) {
+  if (!has_read_rows) return "this is a fault of csgsim, please report it";
+  return "what was read of them may not be as it was measured: measure all anew, in another folder (-o), and if that "
+         "says the same, report it";
+}
+
+void tell_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
+  if (changed.empty()) return;
+  tell_line(fmt::format("{}: {} {} changed since some of it was measured; these points are measured anew",
+                        table.native(), fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));
+}
+
+}  // namespace csgsim::studies

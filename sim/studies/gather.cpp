@@ -1,0 +1,110 @@
+#include "sim/studies/gather.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <utility>
+
+namespace csgsim::studies {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string place(const ShardFile& file) {
+  return fmt::format("shard {} ({})", to_text(file.header.shard), file.path.native());
+}
+
+/// All files have to say the same of their study as the first.
+void refuse_other_study(const ShardFile& first, const ShardFile& file) {
+  const auto refuse = [&](const std::string& why, const std::string& mend) {
+    throw InputError(fmt::format("{} and {} are {}; {}", place(file), place(first), why, mend));
+  };
+  const ShardHeader& a = first.header;
+  const ShardHeader& b = file.header;
+  if (a.words != b.words)
+    refuse(fmt::format("of different commands: {} and {}", fmt::join(b.words, " "), fmt::join(a.words, " ")),
+           "gather one study at a time");
+  if (a.shard.count != b.shard.count)
+    refuse(fmt::format("of {} and of {} shards", b.shard.count, a.shard.count),
+           "delete the files of the ones or the others");
+  std::vector<std::string> changed = differences(a.inputs, b.inputs);
+  if (a.points != b.points) changed.emplace_back("the number of points");
+  if (first.columns != file.columns) changed.emplace_back("the columns");
+  if (!changed.empty())
+    refuse(fmt::format("not of the same study: {} changed between them", fmt::join(changed, " and ")),
+           "run again those from before the change");
+}
+
+/// The one folder that each shard is in.
+class Folders {
+ public:
+  void add(const Shard& shard, std::size_t study, std::span<const fs::path> studies) {
+    const auto [known, is_new] = study_of_.emplace(shard.number, study);
+    if (is_new || known->second == study) return;
+    throw InputError(fmt::format("shard {} is in {} and in {}; leave one of them out", to_text(shard),
+                                 studies[known->second].native(), studies[study].native()));
+  }
+
+ private:
+  std::map<unsigned, std::size_t> study_of_;
+};
+
+/// Processes of one shard may both have measured a point: then they have to agree.
+void add_lines(const ShardFile& file, const std::vector<unsigned>& shard_of, Gathered& gathered) {
+  for (const ShardLine& line : file.lines) {
+    if (shard_of[line.point] != file.header.shard.number)
+      throw InputError(fmt::format("{}: point {} is of shard {}/{}; delete the file and run its shard again",
+                                   file.path.native(), line.point, shard_of[line.point], gathered.shards));
+    std::string& row = gathered.rows[line.point];
+    if (!row.empty() && row != line.row)
+      throw InputError(fmt::format(
+          "{} and {} have different results for point {}; a machine or csgsim is at fault, or a file was changed: "
+          "delete both and run the shard again",
+          gathered.measured[line.point].native(), file.path.native(), line.point));
+    row = line.row;
+    gathered.measured[line.point] = file.path;
+  }
+}
+
+void count_missing(const std::vector<unsigned>& shard_of, Gathered& gathered) {
+  std::set<unsigned> unfinished;
+  for (std::size_t i = 0; i < gathered.rows.size(); ++i) {
+    if (!gathered.rows[i].empty()) continue;
+    ++gathered.missing;
+    unfinished.insert(shard_of[i]);
+  }
+  gathered.unfinished.assign(unfinished.begin(), unfinished.end());
+}
+
+}  // namespace
+
+Gathered gather(std::span<const fs::path> studies) {
+  Folders folders;
+  std::vector<ShardFile> files;
+  for (std::size_t study = 0; study < studies.size(); ++study) {
+    for (const fs::path& path : shard_files(studies[study])) {
+      files.push_back(read_shard_file(path));
+      refuse_other_study(files.front(), files.back());
+      folders.add(files.back().header.shard, study, studies);
+    }
+  }
+  if (files.empty())
+    throw InputError(fmt::format("{}: no shard of a study is there yet", shards_folder(studies.front()).native()));
+  const ShardHeader& header = files.front().header;
+  Gathered gathered;
+  gathered.shards = header.shard.count;
+  gathered.inputs = header.inputs;
+  gathered.words = header.words;
+  gathered.columns = files.front().columns;
+  gathered.first = files.front().path;
+  gathered.rows.resize(header.points);
+  gathered.measured.resize(header.points);
+  const std::vector<unsigned> shard_of = shard_of_each(header.points, header.shard.count);
+  for (const ShardFile& file : files) add_lines(file, shard_of, gathered);
+  count_missing(shard_of, gathered);
+  return gathered;
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,91 @@
+#include "sim/studies/jobs.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "host/emit/compile.h"
+#include "host/emit/curves.h"
+#include "hw/base/error.h"
+#include "hw/base/hash.h"
+#include "hw/base/input_file.h"
+#include "hw/base/text.h"
+#include "hw/machines/hash.h"
+#include "hw/machines/regions.h"
+#include "sim/functional/clocks.h"
+#include "sim/shell/version.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr InputKind model_bytes{"a file", std::numeric_limits<std::size_t>::max(), ""};
+
+std::string hash_of_failure(const std::string& model, const std::string& reason) {
+  Hash hash;
+  try {
+    hash.add(read_file(model, model_bytes));
+  } catch (const InputError&) {
+    hash.add("unread");
+  }
+  hash.add("\n" + reason);
+  return hash.text();
+}
+
+}  // namespace
+
+isa::Program compile(const Job& job) {
+  const Subject& subject = *job.subject;
+  const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
+  return emit::compile(subject.tree, subject.scene, view, job.machine, job.options,
+                       [&](const isa::Program& program) { return sim::clocks_of_run(program, job.machine); });
+}
+
+JobMaker::Key JobMaker::key(const shell::ModelOptions& options, const machines::Machine& machine) {
+  // Facets may depend on what a pixel covers; which surfaces stay curved on what the machine can draw, and in how many
+  // bits.
+  const bool is_faceted = options.curves == emit::name_of(emit::Curves::facets) ||
+                          (options.curves == emit::name_of(emit::Curves::automatic) && machine.evaluator_degree < 2);
+  std::string curves;
+  if (!is_faceted) {
+    curves = fmt::format("{} {} {} {} {}", options.curves, machine.evaluator_degree,
+                         machines::division(machine) ? machine.name : "", options.z_bits, options.fraction_bits);
+  }
+  return {options.model, machine.picture.width, machine.picture.height, std::move(curves)};
+}
+
+JobMaker::Read JobMaker::read(const shell::ModelOptions& options, const machines::Machine& machine) {
+  try {
+    shell::ModelFile file = shell::read_model_file(options);
+    facet::Scene scene = facet::make_scene(file.tree, shell::faceting_of(options, machine, file.tree));
+    auto subject = std::make_shared<Subject>(Subject{std::move(file.tree), std::move(scene), file.hash});
+    return {std::move(subject), "", std::move(file.hash)};
+  } catch (const InputError& error) {
+    return {nullptr, escaped(error.what()), hash_of_failure(options.model, error.what())};
+  }
+}
+
+Job JobMaker::job_of(const shell::ModelOptions& options) {
+  machines::Machine machine = shell::machine_of(options);
+  const auto [place, is_new] = read_.try_emplace(key(options, machine));
+  if (is_new) place->second = read(options, machine);
+  const Read& read = place->second;
+  Job job{read.subject,
+          {},
+          shell::sampling_of(options, machine),
+          std::move(machine),
+          shell::emit_options_of(options),
+          {read.hash, {}, shell::version_and_build()},
+          read.reason};
+  job.inputs.machine_hash = machines::hash_of(job.machine);
+  if (!job.subject) return job;
+  try {
+    job.camera = shell::camera_of(options, job.machine, job.subject->tree, job.subject->scene);
+  } catch (const InputError& error) {
+    job.reason = escaped(error.what());
+  }
+  return job;
+}
+
+}  // namespace csgsim::studies

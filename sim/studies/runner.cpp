@@ -1,0 +1,245 @@
+#include "sim/studies/runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/hash.h"
+#include "hw/base/output_file.h"
+#include "hw/base/text.h"
+#include "sim/plots/gnuplot.h"
+#include "sim/report/chart.h"
+#include "sim/report/points.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/options.h"
+#include "sim/shell/run_options.h"
+#include "sim/shell/usage.h"
+#include "sim/shell/version.h"
+#include "sim/studies/folder.h"
+#include "sim/studies/progress.h"
+#include "sim/studies/shard_run.h"
+#include "sim/studies/table.h"
+#include "sim/studies/vocabulary.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Rows = std::vector<std::string>;
+
+/// Rows that are written at once, where they come faster than the disk takes them one at a time.
+constexpr std::size_t most_pending = 8;
+
+fs::path folder_of(const StudyCommand& asked) {
+  return asked.options.folder.empty() ? asked.study->usual_folder() : asked.options.folder;
+}
+
+std::string title_of(const StudyCommand& asked) {
+  const std::string model = asked.study->table_model();
+  std::string title = study_title(asked.command, asked.study->varied());
+  if (!model.empty()) title += " of " + escaped(fs::path(model).filename().native());
+  return title;
+}
+
+void measure(StudyCommand& asked, std::span<const std::size_t> points, const Study::Finished& finished) {
+  const unsigned threads = asked.row->is_parallel ? asked.options.threads : 1;
+  shell::with_memory_for_threads(threads, "points", [&] { asked.study->measure(points, threads, finished); });
+}
+
+/// Measures the points that the table has not.
+Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) {
+  const std::vector<std::size_t> missing = table.missing(points);
+  {
+    Progress progress(points.size(), points.size() - missing.size(), shell::shows_progress(asked.options.progress),
+                      asked.row->is_parallel ? asked.options.threads : 1);
+    Rows pending;
+    const auto write = [&] { table.add(std::exchange(pending, {})); };
+    const std::size_t at_once = asked.row->is_quick ? most_pending : 1;
+    measure(asked, missing, [&](std::size_t /*point*/, std::string row) {
+      pending.push_back(std::move(row));
+      if (pending.size() == at_once) write();
+      progress.done();
+    });
+    write();
+  }
+  return table.in_order(points);
+}
+
+/// Of all points together.
+Inputs inputs_of(std::span<const Asked> points) {
+  Hash models;
+  Hash machines;
+  for (const Asked& one : points) {
+    models.add(one.inputs.model_hash + "\n");
+    machines.add(one.inputs.machine_hash + "\n");
+  }
+  return {models.text(), machines.text(), shell::version_and_build()};
+}
+
+void refuse_page(const StudyCommand& asked) {
+  if (!asked.options.report.asked()) return;
+  throw shell::UsageError("--report", "a shard has no page; csgsim gather writes it from all of them");
+}
+
+void run_shard(StudyCommand& asked) {
+  refuse_page(asked);
+  const std::vector<Asked> points = asked.study->ask();
+  if (points.size() > most_points)
+    throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
+                                 points.size(), most_points));
+  ShardRun run(folder_of(asked), {*asked.options.shard, points.size(), inputs_of(points), study_words(asked.command)},
+               asked.study->columns());
+  {
+    Progress progress(run.points(), run.points() - run.missing().size(), shell::shows_progress(asked.options.progress));
+    measure(asked, run.missing(), [&](std::size_t point, std::string row) {
+      run.add(point, std::move(row));
+      progress.done();
+    });
+  }
+  run.print();
+}
+
+report::StudyContext page_context(const StudyCommand& asked, const PageSubject& subject) {
+  const shell::ReportOption& report = asked.options.report;
+  report::StudyContext context = subject.has_picture
+                                     ? shell::study_context(report, subject.model, subject.machines)
+                                     : shell::plain_study_context(report, subject.model.model, subject.machines);
+  if (!subject.name.empty()) context.model = subject.name;
+  return context;
+}
+
+report::Page page_of(const StudyCommand& asked, const std::string& json, std::span<const plots::Plot> plots) {
+  const Study& study = *asked.study;
+  const report::StudyContext context = page_context(asked, study.page_subject());
+  report::Page page = report::begun_page(study.page_title() + ": " + context.model,
+                                         study.page_data(report::Json::parse(json)), context);
+  for (report::Section& section : study.sections(page.data)) page.sections.push_back(std::move(section));
+  if (report::Section section = report::plots_section(plots); !section.parts.empty())
+    page.sections.push_back(std::move(section));
+  if (page.data.contains("points"))
+    page.sections.push_back(
+        {"Points",
+         {report::points_table(page.data, "/points", "All that was measured", page_columns(study.columns()))}});
+  report::end_page(page, context);
+  return page;
+}
+
+/// Where results go, which are shown in any case.
+struct Places {
+  std::optional<StudyFolder> folder;  ///< none if nothing is kept
+  shell::ReportFile report;
+  std::string title;
+
+  Places(const StudyCommand& asked, std::span<const fs::path> inputs)
+      : report(asked.options.report, inputs), title(title_of(asked)) {
+    const bool is_kept = asked.row->folder != Folder::optional || !asked.options.folder.empty();
+    if (is_kept) folder.emplace(folder_of(asked), asked.row->name, inputs);
+  }
+
+  [[nodiscard]] fs::path file(const StudyCommand& asked, const char* ending) const {
+    return folder->path() / (std::string(asked.row->name) + ending);
+  }
+};
+
+Table table_of(const StudyCommand& asked, const Places& places) {
+  if (!places.folder) return Table(*asked.study);
+  return {places.file(asked, ".csv"), places.title, *asked.study};
+}
+
+void show(const StudyCommand& asked, Places& places) {
+  const Study& study = *asked.study;
+  const std::string json = places.folder || places.report.asked() ? study.json(places.title) : "";
+  if (places.folder) write_file(places.file(asked, ".json"), json);
+  study.print();
+  const std::vector<plots::Plot> plots = study.plots();
+  const bool are_drawn = places.folder && !asked.options.no_plots && !plots.empty();
+  if (are_drawn) plots::draw(plots, places.folder->path());
+  if (places.report.asked()) places.report.write(page_of(asked, json, plots));
+  if (places.folder)
+    fmt::print("\n{}: {}.csv, {}.json{}\n", printable(folder_of(asked).native()), asked.row->name, asked.row->name,
+               are_drawn ? fmt::format(", and {}", asked.row->plots) : "");
+  study.refuse();
+}
+
+void run(StudyCommand& asked) {
+  if (asked.options.shard) return run_shard(asked);
+  const std::vector<Asked> points = asked.study->ask();
+  Places places(asked, asked.study->inputs());
+  Table table = table_of(asked, places);
+  const bool are_read = !table.empty();
+  const std::set<std::string> changed = table.drop_stale(points, asked.study->is_of_one_machine());
+  if (places.folder) tell_stale(places.file(asked, ".csv"), changed);
+  asked.study->take(complete(asked, points, table), are_read);
+  show(asked, places);
+}
+
+void add_shard(shell::Command& command, std::optional<Shard>& shard) {
+  command.read_option(
+      "--shard",
+      [&shard](const std::string& text) {
+        try {
+          shard = parse_shard(text);
+        } catch (const InputError& error) {
+          throw shell::UsageError("--shard", error.what());
+        }
+      },
+      "Measure only the k-th of n shares of the points, as 3/16, into FOLDER/shards; csgsim gather joins them");
+}
+
+void add_folder(const StudyRow& row, shell::Command& command, std::string& folder) {
+  std::string unsaid;
+  if (row.folder == Folder::usual) unsaid = fmt::format("; MODEL-{} if not given", row.name);
+  if (row.folder == Folder::optional) unsaid = "; nothing is kept if not given";
+  shell::Option option = command.option(
+      "-o,--output", folder, fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, unsaid));
+  if (row.folder == Folder::named) option.required();
+  option.check(shell::not_empty);
+}
+
+}  // namespace
+
+std::shared_ptr<StudyCommand> describe(shell::CommandLine& line, const StudyRow& row) {
+  auto asked = std::make_shared<StudyCommand>(
+      StudyCommand{&row, row.make(), {}, line.add(row.name, row.does, std::string("Example:\n") + row.example)});
+  RunnerOptions& options = asked->options;
+  options.threads = std::max(1U, std::thread::hardware_concurrency());
+  shell::Command& command = asked->command;
+  asked->study->add_options(command);
+  add_folder(row, command, options.folder);
+  if (row.is_parallel)
+    command.option("--threads", options.threads, "Points that are measured at the same time")
+        .between(1U, shell::most_threads);
+  command.flag("--no-plots", options.no_plots, "Do without plots (gnuplot)");
+  if (row.has_shards) add_shard(command, options.shard);
+  options.report.add_to(command);
+  shell::add_progress(command, options.progress);
+  command.prints_summary();
+  return asked;
+}
+
+void add_study(shell::CommandLine& line, const StudyRow& row) {
+  const std::shared_ptr<StudyCommand> asked = describe(line, row);
+  asked->command.runs([asked] { run(*asked); });
+}
+
+void show_gathered(StudyCommand& asked, const Gathered& gathered) {
+  Places places(asked, asked.study->inputs());
+  Table table = table_of(asked, places);
+  asked.study->take(table.put(gathered), true);
+  show(asked, places);
+}
+
+std::vector<std::string> with_words(const std::vector<std::string>& command, const std::vector<std::string>& more) {
+  std::vector<std::string> words = command;
+  words.insert(words.begin() + 1, more.begin(), more.end());
+  return words;
+}
+
+}  // namespace csgsim::studies

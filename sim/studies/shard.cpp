@@ -1,0 +1,73 @@
+#include "sim/studies/shard.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <system_error>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+std::optional<unsigned> number_in(std::string_view text) {
+  unsigned number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): different numbers have different results.
+std::uint64_t scattered(std::uint64_t number) {
+  std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15ULL;
+  z = (z ^ z >> 30U) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ z >> 27U) * 0x94d049bb133111ebULL;
+  return z ^ z >> 31U;
+}
+
+}  // namespace
+
+Shard parse_shard(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const std::optional<unsigned> number = number_in(text.substr(0, slash));
+  const std::optional<unsigned> count = slash < text.size() ? number_in(text.substr(slash + 1)) : std::nullopt;
+  if (!number || !count)
+    throw InputError(fmt::format("'{}' is no shard; take k/n, as 3/16: the third of sixteen", printable(text)));
+  if (*count < 1 || *count > most_shards)
+    throw InputError(fmt::format("{} shards are not within 1 to {}", *count, most_shards));
+  if (*number < 1 || *number > *count)
+    throw InputError(
+        fmt::format("there is no shard {} of {}; they are 1/{} to {}/{}", *number, *count, *count, *count, *count));
+  return {*number, *count};
+}
+
+std::string to_text(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.count); }
+
+std::string compact(const std::vector<unsigned>& ascending) {
+  std::string text;
+  for (std::size_t first = 0; first < ascending.size();) {
+    std::size_t last = first;
+    while (last + 1 < ascending.size() && ascending[last + 1] == ascending[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", ascending[first]);
+    if (last > first) text += fmt::format("-{}", ascending[last]);
+    first = last + 1;
+  }
+  return text;
+}
+
+std::vector<unsigned> shard_of_each(std::size_t points, unsigned shards) {
+  std::vector<std::size_t> order(points);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [](std::size_t a, std::size_t b) { return scattered(a) < scattered(b); });
+  std::vector<unsigned> shard_of(points);
+  for (std::size_t i = 0; i < points; ++i) shard_of[order[i]] = static_cast<unsigned>(i % shards) + 1;
+  return shard_of;
+}
+
+}  // namespace csgsim::studies

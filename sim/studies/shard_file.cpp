@@ -1,0 +1,133 @@
+#include "sim/studies/shard_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <random>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr InputKind shard_input{"a shard's .csv file", std::size_t{256} << 20U, "take more shards"};
+
+constexpr std::string_view mark = "csgsim shard";
+constexpr std::string_view point_column = "point,";
+constexpr std::string_view ending = ".csv";
+
+/// Cells of the first line before the words of the command.
+constexpr std::size_t cells_before_words = 7;
+
+std::string title_of(const ShardHeader& header) {
+  std::string title = fmt::format("{},{},{},{},{},{},{}", mark, header.shard.number, header.shard.count, header.points,
+                                  to_cell(header.inputs.model_hash), to_cell(header.inputs.machine_hash),
+                                  to_cell(header.inputs.csgsim));
+  for (const std::string& word : header.words) title += "," + to_cell(word);
+  return title;
+}
+
+ShardHeader header_from(std::string_view title) {
+  const std::vector<std::string> cells = split_cells(title);
+  if (cells.size() <= cells_before_words || cells[0] != mark) throw InputError("this is no shard of a study");
+  ShardHeader header;
+  from_cell(cells[1], header.shard.number);
+  from_cell(cells[2], header.shard.count);
+  header.shard = parse_shard(to_text(header.shard));
+  from_cell(cells[3], header.points);
+  if (header.points < 1 || header.points > most_points)
+    throw InputError(fmt::format("{} points are not within 1 to {}", header.points, most_points));
+  header.inputs = {cells[4], cells[5], cells[6]};
+  header.words.assign(cells.begin() + cells_before_words, cells.end());
+  return header;
+}
+
+ShardLine line_from(const std::string& text, std::size_t points) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) throw InputError("there is no row");
+  ShardLine line;
+  from_cell(text.substr(0, comma), line.point);
+  if (line.point >= points) throw InputError(fmt::format("there is no point {} of {}", line.point, points));
+  line.row = text.substr(comma + 1);
+  return line;
+}
+
+/// As in `sweep-03-of-16.`: what the names of a shard's files begin with.
+std::string stem_of(const ShardHeader& header) {
+  return fmt::format("{}-{:0{}}-of-{}.", header.words.front(), header.shard.number,
+                     fmt::formatted_size("{}", header.shard.count), header.shard.count);
+}
+
+}  // namespace
+
+fs::path shards_folder(const fs::path& study) { return study / "shards"; }
+
+std::vector<fs::path> shard_files(const fs::path& study, const std::optional<ShardHeader>& of) {
+  const std::string stem = of ? stem_of(*of) : "";
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (auto entry = fs::directory_iterator(shards_folder(study), error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().native();
+    if (name.starts_with(stem) && name.ends_with(ending) && !name.starts_with('.')) files.push_back(entry->path());
+  }
+  const bool is_new = of && error == std::errc::no_such_file_or_directory;
+  if (error && !is_new) {
+    throw InputError(
+        fmt::format("{}: no shards of a study are there ({}); name the folder that was given to them with -o",
+                    study.native(), error.message()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+ShardFile read_shard_file(const fs::path& path) {
+  const std::string text = read_regular_file(path, shard_input);
+  std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
+  ShardFile file{path, {}, {}, {}};
+  std::size_t number = 0;
+  try {
+    for (std::string line; std::getline(lines, line);) {
+      if (++number == 1) {
+        file.header = header_from(std::string_view(line).substr(line.starts_with("# ") ? 2 : 0));
+      } else if (number == 2) {
+        if (!line.starts_with(point_column)) throw InputError("these are no columns of a shard");
+        file.columns = line.substr(point_column.size());
+      } else {
+        file.lines.push_back(line_from(line, file.header.points));
+      }
+    }
+    if (number < 2) throw InputError("this is no shard of a study");
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}:1: {}; delete the file and run its shard again", path.native(),
+                                 std::max<std::size_t>(number, 1), error.what()));
+  }
+  return file;
+}
+
+ShardWriter::ShardWriter(fs::path study, ShardHeader header, std::string columns)
+    : study_(std::move(study)), header_(std::move(header)), columns_(std::move(columns)) {}
+
+void ShardWriter::add(const ShardLine& line) {
+  if (!file_) {
+    const fs::path folder = shards_folder(study_);
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
+    std::random_device random;
+    file_.emplace(folder / fmt::format("{}{:08x}{:08x}{}", stem_of(header_), random(), random(), ending),
+                  title_of(header_), std::string(point_column) + columns_);
+  }
+  file_->append(fmt::format("{},{}", line.point, line.row));
+}
+
+}  // namespace csgsim::studies

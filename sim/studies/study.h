@@ -1,0 +1,155 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw/machines/machine.h"
+#include "sim/plots/plot.h"
+#include "sim/report/study_pages.h"
+#include "sim/shell/command_line.h"
+#include "sim/shell/model_options.h"
+#include "sim/studies/inputs.h"
+#include "sim/studies/parallel.h"
+#include "sim/studies/row_text.h"
+#include "sim/studies/rows_json.h"
+
+namespace csgsim::studies {
+
+using namespace shell;  // options, checks and texts of commands, in whose words a study is written
+
+/// A point that is asked for: the first cells of its row, as the table has them, and what it is measured from.
+struct Asked {
+  std::string cells;
+  Inputs inputs;
+};
+
+/// Whose figures a page tells, and of what it shows a picture.
+struct PageSubject {
+  ModelOptions model;
+  std::vector<machines::Machine> machines;  ///< the picture is drawn on the first
+  bool has_picture = true;
+  std::string name{};  ///< of what was studied; the model's if empty
+};
+
+/// What a study is: which points its options ask for, what is measured at a point, and what is shown of the rows. All
+/// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads, shards,
+/// files and the page.
+class Study {
+ public:
+  Study() = default;
+  virtual ~Study() = default;
+  Study(const Study&) = delete;
+  Study& operator=(const Study&) = delete;
+
+  virtual void add_options(Command& command) = 0;
+  /// The files that are read, which nothing may be written over.
+  [[nodiscard]] virtual std::vector<std::filesystem::path> inputs() const = 0;
+  /// Options whose values are in the points, so that one table holds points of several.
+  [[nodiscard]] virtual std::set<std::string> varied() const { return {}; }
+  /// The model, where one table holds points of one model only: its file's name is part of the table's title.
+  [[nodiscard]] virtual std::string table_model() const { return {}; }
+  /// Whether all of a table is of that model on one machine, which its points depend on too.
+  [[nodiscard]] virtual bool is_of_one_machine() const { return false; }
+  /// Where the results are put if nobody says.
+  [[nodiscard]] virtual std::string usual_folder() const { return {}; }
+
+  /// Reads what is asked for. Called once, before anything is measured; not at all where all has been.
+  virtual std::vector<Asked> ask() = 0;
+  /// Gets the number of a point and its row.
+  using Finished = std::function<void(std::size_t point, std::string row)>;
+  /// Measures the points with these numbers on that many threads; rows are finished one at a time, in any order.
+  virtual void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) = 0;
+  /// Whether a row of the point, measured from the same inputs, tells all that is asked for now.
+  [[nodiscard]] virtual bool serves(std::size_t /*point*/, const std::string& /*row*/) const { return true; }
+
+  [[nodiscard]] virtual std::string columns() const = 0;
+  [[nodiscard]] virtual std::size_t point_columns() const = 0;
+  /// Throws InputError for a line that is no row.
+  virtual void check(const std::string& row) const = 0;
+
+  /// The rows of the points asked for, in their order; what follows is about them. `are_read` says that some were not
+  /// measured by this process.
+  virtual void take(std::span<const std::string> rows, bool are_read) = 0;
+  virtual void print() const = 0;
+  [[nodiscard]] virtual std::string json(const std::string& title) const = 0;
+  [[nodiscard]] virtual std::vector<plots::Plot> plots() const { return {}; }
+  /// A page's title before the model's name.
+  [[nodiscard]] virtual std::string page_title() const = 0;
+  [[nodiscard]] virtual PageSubject page_subject() const = 0;
+  /// What a page keeps of json(): `points`, if they are in it, are its last table.
+  [[nodiscard]] virtual report::Json page_data(report::Json file) const { return file; }
+  /// What a page tells before plots and points.
+  [[nodiscard]] virtual std::vector<report::Section> sections(const report::Json& /*data*/) const { return {}; }
+  /// Throws InputError for rows that show a fault, when all has been written.
+  virtual void refuse() const {}
+};
+
+/// How a study gets its folder.
+enum class Folder : std::uint8_t {
+  named,     ///< by -o, which has to be given
+  usual,     ///< Study::usual_folder(), if -o is not given
+  optional,  ///< without -o nothing is kept
+};
+
+/// A row of the table of studies.
+struct StudyRow {
+  const char* name;
+  const char* does;     ///< in a line
+  const char* example;  ///< and what else is to be said below the help
+  const char* plots;    ///< as in `plots (.png, .svg) of clocks`
+  Folder folder = Folder::named;
+  bool is_parallel = true;  ///< points may be measured at the same time
+  bool has_shards = true;
+  bool is_quick = false;  ///< several points are measured while one row goes to the disk
+  std::unique_ptr<Study> (*make)() = nullptr;
+};
+
+/// A study whose rows are of one type: `Row::point_columns` columns, of which visit_columns(row, visit) tells, say which
+/// point it is, the next three its `inputs`; a `reason`, if it has one, is why the point could not be measured.
+template <class Row>
+class StudyOf : public Study {
+ public:
+  [[nodiscard]] std::string columns() const final { return header_of<Row>(); }
+  [[nodiscard]] std::size_t point_columns() const final { return Row::point_columns; }
+  void check(const std::string& row) const final { static_cast<void>(from_line<Row>(row)); }
+
+  void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) override {
+    measure_each(
+        points.size(), threads, [&](std::size_t i) { return std::pair(points[i], to_line(measured(points[i]))); },
+        [&](std::pair<std::size_t, std::string> row) { finished(row.first, std::move(row.second)); });
+  }
+
+  void take(std::span<const std::string> rows, bool are_read) final {
+    rows_.clear();
+    rows_.reserve(rows.size());
+    for (const std::string& row : rows) rows_.push_back(from_line<Row>(row));
+    are_read_ = are_read;
+    conclude();
+  }
+
+  [[nodiscard]] std::string json(const std::string& title) const override { return rows_json<Row>(title, rows_); }
+
+ protected:
+  /// Measures the point with that number; on several threads at the same time, where the study is parallel.
+  [[nodiscard]] virtual Row measured(std::size_t point) = 0;
+  /// What has to be found out of the rows before they are shown.
+  virtual void conclude() {}
+
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+  [[nodiscard]] bool are_read() const { return are_read_; }
+
+ private:
+  std::vector<Row> rows_;
+  bool are_read_ = false;
+};
+
+}  // namespace csgsim::studies

@@ -1,0 +1,56 @@
+#include "sim/studies/sweep/memory_map.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "hw/base/error.h"
+#include "sim/studies/csv.h"
+
+namespace csgsim::studies {
+
+MemoryMap memory_map(const isa::Program& program) {
+  MemoryMap map;
+  for (const isa::NamedField& field : program.facts.fields) {
+    const bool is_stack = field.role == isa::FieldRole::stack;
+    MemoryPart part{is_stack ? "stack" : field.name, field.field.base, field.field.width};
+    const bool goes_on =
+        is_stack && !map.empty() && map.back().name == part.name && map.back().base + map.back().width == part.base;
+    if (goes_on) {
+      map.back().width += part.width;
+    } else {
+      map.push_back(std::move(part));
+    }
+  }
+  return map;
+}
+
+std::string to_cell(const MemoryMap& map) {
+  std::string cell;
+  for (const MemoryPart& part : map) {
+    cell += fmt::format("{}{}={}:{}", cell.empty() ? "" : " ", part.name, part.base, part.width);
+  }
+  return to_cell(cell);
+}
+
+void from_cell(const std::string& cell, MemoryMap& map) {
+  map.clear();
+  std::istringstream words(cell);
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    const std::size_t colon = word.find(':', equals);
+    if (equals == std::string::npos || colon == std::string::npos)
+      throw InputError("'" + word + "' is not of the form name=base:width");
+    MemoryPart part{word.substr(0, equals), 0, 0};
+    from_cell(word.substr(equals + 1, colon - equals - 1), part.base);
+    from_cell(word.substr(colon + 1), part.width);
+    map.push_back(std::move(part));
+  }
+}
+
+void to_json(nlohmann::ordered_json& json, const MemoryPart& part) {
+  json = {{"name", part.name}, {"base", part.base}, {"width", part.width}};
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,118 @@
+#include "sim/studies/sweep/options.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "host/emit/curves.h"
+#include "hw/base/error.h"
+#include "hw/isa/instruction.h"
+#include "hw/kinds/load.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/prunings.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/settings/sets.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+template <class Choices>
+std::vector<std::string> names_of(const Choices& choices) {
+  std::vector<std::string> names;
+  names.reserve(choices.size());
+  for (const auto choice : choices) names.emplace_back(emit::name_of(choice));
+  return names;
+}
+
+std::vector<unsigned> memory_bits_of(const std::string& text) {
+  return shell::parse_numbers(text, 1, isa::max_memory_bits);
+}
+std::vector<unsigned> z_bits_of(const std::string& text) {
+  return shell::parse_numbers(text, view::fewest_z_bits, view::most_z_bits);
+}
+std::vector<unsigned> stack_bits_of(const std::string& text) {
+  return shell::parse_numbers(text, emit::fewest_stack_bits, shell::most_stack_bits);
+}
+std::vector<std::string> strategies_of(const std::string& text) {
+  return shell::parse_names(text, "strategy", names_of(emit::strategies));
+}
+std::vector<std::string> colourings_of(const std::string& text) {
+  return shell::parse_names(text, "colouring", names_of(emit::colourings));
+}
+std::vector<std::string> curves_of(const std::string& text) {
+  return shell::parse_names(text, "way to draw curves", names_of(emit::curve_choices));
+}
+
+SweepRanges ranges_of(const SweepOptions& options) {
+  SweepRanges ranges;
+  for (const std::string& model : options.models) {
+    if (std::find(ranges.models.begin(), ranges.models.end(), model) == ranges.models.end())
+      ranges.models.push_back(model);
+  }
+  ranges.machines = shell::with_figures(shell::parse_words(options.machines), options.view.sets);
+  for (const std::string& machine : ranges.machines) {
+    ranges.memory_bits[machine] = options.memory_bits.empty() ? std::vector{kinds::load(machine).array.memory_bits}
+                                                              : memory_bits_of(options.memory_bits);
+  }
+  ranges.z_bits = z_bits_of(options.z_bits);
+  ranges.prunings = shell::prunings_of(options.prunings);
+  ranges.colourings = colourings_of(options.colourings);
+  ranges.curves = curves_of(options.curves);
+  ranges.strategies = strategies_of(options.strategies);
+  ranges.stack_bits = stack_bits_of(options.stack_bits);
+  return ranges;
+}
+
+}  // namespace
+
+std::vector<SweepPoint> SweepOptions::points() const { return points_of(ranges_of(*this)); }
+
+shell::ModelOptions SweepOptions::at(const SweepPoint& point) const {
+  shell::ModelOptions one = view;
+  one.model = point.model;
+  one.machine = point.machine;  // with its figures as set
+  one.sets = shell::sorted(view.sets).scene;
+  one.memory_bits = point.memory_bits;
+  one.z_bits = point.z_bits;
+  one.pruning = point.pruning;
+  one.colouring = point.colouring;
+  one.curves = point.curves;
+  one.strategy = point.strategy;
+  if (point.stack_bits > 0) one.stack_bits = point.stack_bits;
+  return one;
+}
+
+void SweepOptions::add_to(shell::Command& command) {
+  command.option("MODEL", models, "The models, OpenSCAD .csg files, or sources, .scad").required();
+  const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
+    command.option(name, value, help).check(shell::is_read_by(parse));
+  };
+  command.option("--strategy", strategies, "List of the ways in which classifications are worked out")
+      .list_of(names_of(emit::strategies), "strategy");
+  add_list("--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
+  add_list("--z-bits", z_bits, z_bits_of, "Numbers: bits of depth");
+  command.option("--colouring", colourings, "List of the ways in which colours get to the pixels")
+      .list_of(names_of(emit::colourings), "colouring");
+  command
+      .option("--pruning", prunings,
+              "List of which prunings are done: all, none, those named (space+hidden) or all but those "
+              "(no-space+no-hidden)")
+      .words(shell::pruning_words(), shell::is_read_by(shell::prunings_of));
+  add_list("--machine", machines, shell::parse_words, "List of machines, by name or .toml file");
+  add_list("--memory-bits", memory_bits, memory_bits_of,
+           "Numbers: memory bits a pixel; the machine's own if not given");
+  view.add_view_to(command);
+  command.remove("--curves");
+  command
+      .option("--curves", curves,
+              "List of the ways in which spheres, cylinders and cones are drawn: facets, exact, auto")
+      .list_of(names_of(emit::curve_choices), "way to draw curves");
+  command.flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
+}
+
+}  // namespace csgsim::studies

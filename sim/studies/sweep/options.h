@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/shell/command_line.h"
+#include "sim/shell/model_options.h"
+#include "sim/studies/sweep/points.h"
+
+namespace csgsim::studies {
+
+/// Options of csgsim sweep. What a sweep varies are lists and ranges, checked when the command line is read.
+struct SweepOptions {
+  shell::ModelOptions view;
+  std::vector<std::string> models;
+  std::string machines = "pixel-planes-4";
+  std::string memory_bits;
+  std::string z_bits = "20";
+  std::string strategies = "stack,list,bits,products,parallel";
+  std::string stack_bits = "3..8";
+  std::string colourings = "rebroadcast";
+  std::string prunings = "all";
+  std::string curves = "auto";
+  bool no_draw = false;
+
+  void add_to(shell::Command& command);
+
+  /// The points asked for.
+  [[nodiscard]] std::vector<SweepPoint> points() const;
+
+  /// Those with which `csgsim render` would draw the point.
+  [[nodiscard]] shell::ModelOptions at(const SweepPoint& point) const;
+};
+
+}  // namespace csgsim::studies

@@ -1,0 +1,156 @@
+#include "sim/studies/sweep/plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "sim/plots/common_looks.h"
+#include "sim/studies/sweep/memory_plot.h"
+#include "sim/studies/sweep/axis.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr const char* sweep_table = "sweep.csv";
+
+plots::Axis count_axis(const char* title) { return {title, plots::Scale::by_range, {}, false, true}; }
+
+/// Points that differ in what the x axis shows only.
+struct Line {
+  std::string name;
+  std::vector<const SweepRow*> rows;
+};
+
+std::vector<Line> lines_of(const std::vector<SweepRow>& rows, const SweepAxis& axis) {
+  std::vector<Line> lines;
+  for (const SweepRow& row : rows) {
+    const std::string name = axis.others(row.point);
+    auto line = std::ranges::find(lines, name, &Line::name);
+    if (line == lines.end()) line = lines.insert(lines.end(), {name, {}});
+    line->rows.push_back(&row);
+  }
+  return lines;
+}
+
+/// A line in every panel: a height for all of the axis where it has no place on it.
+std::vector<plots::Series> series_of(const Line& line, const SweepAxis& axis,
+                                     std::span<std::uint64_t SweepRow::*const> counts) {
+  const bool is_level = !axis.place(line.rows.front()->point);
+  std::vector<plots::Series> all;
+  for (std::size_t panel = 0; panel < counts.size(); ++panel) {
+    plots::Series& series = all.emplace_back(
+        plots::Series{line.name, panel, is_level ? plots::Trace::level : plots::Trace::line, {}, false});
+    for (const SweepRow* row : line.rows)
+      series.points.push_back({axis.place(row->point).value_or(0), static_cast<double>(row->*counts[panel])});
+    if (axis.axis().is_names) series.trace = plots::Trace::marks;
+    std::ranges::stable_sort(series.points, {}, &plots::Point::x);
+  }
+  return all;
+}
+
+bool is_same(const std::vector<plots::Series>& one, const std::vector<plots::Series>& other) {
+  const auto is_same_point = [](const plots::Point& a, const plots::Point& b) { return a.x == b.x && a.y == b.y; };
+  return std::ranges::equal(one, other, [&](const plots::Series& a, const plots::Series& b) {
+    return a.trace == b.trace && std::ranges::equal(a.points, b.points, is_same_point);
+  });
+}
+
+/// Counts against what is varied. Lines that would cover each other are one.
+plots::Chart varied_chart(const std::vector<SweepRow>& rows, std::string title, std::vector<plots::Axis> panels,
+                          std::span<std::uint64_t SweepRow::*const> counts) {
+  const SweepAxis axis(rows);
+  std::vector<std::pair<std::vector<plots::Series>, std::vector<std::string>>> drawn;
+  for (const Line& line : lines_of(rows, axis)) {
+    std::vector<plots::Series> series = series_of(line, axis, counts);
+    const auto same = std::ranges::find_if(drawn, [&](const auto& one) { return is_same(one.first, series); });
+    if (same == drawn.end()) {
+      drawn.emplace_back(std::move(series), std::vector<std::string>{line.name});
+    } else {
+      same->second.push_back(line.name);
+    }
+  }
+  plots::Chart chart{std::move(title), axis.axis(), std::move(panels), {}, sweep_table};
+  for (auto& [series, names] : drawn) {
+    const std::string name = names.size() <= 2 ? names.front() + (names.size() == 2 ? "; " + names.back() : "")
+                                               : fmt::format("{} (+ {} alike)", names.front(), names.size() - 1);
+    for (plots::Series& one : series) {
+      one.name = name;
+      chart.series.push_back(std::move(one));
+    }
+  }
+  return chart;
+}
+
+/// The stack bits of points that take the same, `m = 7..8`.
+std::string stack_bits_label(std::span<const SweepRow* const> rows) {
+  const unsigned first = rows.front()->point.stack_bits;
+  if (first == 0) return "";
+  return rows.size() == 1 ? fmt::format("m = {}", first)
+                          : fmt::format("m = {}..{}", first, rows.back()->point.stack_bits);
+}
+
+/// Labels of more lines with stack bits could not be told apart.
+constexpr std::ptrdiff_t most_labelled = 3;
+
+/// Strategies, each under the same conditions, as clocks against the bits that they use.
+plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& model) {
+  plots::Chart chart{model + ": what memory buys",
+                     {"bits of pixel memory that the classification uses", plots::Scale::linear, {}, false, true},
+                     {count_axis("clocks")},
+                     {},
+                     sweep_table};
+  const PointNames names(rows);
+  std::map<std::string, std::vector<const SweepRow*>> lines;
+  std::vector<std::string> order;
+  for (const SweepRow& row : rows) {
+    const std::string conditions = names.conditions(row.point);
+    const std::string name = row.point.strategy + (conditions.empty() ? "" : ", " + conditions);
+    if (lines[name].empty()) order.push_back(name);
+    lines[name].push_back(&row);
+  }
+  const auto lines_with_stack_bits =
+      std::ranges::count_if(lines, [](const auto& line) { return line.second.front()->point.stack_bits > 0; });
+  for (const std::string& name : order) {
+    const std::vector<const SweepRow*>& line = lines[name];
+    plots::Series series{name, 0, plots::Trace::line, {}, false};
+    for (std::size_t i = 0; i < line.size();) {
+      std::size_t end = i + 1;
+      while (end < line.size() && line[end]->clocks == line[i]->clocks &&
+             line[end]->classification_bits == line[i]->classification_bits)
+        ++end;
+      series.points.push_back(
+          {static_cast<double>(line[i]->classification_bits), static_cast<double>(line[i]->clocks),
+           lines_with_stack_bits <= most_labelled ? stack_bits_label(std::span(line).subspan(i, end - i)) : ""});
+      i = end;
+    }
+    if (line.size() == 1) series.trace = plots::Trace::marks;
+    chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+}  // namespace
+
+std::vector<plots::Plot> plots_of_sweep(std::span<const SweepRow> rows, const std::string& model) {
+  std::vector<SweepRow> compiled;
+  std::ranges::copy_if(rows, std::back_inserter(compiled), &SweepRow::compiled);
+  if (compiled.empty()) return {};
+  constexpr std::array scans{&SweepRow::rendered, &SweepRow::classified};
+  constexpr std::array clocks{&SweepRow::clocks};
+  std::vector<plots::Plot> all{
+      {model + "_scan_conversions",
+       varied_chart(compiled, model + ": scan-conversions of primitives",
+                    {count_axis("rendered into Z1"), count_axis("classified by trees")}, scans)},
+      {model + "_clocks", varied_chart(compiled, model + ": clocks", {count_axis("clocks")}, clocks)},
+      {model + "_bits", bits_chart(compiled, model)},
+      memory_plot(compiled, model)};
+  plots::give_common_looks(all);
+  return all;
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,172 @@
+#include "sim/studies/sweep/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/paths.h"
+#include "sim/studies/folder.h"
+#include "sim/studies/plot_stem.h"
+#include "sim/studies/sweep/measure.h"
+#include "sim/studies/sweep/options.h"
+#include "sim/studies/sweep/plots.h"
+#include "sim/studies/sweep/tables.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+using Rows = std::span<const SweepRow>;
+
+/// Rows of a model, with a name for its plots: that of its file, numbered where several have it.
+struct ModelRows {
+  std::string name;
+  Rows rows;
+};
+
+std::vector<ModelRows> by_model(Rows rows) {
+  std::vector<ModelRows> models;
+  std::map<std::string, unsigned> uses;
+  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+    const std::string& model = rows[begin].point.model;
+    while (end < rows.size() && rows[end].point.model == model) ++end;
+    const std::string stem = plot_stem(model);
+    const unsigned use = ++uses[stem];
+    models.push_back({use == 1 ? stem : fmt::format("{}-{}", stem, use), rows.subspan(begin, end - begin)});
+  }
+  return models;
+}
+
+bool is_compiled(const SweepRow& row) { return row.compiled(); }
+
+/// A model of which there is no Program at all.
+void refuse_models(Rows rows) {
+  std::vector<std::string> failed;
+  const std::vector<ModelRows> models = by_model(rows);
+  for (const ModelRows& model : models) {
+    if (std::ranges::none_of(model.rows, is_compiled)) failed.push_back(model.rows.front().point.model);
+  }
+  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "sweep.csv"));
+}
+
+/// Whether every machine draws the same surfaces of a model: facets, or all that can be curved.
+bool draws_alike(Rows rows) {
+  std::map<std::string, std::uint64_t> halfspaces;
+  return std::ranges::all_of(rows, [&](const SweepRow& row) {
+    return !is_compiled(row) || halfspaces.try_emplace(row.point.model, row.halfspaces).first->second == row.halfspaces;
+  });
+}
+
+[[noreturn]] void refuse_pictures(Rows rows, const std::vector<WrongPicture>& wrong, bool are_read) {
+  const PointNames names(rows);
+  fmt::print("\n");
+  for (const WrongPicture& one : wrong) {
+    const std::string what = one.reference ? "the picture differs from that of " + names.name(*one.reference)
+                                           : "a linear expression does not fit its width";
+    fmt::print("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what);
+  }
+  throw InputError(fmt::format("{} of {} pictures are not what they have to be; {}", wrong.size(), rows.size(),
+                               whose_fault(are_read)));
+}
+
+class Sweep : public StudyOf<SweepRow> {
+ public:
+  void add_options(Command& command) override { options_.add_to(command); }
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    return input_files(options_.models, parse_words(options_.machines));
+  }
+  [[nodiscard]] std::set<std::string> varied() const override {
+    return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machine", "memory-bits", "no-draw"};
+  }
+
+  std::vector<Asked> ask() override {
+    JobMaker maker;
+    std::vector<Asked> asked;
+    for (SweepPoint& point : options_.points()) {
+      jobs_.push_back(maker.job_of(options_.at(point)));
+      point.model = escaped(point.model);
+      point.machine = escaped(point.machine);
+      points_.push_back(std::move(point));
+      asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+    }
+    return asked;
+  }
+
+  /// A row of a point that was not drawn does not serve who wants it drawn.
+  [[nodiscard]] bool serves(std::size_t /*point*/, const std::string& row) const override {
+    if (options_.no_draw) return true;
+    const auto known = from_line<SweepRow>(row);
+    return !known.compiled() || !known.picture.empty();
+  }
+
+  void print() const override {
+    for (const ModelRows& model : by_model(rows())) print_sweep(model.rows);
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override {
+    std::vector<plots::Plot> all;
+    for (const ModelRows& model : by_model(rows())) {
+      for (plots::Plot& plot : plots_of_sweep(model.rows, model.name)) all.push_back(std::move(plot));
+    }
+    return all;
+  }
+
+  [[nodiscard]] std::string page_title() const override { return "What memory bits buy"; }
+
+  /// With a picture of the first model.
+  [[nodiscard]] PageSubject page_subject() const override {
+    PageSubject subject{options_.view, {}};
+    subject.model.model = options_.models.front();
+    for (const std::string& name : parse_words(options_.machines)) {
+      subject.model.machine = name;
+      subject.machines.push_back(machine_of(subject.model));
+    }
+    if (options_.models.size() > 1) subject.name = counted(options_.models.size(), "model");
+    return subject;
+  }
+
+  void refuse() const override {
+    const Rows all = rows();
+    if (std::ranges::none_of(all, is_compiled) && by_model(all).size() == 1) throw InputError(all.front().reason);
+    if (const std::vector<WrongPicture> wrong = wrong_pictures(all); !wrong.empty())
+      refuse_pictures(all, wrong, are_read());
+    if (!options_.no_draw && std::ranges::any_of(all, is_compiled))
+      fmt::print("\nAll pictures of a model with the same {} are the same, byte for byte.\n",
+                 draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,");
+    refuse_models(all);
+  }
+
+ protected:
+  [[nodiscard]] SweepRow measured(std::size_t point) override {
+    return studies::measure(points_[point], jobs_[point], !options_.no_draw);
+  }
+
+ private:
+  SweepOptions options_;
+  std::vector<SweepPoint> points_;
+  std::vector<Job> jobs_;
+};
+
+}  // namespace
+
+const StudyRow sweep_row{
+    .name = "sweep",
+    .does = "Show what memory bits buy: every strategy with every number of bits, in parallel",
+    .example =
+        "  csgsim sweep carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-sweep\n"
+        "  csgsim sweep *.csg --strategy bits --stack-bits 3..12 --no-draw -o table_6_1\n"
+        "  csgsim sweep a.csg b.csg --strategy stack,list --z-bits 16,20 --colouring rebroadcast,field -o out\n"
+        "  csgsim sweep a.csg --strategy list --pruning all,no-space,no-picture,no-separation,none -o out\n"
+        "Lists are with commas, ranges of numbers as 3..8; every combination is a point. What has been measured is in\n"
+        "sweep.csv at once; the same command goes on after an interruption, and with other ranges measures what is "
+        "new.",
+    .plots = "for each model plots (.png, .svg) of scan-conversions, clocks, bits and memory",
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Sweep>()); }};
+
+}  // namespace csgsim::studies

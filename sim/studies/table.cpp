@@ -1,0 +1,138 @@
+#include "sim/studies/table.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "hw/base/error.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+/// What a row was measured from; all of the row has been checked.
+Inputs inputs_of(const std::string& row, std::size_t point_columns) {
+  const std::vector<std::string> cells = split_cells(row);
+  return {cells.at(point_columns), cells.at(point_columns + 1), cells.at(point_columns + 2)};
+}
+
+}  // namespace
+
+Table::Table(const std::filesystem::path& path, const std::string& title, const Study& study)
+    : study_(study), path_(path), file_(std::in_place, path, title, study.columns()) {
+  for (std::size_t i = 0; i < file_->found().size(); ++i) {
+    try {
+      study.check(file_->found()[i]);
+    } catch (const InputError& error) {
+      file_->refuse(i, error.what());
+    }
+  }
+  take(file_->found());
+}
+
+std::string Table::point_of(const std::string& row) const {
+  return std::string(first_cells(row, study_.point_columns()));
+}
+
+bool Table::has_inputs(const std::string& row, const Asked& asked) const {
+  return row.starts_with(asked.cells + "," + to_line(asked.inputs) + ",");
+}
+
+void Table::take(std::vector<std::string> rows) {
+  rows_ = std::move(rows);
+  places_.clear();
+  for (std::size_t i = 0; i < rows_.size(); ++i) places_.emplace(point_of(rows_[i]), i);
+}
+
+std::set<std::string> Table::drop_stale(std::span<const Asked> asked, bool is_of_one_machine) {
+  std::unordered_map<std::string, const Asked*> now;
+  for (const Asked& one : asked) now.emplace(one.cells, &one);
+  std::set<std::string> changed;
+  std::vector<std::string> kept;
+  for (const std::string& row : rows_) {
+    const auto same = now.find(point_of(row));
+    const Asked* const known = same != now.end() ? same->second : is_of_one_machine && !asked.empty() ? &asked.front() : nullptr;
+    const std::vector<std::string> names =
+        known == nullptr ? std::vector<std::string>{}
+                         : differences(inputs_of(row, study_.point_columns()), known->inputs);
+    if (names.empty()) kept.push_back(row);
+    changed.insert(names.begin(), names.end());
+  }
+  if (kept.size() == rows_.size()) return changed;
+  if (file_) file_->replace(kept);
+  take(std::move(kept));
+  return changed;
+}
+
+const std::string* Table::find(std::span<const Asked> asked, std::size_t point) const {
+  const auto [begin, end] = places_.equal_range(asked[point].cells);
+  for (auto place = begin; place != end; ++place) {
+    const std::string& row = rows_[place->second];
+    if (has_inputs(row, asked[point]) && study_.serves(point, row)) return &row;
+  }
+  return nullptr;
+}
+
+std::vector<std::size_t> Table::missing(std::span<const Asked> asked) const {
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (find(asked, i) == nullptr) points.push_back(i);
+  }
+  return points;
+}
+
+void Table::add(std::span<const std::string> rows) {
+  if (rows.empty()) return;
+  std::string lines;
+  for (const std::string& row : rows) lines += (lines.empty() ? "" : "\n") + row;
+  if (file_) file_->append(lines);
+  for (const std::string& row : rows) {
+    places_.emplace(point_of(row), rows_.size());
+    rows_.push_back(row);
+  }
+}
+
+std::vector<std::string> Table::in_order(std::span<const Asked> asked) {
+  std::vector<std::string> rows;
+  std::unordered_set<std::string> points;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    rows.push_back(*find(asked, i));
+    points.insert(asked[i].cells);
+  }
+  if (!file_) return rows;
+  std::vector<std::string> all = rows;
+  for (const std::string& row : rows_) {
+    if (!points.contains(point_of(row))) all.push_back(row);
+  }
+  if (all != rows_) {
+    file_->replace(all);
+    take(std::move(all));
+  }
+  return rows;
+}
+
+std::vector<std::string> Table::put(const Gathered& gathered) {
+  if (gathered.columns != study_.columns()) {
+    throw InputError(path_.native() +
+                     ": this csgsim has other columns than the one that measured the shards; gather with " +
+                     gathered.inputs.csgsim);
+  }
+  for (std::size_t i = 0; i < gathered.rows.size(); ++i) {
+    try {
+      study_.check(gathered.rows[i]);
+    } catch (const InputError& error) {
+      throw InputError(gathered.measured[i].native() + ": point " + std::to_string(i) + ": " + error.what() +
+                       "; delete the line and run the shard again");
+    }
+  }
+  const std::unordered_set<std::string> lines(gathered.rows.begin(), gathered.rows.end());
+  for (const std::string& row : rows_) {
+    if (!lines.contains(row))
+      throw InputError(path_.native() + ": has points that the shards do not have; take another place with -o");
+  }
+  if (file_) file_->replace(gathered.rows);
+  take(gathered.rows);
+  return gathered.rows;
+}
+
+}  // namespace csgsim::studies

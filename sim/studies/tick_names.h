@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace csgsim::studies {
+
+/// What an axis calls machines: one that is another of them with a figure changed is called by that figure alone, as
+/// `pixel-planes-4` and `+alu.bits=2`.
+std::vector<std::string> tick_names(std::span<const std::string> machines);
+
+}  // namespace csgsim::studies

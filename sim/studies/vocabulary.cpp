@@ -1,0 +1,79 @@
+#include "sim/studies/vocabulary.h"
+
+#include <algorithm>
+
+#include "sim/studies/csv.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+// One word for one thing, in all studies. What is not here, hashes and what plots show, is in tables and JSON alone.
+constexpr report::PointColumn words[] = {
+    {"model", "model"},
+    {"machine", "machine"},
+    {"memory_bits", "memory bits"},
+    {"knob", "knob"},
+    {"value", "value"},
+    {"width", "pixels a row"},
+    {"height", "rows"},
+    {"fragments", "$fn, 0: the model's own"},
+    {"ideal", "ideal"},
+    {"z_bits", "z bits"},
+    {"fraction_bits", "fraction bits"},
+    {"colour_bits", "colour bits"},
+    {"pruning", "pruning"},
+    {"colouring", "colouring"},
+    {"strategy", "strategy"},
+    {"stack_bits", "stack bits"},
+    {"alu_bits", "ALU bits"},
+    {"curves", "curves"},
+    {"primitives", "primitives"},
+    {"pieces", "pieces"},
+    {"halfspaces", "half-spaces"},
+    {"clocks", "clocks"},
+    {"seconds", "seconds of drawing"},
+    {"frames_per_second", "frames a second"},
+    {"bound_by", "bound by"},
+    {"setup", "setup"},
+    {"render", "render"},
+    {"classify", "classify"},
+    {"stack", "stack"},
+    {"merge", "merge"},
+    {"shade", "shade"},
+    {"effect", "effect"},
+    {"latency", "latency"},
+    {"pixel_operations", "pixel operations"},
+    {"enabled", "of these enabled"},
+    {"rendered", "rendered"},
+    {"classified", "classified"},
+    {"depth_tests", "depth tests"},
+    {"classification_bits", "bits for the classification"},
+    {"used_bits", "bits in all"},
+    {"pixel_transistors", "transistors a pixel"},
+    {"processors", "processors"},
+    {"processor_clocks", "processor clocks"},
+    {"transistors", "transistors"},
+    {"utilisation", "used", report::Show::share},
+    {"wrong", "wrong pixels"},
+    {"unexplained", "of these unexplained"},
+    {"colour_error", "colour error of 255"},
+    {"depth_p999", "depth error, 99.9th percentile, model units"},
+    {"depth_p999_steps", "the same in steps"},
+    {"facet_wrong", "pixels off the curved surfaces"},
+    {"facet_depth_p999", "depth from these, 99.9th percentile"},
+    {"picture_difference", "mean colour difference of 255"},
+};
+
+}  // namespace
+
+std::vector<report::PointColumn> page_columns(std::string_view header) {
+  std::vector<report::PointColumn> columns;
+  for (const std::string& key : split_cells(header)) {
+    const auto* const word = std::ranges::find_if(words, [&](const auto& one) { return one.key == key; });
+    if (word != std::end(words)) columns.push_back(*word);
+  }
+  return columns;
+}
+
+}  // namespace csgsim::studies
