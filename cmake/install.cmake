@@ -12,7 +12,7 @@ file(RELATIVE_PATH module_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/$
 set_target_properties(csgsim PROPERTIES INSTALL_RPATH $ORIGIN/${module_from_program}
   BUILD_RPATH "$ORIGIN;$ORIGIN/${module_from_program}")
 
-# What the program tells of itself: ${CSGSIM_DESCRIPTION} (sim/app). Zsh has no folder that all systems read.
+# What the program tells of itself: ${CSGSIM_DESCRIPTION} (sim/shell/manual). Zsh has no folder that all systems read.
 set(CSGSIM_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Where zsh looks for completion")
 install(DIRECTORY ${CSGSIM_DESCRIPTION}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1.gz")
 install(FILES ${CSGSIM_DESCRIPTION}/csgsim.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME csgsim)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,19 @@ Row from_line(const std::string& line) {
   });
   if (next < cells.size()) throw InputError("'" + cells[next] + "' is one cell too many");
   return row;
+}
+
+/// What of a table's rows has to be known to keep them as lines.
+struct RowFormat {
+  std::string columns;                              ///< their names, as a line
+  std::size_t point_columns = 0;                    ///< the first ones, which say which point it is
+  void (*check)(const std::string& row) = nullptr;  ///< throws InputError for a line that is no row
+};
+
+/// `Row::point_columns` of the columns say which point it is.
+template <class Row>
+RowFormat format_of() {
+  return {header_of<Row>(), Row::point_columns, [](const std::string& row) { static_cast<void>(from_line<Row>(row)); }};
 }
 
 }  // namespace csgsim::studies

@@ -95,7 +95,7 @@ void run_shard(StudyCommand& asked) {
     throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
                                  points.size(), most_points));
   ShardRun run(folder_of(asked), {*asked.options.shard, points.size(), inputs_of(points), study_words(asked.command)},
-               asked.study->columns());
+               asked.study->format().columns);
   {
     Progress progress(run.points(), run.points() - run.missing().size(), shell::shows_progress(asked.options.progress));
     measure(asked, run.missing(), [&](std::size_t point, std::string row) {
@@ -126,7 +126,7 @@ report::Page page_of(const StudyCommand& asked, const std::string& json, std::sp
   if (page.data.contains("points"))
     page.sections.push_back(
         {"Points",
-         {report::points_table(page.data, "/points", "All that was measured", page_columns(study.columns()))}});
+         {report::points_table(page.data, "/points", "All that was measured", page_columns(study.format().columns))}});
   report::end_page(page, context);
   return page;
 }
@@ -149,8 +149,10 @@ struct Places {
 };
 
 Table table_of(const StudyCommand& asked, const Places& places) {
-  if (!places.folder) return Table(*asked.study);
-  return {places.file(asked, ".csv"), places.title, *asked.study};
+  const Study& study = *asked.study;
+  const auto serves = [&study](std::size_t point, const std::string& row) { return study.serves(point, row); };
+  if (!places.folder) return Table(study.format(), serves);
+  return {places.file(asked, ".csv"), places.title, study.format(), serves};
 }
 
 void show(const StudyCommand& asked, Places& places) {
@@ -173,7 +175,7 @@ void run(StudyCommand& asked) {
   const std::vector<Asked> points = asked.study->ask();
   Places places(asked, asked.study->inputs());
   Table table = table_of(asked, places);
-  const bool are_read = !table.empty();
+  const bool are_read = !table.rows().empty();
   const std::set<std::string> changed = table.drop_stale(points, asked.study->is_of_one_machine());
   if (places.folder) tell_stale(places.file(asked, ".csv"), changed);
   asked.study->take(complete(asked, points, table), are_read);

@@ -17,20 +17,14 @@
 #include "sim/report/study_pages.h"
 #include "sim/shell/command_line.h"
 #include "sim/shell/model_options.h"
-#include "sim/studies/inputs.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/rows_json.h"
+#include "sim/studies/table.h"
 
 namespace csgsim::studies {
 
 using namespace shell;  // options, checks and texts of commands, in whose words a study is written
-
-/// A point that is asked for: the first cells of its row, as the table has them, and what it is measured from.
-struct Asked {
-  std::string cells;
-  Inputs inputs;
-};
 
 /// Whose figures a page tells, and of what it shows a picture.
 struct PageSubject {
@@ -41,8 +35,8 @@ struct PageSubject {
 };
 
 /// What a study is: which points its options ask for, what is measured at a point, and what is shown of the rows. All
-/// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads, shards,
-/// files and the page.
+/// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads,
+/// shards, files and the page.
 class Study {
  public:
   Study() = default;
@@ -71,10 +65,7 @@ class Study {
   /// Whether a row of the point, measured from the same inputs, tells all that is asked for now.
   [[nodiscard]] virtual bool serves(std::size_t /*point*/, const std::string& /*row*/) const { return true; }
 
-  [[nodiscard]] virtual std::string columns() const = 0;
-  [[nodiscard]] virtual std::size_t point_columns() const = 0;
-  /// Throws InputError for a line that is no row.
-  virtual void check(const std::string& row) const = 0;
+  [[nodiscard]] virtual RowFormat format() const = 0;
 
   /// The rows of the points asked for, in their order; what follows is about them. `are_read` says that some were not
   /// measured by this process.
@@ -113,14 +104,12 @@ struct StudyRow {
   std::unique_ptr<Study> (*make)() = nullptr;
 };
 
-/// A study whose rows are of one type: `Row::point_columns` columns, of which visit_columns(row, visit) tells, say which
-/// point it is, the next three its `inputs`; a `reason`, if it has one, is why the point could not be measured.
+/// A study whose rows are of one type: `Row::point_columns` columns, of which visit_columns(row, visit) tells, say
+/// which point it is, the next three its `inputs`; a `reason`, if it has one, is why the point could not be measured.
 template <class Row>
 class StudyOf : public Study {
  public:
-  [[nodiscard]] std::string columns() const final { return header_of<Row>(); }
-  [[nodiscard]] std::size_t point_columns() const final { return Row::point_columns; }
-  void check(const std::string& row) const final { static_cast<void>(from_line<Row>(row)); }
+  [[nodiscard]] RowFormat format() const final { return format_of<Row>(); }
 
   void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) override {
     measure_each(

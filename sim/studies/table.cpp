@@ -18,11 +18,14 @@ Inputs inputs_of(const std::string& row, std::size_t point_columns) {
 
 }  // namespace
 
-Table::Table(const std::filesystem::path& path, const std::string& title, const Study& study)
-    : study_(study), path_(path), file_(std::in_place, path, title, study.columns()) {
+Table::Table(const std::filesystem::path& path, const std::string& title, RowFormat format, Serves serves)
+    : format_(std::move(format)),
+      serves_(std::move(serves)),
+      path_(path),
+      file_(std::in_place, path, title, format_.columns) {
   for (std::size_t i = 0; i < file_->found().size(); ++i) {
     try {
-      study.check(file_->found()[i]);
+      format_.check(file_->found()[i]);
     } catch (const InputError& error) {
       file_->refuse(i, error.what());
     }
@@ -31,7 +34,7 @@ Table::Table(const std::filesystem::path& path, const std::string& title, const 
 }
 
 std::string Table::point_of(const std::string& row) const {
-  return std::string(first_cells(row, study_.point_columns()));
+  return std::string(first_cells(row, format_.point_columns));
 }
 
 bool Table::has_inputs(const std::string& row, const Asked& asked) const {
@@ -51,10 +54,12 @@ std::set<std::string> Table::drop_stale(std::span<const Asked> asked, bool is_of
   std::vector<std::string> kept;
   for (const std::string& row : rows_) {
     const auto same = now.find(point_of(row));
-    const Asked* const known = same != now.end() ? same->second : is_of_one_machine && !asked.empty() ? &asked.front() : nullptr;
-    const std::vector<std::string> names =
-        known == nullptr ? std::vector<std::string>{}
-                         : differences(inputs_of(row, study_.point_columns()), known->inputs);
+    const Asked* const known = same != now.end()                     ? same->second
+                               : is_of_one_machine && !asked.empty() ? &asked.front()
+                                                                     : nullptr;
+    const std::vector<std::string> names = known == nullptr
+                                               ? std::vector<std::string>{}
+                                               : differences(inputs_of(row, format_.point_columns), known->inputs);
     if (names.empty()) kept.push_back(row);
     changed.insert(names.begin(), names.end());
   }
@@ -68,7 +73,7 @@ const std::string* Table::find(std::span<const Asked> asked, std::size_t point) 
   const auto [begin, end] = places_.equal_range(asked[point].cells);
   for (auto place = begin; place != end; ++place) {
     const std::string& row = rows_[place->second];
-    if (has_inputs(row, asked[point]) && study_.serves(point, row)) return &row;
+    if (has_inputs(row, asked[point]) && serves_(point, row)) return &row;
   }
   return nullptr;
 }
@@ -112,14 +117,14 @@ std::vector<std::string> Table::in_order(std::span<const Asked> asked) {
 }
 
 std::vector<std::string> Table::put(const Gathered& gathered) {
-  if (gathered.columns != study_.columns()) {
+  if (gathered.columns != format_.columns) {
     throw InputError(path_.native() +
                      ": this csgsim has other columns than the one that measured the shards; gather with " +
                      gathered.inputs.csgsim);
   }
   for (std::size_t i = 0; i < gathered.rows.size(); ++i) {
     try {
-      study_.check(gathered.rows[i]);
+      format_.check(gathered.rows[i]);
     } catch (const InputError& error) {
       throw InputError(gathered.measured[i].native() + ": point " + std::to_string(i) + ": " + error.what() +
                        "; delete the line and run the shard again");

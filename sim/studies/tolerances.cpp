@@ -1,15 +1,15 @@
 #include "sim/studies/tolerances.h"
 
 #include "hw/base/error.h"
-#include "sim/shell/numbers.h"
 #include "sim/shell/lists.h"
+#include "sim/shell/numbers.h"
 
 namespace csgsim::studies {
 
 std::vector<double> tolerances_in(const std::string& text) {
   std::vector<double> tolerances;
   for (const std::string& word : shell::parse_words(text)) {
-    tolerances.push_back(numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
+    tolerances.push_back(shell::numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
     if (!(tolerances.back() > 0)) throw InputError("a tolerance has to be above 0");
   }
   return tolerances;

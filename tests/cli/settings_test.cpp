@@ -11,6 +11,7 @@
 #include "places.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/settings/file_options.h"
+#include "sim/studies/rows.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -22,6 +23,8 @@ std::vector<std::string> commands() {
 #define CSGSIM_COMMAND_NAME(name) names.emplace_back(#name);
   CSGSIM_COMMANDS(CSGSIM_COMMAND_NAME)
 #undef CSGSIM_COMMAND_NAME
+  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) names.emplace_back(row->name);
+  names.emplace_back("gather");
   return names;
 }
 

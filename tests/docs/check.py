@@ -101,6 +101,12 @@ def glossary():
             yield f"docs/glossary.md: {line[:40]}... links to no page"
 
 
+def command_names():
+    commands = (ROOT / "sim/app/commands/commands.h").read_text(encoding="utf-8")
+    studies = (ROOT / "sim/studies/CMakeLists.txt").read_text(encoding="utf-8")
+    return re.findall(r"COMMAND\((\w+)\)", commands) + re.search(r"set\(studies ([\w ]+)\)", studies)[1].split() + ["gather"]
+
+
 def lists():
     """README's table of pages has each page of docs once, and that of commands each command of csgsim once."""
     rows = [row for _, row in markdown.rows(markdown.read("README.md"))]
@@ -109,7 +115,7 @@ def lists():
         if linked[path] != 1:
             yield f"README.md: its tables have {path} {linked[path]} times"
     named = collections.Counter(name for row in rows for name in re.findall(r"`([a-z]+)`", row[0]))
-    for name in re.findall(r"COMMAND\((\w+)\)", (ROOT / "sim/app/commands/commands.h").read_text(encoding="utf-8")):
+    for name in command_names():
         if named[name] != 1:
             yield f"README.md: its table of commands has {name} {named[name]} times"
 

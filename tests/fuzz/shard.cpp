@@ -14,16 +14,18 @@
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/gather.h"
+#include "sim/studies/rows_json.h"
 #include "sim/studies/shard_file.h"
 #include "sim/studies/sweep/plots.h"
 #include "sim/studies/sweep/points.h"
+#include "sim/studies/table.h"
 #include "tests/fuzz/property.h"
 #include "tests/fuzz/scratch_file.h"
 
 namespace fs = std::filesystem;
 namespace fuzz = csgsim::fuzz;
 namespace plots = csgsim::plots;
-namespace study = csgsim::study;
+namespace studies = csgsim::studies;
 
 namespace {
 
@@ -33,23 +35,23 @@ void lay_out(const std::vector<plots::Plot>& all) {
 }
 
 void show(const std::vector<studies::SweepRow>& rows) {
-  static_cast<void>(studies::points_json("title", rows));
+  static_cast<void>(studies::rows_json<studies::SweepRow>("title", rows));
   static_cast<void>(studies::wrong_pictures(rows));
   lay_out(studies::plots_of_sweep(rows, "model"));
 }
 
 void show(const std::vector<studies::ComparisonRow>& rows) {
-  static_cast<void>(studies::points_json("title", rows));
+  static_cast<void>(studies::rows_json<studies::ComparisonRow>("title", rows));
   lay_out(studies::plots_of_comparison(rows, {rows.front().point.width, rows.front().point.height}, "model"));
 }
 
 void show(const std::vector<studies::CorpusRow>& rows) {
-  static_cast<void>(studies::corpus_json("title", rows));
+  static_cast<void>(studies::rows_json<studies::CorpusRow>("title", rows));
   lay_out(studies::plots_of_corpus(rows));
 }
 
 void show(const std::vector<studies::Measurement>& rows) {
-  static_cast<void>(studies::points_json("title", rows));
+  static_cast<void>(studies::rows_json<studies::Measurement>("title", rows));
   static_cast<void>(studies::halvings(studies::pareto_front(rows)));
   static_cast<void>(studies::facets_as_right(rows));
   lay_out(studies::plots_of_accuracy(rows, {"model"}));
@@ -58,15 +60,17 @@ void show(const std::vector<studies::Measurement>& rows) {
 /// What gather does with the rows.
 template <class Row>
 void put(const studies::Gathered& gathered, const fs::path& folder) {
-  if (gathered.columns != studies::header_of<Row>()) return;
+  const studies::RowFormat format = studies::format_of<Row>();
+  if (gathered.columns != format.columns) return;
   const fs::path path = folder / "table.csv";
   fs::remove(path);
-  studies::Table<Row> table(path, "title");
-  const std::vector<Row> rows = studies::put_rows(gathered, path, table);
+  std::vector<Row> rows;
+  for (const std::string& row : studies::Table(path, "title", format).put(gathered))
+    rows.push_back(studies::from_line<Row>(row));
   fuzz::require(rows.size() == gathered.rows.size() && !rows.empty(), "a table has the rows that were gathered");
   try {
     show(rows);
-    fuzz::require(studies::Table<Row>(path, "title").rows().size() == rows.size(), "a table is read as written");
+    fuzz::require(studies::Table(path, "title", format).rows() == gathered.rows, "a table is read as written");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());
   }

@@ -9,13 +9,14 @@
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/csv.h"
+#include "sim/studies/row_text.h"
 #include "sim/studies/sweep/memory_map.h"
 #include "sim/studies/sweep/points.h"
-#include "sim/studies/table.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;
-namespace study = csgsim::study;
+namespace shell = csgsim::shell;
+namespace studies = csgsim::studies;
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "hw/base/output_file.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
+#include "sim/studies/parallel.h"
 #include "sim/studies/sweep/measure.h"
 #include "tests/support/drawing.h"
 
@@ -43,28 +44,40 @@ isa::Program carburettor(emit::Strategy strategy) {
       .program;
 }
 
+/// A point with what it is made from.
+struct Drawn {
+  studies::SweepPoint point;
+  studies::Job job;
+};
+
 /// One model under every strategy with several depths: each job shares the model with the others.
-std::vector<studies::SweepJob> jobs() {
+std::vector<Drawn> drawn_points() {
   model::Tree tree = read::read_csg_file(testing::model_path("thesis_fig_2_3"));
   facet::Scene scene = facet::make_scene(tree);
   const view::Camera camera = view::default_camera(scene.box, 40, 33);
   const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
-  std::vector<studies::SweepJob> jobs;
+  std::vector<Drawn> all;
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::products}) {
     for (const unsigned z_bits : {12U, 14U, 16U, 18U}) {
-      studies::SweepPoint point;
-      point.strategy = emit::name_of(strategy);
-      point.z_bits = z_bits;
-      studies::SweepJob job{std::move(point), subject, camera, {}, kinds::load("pixel-planes-4"), {}, {}};
-      job.machine.array = {40, 33, 128};
-      job.sampling.width = 40;
-      job.sampling.height = 33;
-      job.sampling.z_bits = z_bits;
-      job.options.strategy = strategy;
-      jobs.push_back(std::move(job));
+      Drawn one{{}, {subject, camera, {}, kinds::load("pixel-planes-4"), {}, {}}};
+      one.point.strategy = emit::name_of(strategy);
+      one.point.z_bits = z_bits;
+      one.job.machine.array = {40, 33, 128};
+      one.job.sampling.width = 40;
+      one.job.sampling.height = 33;
+      one.job.sampling.z_bits = z_bits;
+      one.job.options.strategy = strategy;
+      all.push_back(std::move(one));
     }
   }
-  return jobs;
+  return all;
+}
+
+/// Measures all on four threads, without drawing if that is not asked for.
+template <class Finished>
+void measure_all(const std::vector<Drawn>& all, bool is_drawn, const Finished& finished) {
+  studies::measure_each(
+      all.size(), 4, [&](std::size_t i) { return studies::measure(all[i].point, all[i].job, is_drawn); }, finished);
 }
 
 }  // namespace
@@ -88,12 +101,12 @@ TEST_CASE(
 }
 
 TEST_CASE("points of one model measured on four threads are those measured on one") {
-  const std::vector<studies::SweepJob> all = jobs();
+  const std::vector<Drawn> all = drawn_points();
   std::vector<studies::SweepRow> rows;
-  studies::measure_all(all, true, 4, [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
+  measure_all(all, true, [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
   REQUIRE(rows.size() == all.size());
-  for (const studies::SweepJob& job : all) {
-    const studies::SweepRow alone = studies::measure(job, true);
+  for (const Drawn& one : all) {
+    const studies::SweepRow alone = studies::measure(one.point, one.job, true);
     CHECK(alone.compiled());
     CHECK(std::ranges::count(rows, alone) == 1);
   }
@@ -104,7 +117,6 @@ TEST_CASE("what a receiver throws while others still measure comes out once, and
   const auto fails_at_the_third = [&](const studies::SweepRow& /*row*/) {
     if (++received == 3) throw std::runtime_error("the disk is full");
   };
-  CHECK_THROWS_WITH_AS(studies::measure_all(jobs(), false, 4, fails_at_the_third), "the disk is full",
-                       std::runtime_error);
+  CHECK_THROWS_WITH_AS(measure_all(drawn_points(), false, fails_at_the_third), "the disk is full", std::runtime_error);
   CHECK(received == 3);
 }

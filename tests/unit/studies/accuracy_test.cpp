@@ -1,27 +1,20 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
-#include "places.h"
+#include "sim/shell/model_options.h"
 #include "sim/studies/accuracy/measure.h"
 #include "sim/studies/accuracy/pareto.h"
 #include "sim/studies/compare/measure.h"
-#include "sim/studies/csv.h"
-#include "sim/studies/table.h"
 
 using namespace csgsim;
 
 namespace {
-
-using Table = studies::Table<studies::Measurement>;
 
 studies::Measurement point(const std::string& value, std::uint64_t clocks, std::uint64_t wrong) {
   studies::Measurement measurement;
@@ -32,20 +25,9 @@ studies::Measurement point(const std::string& value, std::uint64_t clocks, std::
   return measurement;
 }
 
-std::filesystem::path fresh(const std::string& name) {
-  std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / name;
-  std::filesystem::remove(path);
-  return path;
-}
-
-std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 machines::Machine small_machine() {
   machines::Machine machine = kinds::load("pixel-planes-4");
-  machine.array = {96, 96, studies::ample_memory_bits};
+  machine.array = {96, 96, shell::ample_memory_bits};
   return machine;
 }
 
@@ -78,49 +60,6 @@ TEST_CASE("halvings go from each point to the cheapest with at most half its wro
   CHECK(steps[1].from.value + steps[1].to.value == "cd");
   CHECK(steps[1].more_clocks == doctest::Approx(0.5));
   CHECK(steps[2].from.value + steps[2].to.value == "de");
-}
-
-TEST_CASE("a table goes on where it was interrupted, even in the middle of a line") {
-  const std::filesystem::path path = fresh("study_table.csv");
-  studies::Measurement first = point("10/2", 1234, 56);
-  first.depth_p999 = 0.1234567890123456789;
-  {
-    Table table(path, "a study");
-    table.add(first);
-    table.add(point("12/2", 2345, 5));
-  }
-  std::ofstream(path, std::ios::app) << "together,14/2,99";
-  Table table(path, "a study");
-  REQUIRE(table.rows().size() == 2);
-  CHECK(table.rows()[0] == first);
-  studies::WantedSettings wanted;
-  wanted.point.knob = "together";
-  wanted.point.value = "12/2";
-  CHECK(table.find(wanted) != nullptr);
-  wanted.point.value = "14/2";
-  CHECK(table.find(wanted) == nullptr);
-  table.add(point("14/2", 3456, 0));
-  CHECK(Table(path, "a study").rows().size() == 3);
-}
-
-TEST_CASE("a table of another study is refused and kept") {
-  const std::filesystem::path path = fresh("study_other.csv");
-  Table(path, "one study").add(point("10/2", 1, 2));
-  const std::string before = content(path);
-  CHECK_THROWS_AS(Table(path, "another study"), InputError);
-  CHECK(content(path) == before);
-}
-
-TEST_CASE("a table with a broken line says which") {
-  const std::filesystem::path path = fresh("study_broken.csv");
-  Table(path, "a study").add(point("10/2", 1, 2));
-  std::ofstream(path, std::ios::app) << "together,12/2,model,machine,0.1.0,many\n";
-  try {
-    Table table(path, "a study");
-    FAIL("read");
-  } catch (const InputError& error) {
-    CHECK(std::string(error.what()).find("study_broken.csv:4:1: 'many'") != std::string::npos);
-  }
 }
 
 TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond the stated bounds") {
@@ -211,7 +150,7 @@ TEST_CASE("facets as right as curved surfaces are those of the fewest clocks wit
 TEST_CASE("curved surfaces without facets are right to the arithmetic, where facets are off by their tolerance") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   machines::Machine machine = kinds::load("pixel-powers");
-  machine.array = {96, 96, studies::ample_memory_bits};
+  machine.array = {96, 96, shell::ample_memory_bits};
   studies::Meter meter(tree, studies::turned_views(camera, 2), machine, {});
   studies::Knobs knobs{{"curves", "tolerance"}, {0.05}, {}};
   for (const studies::CurvesChoice& choice : studies::curves_choices()) knobs.curves.push_back(choice);

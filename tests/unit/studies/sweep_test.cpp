@@ -1,11 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <filesystem>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "host/read/read.h"
@@ -13,10 +9,10 @@
 #include "hw/base/hash.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/area.h"
-#include "places.h"
 #include "sim/shell/lists.h"
+#include "sim/studies/parallel.h"
+#include "sim/studies/row_text.h"
 #include "sim/studies/sweep/measure.h"
-#include "sim/studies/table.h"
 
 using namespace csgsim;
 
@@ -51,8 +47,14 @@ studies::SweepRow row_of(const studies::SweepPoint& point, const std::string& pi
 
 const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($fn=24,$fa=12,$fs=2,r=9);}";
 
+/// A point with what it is made from.
+struct Drawn {
+  studies::SweepPoint point;
+  studies::Job job;
+};
+
 /// Points of one model under strategies that all fit.
-std::vector<studies::SweepJob> jobs() {
+std::vector<Drawn> drawn_points() {
   model::Tree tree = read::read_csg_text(bitten_cube, "test");
   facet::Scene scene = facet::make_scene(tree);
   const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
@@ -60,21 +62,17 @@ std::vector<studies::SweepJob> jobs() {
   machine.array.width = machine.array.height = 40;
   view::Sampling sampling;
   sampling.width = sampling.height = 40;
-  std::vector<studies::SweepJob> jobs;
+  std::vector<Drawn> all;
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits}) {
-    studies::SweepJob job{{}, subject, {{40, -60, 45}, {0, 0, 0}}, sampling, machine, {}, {}};
-    job.point.strategy = emit::name_of(strategy);
-    job.options.strategy = strategy;
-    jobs.push_back(std::move(job));
+    Drawn one{{}, {subject, {{40, -60, 45}, {0, 0, 0}}, sampling, machine, {}, {}}};
+    one.point.strategy = emit::name_of(strategy);
+    one.job.options.strategy = strategy;
+    all.push_back(std::move(one));
   }
-  return jobs;
+  return all;
 }
 
-std::filesystem::path fresh(const std::string& name) {
-  std::filesystem::path path = std::filesystem::path(CSGSIM_BINARY_DIR) / name;
-  std::filesystem::remove(path);
-  return path;
-}
+studies::SweepRow measured(const Drawn& one, bool is_drawn) { return studies::measure(one.point, one.job, is_drawn); }
 
 }  // namespace
 
@@ -117,16 +115,12 @@ TEST_CASE("the product has a point for each combination, and stack bits only whe
 }
 
 TEST_CASE("a row comes back from a table as it was, commas and quotes included") {
-  const std::filesystem::path path = fresh("sweep_table.csv");
   studies::SweepRow row = row_of(studies::points_of(small_ranges())[1], "");
   row.point.model = "a \"model\", of mine.csg";
   row.reason = "needs 90 bits, has 72; take \"list\"";
   row.memory_map = {{"Z2", 0, 20}, {"stack", 65, 3}};
   row.simulated_seconds = 0.1;
-  studies::Table<studies::SweepRow>(path, "sweep").add(row);
-  const studies::Table<studies::SweepRow> table(path, "sweep");
-  REQUIRE(table.rows().size() == 1);
-  CHECK(table.rows()[0] == row);
+  CHECK(studies::from_line<studies::SweepRow>(studies::to_line(row)) == row);
   CHECK_THROWS_AS(studies::to_cell(std::string("two\nlines")), InputError);
 }
 
@@ -141,49 +135,6 @@ TEST_CASE("a line of a table that an editor ended with CR LF is refused") {
   const std::string line = studies::to_line(row_of(studies::points_of(small_ranges())[1], "")) + "\r";
   CHECK_THROWS_WITH_AS(studies::from_line<studies::SweepRow>(line),
                        "a line break within the line, maybe of an editor that ends lines with CR LF", InputError);
-}
-
-TEST_CASE("a point counts as measured only for the same model, machine and program, and drawn if it is to be drawn") {
-  const std::filesystem::path path = fresh("sweep_wanted.csv");
-  const studies::SweepPoint point = studies::points_of(small_ranges())[0];
-  studies::Table<studies::SweepRow> table(path, "sweep");
-  table.add(row_of(point, ""));
-  const studies::Inputs inputs = table.rows()[0].inputs;
-  CHECK(table.find(studies::WantedPoint{point, inputs, false}) != nullptr);
-  CHECK(table.find(studies::WantedPoint{point, inputs, true}) == nullptr);
-  for (std::string studies::Inputs::*const input :
-       {&studies::Inputs::model_hash, &studies::Inputs::machine_hash, &studies::Inputs::csgsim}) {
-    studies::Inputs others = inputs;
-    others.*input = "another";
-    CHECK(table.find(studies::WantedPoint{point, others, false}) == nullptr);
-  }
-  table.add(row_of(point, "picture"));
-  CHECK(table.find(studies::WantedPoint{point, inputs, true}) == &table.rows()[1]);
-}
-
-TEST_CASE("rows of wanted points that were measured from other inputs are deleted, and what changed is told") {
-  const std::filesystem::path path = fresh("sweep_stale.csv");
-  const std::vector<studies::SweepPoint> points = studies::points_of(small_ranges());
-  studies::Table<studies::SweepRow> table(path, "sweep");
-  for (const studies::SweepPoint& point : points) table.add(row_of(point, "picture"));
-  studies::Inputs now = table.rows()[0].inputs;
-  const std::vector<studies::WantedPoint> same{{points[0], now, true}};
-  CHECK(table.drop_stale(std::span(same)).empty());
-  CHECK(table.rows().size() == points.size());
-  now.machine_hash = "of an edited file";
-  const std::vector<studies::WantedPoint> other{{points[0], now, true}, {points[2], now, true}};
-  CHECK(table.drop_stale(std::span(other)) == std::set<std::string>{"the machine"});
-  const studies::Table<studies::SweepRow> read(path, "sweep");
-  REQUIRE(read.rows().size() == points.size() - 2);
-  CHECK(read.rows()[0].point == points[1]);
-  CHECK(read.rows()[1].point == points[3]);
-}
-
-TEST_CASE("a table that was cut off in its first lines begins anew") {
-  const std::filesystem::path path = fresh("sweep_cut.csv");
-  std::ofstream(path) << "# swe";
-  CHECK(studies::Table<studies::SweepRow>(path, "sweep").rows().empty());
-  CHECK(studies::Table<studies::SweepRow>(path, "sweep").rows().empty());
 }
 
 TEST_CASE("names of points say what varies") {
@@ -215,54 +166,40 @@ TEST_CASE("pictures are compared within a model, size and z bits, and overflows 
 }
 
 TEST_CASE("points measured in parallel are those measured one by one, with the same picture") {
-  const std::vector<studies::SweepJob> all = jobs();
+  const std::vector<Drawn> all = drawn_points();
   std::vector<studies::SweepRow> rows;
-  studies::measure_all(all, true, 3, [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
+  studies::measure_each(
+      all.size(), 3, [&](std::size_t i) { return measured(all[i], true); },
+      [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
   REQUIRE(rows.size() == all.size());
-  for (const studies::SweepJob& job : all) {
-    const studies::SweepRow expected = studies::measure(job, true);
+  for (const Drawn& one : all) {
+    const studies::SweepRow expected = measured(one, true);
     CHECK(expected.compiled());
     CHECK(expected.clocks > 100);
-    CHECK(expected.pixel_transistors == machines::pixel_transistors(job.machine, expected.used_bits));
-    CHECK(expected.pixel_transistors < machines::pixel_transistors(job.machine, 256));
+    CHECK(expected.pixel_transistors == machines::pixel_transistors(one.job.machine, expected.used_bits));
+    CHECK(expected.pixel_transistors < machines::pixel_transistors(one.job.machine, 256));
     CHECK(expected.picture == rows.front().picture);
     CHECK(std::count(rows.begin(), rows.end(), expected) == 1);
   }
-  CHECK(studies::measure(all.front(), false).picture.empty());
+  CHECK(measured(all.front(), false).picture.empty());
 }
 
 TEST_CASE("the colour of a second buffer takes its bits' transistors, once") {
-  studies::SweepJob job = jobs().front();
-  const studies::SweepRow one = studies::measure(job, false);
-  job.machine = kinds::load("pixel-planes-4+scan_out.buffers=2+array.memory_bits=128");
-  job.machine.array.width = job.machine.array.height = 40;
-  const studies::SweepRow two = studies::measure(job, false);
+  Drawn point = drawn_points().front();
+  const studies::SweepRow one = measured(point, false);
+  point.job.machine = kinds::load("pixel-planes-4+scan_out.buffers=2+array.memory_bits=128");
+  point.job.machine.array.width = point.job.machine.array.height = 40;
+  const studies::SweepRow two = measured(point, false);
   CHECK(two.used_bits == one.used_bits + 24);
-  CHECK(two.pixel_transistors == machines::pixel_transistors(job.machine, one.used_bits + 24));
+  CHECK(two.pixel_transistors == machines::pixel_transistors(point.job.machine, one.used_bits + 24));
 }
 
 TEST_CASE("a point that does not fit says why, and its neighbours are measured") {
-  std::vector<studies::SweepJob> all = jobs();
-  all[1].machine.array.memory_bits = 40;
-  std::size_t compiled = 0;
-  std::string reason;
-  studies::measure_all(all, false, 2, [&](const studies::SweepRow& row) {
-    if (row.compiled()) ++compiled;
-    reason += row.reason;
-  });
-  CHECK(compiled == 2);
-  CHECK(reason.find("memory bits") != std::string::npos);
-}
-
-TEST_CASE("an exception of the receiver ends a sweep and comes out of it") {
-  const std::vector<studies::SweepJob> all = jobs();
-  int calls = 0;
-  const auto fails = [&](const studies::SweepRow&) {
-    ++calls;
-    throw InputError("full");
-  };
-  CHECK_THROWS_AS(studies::measure_all(all, false, 2, fails), InputError);
-  CHECK(calls == 1);
+  std::vector<Drawn> all = drawn_points();
+  all[1].job.machine.array.memory_bits = 40;
+  CHECK(measured(all[0], false).compiled());
+  CHECK(measured(all[1], false).reason.find("memory bits") != std::string::npos);
+  CHECK(measured(all[2], false).compiled());
 }
 
 TEST_CASE("the hash is FNV-1a") {

@@ -19,6 +19,7 @@
 #include "sim/studies/advise/fitted_program.h"
 #include "sim/studies/advise/measure.h"
 #include "sim/studies/advise/plots.h"
+#include "sim/studies/sweep/measure.h"
 #include "sim/studies/table.h"
 
 using namespace csgsim;
@@ -83,14 +84,14 @@ studies::SweepRow swept(const studies::AdviceJob& job, const AdvicePoint& point,
   machines::Machine machine = *std::find_if(job.machines.begin(), job.machines.end(),
                                             [&](const auto& one) { return one.alu_bits == point.alu_bits; });
   machine.array.memory_bits = memory_bits;
-  studies::SweepJob sweep{{}, job.subject, job.camera, job.sampling, machine, job.options, {}};
+  studies::Job sweep{job.subject, job.camera, job.sampling, machine, job.options, {}};
   sweep.sampling.z_bits = point.z_bits;
   sweep.sampling.fraction_bits = point.fraction_bits;
   sweep.options.strategy = named(emit::strategies, point.strategy);
   sweep.options.stack_bits = std::max(point.stack_bits, emit::fewest_stack_bits);
   sweep.options.colouring = named(emit::colourings, point.colouring);
   sweep.options.colour_bits = point.colour_bits;
-  return studies::measure(sweep, true);
+  return studies::measure({}, sweep, true);
 }
 
 /// As csgsim accuracy judges it.

@@ -1,0 +1,135 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "places.h"
+#include "sim/shell/usage.h"
+#include "sim/studies/gather_command.h"
+#include "sim/studies/runner.h"
+#include "tests/studies/collatz.h"
+#include "tests/support/error_of.h"
+
+using namespace csgsim;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr std::array<const studies::StudyRow*, 1> rows{&testing::collatz_row};
+
+/// A folder with numbers in it, in which the study is run.
+class Place {
+ public:
+  explicit Place(const std::string& name) : path_(fs::path(CSGSIM_BINARY_DIR) / "scratch_studies" / name) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+    write("numbers.txt", "27\n6\n97\n1\n");
+  }
+  ~Place() { fs::remove_all(path_); }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+
+  [[nodiscard]] std::string content(const std::string& name) const {
+    std::ifstream file(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  [[nodiscard]] nlohmann::json points(const std::string& file) const {
+    return nlohmann::json::parse(content(file))["points"];
+  }
+
+  /// Runs the command in a line of its own.
+  static void run(const Words& words) {
+    shell::CommandLine line("csgsim: a study that lives here alone", "csgsim");
+    studies::add_study(line, testing::collatz_row);
+    studies::add_gather(line, rows);
+    line.run(words, {});
+  }
+
+  /// Runs the study of the numbers, into the folder.
+  void study(const std::string& folder, const Words& more = {}) const {
+    Words words{"collatz", *this / "numbers.txt", "-o", *this / folder};
+    words.insert(words.end(), more.begin(), more.end());
+    run(words);
+  }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("a study that the house does not know has a table, JSON, plots and a page") {
+  const Place place("whole");
+  place.study("out", {"--addends", "1,3", "--report", place / "page.html"});
+  const std::string table = place.content("out/collatz.csv");
+  CHECK(table.starts_with("# csgsim collatz\nnumber,addend,model_hash,machine_hash,csgsim,clocks,highest,reason\n"));
+  CHECK(std::ranges::count(table, '\n') == 2 + 4 * 2);
+  const nlohmann::json points = place.points("out/collatz.json");
+  REQUIRE(points.size() == 8);
+  CHECK(points[0]["clocks"] == 111);  // of 27, which everybody knows
+  CHECK(points[0]["highest"] == 9232);
+  CHECK(points[2]["number"] == "6");
+  CHECK(points[2]["clocks"] == 8);
+  for (const char* const file : {"out/collatz_steps.png", "out/collatz_steps.svg"})
+    CHECK(place.content(file).size() > 1000);
+  const std::string page = place.content("page.html");
+  for (const char* const part : {"Steps to 1: ", ">clocks<", ">111<"})
+    CHECK(page.find(part) != std::string::npos);
+}
+
+TEST_CASE("a study goes on where it was, and measures anew what was measured from something else") {
+  const Place place("again");
+  place.study("out", {"--no-plots"});
+  const std::string table = place.content("out/collatz.csv");
+  place.write("out/collatz.csv", table.substr(0, table.size() - 5));
+  place.study("out", {"--no-plots"});
+  CHECK(place.content("out/collatz.csv") == table);
+  // Rows are taken as they are, of whatever csgsim wrote them: a number that was changed stays.
+  std::string changed = table;
+  changed.replace(changed.find(",111,"), 5, ",112,");
+  place.write("out/collatz.csv", changed);
+  place.study("out", {"--no-plots", "--addends", "1,3"});
+  CHECK(place.points("out/collatz.json")[0]["clocks"] == 112);
+  place.write("numbers.txt", "27\nzero\n");
+  place.study("out", {"--no-plots"});
+  CHECK(place.points("out/collatz.json")[0]["clocks"] == 111);
+  CHECK(place.points("out/collatz.json")[1]["reason"] == "that is no number from 1 on");
+  CHECK_FALSE(place.points("out/collatz.json")[1].contains("clocks"));
+}
+
+TEST_CASE("shards of a study are gathered to the files of one process, and a missing one is told") {
+  const Place place("shards");
+  place.study("one", {"--addends", "1,3,5", "--no-plots"});
+  for (const char* const shard : {"1/3", "3/3"}) place.study("out", {"--addends", "1,3,5", "--shard", shard});
+  const auto gather = [&] { Place::run({"gather", place / "out", "--no-plots"}); };
+  CHECK(testing::error_of(gather).find("shard 2 of 3 is not done; run csgsim collatz --shard 2/3") !=
+        std::string::npos);
+  place.study("out", {"--addends", "1,3,5", "--shard", "2/3"});
+  gather();
+  for (const char* const file : {"/collatz.csv", "/collatz.json"})
+    CHECK(place.content(std::string("out") + file) == place.content(std::string("one") + file));
+}
+
+TEST_CASE("options of all studies are checked for a study that the house does not know") {
+  const Place place("options");
+  for (const Words& words : {Words{"--addends", "0"}, Words{"--shard", "3/2"}, Words{"--threads", "0"},
+                             Words{"--report", "page.txt"}, Words{"--shard", "1/2", "--report", "page.html"}})
+    CHECK_THROWS_AS(place.study("out", words), shell::UsageError);
+  CHECK_THROWS_AS(Place::run({"collatz", place / "numbers.txt"}), shell::UsageError);  // without -o
+  place.write("numbers.txt", "none\n");
+  CHECK_THROWS_AS(place.study("out", {"--no-plots"}), InputError);
+}

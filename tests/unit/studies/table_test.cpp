@@ -1,0 +1,159 @@
+#include "sim/studies/table.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "places.h"
+
+using namespace csgsim;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Numbers = std::vector<std::size_t>;
+using Rows = std::vector<std::string>;
+
+/// A row of a study of nothing: which point it is, and a number.
+struct TestRow {
+  static constexpr std::size_t point_columns = 2;
+
+  std::string name;
+  std::string value;
+  studies::Inputs inputs{"model", "machine", "0.1.0"};
+  double number = 0;
+};
+
+template <class Row, class Visitor>
+requires std::same_as<std::remove_const_t<Row>, TestRow>
+void visit_columns(Row& row, Visitor&& visit) {
+  visit("name", row.name);
+  visit("value", row.value);
+  visit_columns(row.inputs, visit);
+  visit("number", row.number);
+}
+
+std::string row(const std::string& value, double number, const studies::Inputs& inputs = TestRow().inputs) {
+  return studies::to_line(TestRow{"a, b", value, inputs, number});
+}
+
+studies::Asked asked(const std::string& value, const studies::Inputs& inputs = TestRow().inputs) {
+  return {"\"a, b\"," + value, inputs};
+}
+
+studies::Table table_at(const fs::path& path, const std::string& title = "a study",
+                        studies::Serves serves = studies::serves_all) {
+  return {path, title, studies::format_of<TestRow>(), std::move(serves)};
+}
+
+fs::path fresh(const std::string& name) {
+  fs::path path = fs::path(CSGSIM_BINARY_DIR) / name;
+  fs::remove(path);
+  return path;
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+TEST_CASE("a table goes on where it was interrupted, even in the middle of a line") {
+  const fs::path path = fresh("table_interrupted.csv");
+  table_at(path).add(Rows{row("10/2", 0.1234567890123456789), row("12/2", 2)});
+  std::ofstream(path, std::ios::app) << "\"a, b\",14/2,99";
+  studies::Table table = table_at(path);
+  REQUIRE(table.rows() == Rows{row("10/2", 0.1234567890123456789), row("12/2", 2)});
+  const std::array points{asked("12/2"), asked("14/2")};
+  CHECK(table.missing(points) == Numbers{1});
+  table.add(Rows{row("14/2", 3)});
+  CHECK(table.missing(points).empty());
+  CHECK(table_at(path).rows().size() == 3);
+}
+
+TEST_CASE("a table of another study is refused and kept") {
+  const fs::path path = fresh("table_other.csv");
+  table_at(path, "one study").add(Rows{row("10/2", 1)});
+  const std::string before = content(path);
+  CHECK_THROWS_AS(table_at(path, "another study"), InputError);
+  CHECK(content(path) == before);
+}
+
+TEST_CASE("a table with a broken line says which") {
+  const fs::path path = fresh("table_broken.csv");
+  table_at(path).add(Rows{row("10/2", 1)});
+  std::ofstream(path, std::ios::app) << "a,12/2,model,machine,0.1.0,many\n";
+  try {
+    table_at(path);
+    FAIL("read");
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()).find("table_broken.csv:4:1: 'many'") != std::string::npos);
+  }
+}
+
+TEST_CASE("a table that was cut off in its first lines begins anew") {
+  const fs::path path = fresh("table_cut.csv");
+  std::ofstream(path) << "# a st";
+  CHECK(table_at(path).rows().empty());
+  CHECK(table_at(path).rows().empty());
+}
+
+TEST_CASE("a point counts as measured only for the same model, machine and program, by a row that serves") {
+  const fs::path path = fresh("table_wanted.csv");
+  studies::Table table =
+      table_at(path, "a study", [](std::size_t, const std::string& one) { return one.ends_with(",2"); });
+  table.add(Rows{row("x", 1)});
+  const std::array point{asked("x")};
+  CHECK(table.missing(point) == Numbers{0});
+  table.add(Rows{row("x", 2)});
+  CHECK(table.missing(point).empty());
+  CHECK(table.in_order(point) == Rows{row("x", 2)});
+  CHECK(table.rows() == Rows{row("x", 2)});  // the row that served nobody is gone
+  for (std::string studies::Inputs::*const input :
+       {&studies::Inputs::model_hash, &studies::Inputs::machine_hash, &studies::Inputs::csgsim}) {
+    studies::Inputs others = TestRow().inputs;
+    others.*input = "another";
+    CHECK(table.missing(std::array{asked("x", others)}) == Numbers{0});
+  }
+}
+
+TEST_CASE("rows of wanted points that were measured from other inputs are deleted, and what changed is told") {
+  const fs::path path = fresh("table_stale.csv");
+  studies::Table table = table_at(path);
+  table.add(Rows{row("x", 1), row("y", 2), row("z", 3)});
+  CHECK(table.drop_stale(std::array{asked("x")}, false).empty());
+  CHECK(table.rows().size() == 3);
+  studies::Inputs now = TestRow().inputs;
+  now.machine_hash = "of an edited file";
+  CHECK(table.drop_stale(std::array{asked("x", now), asked("z", now)}, false) == std::set<std::string>{"the machine"});
+  CHECK(table_at(path).rows() == Rows{row("y", 2)});
+  // Where all of a table is of one model on one machine, no row of others stays.
+  now.model_hash = "of another file";
+  CHECK(table.drop_stale(std::array{asked("x", now)}, true) == std::set<std::string>{"the machine", "the model"});
+  CHECK(table_at(path).rows().empty());
+}
+
+TEST_CASE("rows stand in the order of the points asked for, before those of others") {
+  const fs::path path = fresh("table_order.csv");
+  studies::Table table = table_at(path);
+  table.add(Rows{row("other", 0), row("y", 2), row("x", 1)});
+  const std::array points{asked("x"), asked("y")};
+  CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
+  CHECK(table_at(path).rows() == Rows{row("x", 1), row("y", 2), row("other", 0)});
+}
+
+TEST_CASE("a table without a file keeps rows as long as it lives") {
+  studies::Table table(studies::format_of<TestRow>());
+  const std::array points{asked("x"), asked("y")};
+  table.add(Rows{row("y", 2)});
+  CHECK(table.missing(points) == Numbers{0});
+  table.add(Rows{row("x", 1)});
+  CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
+}
