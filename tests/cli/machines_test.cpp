@@ -135,13 +135,14 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
 
 TEST_CASE("compare names the one figure of a machine that is worth most if it is ideal") {
   const Folder folder;
-  const Outcome outcome = run("compare " + model("carburettor") + " --size 32x32 --machines pixel-planes-4 --ideal -o " +
-                              (folder / "c"));
+  const Outcome outcome =
+      run("compare " + model("carburettor") + " --size 32x32 --machines pixel-planes-4 --ideal -o " + (folder / "c"));
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
   std::string best;
   double most = 0;
-  for (const nlohmann::json& point : json(folder / "c/compare.json")["points"]) {
+  const nlohmann::json points = json(folder / "c/compare.json")["points"];
+  for (const nlohmann::json& point : points) {
     const std::string ideal = point["ideal"];
     if (ideal.empty() || ideal == "all" || point["frames_per_second"] <= most) continue;
     best = ideal;

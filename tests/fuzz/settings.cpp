@@ -9,7 +9,7 @@
 #include "sim/shell/settings/settings_file.h"
 #include "tests/fuzz/property.h"
 
-namespace app = csgsim::app;
+namespace shell = csgsim::shell;
 namespace fuzz = csgsim::fuzz;
 
 namespace {

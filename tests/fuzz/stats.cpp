@@ -10,7 +10,7 @@
 #include "sim/shell/version.h"
 #include "tests/fuzz/property.h"
 
-namespace app = csgsim::app;
+namespace shell = csgsim::shell;
 namespace fuzz = csgsim::fuzz;
 
 std::string shell::version_and_build() { return "0.1.0 fuzz"; }

@@ -159,9 +159,25 @@ report::Table worth_table(const report::Json& data) {
     table.rows.push_back(
         {report::cell(data, at + "/machine"), is_plain ? report::Cell{"as it is"} : report::cell(data, at + "/ideal"),
          report::cell(data, at + "/clocks"), report::cell(data, at + "/seconds"),
-         is_plain || as_it_is == 0 ? report::Cell{} : report::share(as_it_is - point["seconds"].get<double>(), as_it_is)});
+         is_plain || as_it_is == 0 ? report::Cell{}
+                                   : report::share(as_it_is - point["seconds"].get<double>(), as_it_is)});
   }
   return table;
+}
+
+/// Pictures of the same size and facets have to be the same on every machine: one that is not, or nothing.
+std::string difference_of(Rows rows) {
+  for (const ComparisonRow& row : rows) {
+    const auto first = std::ranges::find_if(rows, [&](const ComparisonRow& other) {
+      return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
+             other.point.fragments == row.point.fragments;
+    });
+    if (row.drawn() && first->picture != row.picture) {
+      return fmt::format("{} draws {}x{} pixels otherwise than {}", row.point.machine, row.point.width,
+                         row.point.height, first->point.machine);
+    }
+  }
+  return "";
 }
 
 class Compare : public StudyOf<ComparisonRow> {
@@ -177,8 +193,7 @@ class Compare : public StudyOf<ComparisonRow> {
                 "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
                 "empty for the model's own only")
         .check(is_read_by(fragments_of));
-    command
-        .option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; empty for one size only")
+    command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; empty for one size only")
         .check(is_read_by(sides_of));
     command.flag(
         "--ideal", options_.ideal,
@@ -213,6 +228,8 @@ class Compare : public StudyOf<ComparisonRow> {
   void print() const override {
     options_.ideal ? print_ideal_rows(rows()) : print_rows(rows());
     print_compare_words(rows());
+    if (std::ranges::any_of(rows(), &ComparisonRow::drawn) && difference_of(rows()).empty())
+      fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
@@ -235,20 +252,10 @@ class Compare : public StudyOf<ComparisonRow> {
     return {{"Idealisations", {worth_table(data)}}};
   }
 
-  /// Pictures of the same size and facets have to be the same on every machine.
   void refuse() const override {
-    for (const ComparisonRow& row : rows()) {
-      const auto first = std::ranges::find_if(rows(), [&](const ComparisonRow& other) {
-        return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
-               other.point.fragments == row.point.fragments;
-      });
-      if (row.drawn() && first->picture != row.picture) {
-        throw InputError(fmt::format("{} draws {}x{} pixels otherwise than {}; {}", row.point.machine, row.point.width,
-                                     row.point.height, first->point.machine, whose_fault(are_read())));
-      }
-    }
     if (std::ranges::none_of(rows(), &ComparisonRow::drawn)) throw InputError(rows().front().reason);
-    fmt::print("\nPictures of the same size and facets are the same on all machines, byte for byte.\n");
+    if (const std::string difference = difference_of(rows()); !difference.empty())
+      throw InputError(difference + "; " + whose_fault(are_read()));
   }
 
  protected:
