@@ -168,13 +168,14 @@ demo() {
   echo "  functional.json, cycle.json            every count"
 }
 
-# Puts the tables that csgsim bench makes between the marks of the page.
+# Puts the tables that csgsim_bench makes between the marks of the page.
 performance() {
   # shellcheck disable=SC2086
-  need $build_packages gnuplot-nox openscad povray xvfb xauth
-  build release -DCSGSIM_BUILD_TESTS=OFF
+  need $build_packages $test_packages openscad povray xvfb xauth
+  cmake --preset release -DCSGSIM_BUILD_TESTS=ON
+  cmake --build --preset release --target csgsim_bench csgsim_pictures_module csgsim_text_module
   out=build/performance
-  xvfb-run -a build/release/csgsim bench tests/models/carburettor.csg tests/models/terrain_vehicle.csg --rounds 3 -o "$out"
+  xvfb-run -a build/release/csgsim_bench measure tests/models/carburettor.csg tests/models/terrain_vehicle.csg --rounds 3 -o "$out"
   awk -v tables="$out/bench.md" '
     /^<!-- end/ { skipping = 0 }
     !skipping { print }

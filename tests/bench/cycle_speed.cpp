@@ -16,9 +16,9 @@
 #include "hw/array/pixel_array.h"
 #include "hw/array/sequencer.h"
 #include "hw/pixel_planes/kind.h"
-#include "sim/bench/dense_loop.h"
 #include "sim/engine/engine.h"
 #include "tests/bench/typical_mix.h"
+#include "tests/performance/dense_loop.h"
 
 namespace csgsim::bench {
 

@@ -106,7 +106,7 @@ const std::set<std::string> alone{"point", "tolerances", "without-a", "without-b
 std::string sample(const std::string& command, const Key& key) {
   const auto found = samples.find(key.name);
   const bool is_text = key.value.starts_with('"');
-  if ((command == "bench" || command == "levels") && key.name == "levels") return "\"cycle\"";
+  if (command == "levels" && key.name == "levels") return "\"cycle\"";
   if (found != samples.end()) {
     const bool needs_quotes = is_text && !found->second.starts_with('"');
     return needs_quotes ? "\"" + found->second + "\"" : found->second;

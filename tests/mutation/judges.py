@@ -51,7 +51,6 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/debug": ["debug", "cli"],
     "sim/judges": ["judges", "hard_cases", "studies"],
     "sim/plots": ["plots", "studies"],
-    "sim/bench": ["bench", "cli"],
     "sim/pictures": ["pictures", "observe", "picture_faults"],
     "sim/report": ["report", "cli"],
     "sim/observe": ["observe", "long_work", "report", "cli"],

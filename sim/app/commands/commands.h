@@ -20,7 +20,6 @@ using namespace shell;  // in whose words commands are written
   COMMAND(subdivide)             \
   COMMAND(effects)               \
   COMMAND(levels)                \
-  COMMAND(bench)                 \
   COMMAND(machines)              \
   COMMAND(isa)                   \
   COMMAND(scene)

@@ -127,11 +127,11 @@ constexpr std::string_view studies = "Studies";
 constexpr std::string_view manuals = "Manuals";
 
 constexpr auto commands = std::to_array<CommandSubject>({
-    {drawing, "render"},  {drawing, "compile"}, {drawing, "run"},       {drawing, "rerun"},  {drawing, "disasm"},
-    {looking, "debug"},   {looking, "diff"},    {looking, "explain"},   {looking, "wave"},   {studies, "accuracy"},
-    {studies, "sweep"},   {studies, "advise"},  {studies, "compare"},   {studies, "corpus"}, {studies, "gather"},
-    {studies, "effects"}, {studies, "levels"},  {studies, "subdivide"}, {studies, "bench"},  {manuals, "machines"},
-    {manuals, "isa"},     {manuals, "scene"},
+    {drawing, "render"},  {drawing, "compile"}, {drawing, "run"},       {drawing, "rerun"},    {drawing, "disasm"},
+    {looking, "debug"},   {looking, "diff"},    {looking, "explain"},   {looking, "wave"},     {studies, "accuracy"},
+    {studies, "sweep"},   {studies, "advise"},  {studies, "compare"},   {studies, "corpus"},   {studies, "gather"},
+    {studies, "effects"}, {studies, "levels"},  {studies, "subdivide"}, {manuals, "machines"}, {manuals, "isa"},
+    {manuals, "scene"},
 });
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sim/bench/rounds.h"
+#include "tests/performance/rounds.h"
 
 #include <doctest/doctest.h>
 
@@ -15,10 +15,10 @@
 #include "host/read/read.h"
 #include "host/view/camera.h"
 #include "hw/base/error.h"
-#include "sim/bench/povray.h"
-#include "sim/bench/process.h"
-#include "sim/bench/report.h"
-#include "sim/bench/subjects.h"
+#include "tests/performance/povray.h"
+#include "tests/performance/process.h"
+#include "tests/performance/report.h"
+#include "tests/performance/subjects.h"
 
 using namespace csgsim;
 

@@ -1,4 +1,4 @@
-#include "sim/bench/rounds.h"
+#include "tests/performance/rounds.h"
 
 #include <algorithm>
 #include <chrono>

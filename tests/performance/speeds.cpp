@@ -1,5 +1,5 @@
-#include "sim/bench/process.h"
-#include "sim/bench/runs.h"
+#include "tests/performance/process.h"
+#include "tests/performance/runs.h"
 
 namespace csgsim::bench {
 

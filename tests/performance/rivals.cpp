@@ -7,9 +7,9 @@
 #include "host/view/camera.h"
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
-#include "sim/bench/povray.h"
-#include "sim/bench/process.h"
-#include "sim/bench/runs.h"
+#include "tests/performance/povray.h"
+#include "tests/performance/process.h"
+#include "tests/performance/runs.h"
 
 namespace csgsim::bench {
 

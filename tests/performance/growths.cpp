@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <thread>
 
-#include "sim/bench/process.h"
-#include "sim/bench/runs.h"
-#include "sim/bench/subjects.h"
+#include "tests/performance/process.h"
+#include "tests/performance/runs.h"
+#include "tests/performance/subjects.h"
 
 namespace csgsim::bench {
 

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hw/base/text.h"
-#include "sim/bench/report.h"
+#include "tests/performance/report.h"
 
 namespace csgsim::bench {
 

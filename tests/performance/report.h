@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/bench/bench.h"
 #include "sim/plots/plot.h"
+#include "tests/performance/bench.h"
 
 namespace csgsim::bench {
 

@@ -1,5 +1,3 @@
-#include "sim/bench/bench.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +8,9 @@
 #include <string_view>
 
 #include "hw/base/error.h"
+#include "hw/base/messages.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
-#include "sim/app/commands/commands.h"
-#include "sim/bench/report.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/machine_list.h"
 #include "sim/shell/numbers.h"
@@ -21,8 +18,12 @@
 #include "sim/shell/paths.h"
 #include "sim/shell/run_options.h"
 #include "sim/studies/folder.h"
+#include "tests/performance/bench.h"
+#include "tests/performance/report.h"
 
-namespace csgsim::app {
+namespace csgsim::bench {
+
+using namespace shell;
 
 namespace {
 
@@ -43,14 +44,14 @@ struct Options {
 /// A part of the measurement, and where its results go.
 struct Part {
   std::string_view name;
-  void (*measure)(const bench::Settings& settings, bench::Results& results);
+  void (*measure)(const Settings& settings, Results& results);
 };
 
 constexpr std::array parts{
-    Part{"speed", [](const auto& settings, auto& results) { results.speeds = bench::measure_speeds(settings); }},
-    Part{"dense", [](const auto& settings, auto& results) { results.dense = bench::measure_dense(settings); }},
-    Part{"rivals", [](const auto& settings, auto& results) { results.rivals = bench::measure_rivals(settings); }},
-    Part{"growth", [](const auto& settings, auto& results) { results.growths = bench::measure_growths(settings); }},
+    Part{"speed", [](const auto& settings, auto& results) { results.speeds = measure_speeds(settings); }},
+    Part{"dense", [](const auto& settings, auto& results) { results.dense = measure_dense(settings); }},
+    Part{"rivals", [](const auto& settings, auto& results) { results.rivals = measure_rivals(settings); }},
+    Part{"growth", [](const auto& settings, auto& results) { results.growths = measure_growths(settings); }},
 };
 
 std::vector<std::string> levels_of(const std::string& text) { return parse_names(text, "level", level_names()); }
@@ -66,8 +67,8 @@ std::vector<std::string> parts_of(const std::string& text) { return parse_names(
 
 void check_size(const std::string& text) { numbers<std::uint32_t>(text, 'x', 2, "--size", "WxH, as in 512x512"); }
 
-bench::Settings settings_of(const Options& options, const std::filesystem::path& folder) {
-  return {.csgsim = std::filesystem::read_symlink("/proc/self/exe"),
+Settings settings_of(const Options& options, const std::filesystem::path& folder) {
+  return {.csgsim = std::filesystem::read_symlink("/proc/self/exe").replace_filename("csgsim"),
           .folder = folder,
           .models = {options.models.begin(), options.models.end()},
           .machines = parse_words(options.machines),
@@ -76,8 +77,8 @@ bench::Settings settings_of(const Options& options, const std::filesystem::path&
           .rounds = {options.rounds, options.seconds}};
 }
 
-bench::Results measure(const bench::Settings& settings, const std::string& asked) {
-  bench::Results results{bench::this_build(), settings, {}, {}, {}, {}};
+Results measure(const Settings& settings, const std::string& asked) {
+  Results results{this_build(), settings, {}, {}, {}, {}};
   for (const std::string& name : parts_of(asked))
     std::ranges::find(parts, name, &Part::name)->measure(settings, results);
   return results;
@@ -88,24 +89,24 @@ void run(const Options& options) {
   const std::vector<std::filesystem::path> inputs =
       input_files({options.models.begin(), options.models.end()}, parse_words(options.machines));
   const studies::StudyFolder folder(options.folder, "bench", inputs);
-  const bench::Results results = measure(settings_of(options, folder.path()), options.parts);
-  const std::string tables = bench::to_tables(results);
-  write_file(folder.path() / "bench.json", bench::to_json(results).dump(2) + "\n");
+  const Results results = measure(settings_of(options, folder.path()), options.parts);
+  const std::string tables = to_tables(results);
+  write_file(folder.path() / "bench.json", to_json(results).dump(2) + "\n");
   write_file(folder.path() / "bench.md", tables);
-  if (!options.no_plots) bench::draw_growths(results);
+  if (!options.no_plots) draw_growths(results);
   fmt::print("{}{}: bench.json, bench.md{}\n", tables, printable(folder.path().native()),
              options.no_plots || results.growths.empty() ? "" : ", and plots (.png, .svg) of the growth");
 }
 
 }  // namespace
 
-void add_bench(CommandLine& line) {
+void describe(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command command =
-      line.add("bench", "Measure the simulator's own speed, in ratios: on this computer, of this build",
-               "Example:\n  csgsim bench carburettor.csg -o figures\n"
-               "  csgsim bench --machines pixel-planes-4 --parts speed,dense --rounds 9\n"
-               "  xvfb-run -a csgsim bench carburettor.csg --parts rivals\n"
+      line.add("measure", "Measure csgsim's own speed, in ratios: on this computer, of this build",
+               "Example:\n  csgsim_bench measure carburettor.csg -o figures\n"
+               "  csgsim_bench measure --machines pixel-planes-4 --parts speed,dense --rounds 9\n"
+               "  xvfb-run -a csgsim_bench measure carburettor.csg --parts rivals\n"
                "Beside the models that are named it draws a grid of 64 cubes and a drilled sphere of 482 half-spaces.");
   command.option("MODEL", options->models, "Models, OpenSCAD .csg files (not sources); none: the generated ones only");
   command.option("--machines", options->machines, "List of machines, by name or .toml file");
@@ -129,4 +130,22 @@ void add_bench(CommandLine& line) {
   command.runs([options] { run(*options); });
 }
 
-}  // namespace csgsim::app
+}  // namespace csgsim::bench
+
+/// Measures how fast the csgsim is that stands beside this program.
+int main(int argc, char** argv) {
+  constexpr int bad_input = 1;
+  constexpr int bad_usage = 2;
+  try {
+    csgsim::shell::CommandLine line("csgsim_bench: how fast csgsim itself is", "csgsim_bench");
+    csgsim::bench::describe(line);
+    line.run({argv, static_cast<std::size_t>(argc)});
+    return 0;
+  } catch (const csgsim::shell::UsageError& error) {
+    csgsim::tell_line("csgsim_bench: " + std::string(error.what()));
+    return bad_usage;
+  } catch (const std::exception& error) {
+    csgsim::tell_line(error.what());
+    return bad_input;
+  }
+}

@@ -1,4 +1,4 @@
-#include "sim/bench/process.h"
+#include "tests/performance/process.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

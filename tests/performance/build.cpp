@@ -1,4 +1,4 @@
-#include "sim/bench/build.h"
+#include "tests/performance/build.h"
 
 #include <hwy/highway.h>
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/bench/build.h"
-#include "sim/bench/rounds.h"
+#include "tests/performance/build.h"
+#include "tests/performance/rounds.h"
 
 namespace csgsim::bench {
 

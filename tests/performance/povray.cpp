@@ -1,4 +1,4 @@
-#include "sim/bench/povray.h"
+#include "tests/performance/povray.h"
 
 #include <fmt/format.h>
 

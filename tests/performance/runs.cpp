@@ -1,4 +1,4 @@
-#include "sim/bench/runs.h"
+#include "tests/performance/runs.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
-#include "sim/bench/process.h"
-#include "sim/bench/subjects.h"
+#include "tests/performance/process.h"
+#include "tests/performance/subjects.h"
 
 namespace csgsim::bench {
 

@@ -2,9 +2,9 @@
 #include <chrono>
 
 #include "hw/isa/program_file.h"
-#include "sim/bench/dense_loop.h"
-#include "sim/bench/process.h"
-#include "sim/bench/runs.h"
+#include "tests/performance/dense_loop.h"
+#include "tests/performance/process.h"
+#include "tests/performance/runs.h"
 
 namespace csgsim::bench {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "sim/bench/report.h"
 #include "sim/plots/gnuplot.h"
+#include "tests/performance/report.h"
 
 namespace csgsim::bench {
 

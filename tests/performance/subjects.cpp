@@ -1,4 +1,4 @@
-#include "sim/bench/subjects.h"
+#include "tests/performance/subjects.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "hw/base/text.h"
-#include "sim/bench/report.h"
+#include "tests/performance/report.h"
 
 namespace csgsim::bench {
 
@@ -33,7 +33,7 @@ std::string dense(const Results& results) {
   if (results.dense.empty()) return {};
   std::string text =
       "## The clocked engine and a plain dense loop\n\nThe same Program of Pixel-planes; the loop is "
-      "`sim/bench/dense_loop.cpp`.\n\n"
+      "`tests/performance/dense_loop.cpp`.\n\n"
       "| model | clocks | clocked ms | dense loop ms | clocked / dense |\n|---|--:|--:|--:|--:|\n";
   for (const DensePair& row : results.dense) {
     text += fmt::format("| {} | {} | {} | {} | {} |\n", printable(row.model), row.clocks, milliseconds(row.clocked),

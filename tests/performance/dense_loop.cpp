@@ -1,4 +1,4 @@
-#include "sim/bench/dense_loop.h"
+#include "tests/performance/dense_loop.h"
 
 #include <algorithm>
 #include <utility>

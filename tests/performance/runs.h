@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/bench/bench.h"
+#include "tests/performance/bench.h"
 
 namespace csgsim::bench {
 
