@@ -138,7 +138,7 @@ std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
   return text + "take --memory-bits " + std::to_string(total_bits(needs));
 }
 
-/// Whose place has a member of the layout by the name of the request, if it is one of quadrics.
+/// The member of the layout that keeps the place of a request, where quadrics have one for it.
 isa::Field* quadric_field(Layout& layout, std::string_view name) {
   if (name == sum_name) return &layout.sum;
   if (name == root_name) return &layout.root;

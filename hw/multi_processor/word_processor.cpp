@@ -133,9 +133,9 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
   }
 }
 
-/// A field with the root, of so many bits, of all but its top bit, over what is left: a bit of the root after another.
-/// Each trial takes two bits more to the remainder, puts together what to subtract or to add, adds, and looks at the
-/// sign.
+/// The square root of a number of twice as many bits, and the remainder below it. The root is found bit by bit from the
+/// top: each trial brings two bits down to the remainder, puts together what to add or to subtract, adds, and looks at
+/// the sign.
 std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
   const std::uint64_t radicand = field & ((std::uint64_t{1} << (2 * bits)) - 1);
   std::int64_t remainder = 0;

@@ -158,7 +158,7 @@
       light(primitive);
       price.replaceChildren();
       if (primitive < 0) {
-        price.append(make('p', {class: 'note'}, 'Click on the picture, or choose a primitive in the table: here stands what it costs.'));
+        price.append(make('p', {class: 'note'}, 'Click on the picture, or choose a primitive in the table, to see here what it costs.'));
         return;
       }
       const row = rows.get(primitive);

@@ -69,18 +69,8 @@ Option& Option::within(Range&& range, Number low, Number high) {
   return *this;
 }
 
-Option& Option::comma_list() {
-  option_->delimiter(',');
-  return *this;
-}
-
 Option& Option::excludes(const std::string& other) {
   option_->excludes(other);
-  return *this;
-}
-
-Option& Option::hidden() {
-  option_->group(hidden_group);
   return *this;
 }
 

@@ -54,14 +54,8 @@ class Option {
   Option& between(int low, int high);
   Option& between(unsigned low, unsigned high);
 
-  /// Several values may be one word, with commas.
-  Option& comma_list();
-
   /// One may not be given with the other.
   Option& excludes(const std::string& other);
-
-  /// It works, but help does not show it.
-  Option& hidden();
 
  private:
   template <class Range, class Number>

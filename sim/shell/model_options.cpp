@@ -118,12 +118,6 @@ void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
 
 Work work_of(const ModelOptions& options) { return Work(options.limit * std::uint64_t{1'000'000}); }
 
-std::string said_pruning(const ModelOptions& options) {
-  if (options.without.empty()) return options.pruning;
-  if (options.pruning != "all") throw UsageError("--without", "is the older way to say --pruning; take one of them");
-  return pruning_without(options.without);
-}
-
 }  // namespace
 
 const ModelOptions::LoadedScene& ModelOptions::loaded_scene() const {
@@ -182,10 +176,6 @@ void ModelOptions::add_to(Command& command, const std::string& what) {
       .option("--pruning", pruning,
               "Prunings that are done: all, none, those named (space+hidden) or all but those (no-space+no-hidden)")
       .words(pruning_words(), check_pruning);
-  command.option("--without", without, "Prunings to leave out, with commas")
-      .comma_list()
-      .one_of(left_out_words(), "pruning")
-      .hidden();
 }
 
 void ModelOptions::add_view_to(Command& command) {
@@ -254,7 +244,7 @@ emit::Options emit_options_of(const ModelOptions& options) {
   emit.colour_bits = options.colour_bits;
   emit.scene = options.scene();
   emit.effects = effects::all();
-  emit.pruning = pruning_of(said_pruning(options));
+  emit.pruning = pruning_of(options.pruning);
   emit.work = work_of(options);
   return emit;
 }

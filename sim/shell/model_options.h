@@ -59,8 +59,7 @@ struct ModelOptions {
   unsigned stack_bits = emit::fewest_stack_bits;
   std::string colouring = "rebroadcast";
   unsigned colour_bits = isa::most_colour_bits;
-  std::string pruning = "all";       ///< see pruning_of
-  std::vector<std::string> without;  ///< prunings that are left out, in place of `pruning`
+  std::string pruning = "all";  ///< see pruning_of
 
   void add_to(Command& command,
               const std::string& what = "The model, an OpenSCAD .csg file (- is standard input), or its source, .scad");

@@ -91,18 +91,4 @@ std::vector<std::string> pruning_words() {
   return words;
 }
 
-std::vector<std::string> left_out_words() {
-  std::vector<std::string> words{"all"};
-  for (const NamedPruning& one : named) words.emplace_back(one.name);
-  return words;
-}
-
-std::string pruning_without(const std::vector<std::string>& names) {
-  if (std::ranges::find(names, "all") != names.end()) return "none";
-  std::string text;
-  for (const std::string& name : names)
-    text += (text.empty() ? "" : std::string(1, joint)) + std::string(left_out) + name;
-  return text.empty() ? "all" : text;
-}
-
 }  // namespace csgsim::shell

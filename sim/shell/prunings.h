@@ -20,8 +20,4 @@ std::vector<std::string> prunings_of(const std::string& text);
 /// The words that such a text is made of.
 std::vector<std::string> pruning_words();
 
-/// The older way to say it: names of those that are left out, or `all`.
-std::vector<std::string> left_out_words();
-std::string pruning_without(const std::vector<std::string>& left_out);
-
 }  // namespace csgsim::shell

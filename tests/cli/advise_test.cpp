@@ -47,7 +47,7 @@ TEST_CASE("the commands that advise recommends draw with the bits, clocks and wr
   const Folder folder;
   const nlohmann::json all = advice(narrow +
                                         "--projection perspective --alu-bits 1,4 --edge-on 0.01 --view-all "
-                                        "--set lights.0.direction=0,0.5,-1 --without near,hidden --max-bits 80 "
+                                        "--set lights.0.direction=0,0.5,-1 --pruning no-near+no-hidden --max-bits 80 "
                                         "--max-wrong-pixels 40 --min-colour-bits 15 --min-fps 30",
                                     folder);
   REQUIRE(all.size() == 4);

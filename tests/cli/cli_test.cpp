@@ -152,8 +152,8 @@ TEST_CASE("strategy, colouring, prunings and threads change counts, not pictures
   const std::string draw = "render " + model("old_example002") + " --size 90x70 --memory-bits 100 ";
   REQUIRE(run(draw + "-o " + (folder / "p.png")).code == 0);
   for (const std::string options : {"--strategy list", "--strategy bits --stack-bits 3", "--strategy products",
-                                    "--strategy parallel", "--strategy auto", "--colouring field", "--without all",
-                                    "--without early-out", "--without space,hidden --threads 3"}) {
+                                    "--strategy parallel", "--strategy auto", "--colouring field", "--pruning none",
+                                    "--pruning no-early-out", "--pruning no-space+no-hidden --threads 3"}) {
     CAPTURE(options);
     CHECK(run(draw + options + " -o " + (folder / "q.png") + " --stats " + (folder / "s.json")).code == 0);
     CHECK(content(folder / "q.png") == content(folder / "p.png"));
@@ -173,7 +173,7 @@ TEST_CASE("early out is asked for where the machine has a global OR, and runs no
   const std::string compile = "compile " + model("old_example002") + " --size 60x50 -o ";
   REQUIRE(run(compile + (folder / "asks.csgt")).code == 0);
   REQUIRE(run(compile + (folder / "deaf.csgt") + " --machine " + (folder / "deaf.toml")).code == 0);
-  REQUIRE(run(compile + (folder / "mute.csgt") + " --without early-out").code == 0);
+  REQUIRE(run(compile + (folder / "mute.csgt") + " --pruning no-early-out").code == 0);
   CHECK(run("disasm " + (folder / "asks.csgt")).out.find("skip_if_none") != std::string::npos);
   CHECK(run("disasm " + (folder / "deaf.csgt")).out.find("skip_if_none") == std::string::npos);
   const auto without_machine = [&](const std::string& name) {

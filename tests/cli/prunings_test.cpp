@@ -18,11 +18,9 @@ std::string compiled(const std::string& options) {
 
 }  // namespace
 
-TEST_CASE("--pruning says what is done or what is not, and the older --without still works") {
+TEST_CASE("--pruning says what is done or what is not") {
   CHECK(compiled("--pruning all") == compiled(""));
-  CHECK(compiled("--pruning none") == compiled("--without all"));
   CHECK(compiled("--pruning none") != compiled(""));
-  CHECK(compiled("--pruning no-hidden+no-sets+no-early-out") == compiled("--without hidden,sets,early-out"));
   CHECK(compiled("--pruning space+picture+separation+halfspaces+near") ==
         compiled("--pruning no-hidden+no-sets+no-early-out"));
   CHECK(compiled("--pruning early-out") != compiled("--pruning none"));
@@ -32,8 +30,6 @@ TEST_CASE("prunings that make no sense together are refused") {
   misused("render m.csg --pruning space+no-sets", "says both what is done and what is not");
   misused("render m.csg --pruning space+", "there is no pruning ''");
   misused("render m.csg --pruning no-spice", "did you mean no-space?");
-  misused("render " + model("old_example002") + " --pruning none --without sets",
-          "--without: is the older way to say --pruning; take one of them");
 }
 
 TEST_CASE("a sweep and a comparison of two runs say prunings by the same words") {
@@ -46,6 +42,5 @@ TEST_CASE("a sweep and a comparison of two runs say prunings by the same words")
   REQUIRE(points.size() == 4);
   CHECK(points[2]["pruning"] == "no-sets+no-hidden");
   const Outcome diff = run("diff " + part + "--pruning-b none --no-stories");
-  CHECK(diff.out == run("diff " + part + "--without-b all --no-stories").out);
   CHECK(diff.out.find("another instruction") != std::string::npos);
 }

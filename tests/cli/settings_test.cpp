@@ -72,9 +72,6 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"level", "\"reference\""},
                                                  {"level-a", "\"reference\""},
                                                  {"level-b", "\"reference\""},
-                                                 {"without", "[\"hidden\", \"sets\"]"},
-                                                 {"without-a", "[\"hidden\", \"sets\"]"},
-                                                 {"without-b", "[\"hidden\", \"sets\"]"},
                                                  {"pruning", "\"none\""},
                                                  {"strategy-a", "\"list\""},
                                                  {"strategy-b", "\"list\""},
@@ -101,7 +98,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"parts", "\"speed\""}};
 
 /// Options that stand in place of others, which they exclude.
-const std::set<std::string> alone{"point", "tolerances", "without-a", "without-b"};
+const std::set<std::string> alone{"point", "tolerances"};
 
 std::string sample(const std::string& command, const Key& key) {
   const auto found = samples.find(key.name);
@@ -295,11 +292,11 @@ TEST_CASE("a settings file draws what the command line draws, with files of its 
   write(folder / "job/look.toml", "[ambient]\nintensity = 0.6\n");
   write(folder / "job/run.toml",
         "model = 'm.csg'\nmachine = 'mine.toml'\nscene = 'look.toml'\noutput = 'p.png'\nstats = 's.json'\n"
-        "size = '40x30'\ncamera = [65, -95, 60, 0, 0, -2.5]\nwithout = ['hidden', 'sets']\nset = ['cells.words=6']\n");
+        "size = '40x30'\ncamera = [65, -95, 60, 0, 0, -2.5]\npruning = 'no-hidden+no-sets'\nset = ['cells.words=6']\n");
   REQUIRE(run_words({"render", "--config", "job/run.toml"}, folder.path()).code == 0);
   REQUIRE(run_words({"render", "job/m.csg", "--machine", "job/mine.toml", "--scene", "job/look.toml", "-o", "q.png",
-                     "--stats", "q.json", "--size", "40x30", "--camera", "65,-95,60,0,0,-2.5", "--without",
-                     "hidden,sets", "--set", "cells.words=6"},
+                     "--stats", "q.json", "--size", "40x30", "--camera", "65,-95,60,0,0,-2.5", "--pruning",
+                     "no-hidden+no-sets", "--set", "cells.words=6"},
                     folder.path())
               .code == 0);
   CHECK(content(folder / "job/p.png") == content(folder / "q.png"));

@@ -27,7 +27,7 @@ const std::string two_cubes =
 
 Words study(const std::string& command) {
   if (command == "sweep") return {"sweep", "a.csg", "b.csg", "--size=24x20", "--z-bits", "16,20", "--threads", "2"};
-  if (command == "accuracy") return {"accuracy", "a.csg", "--size", "8x8", "--views", "1", "--without", "hidden,near"};
+  if (command == "accuracy") return {"accuracy", "a.csg", "--size", "8x8", "--views", "1", "--pruning", "no-hidden+no-near"};
   return {"compare", "a.csg", "--camera", "-20,-30,25,0,0,0", "--sides", "16,24", "--fragments", "5,8"};
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("a shard's command is the same again whatever its words are") {
   const Words compare{"compare",     "--camera=-20,-30,25,0,0,0",
                       "--sides",     "",
                       "--fragments", "5",
-                      "--without",   "near",
+                      "--pruning",   "no-near",
                       "--set",       "background.colour=1,0,0",
                       "--set",       "lights.0.direction=0,0,-1",
                       "--machines",  "scan-line"};

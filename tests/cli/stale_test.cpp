@@ -118,7 +118,7 @@ TEST_CASE("every option that changes what a study measures makes it another stud
                                                {"--strategy", "list"},
                                                {"--colouring", "field"},
                                                {"--colour-bits", "12"},
-                                               {"--without", "hidden"},
+                                               {"--pruning", "no-hidden"},
                                                {"--view-all"},
                                                {"--projection", "perspective"},
                                                {"--camera", "20,-30,25,0,0,0"}}) {
@@ -140,7 +140,7 @@ TEST_CASE("the strategy and the prunings that accuracy is given are those it mea
   std::vector<std::string> words = words_of("accuracy");
   REQUIRE(run_words(words, folder.path()).code == 0);
   const nlohmann::json usual = points(folder, "accuracy");
-  words.insert(words.end(), {"--without", "all"});
+  words.insert(words.end(), {"--pruning", "none"});
   words[5] = "unpruned";
   REQUIRE(run_words(words, folder.path()).code == 0);
   const nlohmann::json unpruned = json(folder / "unpruned/accuracy.json")["points"];

@@ -39,7 +39,6 @@ struct SideOptions {
   std::string level = "functional";
   std::string strategy;
   std::string pruning;
-  std::vector<std::string> without;  ///< in place of `pruning`
   std::vector<std::string> sets;
 };
 
@@ -63,10 +62,7 @@ ModelOptions options_of(const ModelOptions& both, const SideOptions& side) {
   options.model = side.subject;
   if (!side.machine.empty()) options.machine = side.machine;
   if (!side.strategy.empty()) options.strategy = side.strategy;
-  if (!side.pruning.empty() || !side.without.empty()) {
-    options.pruning = side.without.empty() ? side.pruning : pruning_without(side.without);
-    options.without.clear();
-  }
+  if (!side.pruning.empty()) options.pruning = side.pruning;
   options.sets.insert(options.sets.end(), side.sets.begin(), side.sets.end());
   return options;
 }
@@ -85,8 +81,7 @@ void refuse_misuse(const Options& options, const Command& command) {
   for (const auto& [side, is_one, letter] : {std::tuple(&options.a, is_model_a, "a"), {&options.b, is_model_b, "b"}}) {
     if (is_one) continue;
     for (const auto& [name, is_given] : {std::pair("strategy", !side->strategy.empty()),
-                                         {"pruning", !side->pruning.empty()},
-                                         {"without", !side->without.empty()}}) {
+                                         {"pruning", !side->pruning.empty()}}) {
       if (is_given)
         throw UsageError(fmt::format("--{}-{}", name, letter), "is for models; a Program has been compiled already");
     }
@@ -227,11 +222,6 @@ void add_side(Command& command, SideOptions& side, const std::string& letter) {
       .one_of(strategy_names(), "strategy");
   command.option("--pruning-" + letter, side.pruning, "Prunings that are done for " + name + ", if they are others")
       .words(pruning_words(), check_pruning);
-  command.option("--without-" + letter, side.without, "Prunings left out for " + name)
-      .comma_list()
-      .one_of(left_out_words(), "pruning")
-      .excludes("--pruning-" + letter)
-      .hidden();
   command.option("--set-" + letter, side.sets,
                  "A figure of the machine of " + name + ", or a key of its scene; once for each");
 }

@@ -126,11 +126,19 @@ constexpr std::string_view looking = "Looking into a run";
 constexpr std::string_view studies = "Studies";
 constexpr std::string_view manuals = "Manuals";
 
+/// All other commands are studies.
 constexpr auto commands = std::to_array<CommandSubject>({
-    {drawing, "render"},  {drawing, "compile"}, {drawing, "run"},       {drawing, "rerun"},    {drawing, "disasm"},
-    {looking, "debug"},   {looking, "diff"},    {looking, "explain"},   {looking, "wave"},     {studies, "accuracy"},
-    {studies, "sweep"},   {studies, "advise"},  {studies, "compare"},   {studies, "corpus"},   {studies, "gather"},
-    {studies, "effects"}, {studies, "levels"},  {studies, "subdivide"}, {manuals, "machines"}, {manuals, "isa"},
+    {drawing, "render"},
+    {drawing, "compile"},
+    {drawing, "run"},
+    {drawing, "rerun"},
+    {drawing, "disasm"},
+    {looking, "debug"},
+    {looking, "diff"},
+    {looking, "explain"},
+    {looking, "wave"},
+    {manuals, "machines"},
+    {manuals, "isa"},
     {manuals, "scene"},
 });
 
@@ -147,7 +155,7 @@ int place_of_subject(std::string_view subject) {
 
 std::string_view subject_of_command(std::string_view command) {
   const auto* const found = std::ranges::find(commands, command, &CommandSubject::command);
-  return found == commands.end() ? std::string_view("Further commands") : found->subject;
+  return found == commands.end() ? studies : found->subject;
 }
 
 }  // namespace csgsim::shell
