@@ -173,7 +173,7 @@ Json knobs_json(std::span<const Knob> knobs) {
 }
 
 /// 0 where a frame takes no time.
-double frames_a_second(const Report& report) {
+double frames_per_second(const Report& report) {
   const std::uint64_t interval = report.result.interval_clocks;
   return interval == 0 ? 0 : static_cast<double>(report.machine.clock_hz) / static_cast<double>(interval);
 }
@@ -198,7 +198,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["interval_clocks"] = report.result.interval_clocks;
   json["frame_seconds"] =
       static_cast<double>(report.result.shown_clocks) / static_cast<double>(report.machine.clock_hz);
-  json["frames_a_second"] = frames_a_second(report);
+  json["frames_per_second"] = frames_per_second(report);
   json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
   json["instructions"] = instructions_json(report);
   json["pixel_operations"] = pixel_operations(report.stats.total);

@@ -36,7 +36,7 @@ Table summary(const Json& data) {
       {"clocks from one frame to the next", "/interval_clocks"},
       {"seconds until it is drawn", "/simulated_seconds"},
       {"seconds until it is shown", "/frame_seconds"},
-      {"frames a second", "/frames_a_second"},
+      {"frames a second", "/frames_per_second"},
       {"instructions carried out", "/instructions/total"},
       {"instructions skipped", "/instructions/skipped"},
       {"scan-conversions, rendered", "/scan_conversions/rendered"},

@@ -32,7 +32,7 @@ constexpr report::PointColumn words[] = {
     {"pieces", "pieces"},
     {"halfspaces", "half-spaces"},
     {"clocks", "clocks"},
-    {"seconds", "seconds of drawing"},
+    {"simulated_seconds", "seconds of drawing"},
     {"frames_per_second", "frames a second"},
     {"bound_by", "bound by"},
     {"setup", "setup"},

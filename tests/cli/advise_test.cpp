@@ -26,10 +26,10 @@ void check_command(const nlohmann::json& recommended, const Folder& folder) {
   REQUIRE(outcome.code == 0);
   const nlohmann::json stats = json(folder / "p.json");
   const nlohmann::json& point = recommended["point"];
-  CHECK(stats["memory_bits"]["used"] == point["memory_bits"]);
+  CHECK(stats["memory_bits"]["used"] == point["used_bits"]);
   CHECK(stats["clocks"] == point["clocks"]);
   CHECK(stats["interval_clocks"] == point["interval_clocks"]);
-  CHECK(stats["frames_a_second"].get<double>() == doctest::Approx(point["frames_per_second"].get<double>()));
+  CHECK(stats["frames_per_second"].get<double>() == doctest::Approx(point["frames_per_second"].get<double>()));
   CHECK(stats["accuracy"]["wrong_pixels"] == point["wrong"]);
 }
 

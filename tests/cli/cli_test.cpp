@@ -31,7 +31,7 @@ TEST_CASE("the stats have the keys that the documentation lists, and their accou
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
   CHECK(keys == std::vector<std::string>{"account",          "bound_by",        "by_effect",     "by_primitive",
                                          "by_purpose",       "clocks",          "configuration", "dearest_primitives",
-                                         "depth_tests",      "effects",         "frame_seconds", "frames_a_second",
+                                         "depth_tests",      "effects",         "frame_seconds", "frames_per_second",
                                          "instructions",     "interval_clocks", "knobs",         "level",
                                          "machine",          "memory_bits",     "model",         "pixel_operations",
                                          "scan_conversions", "segments",        "shown_clocks",  "simulated_seconds",

@@ -83,7 +83,7 @@ TEST_CASE("a point of a corpus is what render counts for it") {
     const nlohmann::json stats = json(folder / "s.json");
     CHECK(point["clocks"] == stats["clocks"]);
     CHECK(point["interval_clocks"] == stats["interval_clocks"]);
-    CHECK(point["frames_per_second"] == stats["frames_a_second"]);
+    CHECK(point["frames_per_second"] == stats["frames_per_second"]);
     CHECK(point["pixel_operations"] == stats["pixel_operations"]["total"]);
     CHECK(point["halfspaces"] == stats["model"]["halfspaces"]);
     CHECK(point["pieces"] == stats["model"]["pieces"]);

@@ -40,7 +40,7 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
   CHECK(counted[0]["halfspaces"] < 100);
   CHECK(counted[1]["halfspaces"] == 2038);
   const Outcome sweep =
-      run("sweep " + carburettor + "--strategy stack,list --machine " + machines + " --no-plots -o " + (folder / "s"));
+      run("sweep " + carburettor + "--strategy stack,list --machines " + machines + " --no-plots -o " + (folder / "s"));
   REQUIRE(sweep.code == 0);
   CHECK(sweep.out.find("All pictures of a model with the same size, z bits and surfaces") != std::string::npos);
   const auto points = json(folder / "s/sweep.json")["points"];
@@ -48,7 +48,7 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
   CHECK(points[0]["picture"] == points[1]["picture"]);
   CHECK(points[2]["picture"] == points[3]["picture"]);
   CHECK(points[0]["picture"] != points[2]["picture"]);
-  const Outcome exact = run("sweep " + carburettor + "--curves exact --strategy stack --machine " + machines +
+  const Outcome exact = run("sweep " + carburettor + "--curves exact --strategy stack --machines " + machines +
                             " --no-plots -o " + (folder / "e"));
   REQUIRE(exact.code == 0);
   const auto one_of_two = json(folder / "e/sweep.json")["points"];
@@ -86,7 +86,7 @@ TEST_CASE("compare, which draws the same facets on all machines, has no option f
 TEST_CASE("subdivide counts quadrics among the half-spaces as render does") {
   const Folder folder;
   const std::string machine = " --machine pixel-square+evaluator.degree=2+divider.kind=host+array.memory_bits=128";
-  REQUIRE(run("subdivide " + carburettor + machine + " --levels 2 -o " + (folder / "s.json")).code == 0);
+  REQUIRE(run("subdivide " + carburettor + machine + " --subdivisions 2 -o " + (folder / "s.json")).code == 0);
   REQUIRE(run("render " + carburettor + machine + " --stats " + (folder / "r.json")).code == 0);
   CHECK(json(folder / "s.json")[0]["halfspaces"] == json(folder / "r.json")["model"]["halfspaces"]);
 }

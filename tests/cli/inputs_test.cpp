@@ -39,9 +39,9 @@ TEST_CASE("no command writes over what it reads, by whatever name") {
            {"render", "m.csg", "--stats", "m.csg"},
            {"render", "m.csg", "--stats", "link.json"},
            {"render", "m.csg", "--machine", "mine.toml", "--stats", "hard.json"},
-           {"subdivide", "m.csg", "--levels", "0", "-o", "link.json"},
+           {"subdivide", "m.csg", "--subdivisions", "0", "-o", "link.json"},
            {"sweep", "m.csg", "--strategy", "stack", "-o", "out"},
-           {"sweep", "m.csg", "--strategy", "stack", "--machine", "mine.toml", "-o", "."},
+           {"sweep", "m.csg", "--strategy", "stack", "--machines", "mine.toml", "-o", "."},
            {"disasm", "p.csgt", "-o", "p.csgt"},
            {"run", "p.csgt", "--stats", "p.csgt"},
            {"wave", "p.csgt", "--probe", "1,1", "-o", "hard.vcd"}}) {
@@ -142,7 +142,7 @@ TEST_CASE(
            {"compile", "twisted.csg", "-o", "t.csgt", "--size", "16x16"},
            {"render", "twisted.csg", "--size", "16x16"},
            {"explain", "twisted.csg", "--pixel", "8,8", "--size", "16x16"},
-           {"subdivide", "twisted.csg", "--levels", "0", "--size", "16x16"},
+           {"subdivide", "twisted.csg", "--subdivisions", "0", "--size", "16x16"},
            {"sweep", "twisted.csg", "--strategy", "stack", "-o", "out", "--size", "16x16"}}) {
     CAPTURE(words[0]);
     words.insert(words.end(), {"--limit", "1"});

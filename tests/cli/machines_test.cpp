@@ -155,7 +155,7 @@ TEST_CASE("compare names the one figure of a machine that is worth most if it is
 TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-spaces, less each level") {
   const Folder folder;
   const Outcome outcome = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                              (folder / "s.json") + " --levels 2,4,6");
+                              (folder / "s.json") + " --subdivisions 2,4,6");
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
   const nlohmann::json columns = json(folder / "s.json");
@@ -170,7 +170,7 @@ TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-
   }
   // The subsegments of four levels are the segments of eight.
   const Outcome eight = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                            (folder / "e.json") + " --levels 8 --machine pixel-planes-5");
+                            (folder / "e.json") + " --subdivisions 8 --machine pixel-planes-5");
   REQUIRE(eight.code == 0);
   CHECK(json(folder / "e.json")[0]["segments"]["kept_halfspaces_mean"] ==
         columns[1]["subsegments"]["kept_halfspaces_mean"]);
@@ -181,12 +181,12 @@ TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up
   const Folder folder;
   const std::string options = model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128";
   const Outcome outcome =
-      run("subdivide " + options + " --machine multi-processor --levels 4,6 -o " + (folder / "m.json"));
+      run("subdivide " + options + " --machine multi-processor --subdivisions 4,6 -o " + (folder / "m.json"));
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
   CHECK(outcome.out.find("89.7       102.5       139.7") != std::string::npos);
   const nlohmann::json columns = json(folder / "m.json");
-  REQUIRE(run("subdivide " + options + " --levels 4,6 -o " + (folder / "s.json")).code == 0);
+  REQUIRE(run("subdivide " + options + " --subdivisions 4,6 -o " + (folder / "s.json")).code == 0);
   const nlohmann::json squares = json(folder / "s.json");
   for (std::size_t i = 0; i < 2; ++i) {
     const nlohmann::json& stages = columns[i]["stages"];

@@ -86,7 +86,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"openscad-time", "60"},
                                                  {"tolerance", "\"0.5px\""},
                                                  {"tolerances", "\"0.5,1\""},
-                                                 {"levels", "\"4\""},
+                                                 {"subdivisions", "\"4\""},
                                                  {"sides", "\"64\""},
                                                  {"fragments", "\"12\""},
                                                  {"stack-bits", "5"},

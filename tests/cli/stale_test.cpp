@@ -37,7 +37,7 @@ std::vector<std::string> words_of(const std::string& command) {
   if (command == "compare")
     words.insert(words.end(), {"--machines", "mine.toml", "--sides", "", "--fragments", ""});
   else
-    words.insert(words.end(), {"--machine", "mine.toml"});
+    words.insert(words.end(), {command == "sweep" ? "--machines" : "--machine", "mine.toml"});
   if (command == "sweep") words.insert(words.end(), {"--strategy", "stack,list"});
   if (command == "advise")
     words.insert(words.end(), {"--strategy", "stack,list", "--z-bits", "16", "--fraction-bits", "6"});

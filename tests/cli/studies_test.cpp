@@ -186,7 +186,7 @@ TEST_CASE("ranges and names that make no sense are refused before anything is do
   misused(sweep + "--colouring red", "rebroadcast");
   misused(sweep + "--threads 0", "--threads");
   misused("sweep -o " + (folder / "s"), "MODEL");
-  CHECK(run(sweep + "--machine pixel-plane-4").err.find("pixel-planes-4") != std::string::npos);
+  CHECK(run(sweep + "--machines pixel-plane-4").err.find("pixel-planes-4") != std::string::npos);
   CHECK(folder.files() == 0);
 }
 

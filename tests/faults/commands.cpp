@@ -53,7 +53,7 @@ const std::vector<Command>& commands() {
       {"disasm", "disasm" + trace + " -o OUT/p.txt", {"p.txt"}, "", 0, 8},
       {"explain", "explain" + trace + " --pixel 200,300 --json OUT/e.json", {"e.json"}, "", 0, 8},
       {"wave", "wave" + small_model + " --probe 1,1 --window 0:1000 -o OUT/w.vcd", {"w.vcd", "w.gtkw"}, "", 0, 8},
-      {"subdivide", "subdivide" + small_model + " --levels 1 -o OUT/s.json", {"s.json"}, "", 0, 8},
+      {"subdivide", "subdivide" + small_model + " --subdivisions 1 -o OUT/s.json", {"s.json"}, "", 0, 8},
       {"accuracy", accuracy, {"accuracy.json"}, "accuracy.csv", 0, 3},
       {"accuracy going on", accuracy, {"accuracy.json"}, "accuracy.csv", 73, 8},
       {"advise", advise + " --no-plots", {"advise.json"}, "advise.csv", 0, 4},

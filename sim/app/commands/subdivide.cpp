@@ -206,7 +206,7 @@ nlohmann::ordered_json to_json(const studies::Stages& stages) {
 nlohmann::ordered_json to_json(const std::vector<Column>& columns) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Column& column : columns) {
-    nlohmann::ordered_json one{{"levels", column.levels}};
+    nlohmann::ordered_json one{{"subdivisions", column.levels}};
     if (column.tolerance) one["tolerance"] = *column.tolerance;
     one["primitives"] = column.primitives;
     one["halfspaces"] = column.halfspaces;
@@ -258,12 +258,12 @@ void add_subdivide(CommandLine& line) {
   Command command = line.add(
       "subdivide", "Show what subdividing the picture leaves to do in each square",
       "Example:\n  csgsim subdivide carburettor.csg --size 256x256 --camera 220,-255,135,2,0,5\n"
-      "  csgsim subdivide carburettor.csg --size 256x256 --levels 6 --tolerances 0.2,0.05,0.01\n"
+      "  csgsim subdivide carburettor.csg --size 256x256 --subdivisions 6 --tolerances 0.2,0.05,0.01\n"
       "Levels are binary subdivisions of the picture into segments; each has 4 x 4 subsegments. On a machine of\n"
       "kind multi-processor they are its own segments, with a subsegment a node, and the times of its stages\n"
       "stand beside the thesis's.");
   options->model.add_to(command);
-  command.option("--levels", options->levels, "Numbers: levels of binary subdivision, 0 to 20")
+  command.option("--subdivisions", options->levels, "Numbers: levels of binary subdivision, 0 to 20")
       .check(is_read_by(levels_of));
   command
       .option("--tolerances", options->tolerances,

@@ -78,6 +78,7 @@ constexpr auto options = std::to_array<OptionSubject>({
     {varied, "fragments", "LIST"},
     {varied, "sides", "LIST"},
     {varied, "levels", ""},
+    {varied, "subdivisions", ""},
     {varied, "tolerances", "LIST"},
     {varied, "parts", ""},
     {varied, "rounds", ""},

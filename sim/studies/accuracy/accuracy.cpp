@@ -39,7 +39,7 @@ struct Options {
 
 void print_row(const Measurement& row) {
   fmt::print("{:<14}{:>12}{:>12}{:>9}{:>8}{:>9}{:>9}{:>13.2e}{:>10.2f}{:>11}{:>13.2e}{:>9.3f}\n", row.knob, row.value,
-             row.clocks, row.halfspaces, row.memory_bits, row.wrong, row.unexplained, row.depth_p999,
+             row.clocks, row.halfspaces, row.used_bits, row.wrong, row.unexplained, row.depth_p999,
              row.depth_p999_steps, row.facet_wrong, row.facet_depth_p999, row.picture_difference);
 }
 
@@ -94,8 +94,8 @@ bool names_knob(const Options& options, const std::string& knob) {
 }
 
 /// Those that can be drawn; none if that is facets alone, unless they are asked for. Says what is left out, and why.
-std::vector<CurvesChoice> curves_of(const Options& options, const machines::Machine& machine,
-                                           const model::Tree& tree, const view::Camera& camera) {
+std::vector<CurvesChoice> curves_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
+                                    const view::Camera& camera) {
   const emit::Options emit = emit_options_of(options.model);
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
   std::vector<CurvesChoice> possible;
@@ -116,7 +116,7 @@ std::vector<CurvesChoice> curves_of(const Options& options, const machines::Mach
 }
 
 Knobs knobs_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
-                      const facet::Scene& scene, const view::Camera& camera) {
+               const facet::Scene& scene, const view::Camera& camera) {
   Knobs knobs;
   if (!options.knobs.empty()) knobs.names = parse_words(options.knobs);
   knobs.tolerances = options.tolerances.empty() ? usual_tolerances(glm::length(scene.box.high - scene.box.low))
@@ -131,8 +131,7 @@ class Accuracy : public StudyOf<Measurement> {
   void add_options(Command& command) override {
     options_.model.add_to(command);
     command.remove("--memory-bits");  // what is needed is one of the results
-    command
-        .option("--views", options_.views, "Views that a point is measured in: the camera turned about the vertical")
+    command.option("--views", options_.views, "Views that a point is measured in: the camera turned about the vertical")
         .between(1, 64);
     command.option("--knobs", options_.knobs, "Which knobs are turned; all if not given").list_of(knob_names(), "knob");
     command
@@ -157,11 +156,13 @@ class Accuracy : public StudyOf<Measurement> {
     if (scene.box.empty()) throw InputError(options_.model.model + ": nothing in it to measure; every solid is empty");
     const view::Camera camera = camera_of(options_.model, machine_, tree_, scene);
     refuse_see_through(options_.model, tree_, camera);
-    points_ = points(sampling_of(options_.model, machine_), faceting, knobs_of(options_, machine_, tree_, scene, camera));
+    points_ =
+        points(sampling_of(options_.model, machine_), faceting, knobs_of(options_, machine_, tree_, scene, camera));
     // Small pictures cannot be divided as often: some sizes are the same.
     std::set<std::string> known;
     std::erase_if(points_, [&](const Settings& point) { return !known.insert(cells_of(point)).second; });
-    meter_ = std::make_unique<Meter>(tree_, turned_views(camera, options_.views), machine_, emit_options_of(options_.model));
+    meter_ =
+        std::make_unique<Meter>(tree_, turned_views(camera, options_.views), machine_, emit_options_of(options_.model));
     std::vector<Asked> asked;
     for (const Settings& point : points_) asked.push_back({cells_of(point), inputs});
     inputs_ = inputs;
@@ -179,9 +180,7 @@ class Accuracy : public StudyOf<Measurement> {
   }
 
   [[nodiscard]] std::string page_title() const override { return "What accuracy costs"; }
-  [[nodiscard]] PageSubject page_subject() const override {
-    return {options_.model, {machine_of(options_.model)}};
-  }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_.model, {machine_of(options_.model)}}; }
 
  protected:
   [[nodiscard]] Measurement measured(std::size_t point) override {

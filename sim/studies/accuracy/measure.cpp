@@ -168,7 +168,7 @@ Measurement Meter::measure(const Settings& settings) {
     const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
     sum.clocks += drawn.clocks;
     sum.halfspaces = std::max(sum.halfspaces, drawn.program.facts.model.halfspaces);
-    sum.memory_bits = std::max(sum.memory_bits, sim::used_memory_bits(drawn.program));
+    sum.used_bits = std::max(sum.used_bits, sim::used_memory_bits(drawn.program));
     sum.covered += errors.covered;
     sum.wrong += errors.wrong();
     sum.wrong_silhouette += errors.silhouette;

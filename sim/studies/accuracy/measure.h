@@ -15,8 +15,8 @@
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/machines/machine.h"
-#include "sim/studies/inputs.h"
 #include "sim/studies/accuracy/settings.h"
+#include "sim/studies/inputs.h"
 
 namespace csgsim::studies {
 
@@ -30,7 +30,7 @@ struct Measurement {
   std::uint64_t clocks = 0;
   double simulated_seconds = 0;
   std::uint64_t halfspaces = 0;
-  std::uint32_t memory_bits = 0;
+  std::uint32_t used_bits = 0;
   std::uint64_t covered = 0;           ///< pixels
   std::uint64_t wrong = 0;             ///< pixels that differ from the exact picture of the same half-spaces
   std::uint64_t wrong_silhouette = 0;  ///< of these, seen in one of the pictures only
@@ -57,7 +57,7 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("clocks", row.clocks);
   visit("simulated_seconds", row.simulated_seconds);
   visit("halfspaces", row.halfspaces);
-  visit("memory_bits", row.memory_bits);
+  visit("used_bits", row.used_bits);
   visit("covered", row.covered);
   visit("wrong", row.wrong);
   visit("wrong_silhouette", row.wrong_silhouette);

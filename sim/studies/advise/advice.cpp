@@ -35,13 +35,13 @@ unsigned colour_loss(const AdviceRow& row) { return std::numeric_limits<unsigned
 
 /// Is the first nowhere worse?
 bool covers(const AdviceRow& a, const AdviceRow& b) {
-  return a.memory_bits <= b.memory_bits && a.wrong <= b.wrong && colour_loss(a) <= colour_loss(b) &&
+  return a.used_bits <= b.used_bits && a.wrong <= b.wrong && colour_loss(a) <= colour_loss(b) &&
          a.point.alu_bits <= b.point.alu_bits && pace(a) <= pace(b);
 }
 
 /// The order of equals: what is cheaper to build, then what is faster, then what is more right.
 auto cost(const AdviceRow& row) {
-  return std::tuple(row.memory_bits, row.point.alu_bits, row.interval_clocks, row.clocks, row.wrong, colour_loss(row));
+  return std::tuple(row.used_bits, row.point.alu_bits, row.interval_clocks, row.clocks, row.wrong, colour_loss(row));
 }
 
 bool is_better(Wish wish, const AdviceRow& a, const AdviceRow& b) {
@@ -112,7 +112,7 @@ std::string strategy_name(const AdvicePoint& point) {
 double miss(const AdviceRow& row, Wish wish, const Wishes& wishes) {
   const double limit = wished(wish, wishes);
   switch (wish) {
-    case Wish::bits: return std::max(0.0, static_cast<double>(row.memory_bits) - limit);
+    case Wish::bits: return std::max(0.0, static_cast<double>(row.used_bits) - limit);
     case Wish::wrong_pixels: return std::max(0.0, static_cast<double>(row.wrong) - limit);
     case Wish::speed: return std::max(0.0, limit - row.frames_per_second);
     case Wish::colour: return std::max(0.0, limit - static_cast<double>(row.point.colour_bits));

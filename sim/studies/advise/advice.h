@@ -58,7 +58,7 @@ struct AdviceRow {
   AdvicePoint point;
   Inputs inputs;
   std::string reason;
-  std::uint32_t memory_bits = 0;          ///< a pixel, in all; the machine has just as many
+  std::uint32_t used_bits = 0;            ///< a pixel, in all; the machine has just as many
   std::uint32_t classification_bits = 0;  ///< of these, that the classification uses
   std::uint64_t clocks = 0;               ///< until the picture is drawn, latency included
   std::uint64_t interval_clocks = 0;      ///< from one frame to the next
@@ -89,7 +89,7 @@ requires std::same_as<std::remove_const_t<Row>, AdviceRow>
 void visit_columns(Row& row, Visitor&& visit) {
   visit_columns(row.point, visit);
   visit_columns(row.inputs, visit);
-  visit("memory_bits", row.memory_bits);
+  visit("used_bits", row.used_bits);
   visit("classification_bits", row.classification_bits);
   visit("clocks", row.clocks);
   visit("interval_clocks", row.interval_clocks);

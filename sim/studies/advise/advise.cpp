@@ -72,7 +72,7 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Adv
   return pictures;
 }
 
-constexpr report::PointColumn advise_columns[] = {{"memory_bits", "memory bits"},
+constexpr report::PointColumn advise_columns[] = {{"used_bits", "bits in all"},
                                                   {"z_bits", "z bits"},
                                                   {"fraction_bits", "fraction bits"},
                                                   {"colour_bits", "colour bits"},

@@ -177,7 +177,7 @@ class Family {
 
   void count(const Fitted& fitted, AdviceRow& row) {
     const machines::FrameTiming timing = timer_.time(fitted.program, fitted.machine);
-    row.memory_bits = fitted.machine.array.memory_bits;
+    row.used_bits = fitted.machine.array.memory_bits;
     row.classification_bits = fitted.program.facts.compile.stack_bits;
     row.clocks = timing.clocks;
     row.interval_clocks = timing.interval_clocks;

@@ -169,9 +169,9 @@ std::string render_command(const AdviseOptions& options, const Command& command,
   std::string text = "csgsim render " + shell_word(options.model.model) + given_words(options, command);
   const std::string machine = machine_name(options, point.alu_bits);
   if (machine != ModelOptions().machine) text += words_of("machine", machine);
-  text += fmt::format(" --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {} --strategy {}",
-                      row.memory_bits, point.z_bits, point.fraction_bits, point.colour_bits, point.colouring,
-                      point.strategy);
+  text +=
+      fmt::format(" --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {} --strategy {}",
+                  row.used_bits, point.z_bits, point.fraction_bits, point.colour_bits, point.colouring, point.strategy);
   if (point.stack_bits > 0) text += fmt::format(" --stack-bits {}", point.stack_bits);
   return text + " --check" + words_of("output", picture);
 }
@@ -180,7 +180,7 @@ report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, c
   const AdvicePoint& point = row.point;
   ModelOptions model = options.model;
   model.machine = machine_name(options, point.alu_bits);
-  model.memory_bits = row.memory_bits;
+  model.memory_bits = row.used_bits;
   model.z_bits = point.z_bits;
   model.fraction_bits = point.fraction_bits;
   model.colour_bits = point.colour_bits;

@@ -34,8 +34,8 @@ std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t most_
   std::vector<Step> steps;
   for (const AdviceRow& row : front) {
     if (row.wrong > most_wrong || (!steps.empty() && row.frames_per_second <= steps.back().fps)) continue;
-    if (!steps.empty() && steps.back().bits == row.memory_bits) steps.pop_back();
-    steps.push_back({row.memory_bits, row.frames_per_second});
+    if (!steps.empty() && steps.back().bits == row.used_bits) steps.pop_back();
+    steps.push_back({row.used_bits, row.frames_per_second});
   }
   return steps;
 }
@@ -70,7 +70,7 @@ void add_recommendations(std::span<const Recommendation> all, plots::Chart& char
   plots::Series series{"recommended", 0, plots::Trace::marks};
   for (const Recommendation& one : all) {
     series.points.push_back(
-        {static_cast<double>(one.row.memory_bits), one.row.frames_per_second, recommendation_name(one.wish)});
+        {static_cast<double>(one.row.used_bits), one.row.frames_per_second, recommendation_name(one.wish)});
   }
   if (!series.points.empty()) chart.series.push_back(std::move(series));
 }

@@ -45,7 +45,7 @@ std::string wish_text(Wish wish, const Wishes& wishes) {
 /// What is best by the wish.
 std::string value_text(Wish wish, const AdviceRow& row) {
   switch (wish) {
-    case Wish::bits: return fmt::format("{} a pixel", counted(row.memory_bits, "bit"));
+    case Wish::bits: return fmt::format("{} a pixel", counted(row.used_bits, "bit"));
     case Wish::wrong_pixels: return counted(row.wrong, "wrong pixel");
     case Wish::speed: return fmt::format("{:.2f} frames a second", row.frames_per_second);
     case Wish::colour: return fmt::format("{} of colour", counted(row.point.colour_bits, "bit"));
@@ -72,7 +72,7 @@ std::string colours_text(const Wishes& wishes) {
 
 void print_row(const AdviceRow& row, bool has_alu, bool meets) {
   const AdvicePoint& point = row.point;
-  fmt::print("{:>5}{:>5}{:>6}{:>8}{:>7}  {:<10}{:<13}", row.memory_bits, point.z_bits, point.fraction_bits,
+  fmt::print("{:>5}{:>5}{:>6}{:>8}{:>7}  {:<10}{:<13}", row.used_bits, point.z_bits, point.fraction_bits,
              point.colour_bits, row.colour_error, strategy_name(point), point.colouring);
   if (has_alu) fmt::print("{:>4}", point.alu_bits);
   fmt::print("{:>12}{:>10.2f}{:>9}{}\n", grouped(row.clocks), row.frames_per_second, grouped(row.wrong),

@@ -113,7 +113,7 @@ void print_row(const ComparisonRow& row, std::size_t width) {
     return;
   }
   fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
-             grouped(row.clocks), row.seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations),
+             grouped(row.clocks), row.simulated_seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations),
              grouped(row.processors), grouped(row.processor_clocks), grouped(row.memory_bits),
              row.transistors ? grouped(*row.transistors) : "-", 100.0 * row.utilisation);
 }
@@ -130,9 +130,9 @@ void print_ideal_rows(Rows rows) {
       fmt::print("  {}\n", row.reason);
       continue;
     }
-    fmt::print("{:>13}{:>11.2f}{:>9.1f}", grouped(row.clocks), row.seconds * 1e3, row.frames_per_second);
+    fmt::print("{:>13}{:>11.2f}{:>9.1f}", grouped(row.clocks), row.simulated_seconds * 1e3, row.frames_per_second);
     if (as_it_is != nullptr && as_it_is->drawn())
-      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.seconds / as_it_is->seconds));
+      fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_it_is->simulated_seconds));
     fmt::print("\n");
   }
 }
@@ -155,12 +155,12 @@ report::Table worth_table(const report::Json& data) {
     if (!report::is_measured(point)) continue;
     const std::string at = "/points/" + std::to_string(i);
     const bool is_plain = point["ideal"].get<std::string>().empty();
-    if (is_plain) as_it_is = point["seconds"].get<double>();
+    if (is_plain) as_it_is = point["simulated_seconds"].get<double>();
     table.rows.push_back(
         {report::cell(data, at + "/machine"), is_plain ? report::Cell{"as it is"} : report::cell(data, at + "/ideal"),
-         report::cell(data, at + "/clocks"), report::cell(data, at + "/seconds"),
+         report::cell(data, at + "/clocks"), report::cell(data, at + "/simulated_seconds"),
          is_plain || as_it_is == 0 ? report::Cell{}
-                                   : report::share(as_it_is - point["seconds"].get<double>(), as_it_is)});
+                                   : report::share(as_it_is - point["simulated_seconds"].get<double>(), as_it_is)});
   }
   return table;
 }

@@ -12,8 +12,8 @@
 #include "sim/observe/bound.h"
 #include "sim/observe/dearest.h"
 #include "sim/observe/frame.h"
-#include "sim/observe/stats.h"
 #include "sim/observe/frame_hash.h"
+#include "sim/observe/stats.h"
 
 namespace csgsim::studies {
 
@@ -46,7 +46,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
   if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
   row.clocks = result.clocks;
-  row.seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
+  row.simulated_seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
   row.shown_clocks = result.shown_clocks;
   row.frames_per_second = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
   row.pixel_operations = stats.stats().total.pixel_operations;

@@ -43,7 +43,7 @@ struct ComparisonRow {
   std::uint64_t drawn_segments = 0;    ///< of these, those that something touches
   std::uint64_t instructions = 0;      ///< in all segments
   std::uint64_t clocks = 0;            ///< in which a frame is drawn
-  double seconds = 0;                  ///< these, at the machine's clock rate
+  double simulated_seconds = 0;        ///< these, at the machine's clock rate
   std::uint64_t shown_clocks = 0;      ///< until its last pixel has been shown
   double frames_per_second = 0;        ///< in a sequence of such frames
   std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
@@ -85,7 +85,7 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("drawn_segments", row.drawn_segments);
   visit("instructions", row.instructions);
   visit("clocks", row.clocks);
-  visit("seconds", row.seconds);
+  visit("simulated_seconds", row.simulated_seconds);
   visit("shown_clocks", row.shown_clocks);
   visit("frames_per_second", row.frames_per_second);
   visit("pixel_operations", row.pixel_operations);

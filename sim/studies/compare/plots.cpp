@@ -34,7 +34,7 @@ constexpr View views[] = {
      [](const ComparisonRow& row) { return static_cast<double>(row.point.width) * row.point.height; }},
 };
 
-double drawing_ms(const ComparisonRow& row) { return row.seconds * 1e3; }
+double drawing_ms(const ComparisonRow& row) { return row.simulated_seconds * 1e3; }
 
 /// Drawing, showing and all else that has to be done before the next frame is: infinite where it is not known.
 double interval_ms(const ComparisonRow& row) { return 1e3 / row.frames_per_second; }

@@ -82,7 +82,7 @@ class Sweep : public StudyOf<SweepRow> {
     return input_files(options_.models, parse_words(options_.machines));
   }
   [[nodiscard]] std::set<std::string> varied() const override {
-    return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machine", "memory-bits", "no-draw"};
+    return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machines", "memory-bits", "no-draw"};
   }
 
   std::vector<Asked> ask() override {

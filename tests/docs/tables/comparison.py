@@ -16,7 +16,7 @@ def at_full_size(points, machine):
 
 def machine_row(machine, each):
     pace = each.frames_per_second
-    return row(f"`{machine}`", f"{each.clocks:,}", f"{each.seconds * 1e3:,.2f}", f"{pace:.{1 if pace >= 0.5 else 2}f}",
+    return row(f"`{machine}`", f"{each.clocks:,}", f"{each.simulated_seconds * 1e3:,.2f}", f"{pace:.{1 if pace >= 0.5 else 2}f}",
                four_digits(each.pixel_operations), f"{each.processors:,}", four_digits(each.processor_clocks),
                f"{each.memory_bits:,}", f"{100 * each.utilisation:.1f} %")
 

@@ -3,7 +3,7 @@
 from figures import ruled
 
 SIZE = "--size 256x256"
-TOLERANCES = "--levels 6 --tolerances 0.11,0.06,0.0278"
+TOLERANCES = "--subdivisions 6 --tolerances 0.11,0.06,0.0278"
 HOST = "--machine pixel-square+divider.kind=host"
 NODES = "--machine multi-processor"
 
@@ -109,6 +109,6 @@ def node_figures(figures):
               ("3 × 3 nodes", "+nodes.rows=3+nodes.columns=3"), ("`display.divides_ahead` 1", "+display.divides_ahead=1"))
     rows = []
     for name, changes in varied:
-        points = figures.subdivide("carburettor", f"{SIZE} {NODES}{changes} --levels 6")
+        points = figures.subdivide("carburettor", f"{SIZE} {NODES}{changes} --subdivisions 6")
         rows.append((name, f"{points[0].stages.seconds.total:.2f}"))
     return ruled(("figure", ""), rows)

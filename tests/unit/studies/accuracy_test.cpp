@@ -196,7 +196,7 @@ TEST_CASE("a line of a comparison has a cell for each thing that a point takes, 
   row.pixel_transistors = number++;
   row.transistors = number++;
   for (double studies::ComparisonRow::*const fraction :
-       {&studies::ComparisonRow::seconds, &studies::ComparisonRow::frames_per_second,
+       {&studies::ComparisonRow::simulated_seconds, &studies::ComparisonRow::frames_per_second,
         &studies::ComparisonRow::utilisation, &studies::ComparisonRow::bound_share})
     row.*fraction = static_cast<double>(number++);
   row.bound_by = "a part";

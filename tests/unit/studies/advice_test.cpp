@@ -40,7 +40,7 @@ AdviceRow row(std::uint32_t bits, std::uint64_t wrong, std::uint64_t interval, u
               unsigned alu_bits = 1) {
   AdviceRow one;
   one.point = {16, 6, colour_bits, "rebroadcast", "stack", 0, alu_bits};
-  one.memory_bits = bits;
+  one.used_bits = bits;
   one.wrong = wrong;
   one.interval_clocks = interval;
   one.clocks = interval / 2;
@@ -107,8 +107,8 @@ std::uint64_t judged(const studies::AdviceJob& job, const AdvicePoint& point) {
 bool beats_or_equals(const AdviceRow& a, const AdviceRow& b) {
   const bool is_as_fast =
       a.interval_clocks < b.interval_clocks || (a.interval_clocks == b.interval_clocks && a.clocks <= b.clocks);
-  return a.memory_bits <= b.memory_bits && a.wrong <= b.wrong && is_as_fast &&
-         a.point.colour_bits >= b.point.colour_bits && a.point.alu_bits <= b.point.alu_bits;
+  return a.used_bits <= b.used_bits && a.wrong <= b.wrong && is_as_fast && a.point.colour_bits >= b.point.colour_bits &&
+         a.point.alu_bits <= b.point.alu_bits;
 }
 
 const Wish every_wish[] = {Wish::bits, Wish::wrong_pixels, Wish::speed, Wish::colour};
@@ -191,11 +191,11 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
     CAPTURE(one.point.z_bits);
     CAPTURE(studies::strategy_name(one.point));
     REQUIRE(one.reason.empty());
-    const studies::SweepRow other = swept(job, one.point, one.memory_bits);
-    CHECK(other.used_bits == one.memory_bits);
+    const studies::SweepRow other = swept(job, one.point, one.used_bits);
+    CHECK(other.used_bits == one.used_bits);
     CHECK(other.classification_bits == one.classification_bits);
     CHECK(other.clocks == one.clocks);
-    CHECK(swept(job, one.point, one.memory_bits - 1).reason.find("memory bits") != std::string::npos);
+    CHECK(swept(job, one.point, one.used_bits - 1).reason.find("memory bits") != std::string::npos);
     CHECK(judged(job, one.point) == one.wrong);
     CHECK((one.colour_error == 0) == (one.point.colour_bits == 24));
   }
@@ -212,7 +212,7 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
   CHECK(answer.size() == front.size());
   for (const AdviceRow& one : front) CHECK(std::find(answer.begin(), answer.end(), one) != answer.end());
   CHECK(front.size() > 4);
-  const studies::Wishes wishes{static_cast<std::uint32_t>(front[front.size() / 2].memory_bits),
+  const studies::Wishes wishes{static_cast<std::uint32_t>(front[front.size() / 2].used_bits),
                                front[front.size() / 2].wrong, front[front.size() / 2].frames_per_second, 12};
   for (const studies::Recommendation& one : studies::recommend(rows, wishes)) {
     for (const AdviceRow& other : rows) {
@@ -220,7 +220,7 @@ TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and i
         return wish == one.wish || studies::miss(other, wish, wishes) == 0;
       });
       if (!is_eligible) continue;
-      if (one.wish == Wish::bits) CHECK(one.row.memory_bits <= other.memory_bits);
+      if (one.wish == Wish::bits) CHECK(one.row.used_bits <= other.used_bits);
       if (one.wish == Wish::wrong_pixels) CHECK(one.row.wrong <= other.wrong);
       if (one.wish == Wish::speed) CHECK(one.row.frames_per_second >= other.frames_per_second);
       if (one.wish == Wish::colour) CHECK(one.row.point.colour_bits >= other.point.colour_bits);
@@ -260,7 +260,7 @@ TEST_CASE("memory that shows one picture while the next is drawn counts among a 
   const AdvicePoint point{16, 6, 24, "rebroadcast", "stack", 0, 1};
   const AdviceRow one = studies::draw_advice(job_on({"pixel-planes-4"}), point);
   const AdviceRow two = studies::draw_advice(job_on({"pixel-planes-4+scan_out.buffers=2"}), point);
-  CHECK(two.memory_bits == one.memory_bits + 24);
+  CHECK(two.used_bits == one.used_bits + 24);
 }
 
 TEST_CASE("a choice that needs more memory than any may take is a row that says so") {

@@ -155,7 +155,7 @@ TEST_CASE("a comparison plots what varies: machines, half-spaces, pixels") {
   std::vector<studies::ComparisonRow> rows(2);
   for (studies::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
-    one.seconds = 0.5;
+    one.simulated_seconds = 0.5;
     one.frames_per_second = 2;
     one.halfspaces = 100;
   }
@@ -199,7 +199,7 @@ TEST_CASE("a comparison shows the time from frame to frame first, and that of dr
   }
   // The first draws faster, and shows slower.
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].seconds = i % 2 == 0 ? 0.003 : 0.004;
+    rows[i].simulated_seconds = i % 2 == 0 ? 0.003 : 0.004;
     rows[i].frames_per_second = i % 2 == 0 ? 64 : 200;
   }
   const std::vector<plots::Plot> all = studies::plots_of_comparison(rows, {64, 64}, "a");
