@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sim/bench/report.h"
-#include "sim/plots/gnuplot.h"
+#include "sim/plots/files.h"
 
 namespace csgsim::bench {
 
