@@ -39,6 +39,7 @@
     tip.style.top = (below ? y + 16 : y - tip.offsetHeight - 12) + window.scrollY + 'px';
   };
   const hideTip = () => { tip.hidden = true; };
+  window.addEventListener('resize', hideTip);
 
   const setUpPlot = svg => {
     const points = [...svg.querySelectorAll('.pt')];
