@@ -65,7 +65,7 @@ TEST_CASE(
   CHECK(of_bars.find("<th scope=row>stack</th><td>Z1</td><td class=n title=\"20.0\">20</td>") != std::string::npos);
 }
 
-TEST_CASE("each panel of a chart has a table of its own series; what is not finite is left out") {
+TEST_CASE("each panel of a chart has a table of its own series, without what is not finite") {
   plots::Plot two = chart_of({"one"});
   auto& chart = std::get<plots::Chart>(two.content);
   chart.panels.push_back({"z", plots::Scale::logarithmic});
