@@ -56,7 +56,7 @@ TEST_CASE(
   CHECK(outcome.out.find("\nFacets as right: tolerance 0.0005, ") != std::string::npos);
   CHECK(outcome.out.find("Pareto front") == std::string::npos);
   CHECK(fs::file_size(folder / "a/curves.svg") > 1000);
-  CHECK(content(folder / "a.html").find("Facets and curved surfaces") != std::string::npos);
+  CHECK(content(folder / "a.html").find(": facets and curved surfaces") != std::string::npos);
   const Outcome linear = run(command + "x");
   CHECK(linear.code == 1);
   CHECK(linear.err.find("pixel-powers") != std::string::npos);

@@ -1,6 +1,7 @@
 #include "sim/report/plot_html.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -88,6 +89,7 @@ TEST_CASE("names on an axis are names in the table") {
 
 TEST_CASE("a plot of more lines than can be told apart says so, and its values are all there") {
   std::vector<std::string> names;
+  names.reserve(15);
   for (int i = 0; i < 15; ++i) names.push_back("line " + std::to_string(i) + ";");
   const std::string html = report::plot_html(chart_of(names));
   CHECK(html.find("7 more, with smaller values: t.csv") != std::string::npos);
@@ -124,11 +126,10 @@ TEST_CASE("series have the colours of plots in files, and others on a dark page"
   const std::size_t dark = html.find("@media (prefers-color-scheme:dark){:root{--s0");
   REQUIRE(dark != std::string::npos);
   for (std::size_t i = 0; i < plots::palette::looks.size(); ++i) {
-    const std::string name = "--s" + std::to_string(i);
-    const std::string colour(plots::palette::looks[i].colour);
-    CHECK(html.find(name + ":" + colour) < dark);
-    CHECK(html.find(name + ":" + std::string(plots::palette::colours_on_dark[i]), dark) != std::string::npos);
-    CHECK(html.find(".plot [fill=\"" + colour + "\"]{fill:var(" + name + ")}") != std::string::npos);
-    CHECK(html.find(".plot [stroke=\"" + colour + "\"]{stroke:var(" + name + ")}") != std::string::npos);
+    const std::string_view colour = plots::palette::looks[i].colour;
+    CHECK(html.find(fmt::format("--s{}:{};", i, colour)) < dark);
+    CHECK(html.find(fmt::format("--s{}:{};", i, plots::palette::colours_on_dark[i]), dark) != std::string::npos);
+    for (const std::string_view paint : {"fill", "stroke"})
+      CHECK(html.find(fmt::format(".plot [{0}=\"{1}\"]{{{0}:var(--s{2})}}", paint, colour, i)) != std::string::npos);
   }
 }
