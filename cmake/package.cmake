@@ -19,7 +19,7 @@ each part of the machine takes.")
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_NAME csgsim)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SHLIBDEPS ON)
-# Plots are drawn by gnuplot; OpenSCAD evaluates its source (.scad) and is not needed for .csg; the usual font of its text.
+# Plots in PNG are drawn by gnuplot; OpenSCAD evaluates its source (.scad) and is not needed for .csg; the usual font of its text.
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_RECOMMENDS "gnuplot-nox, openscad, fonts-liberation")
 
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers, static libraries, the CMake package and the pkg-config file of csgsim.")

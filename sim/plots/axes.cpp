@@ -15,7 +15,6 @@ constexpr double pixels_a_tick = 34;  ///< upwards
 constexpr unsigned x_ticks_at_most = 9;
 constexpr double longest_upright = 170;
 constexpr double longest_level = 150;
-constexpr std::string_view ink = "#000000";
 
 struct XTick {
   Pixel at;
@@ -75,7 +74,8 @@ double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, cons
   std::vector<Text> texts = fitting(tick_texts(ticks, false), false, drawing.width);
   if (axis.is_names && texts.size() < ticks.size()) texts = fitting(tick_texts(ticks, true), true, drawing.width);
   double bottom = area.bottom + tick_length + tick_gap;
-  for (const XTick& tick : ticks) drawing.lines.push_back({{tick.at, {tick.at.x, tick.at.y + tick_length}}, ink});
+  for (const XTick& tick : ticks)
+    drawing.lines.push_back({{tick.at, {tick.at.x, tick.at.y + tick_length}}, palette::ink});
   for (Text& text : texts) {
     bottom = std::max(bottom, box_of(text).bottom);
     drawing.texts.push_back(std::move(text));
@@ -97,7 +97,7 @@ double room_for_y_axis(const Axis& axis, const std::vector<Tick>& ticks, double 
 void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area) {
   for (const Tick& tick : ticks_of(axis, extent, area.bottom - area.top)) {
     const double y = area.bottom - extent.along(tick.value) * (area.bottom - area.top);
-    drawing.lines.push_back({{{area.left - tick_length, y}, {area.left, y}}, ink});
+    drawing.lines.push_back({{{area.left - tick_length, y}, {area.left, y}}, palette::ink});
     drawing.texts.push_back({tick.text, {area.left - tick_length - tick_gap, y}, Anchor::right});
   }
   double x = side_margin + line_height / 2;
@@ -111,18 +111,18 @@ void add_grid(Drawing& drawing, const std::vector<Tick>& x_ticks, const Extent& 
               const Extent& y, const Box& area) {
   for (const Tick& tick : x_ticks) {
     const double at = area.left + x.along(tick.value) * (area.right - area.left);
-    drawing.lines.push_back({{{at, area.top}, {at, area.bottom}}, grid_colour});
+    drawing.lines.push_back({{{at, area.top}, {at, area.bottom}}, palette::grid});
   }
   for (const Tick& tick : y_ticks) {
     const double at = area.bottom - y.along(tick.value) * (area.bottom - area.top);
-    drawing.lines.push_back({{{area.left, at}, {area.right, at}}, grid_colour});
+    drawing.lines.push_back({{{area.left, at}, {area.right, at}}, palette::grid});
   }
   drawing.lines.push_back({{{area.left, area.top},
                             {area.right, area.top},
                             {area.right, area.bottom},
                             {area.left, area.bottom},
                             {area.left, area.top}},
-                           ink});
+                           palette::ink});
 }
 
 }  // namespace csgsim::plots

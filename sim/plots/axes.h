@@ -11,7 +11,6 @@ namespace csgsim::plots {
 inline constexpr double title_height = 40;
 inline constexpr double side_margin = 10;
 inline constexpr double right_margin = 30;
-inline constexpr std::string_view grid_colour = "#dddddd";
 
 void add_title(Drawing& drawing, const std::string& title);
 

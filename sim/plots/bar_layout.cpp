@@ -7,6 +7,7 @@
 #include "sim/plots/key.h"
 #include "sim/plots/layout.h"
 #include "sim/plots/text_size.h"
+#include "sim/plots/tips.h"
 
 namespace csgsim::plots {
 
@@ -15,7 +16,6 @@ namespace {
 constexpr double bar_height = 22;
 constexpr double row_height = 30;
 constexpr double longest_name = 260;
-constexpr std::string_view free_room = "#ffffff";
 
 std::string_view fill_of(const std::vector<std::string>& names, const std::string& name) {
   const auto number = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
@@ -52,20 +52,20 @@ std::vector<KeyEntry> key_of(const std::vector<std::string>& names, const Bars& 
   if (more > 0) {
     key.push_back({fmt::format("{} more: {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
   }
-  key.push_back({"free", Sample::fill, {free_room, "", {}}});
+  key.push_back({"free", Sample::fill, {palette::paper, "", {}}});
   if (plot.bars.size() > most_bars)
     key.push_back({fmt::format("{} bars more: {}", plot.bars.size() - most_bars, plot.table)});
   return key;
 }
 
-void add_bar(Drawing& drawing, const Bar& bar, const std::vector<std::string>& names, const Extent& extent,
-             const Box& row) {
+void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vector<std::string>& names,
+             const Extent& extent, const Box& row) {
   const auto x = [&](double value) { return row.left + extent.along(value) * (row.right - row.left); };
-  drawing.fills.push_back({{x(0), row.top, x(bar.length), row.bottom}, free_room});
+  drawing.fills.push_back({{x(0), row.top, x(bar.length), row.bottom}, palette::paper});
   for (const Part& part : bar.parts) {
     const Box box{x(part.begin), row.top, x(part.end), row.bottom};
     const std::string_view colour = fill_of(names, part.name);
-    drawing.fills.push_back({box, colour});
+    drawing.fills.push_back({box, colour, tip_of(plot, bar, part)});
     const std::string text = shortened(fmt::format("{} {}", part.name, part.end - part.begin), longest_name);
     if (text_width(text) + 4 <= box.right - box.left) {
       drawing.texts.push_back({text,
@@ -98,7 +98,7 @@ Drawing laid_out(const Bars& plot) {
   add_title(drawing, plot.title);
   for (std::size_t i = 0; i < count; ++i) {
     const double middle = area.top + row_height * (static_cast<double>(i) + 0.5);
-    add_bar(drawing, plot.bars[i], names, extent,
+    add_bar(drawing, plot, plot.bars[i], names, extent,
             {area.left, middle - bar_height / 2, area.right, middle + bar_height / 2});
     drawing.texts.push_back({labels[i], {area.left - 8, middle}, Anchor::right});
   }

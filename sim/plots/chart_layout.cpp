@@ -8,6 +8,7 @@
 #include "sim/plots/labels.h"
 #include "sim/plots/layout.h"
 #include "sim/plots/text_size.h"
+#include "sim/plots/tips.h"
 
 namespace csgsim::plots {
 
@@ -78,7 +79,8 @@ std::vector<Panel> panels_of(const Chart& chart) {
 /// What is drawn in a panel, and what is to be written there.
 class PanelContent {
  public:
-  explicit PanelContent(const Panel& panel) : panel_(panel), surroundings_{inside(panel.area), {}, {}} {}
+  PanelContent(const Chart& chart, const Panel& panel)
+      : chart_(chart), panel_(panel), surroundings_{inside(panel.area), {}, {}} {}
 
   /// `more` pixels across than the smallest mark.
   void add(Drawing& drawing, const Series& series, const palette::Look& look, double more) {
@@ -86,11 +88,13 @@ class PanelContent {
     const std::vector<Pixel> pixels = pixels_of(series, size);
     if (pixels.empty()) return;
     if (series.trace == Trace::steps) add_line(drawing, steps_of(pixels), look);
-    const bool has_no_marks = series.trace == Trace::level || series.trace == Trace::upright;
-    if (series.trace == Trace::line || has_no_marks) add_line(drawing, pixels, look);
-    if (has_no_marks) return;
-    for (const Pixel& at : pixels) {
-      drawing.marks.push_back({at, look.mark, look.colour, size});
+    if (series.trace == Trace::line) add_line(drawing, pixels, look);
+    for (const Point& point : series.points) {
+      if (!is_finite(point)) continue;
+      const std::string tip = tip_of(chart_, series, point);
+      if (series.trace == Trace::level || series.trace == Trace::upright) return add_line(drawing, pixels, look, tip);
+      const Pixel at = panel_.at(point);
+      drawing.marks.push_back({at, look.mark, look.colour, size, tip});
       surroundings_.boxes.push_back(around(at, size / 2));
     }
   }
@@ -103,7 +107,7 @@ class PanelContent {
     const std::vector<PlacedLabel> placed = place_labels(wishes, surroundings_);
     for (const PlacedLabel& label : placed) {
       const std::string& text = labels_[label.wish].text;
-      if (label.leader) drawing.lines.push_back({{label.leader->from, label.leader->to}, "#666666"});
+      if (label.leader) drawing.lines.push_back({{label.leader->from, label.leader->to}, palette::leader});
       drawing.texts.push_back({label.number ? std::to_string(*label.number) : text,
                                {(label.box.left + label.box.right) / 2, (label.box.top + label.box.bottom) / 2},
                                Anchor::centre});
@@ -162,12 +166,14 @@ class PanelContent {
     if (same->text != text && text_width(together) <= longest_label) same->text = together;
   }
 
-  void add_line(Drawing& drawing, const std::vector<Pixel>& pixels, const palette::Look& look) {
+  void add_line(Drawing& drawing, const std::vector<Pixel>& pixels, const palette::Look& look,
+                const std::string& tip = "") {
     if (pixels.size() < 2) return;
-    drawing.lines.push_back({pixels, look.colour, 2, look.dash});
+    drawing.lines.push_back({pixels, look.colour, 2, look.dash, tip});
     for (std::size_t i = 1; i < pixels.size(); ++i) surroundings_.segments.push_back({pixels[i - 1], pixels[i]});
   }
 
+  const Chart& chart_;
   const Panel& panel_;
   Surroundings surroundings_;
   std::vector<Label> labels_;
@@ -208,7 +214,7 @@ Drawing laid_out(const Chart& chart) {
     add_grid(drawing, x_ticks_of(chart.x, panel.x), panel.x,
              ticks_of(chart.panels[i], panel.y, panel.area.bottom - panel.area.top), panel.y, panel.area);
     add_y_axis(drawing, chart.panels[i], panel.y, panel.area);
-    PanelContent content(panel);
+    PanelContent content(chart, panel);
     for (const std::size_t s : drawing_order(chart, looks)) {
       if (chart.series[s].panel == i) content.add(drawing, chart.series[s], looks.looks[s], mark_growth(looks, s));
     }

@@ -46,12 +46,14 @@ struct Line {
   std::vector<Pixel> points;
   std::string_view colour;
   double width = 1;
-  std::string_view dash{};
+  std::string_view dash{};  ///< as palette::Look has it
+  std::string tip{};
 };
 
 struct Fill {
   Box box;
   std::string_view colour;
+  std::string tip{};
 };
 
 struct Mark {
@@ -59,6 +61,7 @@ struct Mark {
   palette::Mark form = palette::Mark::disc;
   std::string_view colour;
   double size = 8;  ///< pixels across
+  std::string tip{};
 };
 
 enum class Anchor : std::uint8_t { left, centre, right };
@@ -68,13 +71,14 @@ struct Text {
   Pixel at;  ///< halfway up its line, at the anchor
   Anchor anchor = Anchor::left;
   bool is_upright = false;  ///< read from below, turned about `at`
-  std::string_view colour = "#000000";
+  std::string_view colour = palette::ink;
 };
 
 /// What the text takes up, at most.
 [[nodiscard]] Box box_of(const Text& text);
 
-/// A picture ready to be drawn: fills below lines below marks below texts.
+/// A picture ready to be drawn: fills below lines below marks below texts. What has a tip tells it where it is pointed
+/// at, in files that can.
 struct Drawing {
   double width = 0;
   double height = 0;

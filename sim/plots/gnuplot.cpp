@@ -9,15 +9,12 @@
 #include <iterator>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "hw/base/child_process.h"
 #include "hw/base/error.h"
 #include "hw/base/memory_file.h"
-#include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/plots/glyphs.h"
-#include "sim/plots/layout.h"
 #include "sim/plots/program_limits.h"
 #include "sim/plots/text_size.h"
 
@@ -28,25 +25,8 @@ namespace {
 constexpr double points_a_pixel = 72.0 / 96.0;  ///< of fonts, as cairo counts them
 constexpr double mark_units = 10.5;             ///< pixels across of gnuplot's marks of size 1
 
-/// One that draws a kind of file, with how a whole one ends.
-struct Terminal {
-  std::string_view ending;
-  std::string_view name;
-  std::string_view font;
-  double font_unit;
-  std::string_view last;
-  bool has_letters;  ///< letters are drawn with the fonts of this machine, not by who shows the file
-};
-
-constexpr std::array terminals{
-    Terminal{".png", "pngcairo", "sans", points_a_pixel, std::string_view("IEND\xae\x42\x60\x82", 8), true},
-    Terminal{".svg", "svg background 'white'", "sans-serif", 1, "</svg>", false},
-};
-
-/// But for line breaks at its end.
-bool is_whole(std::string_view picture, const Terminal& terminal) {
-  return picture.substr(0, picture.find_last_not_of('\n') + 1).ends_with(terminal.last);
-}
+/// With the end of a PNG file.
+bool is_whole(std::string_view picture) { return picture.ends_with(std::string_view("IEND\xae\x42\x60\x82", 8)); }
 
 bool is_plain(char byte) {
   return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || (byte >= '0' && byte <= '9') ||
@@ -111,9 +91,8 @@ std::string why(const ChildEnd& end) {
   return end.status == 0 ? "its picture is not whole" : fmt::format("it ended with {}", WEXITSTATUS(end.status));
 }
 
-/// What the terminal can show of a drawing.
-Drawing shown_by(const Terminal& terminal, Drawing drawing) {
-  if (!terminal.has_letters) return drawing;
+/// With letters that this machine's fonts have.
+Drawing with_letters(Drawing drawing) {
   for (Text& text : drawing.texts) text.text = with_glyphs(text.text);
   return drawing;
 }
@@ -152,35 +131,20 @@ std::string script_of(const Drawing& drawing) {
 }
 
 Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing) {
-  const auto* const terminal =
-      std::ranges::find_if(terminals, [&](const Terminal& one) { return file.native().ends_with(one.ending); });
   MemoryFile input(file);
-  input.write(fmt::format("set encoding utf8\nset terminal {} size {:.0f},{:.0f} font '{},{}'\nset output\n{}",
-                          terminal->name, drawing.width, drawing.height, terminal->font,
-                          font_size * terminal->font_unit, script_of(shown_by(*terminal, drawing))));
+  input.write(fmt::format("set encoding utf8\nset terminal pngcairo size {:.0f},{:.0f} font 'sans,{}'\nset output\n{}",
+                          drawing.width, drawing.height, font_size * points_a_pixel, script_of(with_letters(drawing))));
   const std::array<std::string, 2> words{"gnuplot", "-d"};  // no settings of its user's
   std::optional<ChildEnd> ended = run_child(words, input, program_limits);
   if (!ended)
     throw InputError(file.native() +
                      ": gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
-  if (!is_done(*ended) || !is_whole(ended->output, *terminal)) {
+  if (!is_done(*ended) || !is_whole(ended->output)) {
     throw InputError(
         fmt::format("{}: gnuplot did not draw; {} (package gnuplot-nox draws this; --no-plots does without)",
                     file.native(), why(*ended)));
   }
   return {std::move(ended->output), std::move(ended->errors)};
-}
-
-std::vector<std::filesystem::path> draw(const std::vector<Plot>& plots, const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const Plot& plot : plots) {
-    const Drawing drawing = std::visit([](const auto& content) { return laid_out(content); }, plot.content);
-    for (const Terminal& terminal : terminals) {
-      files.push_back(folder / (plot.name + std::string(terminal.ending)));
-      write_file(files.back(), drawn_for(files.back(), drawing).picture);
-    }
-  }
-  return files;
 }
 
 }  // namespace csgsim::plots

@@ -3,10 +3,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "sim/plots/drawing.h"
-#include "sim/plots/plot.h"
 
 namespace csgsim::plots {
 
@@ -23,13 +21,9 @@ struct Drawn {
   std::string said;
 };
 
-/// Draws for a file that ends in .png or .svg. Throws InputError, with the file's name, if gnuplot cannot be run, or
-/// draws no whole picture.
+/// Draws a PNG file. No name of a file is part of what gnuplot reads, and nothing that it says goes any further: where
+/// the picture is whole, that is about fonts of the computer. Throws InputError, with the file's name, if gnuplot
+/// cannot be run, or draws no whole picture.
 Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing);
-
-/// Draws folder/NAME.png and folder/NAME.svg for each plot, by gnuplot; returns the files. No name of a file is part of
-/// what gnuplot reads, and nothing that it says goes any further: where the picture is whole, that is about fonts of
-/// the computer. Throws InputError.
-std::vector<std::filesystem::path> draw(const std::vector<Plot>& plots, const std::filesystem::path& folder);
 
 }  // namespace csgsim::plots

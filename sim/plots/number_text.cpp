@@ -67,4 +67,12 @@ std::string power_text(int factor, int exponent, bool as_power) {
   return grouped(fmt::format("{:.{}f}", factor * std::pow(10, exponent), std::max(0, -exponent)));
 }
 
+std::string number_text(double value) {
+  constexpr double most_whole = 9007199254740992.0;  // doubles up to 2^53 tell all whole numbers apart
+  constexpr double least_in_groups = 999.5;
+  const double size = std::abs(value);
+  const bool is_whole = size <= most_whole && (size >= least_in_groups || size == std::floor(size));
+  return is_whole ? grouped(fmt::format("{:.0f}", std::round(value) + 0.0)) : fmt::format("{:.4g}", value);
+}
+
 }  // namespace csgsim::plots

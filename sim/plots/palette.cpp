@@ -28,7 +28,9 @@ double contrast(std::string_view one, std::string_view other) {
 }
 
 std::string_view text_on(std::string_view colour) {
-  return contrast(colour, "#000000") > contrast(colour, "#ffffff") ? "#000000" : "#ffffff";
+  constexpr std::string_view black = "#010101";
+  constexpr std::string_view white = "#fefefe";
+  return contrast(colour, black) > contrast(colour, white) ? black : white;
 }
 
 }  // namespace csgsim::plots::palette

@@ -40,6 +40,12 @@ inline constexpr auto colours_on_dark = std::to_array<std::string_view>(
     {"#4477b7", "#ffcf47", "#ea5f45", "#7bcdf9", "#057455", "#ffffff", "#e19fbe", "#ad8ef4"});
 static_assert(colours_on_dark.size() == looks.size());
 
+/// Of what lies below all, of texts and axes, of lines across an area, and of those from labels to their places.
+inline constexpr std::string_view paper = "#ffffff";
+inline constexpr std::string_view ink = "#000000";
+inline constexpr std::string_view grid = "#dddddd";
+inline constexpr std::string_view leader = "#666666";
+
 /// Of series that are not in the key, and of those behind the others.
 inline constexpr Look background{"#9a9a9a", "", Mark::disc};
 
@@ -53,7 +59,7 @@ double luminance(std::string_view colour);
 /// Of two colours, 1 to 21, as W3C's accessibility guidelines define it.
 double contrast(std::string_view one, std::string_view other);
 
-/// Black or white: what is better to read on the colour.
+/// What is better to read on the colour: black or white, though not ink or paper, which a dark page turns round.
 std::string_view text_on(std::string_view colour);
 
 }  // namespace csgsim::plots::palette

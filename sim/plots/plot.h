@@ -7,7 +7,8 @@
 #include <variant>
 #include <vector>
 
-/// What a plot shows, as plain data: a study makes it, layout.h finds a place for everything, gnuplot.h draws it.
+/// What a plot shows, as plain data: a study makes it, layout.h finds a place for everything, svg.h and gnuplot.h draw
+/// it.
 /// Texts may be any bytes; what is not printable is shown escaped, what is too long shortened.
 namespace csgsim::plots {
 

@@ -17,7 +17,6 @@
 #include "sim/engine/numbers.h"
 #include "sim/engine/run.h"
 #include "sim/report/codec.h"
-#include "sim/report/number_text.h"
 
 namespace csgsim::report {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "hw/base/markup.h"
 #include "hw/base/text.h"
 #include "sim/report/codec.h"
-#include "sim/report/html.h"
 
 namespace csgsim::report {
 
@@ -13,7 +13,7 @@ std::string drawing_html(const Drawing& drawing) {
       "<p>{}</p>\n<div id=drawing-box class=drawing><noscript><p class=note>Scripts are off: the drawing's {} steps "
       "cannot "
       "be shown.</p></noscript></div>\n",
-      html_text(drawing.told), drawing.steps.size());
+      markup_text(drawing.told), drawing.steps.size());
 }
 
 Json drawing_json(const Drawing& drawing) {

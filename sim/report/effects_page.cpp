@@ -29,20 +29,24 @@ Table frame_table(const Json& data) {
   return table;
 }
 
-Plot bill_plot(const std::vector<Json>& effects) {
-  const std::vector<std::string> words = words_of(effects, "effect");
-  constexpr std::pair<const char*, const char*> bars[] = {
+plots::Plot bill_plot(const Json& effects) {
+  constexpr std::pair<const char*, const char*> bills[] = {
       {"clocks", "billed"}, {"alone_clocks", "added alone"}, {"together_clocks", "spared without it"}};
-  Plot plot{"Clocks of each effect", {"effect", false, words}, {"clocks"}, {}};
-  for (const auto& [key, name] : bars) {
-    Series series{name, {}, plots::Trace::marks};
-    for (const Json& effect : effects) {
-      if (effect.contains(key))
-        series.points.push_back({place_in(words, "effect")(effect), effect[key].get<double>(), ""});
+  plots::Chart chart{"Clocks of each effect",
+                     {"effect", plots::Scale::linear, {}, true},
+                     {{"clocks", plots::Scale::linear, {}, false, true}},
+                     {},
+                     "effects.json"};
+  for (const Json& effect : effects)
+    chart.x.ticks.push_back({static_cast<double>(chart.x.ticks.size()), effect["effect"].get<std::string>()});
+  for (const auto& [key, name] : bills) {
+    plots::Series series{name, 0, plots::Trace::marks};
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      if (effects[i].contains(key)) series.points.push_back({static_cast<double>(i), effects[i][key].get<double>()});
     }
-    if (!series.points.empty()) plot.series.push_back(std::move(series));
+    if (!series.points.empty()) chart.series.push_back(std::move(series));
   }
-  return plot;
+  return {"bill", std::move(chart)};
 }
 
 }  // namespace
@@ -50,10 +54,9 @@ Plot bill_plot(const std::vector<Json>& effects) {
 Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyContext& study) {
   Page page = begun_page("What effects cost: " + study.model, file, study);
   page.sections.push_back({"Pictures", {Gallery{std::move(pictures)}}});
-  const std::vector<Json> effects(page.data["effects"].begin(), page.data["effects"].end());
   page.sections.push_back({"Bill",
-                           {points_table(page.data, "/effects", "Each effect", effects_columns), bill_plot(effects),
-                            frame_table(page.data)}});
+                           {points_table(page.data, "/effects", "Each effect", effects_columns),
+                            bill_plot(page.data["effects"]), frame_table(page.data)}});
   end_page(page, study);
   return page;
 }

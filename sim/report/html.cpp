@@ -2,24 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "hw/base/text.h"
-
 namespace csgsim::report {
-
-std::string html_text(std::string_view bytes) {
-  std::string text;
-  for (const char c : printable(bytes)) {
-    switch (c) {
-      case '&': text += "&amp;"; break;
-      case '<': text += "&lt;"; break;
-      case '>': text += "&gt;"; break;
-      case '"': text += "&quot;"; break;
-      case '\'': text += "&#39;"; break;
-      default: text.push_back(c);
-    }
-  }
-  return text;
-}
 
 std::string json_in_html(const nlohmann::ordered_json& json) {
   std::string text;

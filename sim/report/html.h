@@ -6,9 +6,6 @@
 
 namespace csgsim::report {
 
-/// Bytes from outside as text of an element or of an attribute in quotes: printable (hw/base/text.h), and no markup.
-std::string html_text(std::string_view bytes);
-
 /// JSON as the content of a script element that no script runs: nothing in it ends the element or begins a comment.
 std::string json_in_html(const nlohmann::ordered_json& json);
 

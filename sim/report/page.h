@@ -49,31 +49,6 @@ struct Paragraph {
   std::string text;
 };
 
-struct Axis {
-  std::string title;
-  bool logarithmic = false;          ///< a value of 0 stands on a line of its own below
-  std::vector<std::string> names{};  ///< where values are words: a value is an index into them
-};
-
-struct Point {
-  double x = 0;
-  double y = 0;
-  std::string label{};  ///< told of it besides its values; may be empty
-};
-
-struct Series {
-  std::string name;
-  std::vector<Point> points;
-  plots::Trace trace = plots::Trace::line;  ///< points are in the order of the line
-};
-
-struct Plot {
-  std::string title;
-  Axis x;
-  Axis y;
-  std::vector<Series> series;
-};
-
 /// A PNG file, with what somebody is told who does not see it.
 struct Picture {
   std::string caption;
@@ -98,7 +73,7 @@ struct OwnerPicture {
   Table prices;
 };
 
-using Part = std::variant<Paragraph, Table, Plot, Gallery, OwnerPicture, Drawing>;
+using Part = std::variant<Paragraph, Table, plots::Plot, Gallery, OwnerPicture, Drawing>;
 
 struct Section {
   std::string title;

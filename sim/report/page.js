@@ -39,6 +39,7 @@
     tip.style.top = (below ? y + 16 : y - tip.offsetHeight - 12) + window.scrollY + 'px';
   };
   const hideTip = () => { tip.hidden = true; };
+  window.addEventListener('resize', hideTip);
 
   const setUpPlot = svg => {
     const points = [...svg.querySelectorAll('.pt')];
@@ -61,6 +62,7 @@
       now = index;
       if (now < 0) return hideTip();
       points[now].classList.add('at');
+      if (spoken) points[now].scrollIntoView({block: 'nearest', inline: 'nearest', behavior: 'instant'});
       const box = points[now].getBoundingClientRect();
       const text = texts.filter((_, index) => near(points[index], box)).join('\n');
       showTip(text, box.left + box.width / 2, box.top + box.height / 2);

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "hw/base/markup.h"
 #include "sim/report/codec.h"
-#include "sim/report/html.h"
 #include "sim/report/table_html.h"
 
 namespace csgsim::report {
@@ -13,8 +13,8 @@ namespace {
 std::string figure_html(const Picture& picture, const std::string& attributes) {
   const char* const caption = picture.caption.empty() ? "" : "<figcaption>";
   return fmt::format("<figure{}><img src=\"data:image/png;base64,{}\" width={} height={} alt=\"{}\">{}{}{}</figure>\n",
-                     attributes, base64(picture.png), picture.width, picture.height, html_text(picture.alt), caption,
-                     html_text(picture.caption), picture.caption.empty() ? "" : "</figcaption>");
+                     attributes, base64(picture.png), picture.width, picture.height, markup_text(picture.alt), caption,
+                     markup_text(picture.caption), picture.caption.empty() ? "" : "</figcaption>");
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "hw/base/text.h"
 #include "hw/isa/pieces.h"
 #include "sim/observe/pictures.h"
-#include "sim/report/number_text.h"
 #include "sim/report/pictures.h"
 
 namespace csgsim::report {

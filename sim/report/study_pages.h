@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct StudyContext {
 /// A page that begins with the picture and ends with the configuration; what is between them, others add.
 Page begun_page(const std::string& title, Json data, const StudyContext& study);
 void end_page(Page& page, const StudyContext& study);
+
+/// A section of those among these that have something to show.
+Section plots_section(std::span<const plots::Plot> plots);
 
 /// The page of effects.json. The pictures are with all effects, with none, and without each.
 Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyContext& study);

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
+#include "hw/base/markup.h"
 #include "hw/base/text.h"
-#include "sim/report/html.h"
-#include "sim/report/number_text.h"
+#include "sim/plots/number_text.h"
 
 namespace csgsim::report {
 
@@ -20,7 +20,7 @@ std::string text_of(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_unsigned()) return grouped(value.get<std::uint64_t>());
-  if (value.is_number()) return number_text(value.get<double>());
+  if (value.is_number()) return plots::number_text(value.get<double>());
   if (value.is_array()) {
     std::string text;
     for (const Json& one : value) text += (text.empty() ? "" : ", ") + text_of(one);
@@ -30,7 +30,7 @@ std::string text_of(const Json& value) {
 }
 
 std::string share_html(double share) {
-  return fmt::format("<span class=bar style=\"--of:{:.4f}\"></span>{}", share, percent_text(share));
+  return fmt::format("<span class=bar style=\"--of:{:.4f}\"></span>{:.1f} %", share, 100.0 * share);
 }
 
 std::string cell_html(const Cell& cell, bool is_header) {
@@ -38,12 +38,12 @@ std::string cell_html(const Cell& cell, bool is_header) {
   if (is_number(cell.value)) attributes += " class=n";
   constexpr std::size_t long_text = 32;  // bytes; it is broken into lines
   if (cell.value.is_string() && cell.value.get_ref<const std::string&>().size() > long_text) attributes += " class=w";
-  if (!cell.at.empty()) attributes += " data-at=\"" + html_text(cell.at) + "\"";
+  if (!cell.at.empty()) attributes += " data-at=\"" + markup_text(cell.at) + "\"";
   const std::string text = cell.show == Show::share && is_number(cell.value) ? "" : text_of(cell.value);
   if (cell.value.is_number_float() && text != cell.value.dump())
-    attributes += " title=\"" + html_text(cell.value.dump()) + "\"";
+    attributes += " title=\"" + markup_text(cell.value.dump()) + "\"";
   const std::string content =
-      cell.show == Show::share && is_number(cell.value) ? share_html(cell.value.get<double>()) : html_text(text);
+      cell.show == Show::share && is_number(cell.value) ? share_html(cell.value.get<double>()) : markup_text(text);
   const char* const name = is_header ? "th" : "td";
   return fmt::format("<{}{}>{}</{}>", name, attributes, content, name);
 }
@@ -62,8 +62,8 @@ std::string table_html(const Table& table, const std::vector<std::string>& more)
   std::string html =
       fmt::format("<div class=\"scroll{}\" tabindex=0 role=region aria-label=\"{}\"><table{}>",
                   table.rows.size() > long_table ? " long" : "",
-                  html_text(table.caption.empty() ? "table" : table.caption), table.is_list ? " class=list" : "");
-  if (!table.caption.empty()) html += "<caption>" + html_text(table.caption) + "</caption>";
+                  markup_text(table.caption.empty() ? "table" : table.caption), table.is_list ? " class=list" : "");
+  if (!table.caption.empty()) html += "<caption>" + markup_text(table.caption) + "</caption>";
   html += "<thead><tr>";
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     if (table.columns[i].empty()) {
@@ -71,7 +71,7 @@ std::string table_html(const Table& table, const std::vector<std::string>& more)
       continue;
     }
     html += fmt::format("<th scope=col{}>{}</th>", is_column_of_numbers(table, i) ? " class=n" : "",
-                        html_text(table.columns[i]));
+                        markup_text(table.columns[i]));
   }
   html += "</tr></thead>\n<tbody>";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {

@@ -60,7 +60,7 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
 TEST_CASE("a sweep varies how curved surfaces are drawn, and what that takes of memory and clocks") {
   const Folder folder;
   const Outcome sweep = run("sweep " + carburettor +
-                            "--machine pixel-powers --strategy stack --curves facets,exact -o " + (folder / "s"));
+                            "--machines pixel-powers --strategy stack --curves facets,exact -o " + (folder / "s"));
   REQUIRE(sweep.code == 0);
   const auto points = json(folder / "s/sweep.json")["points"];
   REQUIRE(points.size() == 2);

@@ -105,7 +105,7 @@ TEST_CASE("whatever word an option takes, a wrong one is told with the nearest a
     }
   }
   for (const std::string option : {"--strategy", "--colouring", "--level", "--levels", "--projection", "--progress",
-                                   "--pruning", "--pruning-a", "--parts", "--colour-scheme", "--strategy-b"}) {
+                                   "--pruning", "--pruning-a", "--colour-scheme", "--strategy-b"}) {
     CAPTURE(option);
     CHECK(asked.count(option) == 1);
   }

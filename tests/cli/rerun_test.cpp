@@ -72,7 +72,7 @@ TEST_CASE("a render with many options runs again, whichever way they were said")
   const Folder folder;
   write(folder / "look.toml", "[ambient]\nintensity = 0.6\n[[lights]]\ndirection = [0, 1, -1]\n");
   write(folder / "s.toml",
-        "strategy = 'list'\nwithout = ['hidden', 'sets']\n[render]\nset = ['alu.bits=2', 'ambient.intensity=0.5']\n");
+        "strategy = 'list'\npruning = 'no-hidden+no-sets'\n[render]\nset = ['alu.bits=2', 'ambient.intensity=0.5']\n");
   fs::copy(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml", folder / "mine.toml");
   runs_again(folder, {"render",       model("thesis_fig_2_3"),
                       "--size",       "40x30",

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "sim/plots/gnuplot.h"
+#include "sim/plots/files.h"
 #include "tests/performance/report.h"
 
 namespace csgsim::bench {

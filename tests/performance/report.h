@@ -19,7 +19,7 @@ std::string to_tables(const Results& results);
 /// Times against what grows, a plot each, by the name growth_NAME.
 std::vector<plots::Plot> plots_of_growths(const std::vector<Growth>& growths);
 
-/// Draws them as PNG and SVG into the folder, by gnuplot. Returns the files. Throws InputError if gnuplot cannot be
+/// Draws them as SVG and, by gnuplot, as PNG into the folder. Returns the files. Throws InputError if gnuplot cannot be
 /// run.
 std::vector<std::filesystem::path> draw_growths(const Results& results);
 

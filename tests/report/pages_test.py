@@ -3,6 +3,7 @@ window and on a narrow one, light and dark, and without scripts.
 
 Usage: pages_test.py CSGSIM SOURCE_FOLDER. Exit code 77 where there is no Chromium."""
 
+import base64
 import json
 import os
 import re
@@ -26,8 +27,8 @@ TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
 PALETTE = """['page', 'text', 'faint', 'link', 'mark', ...Array.from({length: 8}, (_, i) => 's' + i)].map(
   name => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim())"""
 
-# The outline of each mark, as #rrggbb.
-OUTLINES = """[...document.querySelectorAll('.pt use')].map(mark => '#' + getComputedStyle(mark).stroke.match(/\\d+/g).map(
+# The outline of each mark and each part of a bar, as #rrggbb.
+OUTLINES = """[...document.querySelectorAll('.marks .pt > :not(title), .fills .pt > :not(title)')].map(mark => '#' + getComputedStyle(mark).stroke.match(/\\d+/g).map(
   part => Number(part).toString(16).padStart(2, '0')).join(''))"""
 
 
@@ -182,6 +183,81 @@ def check_pointer_of_render(page, stats, failures):
     failures.check(page.evaluate("!document.querySelector('.tip').hidden"), "pointing at the picture tells nothing")
 
 
+# Texts of a plot that overlap or leave it, with the fonts that there are, and marks that leave it.
+MISPLACED = """[...document.querySelectorAll('svg.plot')].flatMap(svg => {
+  const frame = svg.getBoundingClientRect();
+  const isOut = box => box.left < frame.left - 1 || box.right > frame.right + 1 || box.top < frame.top - 1 || box.bottom > frame.bottom + 1;
+  const texts = [...svg.querySelectorAll('text')].map(text => [text.textContent, text.getBoundingClientRect()]);
+  const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+  const marks = [...svg.querySelectorAll('.pt')].map(mark => ['a mark', mark.getBoundingClientRect()]);
+  return [...texts, ...marks].filter(([_, box]) => isOut(box)).map(([text]) => text + ' leaves the plot').concat(
+    texts.flatMap(([text, box], i) => texts.slice(0, i).filter(([_, other]) => meet(box, other)).map(([other]) => text + ' is over ' + other)));
+})"""
+
+
+def check_plots(page, failures):
+    """Each plot is seen whole, if need be in a box that scrolls, and keeps its texts apart; it can be read without colours."""
+    for width in (WIDE, NARROW):
+        page.window(width, 900)
+        for problem in page.evaluate(MISPLACED):
+            failures.check(False, f"{problem}, at {width} pixels")
+        small = page.evaluate("Math.min(...[...document.querySelectorAll('svg.plot')].map(svg => svg.getScreenCTM().a * 14))")
+        failures.check(small >= 10, f"letters of a plot are {small:.1f} pixels high at {width}")
+        failures.check(page.evaluate("[...document.querySelectorAll('svg.plot')].every(svg => svg.closest('.scroll').scrollWidth >= svg.getBoundingClientRect().width - 1)"),
+                       f"what of a plot is beside the window cannot be scrolled to at {width}")
+    failures.check(page.evaluate("document.querySelectorAll('svg.plot .pt').length") > 0, "no plot has a mark")
+    failures.check(page.evaluate("[...document.querySelectorAll('svg.plot')].every(svg => svg.getAttribute('aria-label') && svg.getAttribute('role'))"),
+                   "a plot without a text for who does not see it")
+    page.window(WIDE, 900)
+
+
+# How much of what is drawn differs between a PNG and an SVG of one plot, 0 to 1, in fields of 8 x 8 pixels, so that the
+# shapes of letters do not matter.
+PICTURE_DIFFERENCE = """(async (png, svg) => {
+  const fields = async url => {
+    const image = new Image();
+    image.src = url;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    canvas.width = Math.ceil(image.naturalWidth / 8);
+    canvas.height = Math.ceil(image.naturalHeight / 8);
+    const context = canvas.getContext('2d');
+    context.imageSmoothingQuality = 'high';
+    context.drawImage(image, 0, 0, canvas.width, canvas.height);
+    return [image.naturalWidth, image.naturalHeight, ...context.getImageData(0, 0, canvas.width, canvas.height).data];
+  };
+  const [a, b] = [await fields(png), await fields(svg)];
+  if (a.length !== b.length || a[0] !== b[0] || a[1] !== b[1]) return 1;
+  let ink = 0;
+  let differs = 0;
+  for (let i = 2; i < a.length; ++i) {
+    ink += Math.max(255 - a[i], 255 - b[i]);
+    differs += Math.max(0, Math.abs(a[i] - b[i]) - 24);
+  }
+  return differs / ink;
+})"""
+
+
+def data_url(path, kind):
+    with open(path, "rb") as file:
+        return f"data:image/{kind};base64,{base64.b64encode(file.read()).decode()}"
+
+
+def check_files_of_plots(page, folder, failures):
+    """gnuplot's picture of each plot is that of its SVG, and of no other plot's."""
+    names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".svg"))
+    failures.check(len(names) >= 2, "fewer than two plots are drawn")
+
+    def difference(one, other):
+        urls = json.dumps([data_url(os.path.join(folder, one + ".png"), "png"), data_url(os.path.join(folder, other + ".svg"), "svg+xml")])
+        return page.evaluate(f"{PICTURE_DIFFERENCE}(...{urls})")
+
+    for i, name in enumerate(names):
+        own, others = difference(name, name), difference(name, names[i - 1])
+        failures.check(own < 0.2, f"{name}.png and {name}.svg differ by {own:.3f}")
+        failures.check(others > 1.5 * own, f"{name}.png is as near to {names[i - 1]}.svg ({others:.3f}) as to its own ({own:.3f})")
+
+
 def check_keys_of_plots(page, failures):
     if tab_to(page, "svg.plot", failures):
         titles = page.evaluate("document.activeElement.closest('figure').querySelectorAll('tbody tr').length")
@@ -197,7 +273,8 @@ def check_without_scripts(page, path, least, failures):
     while page.evaluate("document.readyState") != "complete":
         pass
     has_pictures = not page.evaluate("document.title").startswith("What many models take")
-    for what in ("table", "h2", *(["img"] if has_pictures else [])):
+    is_study = page.evaluate("document.querySelectorAll('figure.plots').length") > 0
+    for what in ("table", "h2", *(["img"] if has_pictures else []), *(["svg.plot .pt title"] if is_study else [])):
         failures.check(page.evaluate(f"document.querySelectorAll('{what}').length") > 0, f"without scripts there is no {what}")
     failures.check(page.evaluate("document.querySelectorAll('[data-at]').length") >= least, "without scripts there are fewer numbers")
     page.send("Emulation.setScriptExecutionDisabled", value=False)
@@ -223,7 +300,7 @@ def main():
     small = view + ["--size", "64x64"]
     pages = [("render", ["render", *view, "--stats", "render.json"], "render.json"),
              ("render of parts", ["render", *small, "--machine", "pixel-square", "--stats", "parts.json"], "parts.json"),
-             ("sweep", ["sweep", *small, "--stack-bits", "3..5", "--pruning", "all,none", "--no-plots", "-o", "."], "sweep.json"),
+             ("sweep", ["sweep", *small, "--stack-bits", "3..5", "--pruning", "all,none", "-o", "."], "sweep.json"),
              ("accuracy", ["accuracy", *small, "--views", "1", "--no-plots", "-o", "."], "accuracy.json"),
              ("compare", ["compare", *small, "--machines", "pixel-planes-4,scan-line", "--sides", "32", "--fragments", "8", "--no-plots", "-o", "."], "compare.json"),
              ("advise", ["advise", *small, "--z-bits", "12,16,20", "--fraction-bits", "2,6", "--alu-bits", "1,4", "--no-plots", "-o", "."], "advise.json"),
@@ -249,6 +326,9 @@ def main():
                     check_pointer_of_render(page, stats, failures)
                 else:
                     check_keys_of_plots(page, failures)
+                    check_plots(page, failures)
+                if name == "sweep":
+                    check_files_of_plots(page, folder, failures)
                 check_windows(page, failures)
                 check_colours(page, failures)
                 check_without_scripts(page, path, least, failures)

@@ -9,7 +9,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/report/number_text.h"
+#include "sim/plots/number_text.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/machine_list.h"
 #include "sim/shell/numbers.h"
@@ -76,7 +76,7 @@ void print_rows(Rows rows) {
 }
 
 std::vector<std::string> distribution_line(const CorpusColumn& column, const Distribution& one) {
-  using report::number_text;
+  using plots::number_text;
   return {std::string("  ") + column.heading,
           number_text(one.minimum),
           number_text(one.first_quartile),

@@ -23,7 +23,7 @@ def ratios(values):
 
 def levels(figures, machine, rows):
     points = figures.subdivide("carburettor", f"{SIZE} {machine}")
-    return ruled(("levels", *between([each.levels for each in points], ["thesis"] * 3)),
+    return ruled(("levels", *between([each.subdivisions for each in points], ["thesis"] * 3)),
                  [(name, *between([format(get(each), spec) for each in points], thesis)) for name, get, spec, thesis in rows])
 
 
@@ -100,7 +100,7 @@ def node_table_7_3(figures):
 def node_levels(figures):
     points = figures.subdivide("carburettor", f"{SIZE} {NODES}")
     keys = ("first_pruning", "second_pruning", "communication", "rendering", "total")
-    return ruled(("levels", *(each.levels for each in points)),
+    return ruled(("levels", *(each.subdivisions for each in points)),
                  [(f"{key.replace('_', ' ')}, s", *(f"{each.stages.seconds[key]:.2f}" for each in points)) for key in keys])
 
 

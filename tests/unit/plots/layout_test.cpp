@@ -64,7 +64,7 @@ plots::Chart chart_of(std::size_t series) {
 TEST_CASE("no two texts of a plot overlap, and nothing leaves the picture") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
-    check(samples::laid_out(plot));
+    check(plots::laid_out(plot));
   }
 }
 
@@ -113,6 +113,55 @@ TEST_CASE("what stands above names is seen from 0 on") {
   chart.series.push_back({"", 0, plots::Trace::marks, {{0, 21.5}, {1, 22.8}}});
   CHECK(with(plots::laid_out(chart), "0").front() == "0");
   CHECK(with(plots::laid_out(chart), "21").empty());
+}
+
+TEST_CASE("points stand in a panel as their values do, upwards and to the right, and ticks with them") {
+  const plots::Drawing drawing = plots::laid_out(
+      plots::Chart{"title", {"x"}, {{"y"}}, {{"", 0, plots::Trace::marks, {{0, 0}, {1, 3}, {4, 4}}}}, "t"});
+  REQUIRE(drawing.marks.size() == 3);
+  const plots::Pixel first{drawing.marks[1].at.x - drawing.marks[0].at.x,
+                           drawing.marks[1].at.y - drawing.marks[0].at.y};
+  const plots::Pixel second{drawing.marks[2].at.x - drawing.marks[1].at.x,
+                            drawing.marks[2].at.y - drawing.marks[1].at.y};
+  CHECK(first.x > 80);
+  CHECK(first.y < -200);
+  CHECK(second.x == doctest::Approx(3 * first.x));
+  CHECK(first.y == doctest::Approx(3 * second.y));
+  // The texts of 4, across and up, stand below the point at 4,4 and left of it.
+  std::vector<plots::Pixel> fours;
+  for (const plots::Text& text : drawing.texts) {
+    if (text.text == "4" || text.text == "4.0") fours.push_back(text.at);
+  }
+  REQUIRE(fours.size() == 2);
+  CHECK(std::ranges::any_of(fours, [&](const plots::Pixel& at) { return at.x == drawing.marks[2].at.x; }));
+  CHECK(std::ranges::any_of(fours, [&](const plots::Pixel& at) { return at.y == drawing.marks[2].at.y; }));
+}
+
+TEST_CASE("points are joined by lines, by steps that hold until the next and then to the edge, by a level, or not") {
+  const auto joined = [](plots::Trace trace, bool is_backward = false) {
+    plots::Chart chart{"title", {"x"}, {{"y"}}, {{"", 0, trace, {{0, 0}, {5, 10}, {10, 20}}}}, "t"};
+    if (is_backward) std::ranges::reverse(chart.series.front().points);
+    for (const plots::Line& line : plots::laid_out(chart).lines) {
+      if (line.width == 2) return line.points;
+    }
+    return std::vector<plots::Pixel>();
+  };
+  const std::vector<plots::Pixel> line = joined(plots::Trace::line);
+  REQUIRE(line.size() == 3);
+  const std::vector<plots::Pixel> steps = joined(plots::Trace::steps);
+  REQUIRE(steps.size() == 6);
+  CHECK(steps[1] == plots::Pixel{line[1].x, line[0].y});
+  CHECK(steps[2] == line[1]);
+  // To the right where x grows, to the left where it falls.
+  CHECK(steps.back() == plots::Pixel{plots::plot_width - 30, line[2].y});
+  CHECK(joined(plots::Trace::steps, true).back().x < line[0].x);
+  CHECK(joined(plots::Trace::marks).empty());
+  const std::vector<plots::Pixel> level = joined(plots::Trace::level);
+  CHECK(level.front().y == level.back().y);
+  CHECK(level.front().x < level.back().x - 500);
+  const std::vector<plots::Pixel> upright = joined(plots::Trace::upright);
+  CHECK(upright.front().x == upright.back().x);
+  CHECK(upright.front().y < upright.back().y - 300);
 }
 
 TEST_CASE("labels of points at one place are one text") {

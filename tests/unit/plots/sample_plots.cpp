@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/plots/layout.h"
-
 namespace csgsim::testing::plots_ {
 
 namespace {
@@ -157,10 +155,6 @@ plots::Bars random_bars(std::mt19937& random) {
     bars.bars.push_back(std::move(bar));
   }
   return bars;
-}
-
-plots::Drawing laid_out(const Plot& plot) {
-  return std::visit([](const auto& content) { return plots::laid_out(content); }, plot.content);
 }
 
 }  // namespace csgsim::testing::plots_

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/plots/drawing.h"
 #include "sim/plots/plot.h"
 
 namespace csgsim::testing::plots_ {
@@ -16,7 +15,5 @@ std::vector<plots::Plot> sample_plots();
 plots::Chart random_chart(std::mt19937& random);
 
 plots::Bars random_bars(std::mt19937& random);
-
-plots::Drawing laid_out(const plots::Plot& plot);
 
 }  // namespace csgsim::testing::plots_

@@ -119,6 +119,42 @@ TEST_CASE("an axis that begins at 0 does so however near its values are to each 
   CHECK(plots::extent_of(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
 }
 
+TEST_CASE("a number that rounds to 1,000 or more is told in groups, and a smaller one to four digits") {
+  CHECK(plots::number_text(999.4) == "999.4");
+  for (const double value : {999.5, 999.7, 1000.3}) CHECK(plots::number_text(value) == "1,000");
+  CHECK(plots::number_text(-999.5) == "-1,000");
+  CHECK(plots::number_text(9007199254740991) == "9,007,199,254,740,991");
+  CHECK(plots::number_text(1.23456e20) == "1.235e+20");
+  CHECK(plots::number_text(-0.0) == "0");
+}
+
+TEST_CASE("whole numbers have whole ticks") {
+  using Values = std::vector<double>;
+  const plots::Extent extent = plots::extent_of(Values{2, 3}, plots::Scale::linear, plots::Begin::at_values);
+  CHECK(texts(extent.ticks(8, true)) == Words{"2", "3"});
+  CHECK(texts(plots::logarithmic_ticks(0.4, 150, 6, true)) == Words{"1", "10", "100"});
+}
+
+TEST_CASE("every value stands on its axis, and texts of ticks differ") {
+  std::mt19937 random(3);
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<double> values(1 + random() % 6);
+    const double base = std::pow(10.0, static_cast<double>(random() % 21) - 9);
+    for (double& value : values)
+      value = random() % 8 == 0 ? 0.0 : base * (1.0 + static_cast<double>(random() % 1000) / 100.0);
+    const auto scale = static_cast<plots::Scale>(random() % 3);
+    const plots::Extent extent = plots::extent_of(values, scale, static_cast<plots::Begin>(random() % 3));
+    for (const double value : values) {
+      CHECK(extent.along(value) >= 0);
+      CHECK(extent.along(value) <= 1);
+    }
+    const Words words = texts(extent.ticks(static_cast<unsigned>(3 + random() % 8)));
+    CAPTURE(base);
+    CHECK(std::set<std::string>(words.begin(), words.end()).size() == words.size());
+    CHECK(words.size() >= 1);
+  }
+}
+
 TEST_CASE("equal values, none, and the largest numbers have an axis with at least two ticks") {
   using Values = std::vector<double>;
   for (const Values& values :

@@ -8,12 +8,6 @@
 using namespace csgsim;
 using Json = nlohmann::ordered_json;
 
-TEST_CASE("text in HTML has no markup, and what people must not read is escaped") {
-  CHECK(report::html_text("a<b>&\"'") == "a&lt;b&gt;&amp;&quot;&#39;");
-  CHECK(report::html_text("two\nlines") == "two\\nlines");
-  CHECK(report::html_text("\xff") == "\\xff");
-}
-
 TEST_CASE("JSON in a script element cannot end it or begin a comment, and is the same JSON") {
   const Json json{{"</script><script>alert(1)</script>", "<!--<script>"}, {"number", 0.1}};
   const std::string text = report::json_in_html(json);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/points.h"
 #include "sim/report/study_pages.h"
 #include "sim/report/table_html.h"
 
@@ -22,8 +23,10 @@ std::size_t count(const std::string& text, const std::string& part) {
 report::Page page(const std::string& name) {
   report::Page page{name, "csgsim render '" + name + "'", {{"name", name}, {"clocks", 1234567}}, {}};
   report::Table table{name, {name, "clocks"}, {{{name}, report::cell(page.data, "/clocks")}}};
-  const report::Plot plot{name, {name}, {name}, {{name, {{1, 2, name}, {3, 4, name}}}}};
-  page.sections.push_back({name, {report::Paragraph{name}, table, plot}});
+  const plots::Plot plot{
+      name, plots::Chart{name, {name}, {{name}}, {{name, 0, plots::Trace::line, {{1, 2, name}, {3, 4, name}}}}, name}};
+  const plots::Plot bars{name, plots::Bars{name, {name}, {{name, 8, {{name, 0, 4}}}}, {name}, name}};
+  page.sections.push_back({name, {report::Paragraph{name}, table, plot, bars}});
   return page;
 }
 
@@ -55,42 +58,28 @@ TEST_CASE("the data of a page are those of the run, but for the times that it to
   CHECK(report::without_wall_times(data) == Json{{"clocks", 5}, {"rows", {{{"bits", 1}}}}});
 }
 
-TEST_CASE("a plot of more lines than can be told apart says so, and its values are all there") {
-  report::Plot plot{"title", {"x"}, {"y"}, {}};
-  for (int i = 0; i < 15; ++i) plot.series.push_back({"line " + std::to_string(i) + ";", {{1.0 * i, 2}}});
-  const std::string html = report::to_html({"t", "c", Json::object(), {{"s", {plot}}}});
-  CHECK(html.find("The first 12 of 15 lines") != std::string::npos);
-  CHECK(count(html, ">line 14;<") == 1);
-  CHECK(count(html, "<g class=pt>") == 2 * 12);
+TEST_CASE("a study's page says why a point is none, and why there is no picture") {
+  const Json file{
+      {"points",
+       {{{"strategy", "stack"}, {"clocks", 100}, {"reason", ""}}, {{"strategy", "bits"}, {"reason", "no <room>"}}}}};
+  constexpr report::PointColumn columns[] = {{"strategy", "strategy"}, {"clocks", "clocks"}, {"bits", "bits"}};
+  report::Page page = report::begun_page("title", file, {{"csgsim sweep", {}}, "a.csg", {}, "too dark"});
+  page.sections.push_back({"Points", {report::points_table(page.data, "/points", "All", columns)}});
+  const std::string html = report::to_html(page);
+  CHECK(html.find("<th scope=col>why not</th>") != std::string::npos);
+  CHECK(html.find("no &lt;room&gt;") != std::string::npos);
+  CHECK(count(html, ">bits</th>") == 1);  // the second point's strategy: no point has a key of that name
+  CHECK(html.find("There is no picture: too dark") != std::string::npos);
 }
 
-TEST_CASE("a sweep's page has a line a strategy, joins those that are alike, and says why a point is none") {
-  const auto point = [](const std::string& strategy, int bits, int clocks) {
-    return Json{{"model", "folder/a.csg"},
-                {"machine", "m"},
-                {"memory_bits", 72},
-                {"z_bits", 20},
-                {"pruning", "all"},
-                {"colouring", "field"},
-                {"strategy", strategy},
-                {"stack_bits", 0},
-                {"clocks", clocks},
-                {"rendered", 3},
-                {"classified", 4},
-                {"depth_tests", 3},
-                {"classification_bits", bits},
-                {"used_bits", 40},
-                {"reason", ""}};
-  };
-  Json failed{{"model", "folder/a.csg"}, {"strategy", "bits"}, {"reason", "no <room>"}};
-  for (const char* const key : {"machine", "memory_bits", "z_bits", "pruning", "colouring", "stack_bits"})
-    failed[key] = point("bits", 1, 1)[key];
-  const Json file{{"study", "s"}, {"points", {point("stack", 2, 100), point("list", 2, 100), failed}}};
-  const std::string html = report::to_html(report::sweep_page(file, {{"csgsim sweep", {}}, "a.csg", {}, "too dark"}));
-  CHECK(html.find("stack (+ 1 alike)") != std::string::npos);
-  CHECK(html.find("no &lt;room&gt;") != std::string::npos);
-  CHECK(html.find("There is no picture: too dark") != std::string::npos);
-  CHECK(html.find("a.csg: what memory buys") != std::string::npos);
+TEST_CASE("the page of effects has a plot of their clocks, with a mark for each bill of each effect") {
+  const Json flat{{"effect", "flat"}, {"clocks", 51251}};
+  const Json fog{{"effect", "fog"}, {"clocks", 1719}, {"alone_clocks", 1743}, {"together_clocks", 1743}};
+  const std::string html = report::to_html(report::effects_page({{"effects", {flat, fog}}}, {}, {}));
+  for (const std::string tip : {"billed: effect flat, clocks 51,251", "billed: effect fog, clocks 1,719",
+                                "added alone: effect fog, clocks 1,743", "spared without it: effect fog, clocks 1,743"})
+    CHECK(count(html, "<title>" + tip + "</title>") == 1);
+  CHECK(count(html, "<g class=\"pt\">") == 4);
 }
 
 TEST_CASE("sentences and tables that other versions of the stats tell are shown where they are there") {
