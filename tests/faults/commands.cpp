@@ -18,7 +18,7 @@ const std::string advise = "advise" + small_model +
                            " --z-bits 16 --fraction-bits 6 --colour-bits 24 --strategy stack,list,products"
                            " --max-wrong-pixels 64 --threads 1 -o OUT";
 const std::string compare =
-    "compare" + small_model + " --sides 4 --fragments 3 --machines pixel-planes-4,scan-line -o OUT";
+    "compare" + small_model + " --sides 4 --fragments 3 --machines pixel-planes-4,scan-line --threads 1 -o OUT";
 
 std::vector<std::string> plots(const std::vector<std::string>& names) {
   std::vector<std::string> files;
