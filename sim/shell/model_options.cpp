@@ -152,7 +152,7 @@ std::vector<std::string> strategy_names() {
 void ModelOptions::add_to(Command& command, const std::string& what) {
   command.option("MODEL", model, what).required();
   command.option("--machine", machine,
-                 "A machine's name (see csgsim machines) or its .toml file; with figures changed: "
+                 "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: "
                  "NAME+KEY=VALUE");
   command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);

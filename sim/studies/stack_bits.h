@@ -7,6 +7,6 @@
 namespace csgsim::studies {
 
 /// Whether a strategy has a stack whose bits are chosen.
-inline bool has_stack_bits(std::string_view strategy) { return strategy == emit::name_of(emit::Strategy::bits); }
+inline bool has_stack_bits(std::string_view name) { return name == emit::name_of(emit::Strategy::bits); }
 
 }  // namespace csgsim::studies

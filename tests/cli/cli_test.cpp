@@ -223,7 +223,7 @@ TEST_CASE("a tolerance in pixels becomes one in model units, finer for a finer p
 
 TEST_CASE("every command has help with an example") {
   for (const std::string command : {"render", "compile", "run", "disasm", "debug", "diff", "wave", "accuracy", "advise",
-                                    "sweep", "levels", "machines", "isa"}) {
+                                    "sweep", "levels", "manual"}) {
     const Outcome outcome = run(command + " --help");
     CAPTURE(command);
     CHECK(outcome.code == 0);
@@ -231,20 +231,28 @@ TEST_CASE("every command has help with an example") {
   }
 }
 
-TEST_CASE("machines says where each figure comes from") {
-  const Outcome outcome = run("machines");
+TEST_CASE("the manual has a short list of machines, and says where each figure of one comes from") {
+  const Outcome list = run("manual machines");
+  CHECK(list.code == 0);
+  CHECK(std::ranges::count(list.out, '\n') < 10);
+  for (const char* const name : {"pixel-planes-4 ", "scan-line ", "multi-processor "})
+    CHECK(list.out.find(name) != std::string::npos);
+  CHECK(run("manual").out.find("instructions") != std::string::npos);
+  misused("manual instruction", "did you mean instructions?");
+  misused("manual scenes pixel-planes-4", "MACHINE: csgsim manual scenes is of no machine");
+  const Outcome outcome = run("manual machines pixel-planes-4");
   CHECK(outcome.code == 0);
-  CHECK(outcome.out.find("pixel-planes-4") != std::string::npos);
+  CHECK(outcome.out.find("alu.bits") != std::string::npos);
   CHECK(outcome.out.find("published") != std::string::npos);
   CHECK(outcome.out.find("assumed") != std::string::npos);
 }
 
 TEST_CASE("the instruction set's page in docs is the one that csgsim prints") {
-  CHECK(run("isa").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/instruction-set.md"));
+  CHECK(run("manual instructions").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/instruction-set.md"));
 }
 
 TEST_CASE("the page of scene files in docs is the one that csgsim prints") {
-  CHECK(run("scene").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/scene-files.md"));
+  CHECK(run("manual scenes").out == content(std::string(CSGSIM_SOURCE_DIR) + "/docs/scene-files.md"));
 }
 
 TEST_CASE("bad usage ends with exit code 2 and one line") {
@@ -343,12 +351,12 @@ TEST_CASE("models and Programs are told from each other by name") {
 TEST_CASE("a machine's folder and a clock too fast are refused") {
   const Folder folder;
   fs::create_directory(folder / "m.toml");
-  CHECK(run("machines " + (folder / "m.toml")).code == 1);
+  CHECK(run("manual machines " + (folder / "m.toml")).code == 1);
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   const std::size_t at = text.find("10_000_000");
   if (at != std::string::npos) text.replace(at, 10, "1_000_000_001");
   write(folder / "fast.toml", text);
-  CHECK(run("machines " + (folder / "fast.toml")).code == (at == std::string::npos ? 0 : 1));
+  CHECK(run("manual machines " + (folder / "fast.toml")).code == (at == std::string::npos ? 0 : 1));
 }
 
 TEST_CASE("a word that is like no known one gets no suggestion") {

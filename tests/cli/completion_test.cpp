@@ -123,7 +123,7 @@ TEST_CASE("bash completes commands, options, words, machines and files") {
   CHECK(shells.bash({"csgsim", "render", ""}) == Words{"one.csg", "two.csg"});
   CHECK(shells.bash({"csgsim", "render", "-o", "o"}) == Words{"one.csg"});
   CHECK(shells.bash({"csgsim", "render", "--quiet", "t"}) == Words{"two.csg"});
-  CHECK(shells.bash({"csgsim", "machines", "scan"}) == machines_that_begin("scan"));
+  CHECK(shells.bash({"csgsim", "manual", "machines", "scan"}) == machines_that_begin("scan"));
   CHECK(shells.bash({"csgsim", "render", "--size", "o"}).empty());
   CHECK(shells.bash({"csgsim", "nothing", "o"}).empty());
 }

@@ -116,7 +116,7 @@ TEST_CASE("names that are not fixed words are told alike: machines, effects, set
   CHECK(machine.code == 1);
   CHECK(machine.err.find("there is no machine 'scanline'; did you mean scan-line? The machines are pixel-planes-4, ") !=
         std::string::npos);
-  CHECK(run("machines foo").err.starts_with("there is no machine 'foo'; the machines are pixel-planes-4, "));
+  CHECK(run("manual machines foo").err.starts_with("there is no machine 'foo'; the machines are pixel-planes-4, "));
   misused("render " + model("old_example003") + " --set effects.shadow.on=true",
           "there is no effect 'shadow'; did you mean shadows? The effects are ");
   misused("render " + model("old_example003") + " --set effects.transparency.method=screendor",

@@ -137,7 +137,7 @@ TEST_CASE("messages are one line without control characters, whatever names and 
                                              {"render", bad},
                                              {"render", "m.csg", "--machine", bad + ".toml"},
                                              {"render", "m.csg", "--machine", bad},
-                                             {"machines", bad + ".toml"},
+                                             {"manual", "machines", bad + ".toml"},
                                              {"run", bad + ".csgt"},
                                              {"disasm", bad},
                                              {"render", "m.csg", "-o", bad + "/p.png"},
@@ -157,7 +157,7 @@ TEST_CASE("what a machine file says of itself is shown without control character
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   text.replace(text.find("description = \""), 15, "description = \"\\u001b[2J\\u202e");
   write(folder / "m.toml", text);
-  const Outcome outcome = run_words({"machines", "m.toml"}, folder.path());
+  const Outcome outcome = run_words({"manual", "machines", "m.toml"}, folder.path());
   CHECK(outcome.code == 0);
   CHECK(outcome.out.find('\x1b') == std::string::npos);
   CHECK(outcome.out.find("\\x1b[2J\\xe2\\x80\\xae") != std::string::npos);

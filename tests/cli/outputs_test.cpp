@@ -125,7 +125,8 @@ TEST_CASE("standard output that cannot be written is told") {
   const Folder folder;
   const std::string binary = std::string(CSGSIM_BINARY_DIR) + "/csgsim ";
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
-  for (const std::string& words : {"disasm " + program, std::string("isa"), std::string("machines")}) {
+  for (const std::string& words :
+       {"disasm " + program, std::string("manual instructions"), std::string("manual machines all")}) {
     const int status = std::system((binary + words + " >/dev/full 2>" + (folder / "err")).c_str());
     CHECK(WEXITSTATUS(status) == 1);
     CHECK(one_line(content(folder / "err")));

@@ -60,7 +60,7 @@ TEST_CASE("a file that is a built-in machine with other figures has a name that 
   text.replace(text.find(figure), figure.size(), "[alu.bits]\nvalue = 4");
   write(folder / "wide.toml", text);
   const auto first_line = [&](const std::string& words) {
-    const Outcome outcome = run_words({"machines", folder / words}, folder.path());
+    const Outcome outcome = run_words({"manual", "machines", folder / words}, folder.path());
     return outcome.out.substr(0, outcome.out.find('\n'));
   };
   CHECK(first_line("same.toml") == "pixel-planes-4");
@@ -80,7 +80,7 @@ TEST_CASE("what is set wrongly is told in one line, with the nearest figure or k
   misused(render + "--set alu.bits", "changes no figure; say KEY=VALUE");
   misused(render + "--set divider.kind=host", "pixel-planes-4 has no such figure, machines of the kind pixel-square");
   misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is for models");
-  misused("machines --set ambient.intensity=1", "'ambient.intensity=1' is for models");
+  misused("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is for models");
 }
 
 TEST_CASE("a figure is set for those of several machines that have it, and refused where none has") {
@@ -96,7 +96,7 @@ TEST_CASE("a figure is set for those of several machines that have it, and refus
   CHECK(content(folder / "out/compare.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
   misused(compare + "scan-line,multi-processor --set alu.bits=4", "none of scan-line, multi-processor has that figure");
   misused(compare + "pixel-planes-4 --set alu.bits=99", "alu.bits is 99");
-  const Outcome listed = run("machines --set alu.bits=4");
+  const Outcome listed = run("manual machines --set alu.bits=4");
   REQUIRE(listed.code == 0);
   CHECK(listed.out.find("pixel-planes-4+alu.bits=4\n") != std::string::npos);
   CHECK(listed.out.find("\nscan-line\n") != std::string::npos);

@@ -179,7 +179,7 @@ def of_sources() -> list[Sample]:
     add("scene", ["tests/scenes/*.toml", "tests/fuzz/corpus/scene/all.toml"], "look.toml",
         [["render", "m.csg", *SMALL, "--scene", "look.toml", "-o", "p.png"]], RENDERED, beside={"m.csg": cube})
     add("machine", ["hw/machines/*.toml"], "mine.toml",
-        [["render", "m.csg", *SMALL, "--machine", "mine.toml", "-o", "p.png"], ["machines", "mine.toml"]], RENDERED,
+        [["render", "m.csg", *SMALL, "--machine", "mine.toml", "-o", "p.png"], ["manual", "machines", "mine.toml"]], RENDERED,
         beside={"m.csg": cube})
     settings = [b"size = '16x16'\nview-all = true\nset = ['alu.bits=4']\n[render]\nz-bits = 18\ncamera = [9, -9, 9, 0, 0, 0]\n"
                 b"strategy = 'list'\nwithout = ['hidden']\n[sweep]\nz-bits = '16..20'\n"]

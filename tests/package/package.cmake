@@ -36,11 +36,11 @@ foreach(name share/man/man1/csgsim.1.gz share/man/man1/csgsim-render.1.gz share/
     share/csgsim/examples/parts/vase.csg share/csgsim/examples/scenes/vehicle.toml)
   require_file(prefix/${name})
 endforeach()
-execute_process(COMMAND ${WORK}/prefix/bin/csgsim machines OUTPUT_VARIABLE built_in COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${WORK}/prefix/bin/csgsim manual machines all OUTPUT_VARIABLE built_in COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB machines ${WORK}/prefix/share/csgsim/machines/*.toml)
 set(from_files "")
 foreach(name pixel-planes-4 scan-line pixel-square pixel-planes-5 multi-processor pixel-powers)
-  execute_process(COMMAND ${WORK}/prefix/bin/csgsim machines ${WORK}/prefix/share/csgsim/machines/${name}.toml
+  execute_process(COMMAND ${WORK}/prefix/bin/csgsim manual machines ${WORK}/prefix/share/csgsim/machines/${name}.toml
     OUTPUT_VARIABLE one COMMAND_ERROR_IS_FATAL ANY)
   string(APPEND from_files "${one}")
 endforeach()

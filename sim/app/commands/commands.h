@@ -20,9 +20,7 @@ using namespace shell;  // in whose words commands are written
   COMMAND(subdivide)             \
   COMMAND(effects)               \
   COMMAND(levels)                \
-  COMMAND(machines)              \
-  COMMAND(isa)                   \
-  COMMAND(scene)
+  COMMAND(manual)
 
 #define CSGSIM_COMMAND_DECLARATION(name) void add_##name(CommandLine& line);
 CSGSIM_COMMANDS(CSGSIM_COMMAND_DECLARATION)

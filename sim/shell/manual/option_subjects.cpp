@@ -125,7 +125,7 @@ struct CommandSubject {
 constexpr std::string_view drawing = "Models and Programs";
 constexpr std::string_view looking = "Looking into a run";
 constexpr std::string_view studies = "Studies";
-constexpr std::string_view manuals = "Manuals";
+constexpr std::string_view manuals = "Manual";
 
 /// All other commands are studies.
 constexpr auto commands = std::to_array<CommandSubject>({
@@ -138,9 +138,7 @@ constexpr auto commands = std::to_array<CommandSubject>({
     {looking, "diff"},
     {looking, "explain"},
     {looking, "wave"},
-    {manuals, "machines"},
-    {manuals, "isa"},
-    {manuals, "scene"},
+    {manuals, "manual"},
 });
 
 }  // namespace
