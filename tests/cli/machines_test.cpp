@@ -115,7 +115,7 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
   for (std::size_t i = 0; i < 5; ++i) {
     CHECK(points[i]["picture"] == points[i + 5]["picture"]);
     CHECK(points[i]["halfspaces"] == points[i + 5]["halfspaces"]);
-    CHECK(points[i]["transistors"] ==
+    CHECK(points[i]["machine_transistors"] ==
           points[i]["processors"].get<std::uint64_t>() * points[i]["pixel_transistors"].get<std::uint64_t>());
     CHECK(points[i]["processor_clocks"] == points[i]["processors"].get<double>() * points[i]["clocks"].get<double>());
   }
@@ -129,7 +129,7 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
   CHECK(content(folder / "c/compare.csv") == table);
   REQUIRE(run(command + " --machines scan-line --no-plots").code == 0);
   CHECK(json(folder / "c/compare.json")["points"].size() == 5);
-  CHECK(json(folder / "c/compare.json")["points"][0]["transistors"].is_null());
+  CHECK(json(folder / "c/compare.json")["points"][0]["machine_transistors"].is_null());
   CHECK(run(command + " --machines nothing").code == 1);
 }
 

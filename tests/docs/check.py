@@ -120,7 +120,18 @@ def lists():
             yield f"README.md: its table of commands has {name} {named[name]} times"
 
 
-CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary, lists, tasks)}
+def words():
+    """The table of words in docs/developing.md has each column of a study once, and no other."""
+    section = markdown.read("docs/developing.md").split("\n## Words\n")[1].split("\n## ")[0]
+    told = collections.Counter(name for _, row in markdown.rows(section) for name in re.findall(r"^`(\w+)`$", row[0]))
+    headers = (path.read_text(encoding="utf-8") for path in (ROOT / "sim/studies").rglob("*.h"))
+    columns = {name for text in headers for name in re.findall(r'visit\("(\w+)"', text)}
+    for name in sorted(columns | set(told)):
+        if told[name] != (name in columns):
+            yield f"docs/developing.md: its table of words has {name} {told[name]} times, studies {'do' if name in columns else 'do not'}"
+
+
+CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary, lists, tasks, words)}
 
 
 def main():

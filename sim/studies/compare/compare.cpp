@@ -114,8 +114,8 @@ void print_row(const ComparisonRow& row, std::size_t width) {
   }
   fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
              grouped(row.clocks), row.simulated_seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations),
-             grouped(row.processors), grouped(row.processor_clocks), grouped(row.memory_bits),
-             row.transistors ? grouped(*row.transistors) : "-", 100.0 * row.utilisation);
+             grouped(row.processors), grouped(row.processor_clocks), grouped(row.machine_memory_bits),
+             row.machine_transistors ? grouped(*row.machine_transistors) : "-", 100.0 * row.utilisation);
 }
 
 /// What each idealisation of a machine is worth, against the machine as it is, which comes before them.

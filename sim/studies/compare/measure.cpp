@@ -34,9 +34,9 @@ void count(const isa::Program& program, const machines::Machine& machine, Compar
   }
   const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
   row.processors = resources.processors;
-  row.memory_bits = resources.memory_bits;
+  row.machine_memory_bits = resources.memory_bits;
   row.pixel_transistors = machines::pixel_transistors(machine, machine.array.memory_bits);
-  if (row.pixel_transistors) row.transistors = *row.pixel_transistors * row.processors;
+  if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
 void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {

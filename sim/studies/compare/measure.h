@@ -49,11 +49,11 @@ struct ComparisonRow {
   std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
   std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
   std::uint64_t processors = 0;
-  std::uint64_t processor_clocks = 0;                ///< processors times clocks: what was paid for
-  std::uint64_t memory_bits = 0;                     ///< of all processors, and of a frame buffer beside them
-  std::optional<std::uint64_t> pixel_transistors{};  ///< of one processor with its memory: hw/machines/area.h
-  std::optional<std::uint64_t> transistors{};        ///< of all processors
-  double utilisation = 0;                            ///< enabled pixel operations in processor clocks
+  std::uint64_t processor_clocks = 0;                  ///< processors times clocks: what was paid for
+  std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a frame buffer beside them
+  std::optional<std::uint64_t> pixel_transistors{};    ///< of one processor with its memory: hw/machines/area.h
+  std::optional<std::uint64_t> machine_transistors{};  ///< of all processors
+  double utilisation = 0;                              ///< enabled pixel operations in processor clocks
   std::string bound_by;                  ///< the part that bounds the frame; empty where the kind does not tell
   double bound_share = 0;                ///< of the clocks from one frame to the next, in which it works
   std::uint64_t instruction_clocks = 0;  ///< of all instructions, over all segments, and the final latency
@@ -92,9 +92,9 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("enabled", row.enabled);
   visit("processors", row.processors);
   visit("processor_clocks", row.processor_clocks);
-  visit("memory_bits", row.memory_bits);
+  visit("machine_memory_bits", row.machine_memory_bits);
   visit("pixel_transistors", row.pixel_transistors);
-  visit("transistors", row.transistors);
+  visit("machine_transistors", row.machine_transistors);
   visit("utilisation", row.utilisation);
   visit("bound_by", row.bound_by);
   visit("bound_share", row.bound_share);

@@ -88,9 +88,9 @@ constexpr Property properties[] = {
      }},
     {drawing_title, [](const ComparisonRow& row) { return std::optional(drawing_ms(row)); }},
     {"memory bits in all",
-     [](const ComparisonRow& row) { return std::optional(static_cast<double>(row.memory_bits)); }},
+     [](const ComparisonRow& row) { return std::optional(static_cast<double>(row.machine_memory_bits)); }},
     {"transistors in all", [](const ComparisonRow& row) {
-       return row.transistors ? std::optional(static_cast<double>(*row.transistors)) : std::nullopt;
+       return row.machine_transistors ? std::optional(static_cast<double>(*row.machine_transistors)) : std::nullopt;
      }}};
 
 void add_property(const Property& property, std::span<const ComparisonRow> own, plots::Chart& chart) {

@@ -18,7 +18,7 @@ def machine_row(machine, each):
     pace = each.frames_per_second
     return row(f"`{machine}`", f"{each.clocks:,}", f"{each.simulated_seconds * 1e3:,.2f}", f"{pace:.{1 if pace >= 0.5 else 2}f}",
                four_digits(each.pixel_operations), f"{each.processors:,}", four_digits(each.processor_clocks),
-               f"{each.memory_bits:,}", f"{100 * each.utilisation:.1f} %")
+               f"{each.machine_memory_bits:,}", f"{100 * each.utilisation:.1f} %")
 
 
 def machines(figures):

@@ -190,11 +190,11 @@ TEST_CASE("a line of a comparison has a cell for each thing that a point takes, 
         &studies::ComparisonRow::drawn_segments, &studies::ComparisonRow::instructions, &studies::ComparisonRow::clocks,
         &studies::ComparisonRow::shown_clocks, &studies::ComparisonRow::pixel_operations,
         &studies::ComparisonRow::enabled, &studies::ComparisonRow::processors,
-        &studies::ComparisonRow::processor_clocks, &studies::ComparisonRow::memory_bits,
+        &studies::ComparisonRow::processor_clocks, &studies::ComparisonRow::machine_memory_bits,
         &studies::ComparisonRow::instruction_clocks})
     row.*count = number++;
   row.pixel_transistors = number++;
-  row.transistors = number++;
+  row.machine_transistors = number++;
   for (double studies::ComparisonRow::*const fraction :
        {&studies::ComparisonRow::simulated_seconds, &studies::ComparisonRow::frames_per_second,
         &studies::ComparisonRow::utilisation, &studies::ComparisonRow::bound_share})

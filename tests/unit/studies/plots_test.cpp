@@ -181,13 +181,13 @@ TEST_CASE("machines that differ by a figure are called by it, and transistors ar
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].point = {machines[i], 64, 64, 0, {}};
     rows[i].frames_per_second = 1;
-    rows[i].transistors = 100 + i;
+    rows[i].machine_transistors = 100 + i;
   }
   const plots::Chart chart = chart_named(studies::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines");
   CHECK(tick_texts(chart.x) == Words{"pixel-planes-4", "+alu.bits=2", "+array.memory_bits=96"});
   REQUIRE(chart.panels.size() == 4);
   CHECK(chart.series[3].points[2].y == 102);
-  rows[1].transistors.reset();
+  rows[1].machine_transistors.reset();
   CHECK(chart_named(studies::plots_of_comparison(rows, {64, 64}, "a"), "compare_machines").panels.size() == 3);
 }
 
