@@ -23,10 +23,10 @@ void add_compile(CommandLine& line) {
     std::string output;
   };
   const auto options = std::make_shared<Options>();
-  Command command = line.add(
-      "compile", "Compile a CSG model into a Program file, to be run without the model",
-      "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt --view-all\n  csgsim run carburettor.csgt -o "
-      "carburettor.png");
+  Command command =
+      line.add("compile", "Compile a CSG model into a Program file, to be run without the model",
+               "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt\n  csgsim run carburettor.csgt -o "
+               "carburettor.png");
   options->model.add_to(command);
   command.option("-o,--output", options->output, "The Program file, .csgt").required().check(not_empty);
   command.prints_summary();

@@ -80,8 +80,8 @@ void refuse_misuse(const Options& options, const Command& command) {
   const bool is_model_b = is_model(options.b.subject);
   for (const auto& [side, is_one, letter] : {std::tuple(&options.a, is_model_a, "a"), {&options.b, is_model_b, "b"}}) {
     if (is_one) continue;
-    for (const auto& [name, is_given] : {std::pair("strategy", !side->strategy.empty()),
-                                         {"pruning", !side->pruning.empty()}}) {
+    for (const auto& [name, is_given] :
+         {std::pair("strategy", !side->strategy.empty()), {"pruning", !side->pruning.empty()}}) {
       if (is_given)
         throw UsageError(fmt::format("--{}-{}", name, letter), "is for models; a Program has been compiled already");
     }
@@ -233,7 +233,7 @@ void add_diff(CommandLine& line) {
   Command command = line.add(
       "diff", "Run two Programs, machines, levels or settings side by side and tell where they first differ",
       "Example:\n  csgsim diff old.csgt new.csgt\n  csgsim diff tests/models/carburettor.csg --size 64x64 --level-b "
-      "cycle\n  csgsim diff part.csg --view-all --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
+      "cycle\n  csgsim diff part.csg --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
       "differ.");
   command.option("A", options->a.subject, "A model, .csg or .scad, or a Program").required();
   command.option("B", options->b.subject, "Another; A again if not given");

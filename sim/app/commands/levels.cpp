@@ -95,7 +95,7 @@ void add_levels(CommandLine& line) {
   Command command =
       line.add("levels", "Run a model at every level: what fidelity costs in time, and that the results are equal",
                "Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256\n"
-               "  csgsim levels carburettor.csg --view-all --levels functional,cycle");
+               "  csgsim levels carburettor.csg --levels functional,cycle");
   options->model.add_to(command);
   command
       .option("--levels", options->levels,

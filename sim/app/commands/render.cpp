@@ -120,7 +120,7 @@ void add_render(CommandLine& line) {
       line.add("render", "Draw a CSG model on a machine and count what it takes",
                "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
                "carburettor.json\n"
-               "  csgsim render carburettor.csg -o carburettor.png --view-all --projection perspective --level cycle");
+               "  csgsim render carburettor.csg -o carburettor.png --projection perspective --level cycle");
   options->model.add_to(command);
   options->run.add_to(command);
   options->run.report.add_to(command);
