@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string_view>
@@ -13,11 +14,10 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/hash.h"
 #include "hw/machines/regions.h"
-#include "sim/shell/lists.h"
 #include "sim/shell/options.h"
-#include "sim/shell/read_by.h"
 #include "sim/shell/usage.h"
 #include "sim/shell/version.h"
+#include "sim/studies/dimensions.h"
 
 namespace csgsim::studies {
 
@@ -29,34 +29,18 @@ constexpr std::uint64_t default_wrong_pixels = 10;
 constexpr unsigned most_fraction_bits = 30;
 constexpr std::string_view alu_figure = "alu.bits";
 
-/// All that can be named but `auto`: what that takes depends on the memory at hand, and the search is for it.
-template <class Choices>
-std::vector<std::string> names_of(const Choices& choices) {
-  std::vector<std::string> names;
-  for (const auto choice : choices) {
-    if (choice != Choices::value_type::automatic) names.emplace_back(emit::name_of(choice));
-  }
-  return names;
-}
-
-std::vector<unsigned> z_bits_of(const std::string& text) {
-  return parse_numbers(text, view::fewest_z_bits, view::most_z_bits);
-}
 std::vector<unsigned> fraction_bits_of(const std::string& text) { return parse_numbers(text, 0, most_fraction_bits); }
 std::vector<unsigned> colour_bits_of(const std::string& text) {
   return parse_numbers(text, isa::fewest_colour_bits, isa::most_colour_bits);
-}
-std::vector<unsigned> stack_bits_of(const std::string& text) {
-  return parse_numbers(text, emit::fewest_stack_bits, most_stack_bits);
 }
 std::vector<unsigned> alu_bits_of(const std::string& text) {
   return text.empty() ? std::vector<unsigned>{} : parse_numbers(text, 1, isa::max_field_width);
 }
 std::vector<std::string> strategies_of(const std::string& text) {
-  return text.empty() ? std::vector<std::string>{} : parse_names(text, "strategy", names_of(emit::strategies));
+  return text.empty() ? std::vector<std::string>{} : parse_names(text, "strategy", fixed_names_of(emit::strategies));
 }
 std::vector<std::string> colourings_of(const std::string& text) {
-  return parse_names(text, "colouring", names_of(emit::colourings));
+  return parse_names(text, "colouring", fixed_names_of(emit::colourings));
 }
 
 std::string not_negative(const std::string& text) {
@@ -94,7 +78,7 @@ AdviceRanges ranges_of(const AdviseOptions& options, const machines::Machine& ma
   if (ranges.strategies.empty()) {
     // A machine that divides the model itself knows one alone.
     ranges.strategies = machines::division(machine) ? std::vector{std::string(emit::name_of(emit::Strategy::stack))}
-                                                    : names_of(emit::strategies);
+                                                    : fixed_names_of(emit::strategies);
   }
   ranges.stack_bits = stack_bits_of(options.stack_bits);
   ranges.alu_bits = alu_widths(options, machine);
@@ -210,19 +194,16 @@ void AdviseOptions::add_to(Command& command) {
       .option("--min-colour-bits", min_colour_bits,
               "Wish: at least so many bits of colour; the most of --colour-bits if not given")
       .between(isa::fewest_colour_bits, isa::most_colour_bits);
-  const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
-    command.option(name, value, help).check(is_read_by(parse));
-  };
-  add_list("--strategy", strategies, strategies_of,
+  add_list(command, "--strategy", strategies, strategies_of,
            fmt::format("Searched: list of {}; all that the machine can draw by if not given",
-                       fmt::join(names_of(emit::strategies), ", ")));
-  add_list("--stack-bits", stack_bits, stack_bits_of, "Searched: numbers, bits that strategy bits is given");
-  add_list("--z-bits", z_bits, z_bits_of, "Searched: numbers, bits of depth");
-  add_list("--fraction-bits", fraction_bits, fraction_bits_of,
+                       fmt::join(fixed_names_of(emit::strategies), ", ")));
+  add_list(command, "--stack-bits", stack_bits, stack_bits_of, "Searched: numbers, bits that strategy bits is given");
+  add_list(command, "--z-bits", z_bits, z_bits_of, "Searched: numbers, bits of depth");
+  add_list(command, "--fraction-bits", fraction_bits, fraction_bits_of,
            "Searched: numbers, fraction bits of the planes' coefficients");
-  add_list("--colour-bits", colour_bits, colour_bits_of, "Searched: numbers, bits of a colour");
-  add_list("--colouring", colourings, colourings_of, "Searched: list of rebroadcast, field");
-  add_list("--alu-bits", alu_bits, alu_bits_of,
+  add_list(command, "--colour-bits", colour_bits, colour_bits_of, "Searched: numbers, bits of a colour");
+  add_list(command, "--colouring", colourings, colourings_of, "Searched: list of rebroadcast, field");
+  add_list(command, "--alu-bits", alu_bits, alu_bits_of,
            "Searched: numbers, bits that a pixel's ALU works on in a clock; the machine's own if not given");
 }
 

@@ -1,42 +1,20 @@
 #include "sim/studies/sweep/options.h"
 
-#include <fmt/format.h>
-
-#include <functional>
-#include <map>
-#include <memory>
-#include <tuple>
-#include <utility>
+#include <algorithm>
 
 #include "host/emit/curves.h"
-#include "hw/base/error.h"
 #include "hw/isa/instruction.h"
 #include "hw/kinds/load.h"
-#include "sim/shell/lists.h"
 #include "sim/shell/prunings.h"
-#include "sim/shell/read_by.h"
 #include "sim/shell/settings/sets.h"
+#include "sim/studies/dimensions.h"
 
 namespace csgsim::studies {
 
 namespace {
 
-template <class Choices>
-std::vector<std::string> names_of(const Choices& choices) {
-  std::vector<std::string> names;
-  names.reserve(choices.size());
-  for (const auto choice : choices) names.emplace_back(emit::name_of(choice));
-  return names;
-}
-
 std::vector<unsigned> memory_bits_of(const std::string& text) {
   return shell::parse_numbers(text, 1, isa::max_memory_bits);
-}
-std::vector<unsigned> z_bits_of(const std::string& text) {
-  return shell::parse_numbers(text, view::fewest_z_bits, view::most_z_bits);
-}
-std::vector<unsigned> stack_bits_of(const std::string& text) {
-  return shell::parse_numbers(text, emit::fewest_stack_bits, shell::most_stack_bits);
 }
 std::vector<std::string> strategies_of(const std::string& text) {
   return shell::parse_names(text, "strategy", names_of(emit::strategies));
@@ -89,13 +67,10 @@ shell::ModelOptions SweepOptions::at(const SweepPoint& point) const {
 
 void SweepOptions::add_to(shell::Command& command) {
   command.option("MODEL", models, "The models, OpenSCAD .csg files, or sources, .scad").required();
-  const auto add_list = [&](const char* name, std::string& value, const auto& parse, const std::string& help) {
-    command.option(name, value, help).check(shell::is_read_by(parse));
-  };
   command.option("--strategy", strategies, "List of the ways in which classifications are worked out")
       .list_of(names_of(emit::strategies), "strategy");
-  add_list("--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
-  add_list("--z-bits", z_bits, z_bits_of, "Numbers: bits of depth");
+  add_list(command, "--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");
+  add_list(command, "--z-bits", z_bits, z_bits_of, "Numbers: bits of depth");
   command.option("--colouring", colourings, "List of the ways in which colours get to the pixels")
       .list_of(names_of(emit::colourings), "colouring");
   command
@@ -103,8 +78,8 @@ void SweepOptions::add_to(shell::Command& command) {
               "List of which prunings are done: all, none, those named (space+hidden) or all but those "
               "(no-space+no-hidden)")
       .words(shell::pruning_words(), shell::is_read_by(shell::prunings_of));
-  add_list("--machines", machines, shell::parse_words, "List of machines, by name or .toml file");
-  add_list("--memory-bits", memory_bits, memory_bits_of,
+  add_list(command, "--machines", machines, shell::parse_words, "List of machines, by name or .toml file");
+  add_list(command, "--memory-bits", memory_bits, memory_bits_of,
            "Numbers: memory bits a pixel; the machine's own if not given");
   view.add_view_to(command);
   command.remove("--curves");
