@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <string>
 
 #include "tests/cli/cli.h"
@@ -99,4 +101,20 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
   CHECK(outcome.out.find("what bounds it") != std::string::npos);
   CHECK(outcome.out.find(stats["dearest_primitives"][0]["name"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find("$fn = 8 gives") != std::string::npos);
+  // The share of the dearest primitive of the first machine on each, as render tells it of that machine.
+  REQUIRE(
+      run("render " + model("thesis_fig_2_3") + " --machine pixel-planes-4 --size 64x64 --stats " + (folder / "p.json"))
+          .code == 0);
+  const nlohmann::json first = json(folder / "p.json")["dearest_primitives"];
+  const std::string name = first[0]["name"];
+  const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("dearest primitives"));
+  REQUIRE(line != std::string::npos);
+  const std::string shares = outcome.out.substr(line + 1, outcome.out.find('\n', line + 1) - line - 1);
+  CAPTURE(shares);
+  for (const nlohmann::json& dearest : {first, stats["dearest_primitives"]}) {
+    for (const nlohmann::json& one : dearest) {
+      if (one["name"] != name) continue;
+      CHECK(shares.find(fmt::format(" {:.1f} %", 100.0 * one["share"].get<double>())) != std::string::npos);
+    }
+  }
 }

@@ -47,14 +47,21 @@ class Place {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
 
+  [[nodiscard]] Words files() const {
+    Words names;
+    for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename());
+    std::ranges::sort(names);
+    return names;
+  }
+
   [[nodiscard]] nlohmann::json points(const std::string& file) const {
     return nlohmann::json::parse(content(file))["points"];
   }
 
   /// Runs the command in a line of its own.
-  static void run(const Words& words) {
+  static void run(const Words& words, const studies::StudyRow& row = testing::collatz_row) {
     shell::CommandLine line("csgsim: a study that lives here alone", "csgsim");
-    studies::add_study(line, testing::collatz_row);
+    studies::add_study(line, row);
     studies::add_gather(line, rows);
     line.run(words, {});
   }
@@ -87,8 +94,19 @@ TEST_CASE("a study that the house does not know has a table, JSON, plots and a p
   for (const char* const file : {"out/collatz_steps.png", "out/collatz_steps.svg"})
     CHECK(place.content(file).size() > 1000);
   const std::string page = place.content("page.html");
-  for (const char* const part : {"Steps to 1: ", ">clocks<", ">111<"})
-    CHECK(page.find(part) != std::string::npos);
+  for (const char* const part : {"Steps to 1: ", ">clocks<", ">111<"}) CHECK(page.find(part) != std::string::npos);
+}
+
+TEST_CASE("a study that need not keep anything keeps it where it is asked to, and else shows it alone") {
+  const Place place("unkept");
+  studies::StudyRow row = testing::collatz_row;
+  row.folder = studies::Folder::optional;
+  const Words words{"collatz", place / "numbers.txt", "--report", place / "page.html"};
+  Place::run(words, row);
+  CHECK(place.content("page.html").find(">111<") != std::string::npos);
+  CHECK(place.files() == Words{"numbers.txt", "page.html"});
+  Place::run({"collatz", place / "numbers.txt", "-o", place / "out", "--no-plots"}, row);
+  CHECK(place.points("out/collatz.json")[0]["clocks"] == 111);
 }
 
 TEST_CASE("a study goes on where it was, and measures anew what was measured from something else") {

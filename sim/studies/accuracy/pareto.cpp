@@ -21,7 +21,7 @@ std::vector<Measurement> pareto_front(std::span<const Measurement> measurements)
 
 std::vector<Halving> halvings(std::span<const Measurement> front) {
   std::vector<Halving> steps;
-  for (std::size_t from = 0; from < front.size() && front[from].wrong > 0;) {
+  for (std::size_t from = 0; from < front.size();) {
     std::size_t to = from + 1;
     while (to < front.size() && 2 * front[to].wrong > front[from].wrong) ++to;
     if (to == front.size()) break;

@@ -53,6 +53,12 @@ TEST_CASE("a cell shows the number of the data, and says where it stands there")
   CHECK(report::cell(data, "/none").value.is_null());
 }
 
+TEST_CASE("a share is a part of the whole, nothing of nothing is 0, and what is no number has none") {
+  CHECK(report::share(3, 12).value == 0.25);
+  CHECK(report::share(0, 0).value == 0.0);
+  CHECK(report::share(nullptr, 12).value.is_null());
+}
+
 TEST_CASE("the data of a page are those of the run, but for the times that it took here") {
   const Json data{{"clocks", 5}, {"wall_seconds", 1.5}, {"rows", {{{"bits", 1}, {"wall_seconds", 2.5}}}}};
   CHECK(report::without_wall_times(data) == Json{{"clocks", 5}, {"rows", {{{"bits", 1}}}}});

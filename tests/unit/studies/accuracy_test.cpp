@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/read/read.h"
@@ -80,6 +81,30 @@ TEST_CASE("more bits of depth cost clocks and leave no more wrong pixels beyond 
     clocks = measurement.clocks;
     depth = measurement.depth_p999;
   }
+}
+
+TEST_CASE("counts of a measurement are sums over its views, and depths those of the worst of them") {
+  const model::Tree tree = read::read_csg_text(bitten_cube, "test");
+  const std::vector<view::Camera> views = studies::turned_views(camera, 2);
+  studies::Settings settings{"z-bits", "8", {}, small_sampling()};
+  settings.sampling.z_bits = 8;
+  const auto measured = [&](std::vector<view::Camera> cameras) {
+    return studies::Meter(tree, std::move(cameras), small_machine(), {}).measure(settings);
+  };
+  const studies::Measurement both = measured(views);
+  const studies::Measurement first = measured({views[0]});
+  const studies::Measurement second = measured({views[1]});
+  for (std::uint64_t studies::Measurement::*const count :
+       {&studies::Measurement::clocks, &studies::Measurement::covered, &studies::Measurement::wrong,
+        &studies::Measurement::wrong_silhouette, &studies::Measurement::wrong_owner, &studies::Measurement::unexplained,
+        &studies::Measurement::facet_wrong})
+    CHECK(both.*count == first.*count + second.*count);
+  for (double studies::Measurement::*const depth :
+       {&studies::Measurement::depth_max, &studies::Measurement::depth_p999, &studies::Measurement::depth_max_steps,
+        &studies::Measurement::depth_p999_steps, &studies::Measurement::facet_depth_p999})
+    CHECK(both.*depth == std::max(first.*depth, second.*depth));
+  CHECK(both.wrong > 0);
+  CHECK(first.depth_max != second.depth_max);
 }
 
 TEST_CASE("a tighter faceting tolerance brings the picture nearer to the curved surface, for more half-spaces") {

@@ -52,8 +52,9 @@ studies::AdviceRanges small_ranges() {
   return {{12, 16}, {2, 6}, {24, 12}, {"rebroadcast", "field"}, {"stack", "list", "bits"}, {3, 5}, {1, 4}};
 }
 
-studies::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Options& options = {}) {
-  model::Tree tree = read::read_csg_text(bitten_cube, "test");
+studies::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Options& options = {},
+                          const std::string& model = bitten_cube) {
+  model::Tree tree = read::read_csg_text(model, "test");
   facet::Scene scene = facet::make_scene(tree);
   studies::AdviceJob job;
   job.subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
@@ -261,6 +262,21 @@ TEST_CASE("memory that shows one picture while the next is drawn counts among a 
   const AdviceRow one = studies::draw_advice(job_on({"pixel-planes-4"}), point);
   const AdviceRow two = studies::draw_advice(job_on({"pixel-planes-4+scan_out.buffers=2"}), point);
   CHECK(two.used_bits == one.used_bits + 24);
+}
+
+TEST_CASE("the error of colours is found in whichever channel it is, and is half a step of it at most") {
+  emit::Options before_black;
+  before_black.scene.background.colour = {0, 0, 0};
+  for (const char* const colour : {"0.9,0,0", "0,0.9,0", "0,0,0.9"}) {
+    CAPTURE(colour);
+    const std::string model = std::string("color([") + colour + ",1]){cube(size=14,center=true);}";
+    const studies::AdviceJob job = job_on({"pixel-planes-4"}, before_black, model);
+    CHECK(studies::draw_advice(job, {16, 6, 24, "rebroadcast", "stack", 0, 1}).colour_error == 0);
+    // Of 12 bits a channel has 4, which are 17 of 255 apart.
+    const AdviceRow row = studies::draw_advice(job, {16, 6, 12, "rebroadcast", "stack", 0, 1});
+    CHECK(row.colour_error > 0);
+    CHECK(row.colour_error <= 8);
+  }
 }
 
 TEST_CASE("a choice that needs more memory than any may take is a row that says so") {

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "places.h"
 #include "tests/support/error_of.h"
@@ -15,11 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What gathering two shards says, of which the second has that many points and those columns.
-std::string refusal(const std::string& name, std::size_t points, const std::string& columns) {
-  const fs::path folder = fs::path(CSGSIM_BINARY_DIR) / "scratch_gather" / name;
+fs::path fresh_folder(const std::string& name) {
+  fs::path folder = fs::path(CSGSIM_BINARY_DIR) / "scratch_gather" / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
+  return folder;
+}
+
+/// What gathering two shards says, of which the second has that many points and those columns.
+std::string refusal(const std::string& name, std::size_t points, const std::string& columns) {
+  const fs::path folder = fresh_folder(name);
   studies::ShardHeader header{{1, 2}, 2, {"model", "machine", "csgsim"}, {"sweep"}};
   const std::vector<unsigned> shard_of = studies::shard_of_each(2, 2);
   const std::size_t first = shard_of[0] == 1 ? 0 : 1;
@@ -42,4 +48,19 @@ TEST_CASE(
   CHECK(refusal("alike", 2, "a,b").empty());
   CHECK(holds(refusal("points", 3, "a,b"), "not of the same study: the number of points changed between them"));
   CHECK(holds(refusal("columns", 2, "a,c"), "not of the same study: the columns changed between them"));
+}
+
+TEST_CASE("two processes of one shard, each of which has measured some of it, are gathered") {
+  const fs::path folder = fresh_folder("twice");
+  const studies::ShardHeader header{{1, 1}, 3, {"model", "machine", "csgsim"}, {"sweep"}};
+  studies::ShardWriter one(folder, header, "a,b");
+  one.add({0, "1,2"});
+  one.add({1, "3,4"});
+  studies::ShardWriter other(folder, header, "a,b");
+  other.add({1, "3,4"});
+  other.add({2, "5,6"});
+  const studies::Gathered gathered = studies::gather(std::array<fs::path, 1>{folder});
+  CHECK(gathered.rows == std::vector<std::string>{"1,2", "3,4", "5,6"});
+  CHECK(gathered.missing == 0);
+  fs::remove_all(folder);
 }

@@ -3,7 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
@@ -91,6 +95,42 @@ TEST_CASE("a strategy without stack bits is a level, and lines that would cover 
   CHECK(chart.series[0].trace == plots::Trace::level);
   CHECK(chart.series[1].points.front().x == 3);
   CHECK(chart.series[1].points.back().y == 8);
+}
+
+TEST_CASE("lines of one name look alike in all plots of a sweep") {
+  std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 8), row(point("bits", 3), 9),
+                                      row(point("bits", 4), 6)};
+  rows[1].rendered = 5;  // so that its line is not that of the stack
+  const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
+  std::map<std::string, std::set<std::size_t>> looks;
+  for (const char* const name : {"a_scan_conversions", "a_clocks", "a_bits"}) {
+    const plots::Chart chart = chart_named(all, name);
+    for (const plots::Series& series : chart.series) {
+      CAPTURE(series.name);
+      REQUIRE(chart.looks.contains(series.name));
+      looks[series.name].insert(chart.looks.at(series.name));
+    }
+  }
+  CHECK(looks.size() > 2);
+  for (const auto& [name, of_name] : looks) CHECK(of_name.size() == 1);
+}
+
+TEST_CASE("points of a sweep have one bar of memory only where they lay it out alike and have as much of it") {
+  std::vector<studies::SweepRow> rows{row(point("stack", 0), 7), row(point("list", 0), 8), row(point("bits", 3), 9),
+                                      row(point("bits", 4), 6)};
+  rows[2].point.memory_bits = 96;
+  rows[3].memory_map = {{"Z2", 0, 20}, {"stack", 20, 4}};
+  const std::vector<plots::Plot> all = studies::plots_of_sweep(rows, "a");
+  const auto memory = std::ranges::find(all, "a_memory", &plots::Plot::name);
+  REQUIRE(memory != all.end());
+  const auto& bars = std::get<plots::Bars>(memory->content).bars;
+  REQUIRE(bars.size() == 3);
+  CHECK(bars[0].name.find("list") != std::string::npos);
+  CHECK(bars[0].length == 72);
+  CHECK(bars[1].length == 96);
+  CHECK(bars[1].parts.size() == 1);
+  CHECK(bars[2].length == 72);
+  CHECK(bars[2].parts.size() == 2);
 }
 
 TEST_CASE("points that cannot be compiled are in no plot") {

@@ -1,18 +1,25 @@
+#include "sim/studies/sweep/sweep.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
 #include "hw/base/hash.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/area.h"
+#include "sim/shell/command_line.h"
 #include "sim/shell/lists.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
+#include "sim/studies/runner.h"
 #include "sim/studies/sweep/measure.h"
+#include "tests/support/drawing.h"
 
 using namespace csgsim;
 
@@ -124,6 +131,15 @@ TEST_CASE("a row comes back from a table as it was, commas and quotes included")
   CHECK_THROWS_AS(studies::to_cell(std::string("two\nlines")), InputError);
 }
 
+TEST_CASE("a row that was measured comes back from a table with all that was counted") {
+  const std::vector<Drawn> all = drawn_points();
+  const studies::SweepRow row = measured(all.front(), true);
+  CHECK(row.rendered > 0);
+  CHECK(row.classified > 0);
+  CHECK(row.depth_tests > 0);
+  CHECK(studies::from_line<studies::SweepRow>(studies::to_line(row)) == row);
+}
+
 TEST_CASE("a memory map comes back from a table, whatever its names hold but blanks and equals signs") {
   studies::SweepRow row;
   row.memory_map = {{"a,b", 0, 20}, {"\"c\"", 20, 1}};
@@ -200,6 +216,22 @@ TEST_CASE("a point that does not fit says why, and its neighbours are measured")
   CHECK(measured(all[0], false).compiled());
   CHECK(measured(all[1], false).reason.find("memory bits") != std::string::npos);
   CHECK(measured(all[2], false).compiled());
+}
+
+TEST_CASE("the page of a sweep of several models tells how many they are, and of one its name") {
+  const auto subject = [](Words words) {
+    words.insert(words.begin(), "sweep");
+    words.insert(words.end(), {"-o", "out"});
+    shell::CommandLine line("csgsim: a study", "csgsim");
+    const auto command = studies::describe(line, studies::sweep_row);
+    (void)line.read(std::move(words), {});
+    return command->study->page_subject();
+  };
+  const std::string one = testing::model_path("thesis_fig_2_3");
+  const std::string other = testing::model_path("old_example011");
+  CHECK(subject({one, other}).name == "2 models");
+  CHECK(subject({one}).name.empty());
+  CHECK(subject({one}).model.model == one);
 }
 
 TEST_CASE("the hash is FNV-1a") {

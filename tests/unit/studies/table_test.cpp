@@ -11,6 +11,7 @@
 
 #include "hw/base/error.h"
 #include "places.h"
+#include "tests/support/error_of.h"
 
 using namespace csgsim;
 
@@ -87,14 +88,14 @@ TEST_CASE("a table of another study is refused and kept") {
 }
 
 TEST_CASE("a table with a broken line says which") {
-  const fs::path path = fresh("table_broken.csv");
-  table_at(path).add(Rows{row("10/2", 1)});
-  std::ofstream(path, std::ios::app) << "a,12/2,model,machine,0.1.0,many\n";
-  try {
-    table_at(path);
-    FAIL("read");
-  } catch (const InputError& error) {
-    CHECK(std::string(error.what()).find("table_broken.csv:4:1: 'many'") != std::string::npos);
+  for (const std::size_t before : {0U, 1U, 2U}) {
+    CAPTURE(before);
+    const fs::path path = fresh("table_broken.csv");
+    table_at(path).add(Rows(before, row("10/2", 1)));
+    std::ofstream(path, std::ios::app) << "a,12/2,model,machine,0.1.0,many\n";
+    // Behind the title and the names of the columns.
+    const std::string place = "table_broken.csv:" + std::to_string(3 + before) + ":1: 'many'";
+    CHECK(testing::error_of([&] { table_at(path); }).find(place) != std::string::npos);
   }
 }
 

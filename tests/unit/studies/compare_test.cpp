@@ -1,0 +1,72 @@
+#include "sim/studies/compare/compare.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "host/read/read.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/kind.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/stats.h"
+#include "sim/shell/command_line.h"
+#include "sim/studies/compare/measure.h"
+#include "sim/studies/runner.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($fn=24,$fa=12,$fs=2,r=9);}";
+
+/// The points that a command asks for, as the first cells of their rows.
+Words points_asked(const Words& words) {
+  shell::CommandLine line("csgsim: a study", "csgsim");
+  const auto command = studies::describe(line, studies::compare_row);
+  (void)line.read(words, {});
+  Words points;
+  for (const studies::Asked& one : command->study->ask()) points.push_back(one.cells);
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("a point of a comparison is what the Program's run is at the level of reference") {
+  const model::Tree tree = read::read_csg_text(bitten_cube, "test");
+  studies::ComparisonJob job;
+  job.point = {"pixel-planes-4", 24, 20, 0, {}};
+  job.machine = kinds::load("pixel-planes-4");
+  job.camera = {{40, -60, 45}, {0, 0, 0}};
+  job.sampling.width = 24;
+  job.sampling.height = 20;
+  const studies::ComparisonRow row = studies::measure(job, tree);
+  REQUIRE(row.reason.empty());
+  machines::Machine machine = job.machine;
+  machines::set_picture_size(machine, {24, 20});
+  const facet::Scene scene = facet::make_scene(tree);
+  const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
+  const isa::Program program = emit::compile(tree, scene, view, machine, {});
+  sim::StatsObserver stats(program);
+  const std::array<sim::Observer*, 1> observers{&stats};
+  const sim::RunResult result = sim::make_reference_engine(machine)->run(program, observers);
+  CHECK(row.processors == 24 * 20);
+  CHECK(row.clocks == result.clocks);
+  CHECK(row.enabled == stats.stats().total.enabled);
+  CHECK(row.enabled > 0);
+  const auto paid = static_cast<double>(24 * 20 * result.clocks);
+  CHECK(row.utilisation == doctest::Approx(static_cast<double>(stats.stats().total.enabled) / paid));
+  CHECK(row.frames_per_second * static_cast<double>(result.interval_clocks) ==
+        doctest::Approx(static_cast<double>(machine.clock_hz)));
+}
+
+TEST_CASE("a comparison asks for each point once: a side that is the picture's own is no other point") {
+  const std::string model = testing::model_path("thesis_fig_2_3");
+  const Words points = points_asked(
+      {"compare", model, "--machines", "scan-line", "--size", "32x32", "--sides", "16,32", "--fragments", "5"});
+  CHECK(points == Words{"scan-line,32,32,0,", "scan-line,32,32,5,", "scan-line,16,16,0,"});
+}
