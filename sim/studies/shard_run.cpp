@@ -8,8 +8,8 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/studies/folder.h"
 #include "sim/shell/usage.h"
+#include "sim/studies/folder.h"
 
 namespace csgsim::studies {
 
@@ -56,8 +56,8 @@ ShardRun::ShardRun(fs::path folder, ShardHeader header, std::string columns)
 }
 
 void ShardRun::print() const {
-  fmt::print("shard {}: {} of the {} points are in {}, {} of them measured now\n", to_text(header_.shard),
-             points_, header_.points, printable(shards_folder(folder_).native()), missing_.size());
+  fmt::print("shard {}: {} of the {} points are in {}, {} of them measured now\n", to_text(header_.shard), points_,
+             header_.points, printable(shards_folder(folder_).native()), missing_.size());
 }
 
 }  // namespace csgsim::studies

@@ -27,7 +27,8 @@ const std::string two_cubes =
 
 Words study(const std::string& command) {
   if (command == "sweep") return {"sweep", "a.csg", "b.csg", "--size=24x20", "--z-bits", "16,20", "--threads", "2"};
-  if (command == "accuracy") return {"accuracy", "a.csg", "--size", "8x8", "--views", "1", "--pruning", "no-hidden+no-near"};
+  if (command == "accuracy")
+    return {"accuracy", "a.csg", "--size", "8x8", "--views", "1", "--pruning", "no-hidden+no-near"};
   return {"compare", "a.csg", "--camera", "-20,-30,25,0,0,0", "--sides", "16,24", "--fragments", "5,8"};
 }
 

@@ -89,7 +89,9 @@ std::string replacement(const Names& asked, const Names& found) {
 
 FontFile match(const std::string& name) {
   const Pattern pattern(FcNameParse(reinterpret_cast<const FcChar8*>(name.c_str())));
-  if (!pattern) throw std::runtime_error("font \"" + name + "\" is not the name of a font; fc-match tells which one a name stands for");
+  if (!pattern)
+    throw std::runtime_error("font \"" + name +
+                             "\" is not the name of a font; fc-match tells which one a name stands for");
   const Names asked = families(pattern.get());
   FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
   FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_source_of(const fs::path& file, const std::vector<fs::path>& files) {
-  return shell::ends_in(file, ".scad") && std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
+  return shell::ends_in(file, ".scad") &&
+         std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
 }
 
 std::vector<fs::path> models_in(const fs::path& folder) {

@@ -9,8 +9,8 @@
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
-#include "sim/observe/stats_json.h"
 #include "sim/observe/frame_hash.h"
+#include "sim/observe/stats_json.h"
 
 namespace csgsim::studies {
 

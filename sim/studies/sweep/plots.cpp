@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "sim/plots/common_looks.h"
-#include "sim/studies/sweep/memory_plot.h"
 #include "sim/studies/sweep/axis.h"
+#include "sim/studies/sweep/memory_plot.h"
 
 namespace csgsim::studies {
 
