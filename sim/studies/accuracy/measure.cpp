@@ -20,6 +20,7 @@
 #include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
+#include "sim/shell/model_options.h"
 
 namespace csgsim::studies {
 
