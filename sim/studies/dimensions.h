@@ -17,6 +17,7 @@ namespace csgsim::studies {
 template <class Choices>
 std::vector<std::string> names_of(const Choices& choices) {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const auto choice : choices) names.emplace_back(emit::name_of(choice));
   return names;
 }

@@ -95,6 +95,7 @@ void add_manual(CommandLine& line) {
                              "alu.bits=4\n  csgsim manual instructions > docs/instruction-set.md\n"
                              "Without a topic it lists them.");
   std::vector<std::string> names;
+  names.reserve(topics.size());
   for (const Topic& topic : topics) names.emplace_back(topic.name);
   command.option("TOPIC", options->topic, "What to tell of").one_of(names, "topic");
   command.option("MACHINE", options->machines, "Machines, by name or .toml file, with commas; all of csgsim's: all");
