@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -47,8 +46,10 @@ std::string title_of(const StudyCommand& asked) {
   return title;
 }
 
+unsigned threads_of(const StudyCommand& asked) { return asked.row->is_parallel ? asked.options.threads : 1; }
+
 void measure(StudyCommand& asked, std::span<const std::size_t> points, const Study::Finished& finished) {
-  const unsigned threads = asked.row->is_parallel ? asked.options.threads : 1;
+  const unsigned threads = threads_of(asked);
   shell::with_memory_for_threads(threads, "points", [&] { asked.study->measure(points, threads, finished); });
 }
 
@@ -57,7 +58,7 @@ Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) 
   const std::vector<std::size_t> missing = table.missing(points);
   {
     Progress progress(points.size(), points.size() - missing.size(), shell::shows_progress(asked.options.progress),
-                      asked.row->is_parallel ? asked.options.threads : 1);
+                      threads_of(asked));
     Rows pending;
     const auto write = [&] { table.add(std::exchange(pending, {})); };
     const std::size_t at_once = asked.row->is_quick ? most_pending : 1;
@@ -159,8 +160,10 @@ void show(const StudyCommand& asked, Places& places) {
   const std::string json = places.folder || places.report.asked() ? study.json(places.title) : "";
   if (places.folder) write_file(places.file(asked, ".json"), json);
   study.print();
-  const std::vector<plots::Plot> plots = study.plots();
-  const bool are_drawn = places.folder && !asked.options.no_plots && !plots.empty();
+  const bool has_plot_files = places.folder && !asked.options.no_plots;
+  std::vector<plots::Plot> plots;
+  if (has_plot_files || places.report.asked()) plots = study.plots();
+  const bool are_drawn = has_plot_files && !plots.empty();
   if (are_drawn) plots::draw(plots, places.folder->path());
   if (places.report.asked()) places.report.write(page_of(asked, json, plots));
   if (places.folder)

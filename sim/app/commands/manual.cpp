@@ -7,7 +7,6 @@
 #include <array>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hw/isa/manual.h"
@@ -15,6 +14,7 @@
 #include "hw/machines/machine.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/lists.h"
+#include "sim/shell/machine_list.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/usage.h"
 
@@ -27,11 +27,6 @@ struct Options {
   std::string machines;
   std::vector<std::string> sets;
 };
-
-std::vector<std::string> every_machine() {
-  const std::vector<std::string_view> known = kinds::built_in_names();
-  return {known.begin(), known.end()};
-}
 
 void print_figures(const machines::Machine& machine) {
   fmt::print("{}\n  {}\n\n", machine.name, machine.description);
@@ -47,9 +42,8 @@ void print_figures(const machines::Machine& machine) {
 void print_machines(const Options& options) {
   refuse_scene_sets(options.sets);
   const bool are_listed = options.machines.empty() && options.sets.empty();
-  std::vector<std::string> names = every_machine();
-  if (!are_listed && options.machines != "all" && !options.machines.empty()) names = parse_words(options.machines);
-  for (const std::string& name : with_figures(names, options.sets)) {
+  const bool are_all = options.machines.empty() || options.machines == "all";
+  for (const std::string& name : with_figures(parse_words(are_all ? all_machines() : options.machines), options.sets)) {
     const machines::Machine machine = kinds::load(name);
     if (are_listed) {
       fmt::print("{:<17}{}\n", machine.name, machine.description);
