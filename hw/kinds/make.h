@@ -10,13 +10,13 @@ namespace csgsim::kinds {
 
 /// The SystemC model of the machine, of whatever kind it is. Throws std::logic_error for a kind that is not in the
 /// table.
-std::unique_ptr<kernel::ClockedMachine> make_clocked_machine(const machines::Machine& machine);
+std::unique_ptr<systemc::ClockedMachine> make_clocked_machine(const machines::Machine& machine);
 
 /// Whether some pixels of a machine of that kind can be built alone.
 bool can_be_probed(const machines::Machine& machine);
 
 /// The SystemC model of such a machine, of which the foretold pixels alone are built.
-std::unique_ptr<kernel::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                            const kernel::Foretold& foretold);
+std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
+                                                             const systemc::Foretold& foretold);
 
 }  // namespace csgsim::kinds

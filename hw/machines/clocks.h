@@ -27,7 +27,7 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
 std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine);
 
 /// Clocks of a whole run in which no instruction is skipped, latency included. What a run really takes, only the run
-/// tells (sim::RunResult).
+/// tells (engine::RunResult).
 std::uint64_t clocks(const isa::Program& program, const Machine& machine);
 
 }  // namespace csgsim::machines

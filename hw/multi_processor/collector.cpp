@@ -15,7 +15,7 @@ namespace csgsim::multi_processor {
 namespace {
 
 /// A subsegment put together of what the nodes hold.
-class MergedView final : public kernel::PixelView {
+class MergedView final : public systemc::PixelView {
  public:
   MergedView(const isa::Region& region, const isa::ArrayShape& nodes, std::vector<const PixelMemory*> memories)
       : region_(region), nodes_(nodes), memories_(std::move(memories)) {}
@@ -66,7 +66,7 @@ class MergedView final : public kernel::PixelView {
 };
 
 /// One that has the pixels to itself.
-class OwnedView final : public kernel::PixelView {
+class OwnedView final : public systemc::PixelView {
  public:
   OwnedView(const isa::Region& region, const isa::ArrayShape& nodes, std::vector<PixelMemory> memories)
       : region_(region), nodes_(nodes), memories_(std::move(memories)) {}
@@ -93,7 +93,7 @@ class OwnedView final : public kernel::PixelView {
   std::vector<PixelMemory> memories_;
 };
 
-std::unique_ptr<const kernel::PixelView> MergedView::copy() const {
+std::unique_ptr<const systemc::PixelView> MergedView::copy() const {
   std::vector<PixelMemory> memories;
   memories.reserve(memories_.size());
   for (const PixelMemory* const memory : memories_) memories.push_back(*memory);
@@ -116,7 +116,7 @@ Collector::Collector(sc_core::sc_module_name name, const machines::Machine& mach
       told_(std::size_t{nodes_.width} * nodes_.height),
       ends_(told_.size()) {}
 
-kernel::Keep Collector::keeps_after(const isa::Region& region, std::uint32_t index) {
+systemc::Keep Collector::keeps_after(const isa::Region& region, std::uint32_t index) {
   return retirement->keeps_after(names_.number_of(region), index);
 }
 
@@ -138,14 +138,14 @@ void Collector::after_subsegment(std::uint32_t node, const isa::Region& region, 
 void Collector::tell(const isa::Region& region) {
   const std::uint32_t segment = names_.number_of(region);
   for (std::uint32_t index = 0; index < steps_.size(); ++index) {
-    kernel::Retired retired{.segment = segment, .index = index};
+    systemc::Retired retired{.segment = segment, .index = index};
     for (const NodeState& state : steps_[index]) {
       retired.clocks = std::max(retired.clocks, state.clocks);
       retired.enabled_pixels += state.enabled_pixels;
     }
     retirement->after_instruction(retired, view_of(region, nodes_, steps_[index]));
   }
-  if (steps_.empty()) return retirement->after_segment(segment, kernel::ClearView());
+  if (steps_.empty()) return retirement->after_segment(segment, systemc::ClearView());
   retirement->after_segment(segment, view_of(region, nodes_, ends_));
 }
 
@@ -153,7 +153,7 @@ void Collector::after_clear(const isa::Region& segment) {
   if (++ended_ < told_.size()) return;
   ended_ = 0;
   for (const isa::Region& part : parts_of(segment, nodes_.width, nodes_.height)) {
-    retirement->after_segment(names_.number_of(part), kernel::ClearView());
+    retirement->after_segment(names_.number_of(part), systemc::ClearView());
   }
 }
 

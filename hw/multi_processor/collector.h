@@ -15,7 +15,7 @@ namespace csgsim::multi_processor {
 /// Where nodes tell what they have carried out.
 class CollectorPort : virtual public sc_core::sc_interface {
  public:
-  [[nodiscard]] virtual kernel::Keep keeps_after(const isa::Region& region, std::uint32_t index) = 0;
+  [[nodiscard]] virtual systemc::Keep keeps_after(const isa::Region& region, std::uint32_t index) = 0;
   /// Of each instruction of the subsegment in order.
   virtual void after_instruction(std::uint32_t node, NodeState state) = 0;
   virtual void after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) = 0;
@@ -27,11 +27,11 @@ class CollectorPort : virtual public sc_core::sc_interface {
 /// all have come to its end. No part of the hardware: it takes no clock.
 class Collector final : public sc_core::sc_module, public CollectorPort {
  public:
-  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   Collector(sc_core::sc_module_name name, const machines::Machine& machine, const SubsegmentNames& names);
 
-  [[nodiscard]] kernel::Keep keeps_after(const isa::Region& region, std::uint32_t index) override;
+  [[nodiscard]] systemc::Keep keeps_after(const isa::Region& region, std::uint32_t index) override;
   void after_instruction(std::uint32_t node, NodeState state) override;
   void after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) override;
   void after_clear(const isa::Region& segment) override;

@@ -5,7 +5,7 @@
 namespace csgsim::multi_processor {
 
 ListRenderer::ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
-                           std::span<const kernel::Keep> keeps, const NodePixels& own)
+                           std::span<const systemc::Keep> keeps, const NodePixels& own)
     : order_(figures.order),
       nodes_(nodes),
       list_(list),
@@ -15,7 +15,7 @@ ListRenderer::ListRenderer(const Figures& figures, const isa::ArrayShape& nodes,
       memory_(own.count(), nodes.memory_bits),
       steps_(list.size()) {
   for (std::size_t i = 0; i < list_.size(); ++i) {
-    if (keeps_[i] != kernel::Keep::nothing) steps_[i].pixels = memory_;
+    if (keeps_[i] != systemc::Keep::nothing) steps_[i].pixels = memory_;
   }
 }
 
@@ -114,7 +114,7 @@ void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) 
   NodeState& step = steps_[index];
   step.enabled_pixels += memory_.enabled(pixel) ? 1U : 0U;
   processor_.act(list_[index], memory_, pixel, sum);
-  if (keeps_[index] != kernel::Keep::nothing) step.pixels.copy(pixel, memory_);
+  if (keeps_[index] != systemc::Keep::nothing) step.pixels.copy(pixel, memory_);
 }
 
 /// At a pixel, where it has begun in that clock.

@@ -29,7 +29,7 @@ class ListRenderer {
  public:
   /// `keeps`: what is to be kept after each instruction. All has to live as long as the renderer.
   ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
-               std::span<const kernel::Keep> keeps, const NodePixels& own);
+               std::span<const systemc::Keep> keeps, const NodePixels& own);
 
   /// Has what becomes of one of the pixels, counted row by row, told to `moments`, which has to live as long as the
   /// renderer.
@@ -72,7 +72,7 @@ class ListRenderer {
   const RenderingOrder order_;
   const isa::ArrayShape nodes_;
   std::span<const isa::Instruction> list_;
-  std::span<const kernel::Keep> keeps_;
+  std::span<const systemc::Keep> keeps_;
   const NodePixels own_;
   WordProcessor processor_;
   PixelMemory memory_;

@@ -75,19 +75,19 @@ void MultiProcessor::bind_masters() {
 /// Gives control back to who started the simulation, when all that belongs to this clock has happened.
 void MultiProcessor::on_done() { sc_core::sc_pause(); }
 
-kernel::RunReport MultiProcessor::run(const isa::Program& program, kernel::RunListener& listener) {
+systemc::RunReport MultiProcessor::run(const isa::Program& program, systemc::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) {
     sc_core::sc_start(sc_core::SC_ZERO_TIME);
-    kernel::back_on_main_stack();
+    systemc::back_on_main_stack();
   }
   division::check_division(program);
   const std::uint64_t begun = time_.now();
   const std::uint64_t before = frames_.read();
   begin(program, listener);
   sc_core::sc_start();
-  kernel::back_on_main_stack();
+  systemc::back_on_main_stack();
   retirement_.rethrow();
-  if (frames_.read() == before && !kernel::is_stopped())
+  if (frames_.read() == before && !systemc::is_stopped())
     throw std::logic_error("the multi-processor stands still in the middle of a frame");
   return {.clocks = time_.now() - begun,
           .answers = {},
@@ -95,7 +95,7 @@ kernel::RunReport MultiProcessor::run(const isa::Program& program, kernel::RunLi
           .picture = picture_of(program)};
 }
 
-void MultiProcessor::begin(const isa::Program& program, kernel::RunListener& listener) {
+void MultiProcessor::begin(const isa::Program& program, systemc::RunListener& listener) {
   retirement_.begin(listener);
   names_.begin(program.segments);
   bus_.begin();
@@ -143,7 +143,7 @@ std::vector<wave::Tap> MultiProcessor::taps(const isa::Program& program, const w
   return taps;
 }
 
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
   return std::make_unique<MultiProcessor>("multi_processor", machine);
 }
 

@@ -26,18 +26,18 @@ namespace csgsim::multi_processor {
 ///     host ─── display processor ─── control bus ─┬─ node 0,0   node 0,1  ...─┐
 ///                                                 ├─ node 1,0   node 1,1  ...─┤ barrier
 ///                                                 └─ ...                     ─┘
-class MultiProcessor final : public sc_core::sc_module, public kernel::ClockedMachine {
+class MultiProcessor final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   MultiProcessor(sc_core::sc_module_name name, const machines::Machine& machine);
 
   /// Draws a frame, until the nodes have rendered the last subsegment.
-  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
+  systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
  private:
   void bind_masters();
-  void begin(const isa::Program& program, kernel::RunListener& listener);
+  void begin(const isa::Program& program, systemc::RunListener& listener);
   void on_done();
   [[nodiscard]] FrameAccount counted() const;
   [[nodiscard]] std::vector<std::uint32_t> picture_of(const isa::Program& program) const;
@@ -60,7 +60,7 @@ class MultiProcessor final : public sc_core::sc_module, public kernel::ClockedMa
   sc_core::sc_vector<Node> nodes_;
   StageWatch watch_;
   Collector collector_;
-  kernel::Retirement retirement_{"retirement"};
+  systemc::Retirement retirement_{"retirement"};
 };
 
 }  // namespace csgsim::multi_processor

@@ -163,7 +163,7 @@ void Node::render(const List& list) {
     collector->after_subsegment(number_, list.region, {});
     return wait_for_others();
   }
-  std::vector<kernel::Keep> keeps;
+  std::vector<systemc::Keep> keeps;
   for (std::uint32_t index = 0; index < list.instructions.size(); ++index) {
     keeps.push_back(collector->keeps_after(list.region, index));
   }

@@ -72,7 +72,7 @@ class PixelStory {
     if (now.list == told_.list && now.begun == told_.begun) return true;
     told_ = now;
     moments_.clear();
-    const std::vector<kernel::Keep> keeps(now.list->instructions.size(), kernel::Keep::nothing);
+    const std::vector<systemc::Keep> keeps(now.list->instructions.size(), systemc::Keep::nothing);
     ListRenderer renderer(machines::own<Figures>(machine_), machine_.array, now.list->instructions, keeps, own_);
     renderer.watch(place_, moments_);
     renderer.render();

@@ -14,7 +14,7 @@ namespace csgsim::multi_processor {
 /// whole number of clocks.
 class TimeBase {
  public:
-  explicit TimeBase(const machines::Machine& machine) : period_(kernel::period_of(machine)) {}
+  explicit TimeBase(const machines::Machine& machine) : period_(systemc::period_of(machine)) {}
 
   /// Clocks since the simulation began.
   [[nodiscard]] std::uint64_t now() const { return sc_core::sc_time_stamp().value() / period_.value(); }

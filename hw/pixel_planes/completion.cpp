@@ -46,7 +46,7 @@ void Completion::tell(const Account& account) {
                                  .clocks = account.clocks,
                                  .enabled_pixels = enabled_,
                                  .skipped = account.skipped},
-                                kernel::ArrayView(enable->pixels()));
+                                systemc::ArrayView(enable->pixels()));
   if (account.skipped > 0) skips_.push_back({segments_begun_ - 1, index_});
   skipped_ += account.skipped;
   index_ += static_cast<std::uint32_t>(1 + account.skipped);
@@ -55,7 +55,7 @@ void Completion::tell(const Account& account) {
 void Completion::finish_segment() {
   const std::uint32_t segment = segments_begun_ - 1;
   if (index_ != segments_[segment].instructions.size()) return;
-  retirement->after_segment(segment, kernel::ArrayView(enable->pixels()));
+  retirement->after_segment(segment, systemc::ArrayView(enable->pixels()));
 }
 
 }  // namespace csgsim::pixel_planes

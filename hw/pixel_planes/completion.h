@@ -21,7 +21,7 @@ class Completion final : public sc_core::sc_module {
   sc_core::sc_in<std::uint64_t> retired{"retired"};
   sc_core::sc_fifo_in<Account> accounts{"accounts"};
   sc_core::sc_port<EnableLines> enable{"enable"};
-  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   explicit Completion(sc_core::sc_module_name name);
 

@@ -9,10 +9,10 @@
 namespace csgsim::pixel_planes {
 
 /// For a description of this kind of machine.
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine);
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine);
 
 /// Of which the foretold pixels alone are built.
-std::unique_ptr<kernel::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                            const kernel::Foretold& foretold);
+std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
+                                                             const systemc::Foretold& foretold);
 
 }  // namespace csgsim::pixel_planes

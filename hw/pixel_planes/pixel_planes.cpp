@@ -40,12 +40,12 @@ bool fills_array(const isa::Program& program, array::PlaneShape shape) {
 }  // namespace
 
 PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
-                         const kernel::Foretold* foretold)
+                         const systemc::Foretold* foretold)
     : sc_core::sc_module(name),
       machine_(machine),
       foretold_(foretold == nullptr ? std::nullopt : std::optional(*foretold)),
       latency_(machines::evaluator_latency(machine.array)),
-      clock_("clock", kernel::period_of(machine)),
+      clock_("clock", systemc::period_of(machine)),
       link_("link", static_cast<int>(machine.link.fifo_depth)),
       accounts_("accounts", static_cast<int>(latency_) + 2),
       host_("host", machine.link),
@@ -134,7 +134,7 @@ void PixelPlanes::collect() {
 }
 
 void PixelPlanes::run_until_shown() {
-  while (!showing_.empty() && !kernel::is_stopped()) {
+  while (!showing_.empty() && !systemc::is_stopped()) {
     sc_core::sc_start();
     collect();
   }
@@ -144,7 +144,7 @@ void PixelPlanes::check(std::span<const isa::Program> programs) const {
   const array::PlaneShape shape = plane_shape(machine_);
   const isa::Field first = isa::frame_header(programs.front()).colour;
   for (const isa::Program& program : programs) {
-    kernel::check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
+    systemc::check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
     const isa::Field colour = isa::frame_header(program).colour;
     if (machines::own<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
     throw InputError("frames with colours of " + std::to_string(first.width) + " and " + std::to_string(colour.width) +
@@ -152,14 +152,14 @@ void PixelPlanes::check(std::span<const isa::Program> programs) const {
   }
 }
 
-kernel::RunReport PixelPlanes::run(const isa::Program& program, kernel::RunListener& listener) {
-  kernel::RunListener* const listeners[] = {&listener};
+systemc::RunReport PixelPlanes::run(const isa::Program& program, systemc::RunListener& listener) {
+  systemc::RunListener* const listeners[] = {&listener};
   return std::move(run_sequence({&program, 1}, listeners).front());
 }
 
-std::vector<kernel::RunReport> PixelPlanes::run_sequence(std::span<const isa::Program> programs,
-                                                         std::span<kernel::RunListener* const> listeners) {
-  std::vector<kernel::RunReport> reports(programs.size());
+std::vector<systemc::RunReport> PixelPlanes::run_sequence(std::span<const isa::Program> programs,
+                                                          std::span<systemc::RunListener* const> listeners) {
+  std::vector<systemc::RunReport> reports(programs.size());
   if (programs.empty()) return reports;
   check(programs);
   elaborate();
@@ -169,16 +169,16 @@ std::vector<kernel::RunReport> PixelPlanes::run_sequence(std::span<const isa::Pr
     if (i > 0) reports[i - 1].interval_clocks = begun_ - begun;
   }
   run_until_shown();
-  if (kernel::is_stopped()) return reports;
+  if (systemc::is_stopped()) return reports;
   reports.back().interval_clocks = machines::time_frame(programs.back(), machine_, completion_.skips()).interval_clocks;
   return reports;
 }
 
-void PixelPlanes::draw(const isa::Program& program, kernel::RunListener& listener, kernel::RunReport& report) {
+void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listener, systemc::RunReport& report) {
   retirement_.begin(listener);
   completion_.begin(program.segments);
   start(program);
-  while (drawn_ == programs_.read() && !kernel::is_stopped()) {
+  while (drawn_ == programs_.read() && !systemc::is_stopped()) {
     sc_core::sc_start();
     collect();
   }
@@ -289,12 +289,12 @@ std::vector<wave::Tap> PixelPlanes::scan_out_taps() const {
       wave::hexadecimal("scan_out.video", 24, [this, shown] { return shown(video_.read()); })};
 }
 
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
   return std::make_unique<PixelPlanes>("pixel_planes", machine);
 }
 
-std::unique_ptr<kernel::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                            const kernel::Foretold& foretold) {
+std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
+                                                             const systemc::Foretold& foretold) {
   return std::make_unique<PixelPlanes>("pixel_planes", machine, &foretold);
 }
 

@@ -27,22 +27,22 @@
 namespace csgsim::pixel_planes {
 
 /// The whole Pixel-planes machine.
-class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachine {
+class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   /// `foretold`, unless null, says which pixels alone are built, for Programs of one segment; the picture that a run
   /// reports is then of no use.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
-              const kernel::Foretold* foretold = nullptr);
+              const systemc::Foretold* foretold = nullptr);
 
   /// A frame begins with the clock in which the controller asks for it and ends when its last step has been carried
   /// out; then a Program with colours is scanned out.
-  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
+  systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
   /// With one buffer the next frame begins when the last row of the one before it has been latched; with two, when the
   /// one before it has been copied, and is drawn while that is shown. Of the last the interval is worked out, as no
   /// frame follows it. Throws InputError too if, with two buffers, the frames' colours are not equally wide.
-  std::vector<kernel::RunReport> run_sequence(std::span<const isa::Program> programs,
-                                              std::span<kernel::RunListener* const> listeners) override;
+  std::vector<systemc::RunReport> run_sequence(std::span<const isa::Program> programs,
+                                               std::span<systemc::RunListener* const> listeners) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
@@ -59,7 +59,7 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   struct Showing {
     std::uint64_t begun;  ///< edge
     bool fills_array;     ///< the array holds the whole picture
-    kernel::RunReport* report;
+    systemc::RunReport* report;
   };
 
   void elaborate();
@@ -69,17 +69,17 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   [[nodiscard]] std::vector<wave::Tap> host_taps() const;
   [[nodiscard]] std::vector<wave::Tap> controller_taps(const isa::Program& program) const;
   [[nodiscard]] std::vector<wave::Tap> scan_out_taps() const;
-  void draw(const isa::Program& program, kernel::RunListener& listener, kernel::RunReport& report);
+  void draw(const isa::Program& program, systemc::RunListener& listener, systemc::RunReport& report);
   void collect();
   void run_until_shown();
   [[nodiscard]] std::uint64_t edges() const;
   void on_done();
 
   const machines::Machine machine_;
-  const std::optional<kernel::Foretold> foretold_;
+  const std::optional<systemc::Foretold> foretold_;
   const unsigned latency_;
 
-  kernel::Clock clock_;
+  systemc::Clock clock_;
   sc_core::sc_fifo<isa::LinkWord> link_;
   sc_core::sc_fifo<std::uint64_t> requests_{"requests", 1};
   sc_core::sc_fifo<bool> waiting_frames_{"waiting_frames", 1};
@@ -105,7 +105,7 @@ class PixelPlanes final : public sc_core::sc_module, public kernel::ClockedMachi
   PixelProcessors processors_;
   GlobalOr global_or_;
   Completion completion_{"completion"};
-  kernel::Retirement retirement_{"retirement"};
+  systemc::Retirement retirement_{"retirement"};
   ScanOut scan_out_;
   std::optional<Start> start_;   ///< unless it is the frame's beginning
   std::deque<Showing> showing_;  ///< the oldest first

@@ -5,7 +5,7 @@
 namespace csgsim::pixel_planes {
 
 PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape, unsigned alu_bits,
-                                 const kernel::Foretold* foretold)
+                                 const systemc::Foretold* foretold)
     : sc_core::sc_module(name),
       pixels_(foretold == nullptr ? array::PixelArray(shape, alu_bits)
                                   : array::PixelArray(foretold->pixels, shape.memory_bits, alu_bits)),

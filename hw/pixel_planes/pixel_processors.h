@@ -40,7 +40,7 @@ class PixelProcessors final : public sc_core::sc_module, public RefreshPort, pub
   /// `foretold`, unless null: its pixels alone, side by side, so that (i, 0) is the place of the i-th. What the refresh
   /// port delivers is foretold too.
   PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape, unsigned alu_bits,
-                  const kernel::Foretold* foretold = nullptr);
+                  const systemc::Foretold* foretold = nullptr);
 
   [[nodiscard]] std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const override {
     if (foretold_) return foretold_->row(address, row);

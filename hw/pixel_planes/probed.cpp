@@ -33,7 +33,7 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
 }  // namespace
 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
-                                  const kernel::Foretold& foretold, wave::Window window) {
+                                  const systemc::Foretold& foretold, wave::Window window) {
   // One more for the word that the pixels have carried out last, which is looked at too.
   const std::uint64_t lead = machines::evaluator_latency(machine.array) + 2;
   std::optional<Start> start;
@@ -93,7 +93,7 @@ array::Place place_of(wave::Pixel pixel, const isa::Program& program, const mach
                    "; choose another --pixel");
 }
 
-std::uint32_t foretold_place(const kernel::Foretold& foretold, array::Place place) {
+std::uint32_t foretold_place(const systemc::Foretold& foretold, array::Place place) {
   const auto found = std::find(foretold.pixels.begin(), foretold.pixels.end(), place);
   if (found == foretold.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
   return static_cast<std::uint32_t>(std::distance(foretold.pixels.begin(), found));

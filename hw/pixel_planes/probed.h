@@ -27,7 +27,7 @@ struct Start {
 /// The last instruction from whose beginning on a machine has as many clocks before the window as its pipelines are
 /// long, and which needs no squares of the one before; none if there is no such instruction.
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
-                                  const kernel::Foretold& foretold, wave::Window window);
+                                  const systemc::Foretold& foretold, wave::Window window);
 
 /// The pixels after all that the frame carries out before that instruction. `answers`: as in Foretold.
 array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
@@ -37,7 +37,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
 array::Place place_of(wave::Pixel pixel, const isa::Program& program, const machines::Machine& machine);
 
 /// Which of the foretold pixels that is. Throws std::out_of_range if it is none.
-std::uint32_t foretold_place(const kernel::Foretold& foretold, array::Place place);
+std::uint32_t foretold_place(const systemc::Foretold& foretold, array::Place place);
 
 /// Where the colours lie that the scan-out shows.
 isa::Field shown_field(const isa::Program& program, const machines::Machine& machine);

@@ -34,7 +34,7 @@ int port_depth(const machines::Machine& machine) {
 PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       machine_(machine),
-      clock_("clock", kernel::period_of(machine)),
+      clock_("clock", systemc::period_of(machine)),
       instructions_("instructions", machines::own<Figures>(machine).renderers,
                     fifo_maker<isa::LinkWord>(link_depth(machine))),
       colours_("colours", machines::own<Figures>(machine).renderers, fifo_maker<PortWord>(port_depth(machine))),
@@ -95,7 +95,7 @@ void PixelSquareMachine::begin_front(const isa::Program& program) {
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
 void PixelSquareMachine::on_done() { sc_core::sc_pause(); }
 
-kernel::RunReport PixelSquareMachine::run(const isa::Program& program, kernel::RunListener& listener) {
+systemc::RunReport PixelSquareMachine::run(const isa::Program& program, systemc::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   check_division(program, machine_);
   const std::uint64_t begun = edges();
@@ -111,7 +111,7 @@ std::vector<std::uint32_t> PixelSquareMachine::picture_of(const isa::Program& pr
   return {frame_buffer_.picture().begin(), frame_buffer_.picture().end()};
 }
 
-void PixelSquareMachine::begin(const isa::Program& program, kernel::RunListener& listener) {
+void PixelSquareMachine::begin(const isa::Program& program, systemc::RunListener& listener) {
   const isa::FrameHeader header = isa::frame_header(program);
   retirement_.begin(listener);
   names_.begin(program.segments);
@@ -190,7 +190,7 @@ std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const i
   return taps;
 }
 
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
   return std::make_unique<PixelSquareMachine>("pixel_square", machine);
 }
 

@@ -31,13 +31,13 @@ namespace csgsim::pixel_square {
 ///
 /// All parts act on the rising edge of one clock. A word written at an edge can be read at the next; a place freed at
 /// an edge can be filled at the next.
-class PixelSquareMachine final : public sc_core::sc_module, public kernel::ClockedMachine {
+class PixelSquareMachine final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine);
 
   /// Draws a frame, until the frame buffer has stored the last word or cleared the last square. Without segments it
   /// takes no clock.
-  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
+  systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
@@ -59,14 +59,14 @@ class PixelSquareMachine final : public sc_core::sc_module, public kernel::Clock
   [[nodiscard]] const Sender& sender() const {
     return front_.host ? static_cast<const Sender&>(*front_.host) : *front_.divider;
   }
-  void begin(const isa::Program& program, kernel::RunListener& listener);
+  void begin(const isa::Program& program, systemc::RunListener& listener);
   void on_done();
   [[nodiscard]] std::uint64_t edges() const;
   [[nodiscard]] SquareAccount counted(std::uint64_t clocks) const;
   [[nodiscard]] std::vector<std::uint32_t> picture_of(const isa::Program& program) const;
 
   const machines::Machine machine_;
-  kernel::Clock clock_;
+  systemc::Clock clock_;
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> instructions_;
   sc_core::sc_vector<sc_core::sc_fifo<PortWord>> colours_;
   sc_core::sc_fifo<PortWord> clears_;
@@ -77,7 +77,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public kernel::Clock
   sc_core::sc_vector<Renderer> renderers_;
   FrameBuffer frame_buffer_;
   SquareNames names_;
-  kernel::Retirement retirement_{"retirement"};
+  systemc::Retirement retirement_{"retirement"};
 };
 
 }  // namespace csgsim::pixel_square

@@ -45,7 +45,7 @@ class Renderer final : public sc_core::sc_module {
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_fifo_out<PortWord> colours{"colours"};
   sc_core::sc_out<std::uint64_t> finished{"finished"};  ///< squares that have left, or are in the output buffer
-  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   Renderer(sc_core::sc_module_name name, const machines::Machine& machine);
 

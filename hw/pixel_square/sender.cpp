@@ -78,7 +78,7 @@ SquareActivity Sender::send() {
   ++sent_;
   if (sent_ < (is_clear ? quotient_up(header_bits, port_bits_) : square_->words.size())) return SquareActivity::working;
   if (is_clear) {
-    retirement->after_segment(static_cast<std::uint32_t>(index_), kernel::ClearView());
+    retirement->after_segment(static_cast<std::uint32_t>(index_), systemc::ClearView());
     ++skipped_;
   }
   square_.reset();

@@ -38,7 +38,7 @@ class Sender : public sc_core::sc_module {
   sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< one a renderer
   sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> finished;     ///< squares that each renderer has finished
   sc_core::sc_fifo_out<PortWord> clears{"clears"};
-  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   /// Of a frame of so many clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {

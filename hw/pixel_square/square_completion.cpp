@@ -21,9 +21,9 @@ void SquareCompletion::complete() {
     case CommandAccount::Kind::instruction:
       retirement->after_instruction(
           {.segment = *segment_, .index = index_++, .clocks = account.clocks, .enabled_pixels = enabled_},
-          kernel::ArrayView(enable->pixels()));
+          systemc::ArrayView(enable->pixels()));
       break;
-    case CommandAccount::Kind::end: retirement->after_segment(*segment_, kernel::ArrayView(enable->pixels())); return;
+    case CommandAccount::Kind::end: retirement->after_segment(*segment_, systemc::ArrayView(enable->pixels())); return;
   }
   enabled_ = enable->count_enabled();
 }

@@ -18,7 +18,7 @@ class SquareCompletion final : public sc_core::sc_module {
   sc_core::sc_in<std::uint64_t> retired{"retired"};
   sc_core::sc_fifo_in<CommandAccount> accounts{"accounts"};
   sc_core::sc_port<pixel_planes::EnableLines> enable{"enable"};
-  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   explicit SquareCompletion(sc_core::sc_module_name name);
 

@@ -16,7 +16,7 @@ using pixel_planes::ControlWord;
 
 SquareController::SquareController(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
-      period_(kernel::period_of(machine)),
+      period_(systemc::period_of(machine)),
       buffered_(machines::own<Figures>(machine).buffers >= 2),
       clear_clocks_(std::max(machine.clear_clocks, 1U)),
       move_bits_(machines::own<Figures>(machine).move_bits),

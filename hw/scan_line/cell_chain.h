@@ -19,7 +19,7 @@ class CellChain final : public sc_core::sc_module {
   sc_core::sc_in<PacketWord> entry{"entry"};
   sc_core::sc_out<RefreshPixel> refresh{"refresh"};
   sc_core::sc_fifo_in<EntryAccount> accounts{"accounts"};
-  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   CellChain(sc_core::sc_module_name name, const isa::ArrayShape& cells, const CellShape& shape);
 

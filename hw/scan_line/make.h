@@ -9,7 +9,7 @@
 namespace csgsim::scan_line {
 
 /// For a description of this kind of machine.
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine);
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine);
 
 /// None: the whole machine is built for a wave.
 inline constexpr std::nullptr_t make_probed_machine = nullptr;

@@ -8,7 +8,7 @@
 
 namespace csgsim::scan_line {
 
-using kernel::Keep;
+using systemc::Keep;
 
 /// What a cell is built of.
 struct CellShape {

@@ -67,7 +67,7 @@ void PacketQueue::take(const isa::Command& command) {
   } else if (std::holds_alternative<isa::SegmentEnd>(command)) {
     take_packet(index_ > 0 ? mark_packet(frame_.colour, cell_)
                            : background_packet(frame_.colour, frame_.background, cell_));
-    beat_->keep = kernel::Keep::all;
+    beat_->keep = systemc::Keep::all;
   }
 }
 

@@ -36,7 +36,7 @@ class PacketQueue final : public sc_core::sc_module {
   sc_core::sc_out<PacketWord> entry{"entry"};
   sc_core::sc_out<bool> busy{"busy"};  ///< there is a line whose mark has not entered
   sc_core::sc_fifo_out<EntryAccount> accounts{"accounts"};
-  sc_core::sc_port<kernel::RetirementPort> retirement{"retirement"};
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 

@@ -42,7 +42,7 @@ std::vector<std::uint32_t> picture_of(const isa::Program& program,
 ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       machine_(machine),
-      clock_("clock", kernel::period_of(machine)),
+      clock_("clock", systemc::period_of(machine)),
       lines_("lines"),
       words_("words"),
       entry_("entry", figures_of(machine).chains),
@@ -106,21 +106,21 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
 void ScanLineArray::on_done() { sc_core::sc_pause(); }
 
-kernel::RunReport ScanLineArray::run(const isa::Program& program, kernel::RunListener& listener) {
+systemc::RunReport ScanLineArray::run(const isa::Program& program, systemc::RunListener& listener) {
   const isa::FrameHeader header = isa::frame_header(program);
   const PictureLines frame{
       .lines = program.segments, .extents = program.extents, .colour = header.colour, .background = header.background};
   draw(frame, listener);
-  kernel::RunReport report{.clocks = collector_.clocks(),
-                           .answers = {},
-                           .account = account(counted(), machine_, collector_.clocks()),
-                           .shown_clocks = collector_.clocks(),
-                           .interval_clocks = interval(frame)};
+  systemc::RunReport report{.clocks = collector_.clocks(),
+                            .answers = {},
+                            .account = account(counted(), machine_, collector_.clocks()),
+                            .shown_clocks = collector_.clocks(),
+                            .interval_clocks = interval(frame)};
   if (header.colour.width > 0) report.picture = picture_of(program, collector_.lines());
   return report;
 }
 
-void ScanLineArray::draw(const PictureLines& frame, kernel::RunListener& listener) {
+void ScanLineArray::draw(const PictureLines& frame, systemc::RunListener& listener) {
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   retirement_.begin(listener);
   host_.begin(frame);
@@ -185,7 +185,7 @@ std::vector<wave::Tap> ScanLineArray::taps(const isa::Program& program, const wa
   return taps;
 }
 
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
   return std::make_unique<ScanLineArray>("scan_line", machine);
 }
 

@@ -17,23 +17,23 @@
 namespace csgsim::scan_line {
 
 /// The whole systolic scan-line array (thesis 7.2.2).
-class ScanLineArray final : public sc_core::sc_module, public kernel::ClockedMachine {
+class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   ScanLineArray(sc_core::sc_module_name name, const machines::Machine& machine);
 
   /// Draws a frame of one line or more.
-  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
+  systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
  private:
   void on_done();
-  void draw(const PictureLines& frame, kernel::RunListener& listener);
+  void draw(const PictureLines& frame, systemc::RunListener& listener);
   [[nodiscard]] LineAccount counted() const;
   [[nodiscard]] std::uint64_t interval(const PictureLines& frame) const;
 
   const machines::Machine machine_;
-  kernel::Clock clock_;
+  systemc::Clock clock_;
   sc_core::sc_vector<sc_core::sc_fifo<std::uint32_t>> lines_;
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> words_;
   sc_core::sc_vector<sc_core::sc_signal<PacketWord>> entry_;
@@ -47,7 +47,7 @@ class ScanLineArray final : public sc_core::sc_module, public kernel::ClockedMac
   sc_core::sc_vector<PacketQueue> queues_;
   sc_core::sc_vector<CellChain> chains_;
   RefreshCollector collector_;
-  kernel::Retirement retirement_{"retirement"};
+  systemc::Retirement retirement_{"retirement"};
 };
 
 }  // namespace csgsim::scan_line

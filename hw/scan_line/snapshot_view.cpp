@@ -13,7 +13,7 @@ void require(bool kept) {
 }
 
 /// A view that has its snapshot to itself.
-class OwnedSnapshot final : public kernel::PixelView {
+class OwnedSnapshot final : public systemc::PixelView {
  public:
   explicit OwnedSnapshot(Snapshot snapshot) : snapshot_(std::move(snapshot)) {}
 
@@ -24,7 +24,7 @@ class OwnedSnapshot final : public kernel::PixelView {
   void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override {
     SnapshotView(&snapshot_).read_enable(width, height, words);
   }
-  [[nodiscard]] std::unique_ptr<const kernel::PixelView> copy() const override {
+  [[nodiscard]] std::unique_ptr<const systemc::PixelView> copy() const override {
     return SnapshotView(&snapshot_).copy();
   }
 
@@ -46,7 +46,7 @@ void SnapshotView::read_enable(std::uint32_t /*width*/, std::uint32_t /*height*/
   std::copy_n(snapshot_->enable.begin(), words.size(), words.begin());
 }
 
-std::unique_ptr<const kernel::PixelView> SnapshotView::copy() const {
+std::unique_ptr<const systemc::PixelView> SnapshotView::copy() const {
   return std::make_unique<OwnedSnapshot>(snapshot_ == nullptr ? Snapshot{} : *snapshot_);
 }
 

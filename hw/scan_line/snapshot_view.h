@@ -9,7 +9,7 @@ namespace csgsim::scan_line {
 
 /// A line as a packet left it, each cell at its own clock: by cell the state at the instruction boundary. Throws
 /// std::logic_error for what the snapshot does not show.
-class SnapshotView final : public kernel::PixelView {
+class SnapshotView final : public systemc::PixelView {
  public:
   /// Null where nothing was kept; has to live as long as the view.
   explicit SnapshotView(const Snapshot* snapshot) : snapshot_(snapshot) {}
@@ -17,7 +17,7 @@ class SnapshotView final : public kernel::PixelView {
   void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
                   std::span<std::uint32_t> values) const override;
   void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override;
-  [[nodiscard]] std::unique_ptr<const kernel::PixelView> copy() const override;
+  [[nodiscard]] std::unique_ptr<const systemc::PixelView> copy() const override;
 
  private:
   const Snapshot* snapshot_;

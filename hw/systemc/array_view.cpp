@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 namespace {
 
@@ -46,4 +46,4 @@ void ArrayView::read_enable(std::uint32_t width, std::uint32_t height, std::span
 
 std::unique_ptr<const PixelView> ArrayView::copy() const { return std::make_unique<OwnedArray>(pixels_); }
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

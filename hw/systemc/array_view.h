@@ -5,7 +5,7 @@
 #include "hw/array/pixel_array.h"
 #include "hw/systemc/run_listener.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// A corner of an array of pixel processors.
 class ArrayView final : public PixelView {
@@ -22,4 +22,4 @@ class ArrayView final : public PixelView {
   const array::PixelArray& pixels_;
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

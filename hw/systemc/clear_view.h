@@ -4,7 +4,7 @@
 
 #include "hw/systemc/run_listener.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// Pixels that nothing has been drawn on: memory and enable are 0.
 class ClearView final : public PixelView {
@@ -19,4 +19,4 @@ class ClearView final : public PixelView {
   [[nodiscard]] std::unique_ptr<const PixelView> copy() const override { return std::make_unique<ClearView>(); }
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 Clock::Clock(sc_core::sc_module_name name, const sc_core::sc_time& period) : sc_core::sc_module(name), period_(period) {
   SC_HAS_PROCESS(Clock);
@@ -16,4 +16,4 @@ const sc_core::sc_event& Clock::negedge_event() const {
 
 void Clock::tick() { edge_.notify(period_); }
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

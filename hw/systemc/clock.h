@@ -2,7 +2,7 @@
 
 #include <systemc>
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// The clock of a machine all of whose parts act on rising edges: the first is one period after the start. Of the level
 /// on the wire nothing is shown, so that a period is one event of the kernel.
@@ -31,4 +31,4 @@ class Clock final : public sc_core::sc_module, public sc_core::sc_signal_in_if<b
   sc_core::sc_event edge_{"edge"};
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

@@ -1,6 +1,6 @@
 #include "hw/systemc/clocked_machine.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 std::vector<RunReport> ClockedMachine::run_sequence(std::span<const isa::Program> programs,
                                                     std::span<RunListener* const> listeners) {
@@ -15,4 +15,4 @@ std::vector<wave::Tap> ClockedMachine::taps(const isa::Program& /*program*/, con
 
 std::uint64_t ClockedMachine::skip_to(const isa::Program& /*program*/, wave::Window /*window*/) { return 0; }
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

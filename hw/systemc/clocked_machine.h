@@ -10,7 +10,7 @@
 #include "hw/wave/request.h"
 #include "hw/wave/tap.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 struct RunReport {
   std::uint64_t clocks = 0;              ///< in all, latency included
@@ -49,4 +49,4 @@ class ClockedMachine {
   virtual std::uint64_t skip_to(const isa::Program& program, wave::Window window);
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

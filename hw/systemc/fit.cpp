@@ -4,7 +4,7 @@
 
 #include "hw/base/error.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) {
   if (program.width <= machine.width && program.height <= machine.height &&
@@ -19,4 +19,4 @@ void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) 
                    "; compile it for this machine");
 }
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

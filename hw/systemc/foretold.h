@@ -8,7 +8,7 @@
 #include "hw/machines/timeline.h"
 #include "hw/machines/timing.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// What another run of the same Program has told, so that a machine of which only some pixels are built does at these
 /// what the whole one does. What it refers to has to live as long as that machine.
@@ -20,4 +20,4 @@ struct Foretold {
   std::span<const std::uint32_t> picture;  ///< colour of every pixel of the array when the frame is drawn, in row order
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

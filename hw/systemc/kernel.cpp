@@ -10,7 +10,7 @@
 /// Debian's libsystemc refers to the entry point of programs that leave main to it. These have a main of their own.
 int sc_main(int /*argc*/, char* /*argv*/[]) { return 0; }
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 namespace {
 
@@ -47,4 +47,4 @@ void back_on_main_stack() {
 #endif
 }
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

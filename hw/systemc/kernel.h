@@ -5,7 +5,7 @@
 #include "hw/machines/machine.h"
 
 /// What all machines in SystemC share.
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// The machine's clock period. Its first rising edge is one period after the start, not at time 0.
 sc_core::sc_time period_of(const machines::Machine& machine);
@@ -22,4 +22,4 @@ bool is_stopped();
 /// overflow it. Without that sanitizer it does nothing.
 void back_on_main_stack();
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// Keeps what a listener throws from the kernel: the machine runs to its end without it, and then it is thrown again.
 class ListenerGuard {
@@ -31,4 +31,4 @@ class ListenerGuard {
   std::exception_ptr thrown_;
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

@@ -1,6 +1,6 @@
 #include "hw/systemc/retirement.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {}
 
@@ -23,4 +23,4 @@ void Retirement::after_segment(std::uint32_t segment, const PixelView& pixels) {
   guard_.run([&] { listener_->after_segment(segment, pixels); });
 }
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

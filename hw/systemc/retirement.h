@@ -6,7 +6,7 @@
 #include "hw/systemc/listener_guard.h"
 #include "hw/systemc/run_listener.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// Where a machine's modules tell what their pixels have carried out.
 class RetirementPort : virtual public sc_core::sc_interface, public RunListener {};
@@ -31,4 +31,4 @@ class Retirement final : public sc_core::sc_module, public RetirementPort {
   ListenerGuard guard_;
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

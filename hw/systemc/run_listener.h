@@ -7,7 +7,7 @@
 #include "hw/isa/instruction.h"
 
 /// What a machine in SystemC tells of a run while it goes by.
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// An instruction that the pixels of a segment have just carried out.
 struct Retired {
@@ -52,4 +52,4 @@ class RunListener {
   virtual void after_segment(std::uint32_t /*segment*/, const PixelView& /*pixels*/) {}
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

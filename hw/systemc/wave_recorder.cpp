@@ -4,7 +4,7 @@
 
 #include "hw/systemc/kernel.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 WaveRecorder::WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time& period)
     : sc_core::sc_module(name), period_(period) {
@@ -63,4 +63,4 @@ void WaveRecorder::proceed() {
   next_.notify(sc_core::sc_time::from_value((clock_ - sampled) * period_.value()));
 }
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

@@ -10,7 +10,7 @@
 #include "hw/wave/request.h"
 #include "hw/wave/vcd_writer.h"
 
-namespace csgsim::kernel {
+namespace csgsim::systemc {
 
 /// Samples a wave's taps in the middle of each clock of its windows, when every wire has settled. It stands beside a
 /// machine, is no part of it, and costs nothing outside the windows.
@@ -20,7 +20,7 @@ class WaveRecorder final : public sc_core::sc_module {
   WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time& period);
 
   /// Records the run that begins at this time. `first_clock`: the frame's clock that the next rising edge begins.
-  /// `stops`: the simulation ends with the last window (kernel::stop).
+  /// `stops`: the simulation ends with the last window (systemc::stop).
   void arm(wave::VcdWriter writer, std::vector<wave::Window> windows, std::uint64_t first_clock, bool stops);
 
   /// Wall time that sampling, and writing the file, have taken since arm.
@@ -44,4 +44,4 @@ class WaveRecorder final : public sc_core::sc_module {
   bool reached_ = false;
 };
 
-}  // namespace csgsim::kernel
+}  // namespace csgsim::systemc

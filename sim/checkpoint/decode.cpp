@@ -13,7 +13,7 @@
 #include "sim/checkpoint/packed.h"
 #include "sim/checkpoint/snapshot.h"
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 namespace {
 
@@ -46,7 +46,7 @@ std::uint64_t padding_of(const isa::Region& region) {
   return region.width % 64 == 0 ? 0 : ~std::uint64_t{0} << region.width % 64;
 }
 
-void read_planes(isa::ByteReader& in, const isa::Program& program, RunState& run) {
+void read_planes(isa::ByteReader& in, const isa::Program& program, engine::RunState& run) {
   if (program.segments.empty()) return require(in.varint() == 0, "holds pixels of no segment");
   const isa::Region region = program.segments[run.place.segment].region;
   const std::size_t row = (region.width + 63U) / 64U;
@@ -63,7 +63,7 @@ void read_planes(isa::ByteReader& in, const isa::Program& program, RunState& run
 }
 
 /// Instructions that the run has carried out, by its place and skips, which have to lead there.
-std::uint64_t carried_out(const RunState& run, const isa::Program& program) {
+std::uint64_t carried_out(const engine::RunState& run, const isa::Program& program) {
   std::uint64_t count = 0;
   std::uint64_t skipped = 0;
   std::size_t answers = 0;
@@ -88,8 +88,8 @@ std::uint64_t carried_out(const RunState& run, const isa::Program& program) {
   return count;
 }
 
-RunState read_run(isa::ByteReader& in, const isa::Program& program) {
-  RunState run;
+engine::RunState read_run(isa::ByteReader& in, const isa::Program& program) {
+  engine::RunState run;
   const std::size_t segments = program.segments.size();
   run.place.segment = in.varint_to<std::uint32_t>(segments == 0 ? 0 : segments - 1);
   const std::size_t instructions = segments == 0 ? 0 : program.segments[run.place.segment].instructions.size();
@@ -98,7 +98,7 @@ RunState read_run(isa::ByteReader& in, const isa::Program& program) {
   require(!run.told_end || run.place.index == instructions, "ends a segment before its end");
   run.overflows = in.varint_to<std::uint64_t>(any_number);
   run.skipped = in.varint_to<std::uint64_t>(any_number);
-  run.answers = bits(in, Numbers(program).count());
+  run.answers = bits(in, engine::Numbers(program).count());
   const std::uint64_t skips = in.varint();
   require(skips <= in.left(), "ends too soon");
   for (std::uint64_t i = 0; i < skips; ++i) {
@@ -115,17 +115,17 @@ void check_below(const std::vector<std::uint32_t>& values, std::uint64_t limit, 
       what);
 }
 
-FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Program& program) {
+observe::FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Program& program) {
   const std::size_t count = std::size_t{program.shape.width} * program.shape.height;
   const std::size_t owners = isa::piece_count(program.facts);
-  FrameObserver::Gathered picture;
+  observe::FrameObserver::Gathered picture;
   picture.frame.width = program.shape.width;
   picture.frame.height = program.shape.height;
   picture.frame.colour = pixels(in, count);
   picture.frame.depth = pixels(in, count);
   picture.frame.owner = pixels(in, count);
   if (isa::field_of(program, isa::FieldRole::candidate_colour).width > 0) picture.candidate_owner = pixels(in, count);
-  if (!FrameObserver(program).gathered().panes.owner.empty()) {
+  if (!observe::FrameObserver(program).gathered().panes.owner.empty()) {
     for (std::vector<std::uint32_t>* const one :
          {&picture.frame.opaque_depth, &picture.frame.opaque_owner, &picture.panes.owner, &picture.panes.depth})
       *one = pixels(in, count);
@@ -135,17 +135,17 @@ FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Program& pr
   check_below(picture.frame.colour, std::uint64_t{1} << colour, program.background, "holds a colour out of range");
   for (const std::vector<std::uint32_t>* one : {&picture.frame.depth, &picture.frame.opaque_depth})
     check_below(*one, std::uint64_t{1} << depth, 0, "holds a depth out of range");
-  check_below(picture.panes.depth, std::uint64_t{1} << depth, FrameObserver::unread_depth,
+  check_below(picture.panes.depth, std::uint64_t{1} << depth, observe::FrameObserver::unread_depth,
               "holds a depth out of range");
   for (const std::vector<std::uint32_t>* one :
        {&picture.frame.owner, &picture.candidate_owner, &picture.frame.opaque_owner, &picture.panes.owner})
-    check_below(*one, owners, no_owner, "holds an owner that the Program does not name");
+    check_below(*one, owners, observe::no_owner, "holds an owner that the Program does not name");
   return picture;
 }
 
-Stats read_stats(isa::ByteReader& in, const isa::Program& program) {
-  Stats stats = StatsObserver(program).stats();
-  for_each_cost(stats, [&](Cost& cost) {
+observe::Stats read_stats(isa::ByteReader& in, const isa::Program& program) {
+  observe::Stats stats = observe::StatsObserver(program).stats();
+  for_each_cost(stats, [&](observe::Cost& cost) {
     for (std::uint64_t* number : {&cost.instructions, &cost.clocks, &cost.pixel_operations, &cost.enabled})
       *number = in.varint();
   });
@@ -184,4 +184,4 @@ Snapshot decode(std::span<const std::byte> bytes, std::string_view name, const i
   }
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

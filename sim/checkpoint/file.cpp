@@ -6,7 +6,7 @@
 #include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 namespace {
 
@@ -28,14 +28,15 @@ Snapshot load_snapshot(const std::filesystem::path& path, const isa::Program& pr
   return decode(std::as_bytes(std::span(text)), path.native(), program, machine);
 }
 
-Snapshot take_snapshot(RunIdentity identity, const Run& run, const FrameObserver& frame, const StatsObserver& stats) {
+Snapshot take_snapshot(RunIdentity identity, const engine::Run& run, const observe::FrameObserver& frame,
+                       const observe::StatsObserver& stats) {
   return {identity, run.save(), frame.gathered(), stats.stats()};
 }
 
-void resume(const Snapshot& snapshot, Run& run, FrameObserver& frame, StatsObserver& stats) {
+void resume(const Snapshot& snapshot, engine::Run& run, observe::FrameObserver& frame, observe::StatsObserver& stats) {
   run.restore(snapshot.run);
   frame.restore(snapshot.picture);
   stats.restore(snapshot.stats);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

@@ -4,7 +4,7 @@
 
 #include "sim/checkpoint/snapshot.h"
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 /// Writes a whole checkpoint in the place of the one before, or leaves that. Throws InputError.
 void save_snapshot(const std::filesystem::path& path, const Snapshot& snapshot);
@@ -14,9 +14,10 @@ Snapshot load_snapshot(const std::filesystem::path& path, const isa::Program& pr
                        const machines::Machine& machine);
 
 /// What a run and its observers hold at an instruction boundary.
-Snapshot take_snapshot(RunIdentity identity, const Run& run, const FrameObserver& frame, const StatsObserver& stats);
+Snapshot take_snapshot(RunIdentity identity, const engine::Run& run, const observe::FrameObserver& frame,
+                       const observe::StatsObserver& stats);
 
 /// Has the run go on from the snapshot, which is one of its Program, and the observers from what they had gathered.
-void resume(const Snapshot& snapshot, Run& run, FrameObserver& frame, StatsObserver& stats);
+void resume(const Snapshot& snapshot, engine::Run& run, observe::FrameObserver& frame, observe::StatsObserver& stats);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

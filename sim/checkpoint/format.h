@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 /// What is around a Snapshot in its file.
 inline constexpr std::array<std::uint8_t, 4> snapshot_magic{'C', 'S', 'G', 'S'};
@@ -30,4 +30,4 @@ void for_each_cost(Stats& stats, Visit visit) {
   for (auto& cost : stats.by_effect) visit(cost);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::vector<bool> bits(isa::ByteReader& in, std::uint64_t most) {
   return bits;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

@@ -7,7 +7,7 @@
 
 #include "hw/isa/bytes.h"
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 /// How parts of a Snapshot stand in its file (sim/checkpoint/snapshot.h). What reads throws isa::MalformedBytes.
 
@@ -24,4 +24,4 @@ std::vector<std::uint32_t> pixels(isa::ByteReader& in, std::size_t count);
 void put_bits(isa::ByteWriter& out, const std::vector<bool>& bits);
 std::vector<bool> bits(isa::ByteReader& in, std::uint64_t most);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

@@ -11,7 +11,7 @@
 #include "sim/checkpoint/format.h"
 #include "sim/checkpoint/packed.h"
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 namespace {
 
@@ -34,7 +34,7 @@ std::uint64_t hash_of(const machines::Machine& machine) {
 }
 
 /// Words of one plane, or 0 where the run has no pixels yet.
-std::size_t plane_words(const RunState& run) {
+std::size_t plane_words(const engine::RunState& run) {
   for (const std::vector<std::uint64_t>& plane : run.planes)
     if (!plane.empty()) return plane.size();
   return 0;
@@ -53,7 +53,7 @@ std::vector<std::byte> encode(const Snapshot& snapshot) {
   put_fixed(out, snapshot.identity.program, 8);
   put_fixed(out, snapshot.identity.machine, 8);
 
-  const RunState& run = snapshot.run;
+  const engine::RunState& run = snapshot.run;
   for (const std::uint64_t number : {std::uint64_t{run.place.segment}, std::uint64_t{run.place.index},
                                      std::uint64_t{run.told_end}, run.overflows, run.skipped})
     out.varint(number);
@@ -67,13 +67,13 @@ std::vector<std::byte> encode(const Snapshot& snapshot) {
   out.varint(words);
   for (const std::vector<std::uint64_t>& plane : run.planes) put_plane(out, plane, words);
 
-  const FrameObserver::Gathered& picture = snapshot.picture;
-  const Frame& frame = picture.frame;
+  const observe::FrameObserver::Gathered& picture = snapshot.picture;
+  const observe::Frame& frame = picture.frame;
   for (const std::vector<std::uint32_t>* values :
        {&frame.colour, &frame.depth, &frame.owner, &picture.candidate_owner, &frame.opaque_depth, &frame.opaque_owner,
         &picture.panes.owner, &picture.panes.depth})
     put_pixels(out, *values);
-  for_each_cost(snapshot.stats, [&](const Cost& cost) {
+  for_each_cost(snapshot.stats, [&](const observe::Cost& cost) {
     for (const std::uint64_t number : {cost.instructions, cost.clocks, cost.pixel_operations, cost.enabled})
       out.varint(number);
   });
@@ -81,4 +81,4 @@ std::vector<std::byte> encode(const Snapshot& snapshot) {
   return out.take();
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

@@ -12,7 +12,7 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
 
-namespace csgsim::sim {
+namespace csgsim::checkpoint {
 
 /// Hashes that tell what a run is of; no defence against forgery.
 struct RunIdentity {
@@ -28,9 +28,9 @@ RunIdentity identity_of(const isa::Program& program, const machines::Machine& ma
 /// never stopped.
 struct Snapshot {
   RunIdentity identity;
-  RunState run;
-  FrameObserver::Gathered picture;
-  Stats stats;
+  engine::RunState run;
+  observe::FrameObserver::Gathered picture;
+  observe::Stats stats;
 
   bool operator==(const Snapshot&) const = default;
 };
@@ -58,4 +58,4 @@ std::vector<std::byte> encode(const Snapshot& snapshot);
 Snapshot decode(std::span<const std::byte> bytes, std::string_view name, const isa::Program& program,
                 const machines::Machine& machine);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::checkpoint

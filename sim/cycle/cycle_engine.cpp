@@ -12,16 +12,16 @@
 #include "sim/cycle/sequence.h"
 #include "sim/engine/run.h"
 
-namespace csgsim::sim {
+namespace csgsim::cycle {
 
 namespace {
 
-RunResult result_of(kernel::RunReport&& report, const Relay& relay) {
-  RunResult result{.overflows = relay.overflows(),
-                   .skipped = report.skipped,
-                   .skips = relay.skips(),
-                   .answers = std::move(report.answers),
-                   .scanned_out = std::move(report.picture)};
+engine::RunResult result_of(systemc::RunReport&& report, const Relay& relay) {
+  engine::RunResult result{.overflows = relay.overflows(),
+                           .skipped = report.skipped,
+                           .skips = relay.skips(),
+                           .answers = std::move(report.answers),
+                           .scanned_out = std::move(report.picture)};
   put(machines::with_pace({.clocks = report.clocks,
                            .shown_clocks = report.shown_clocks,
                            .interval_clocks = report.interval_clocks,
@@ -32,25 +32,26 @@ RunResult result_of(kernel::RunReport&& report, const Relay& relay) {
 }
 
 /// The Program has to be one for the machine.
-RunResult run_on(kernel::ClockedMachine& hardware, const isa::Program& program, std::span<Observer* const> observers) {
+engine::RunResult run_on(systemc::ClockedMachine& hardware, const isa::Program& program,
+                         std::span<engine::Observer* const> observers) {
   Relay relay(program, observers);
-  kernel::RunReport report = hardware.run(program, relay);
+  systemc::RunReport report = hardware.run(program, relay);
   return result_of(std::move(report), relay);
 }
 
-class CycleEngine final : public Engine {
+class CycleEngine final : public engine::Engine {
  public:
-  CycleEngine(machines::Machine machine, kernel::ClockedMachine& hardware)
+  CycleEngine(machines::Machine machine, systemc::ClockedMachine& hardware)
       : machine_(std::move(machine)), hardware_(hardware) {}
 
   [[nodiscard]] std::string_view level() const override { return "cycle"; }
 
-  RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+  engine::RunResult run(const isa::Program& program, std::span<engine::Observer* const> observers) override {
     machines::check_runs_on(program, machine_);
     return run_on(hardware_, program, observers);
   }
 
-  [[nodiscard]] std::unique_ptr<Run> begin(const isa::Program& /*program*/) const override {
+  [[nodiscard]] std::unique_ptr<engine::Run> begin(const isa::Program& /*program*/) const override {
     throw InputError(
         "the cycle level cannot stop and go on, since SystemC's kernel cannot be saved; take the functional or the "
         "reference level, whose bits and clocks are the same");
@@ -58,36 +59,41 @@ class CycleEngine final : public Engine {
 
  private:
   machines::Machine machine_;
-  kernel::ClockedMachine& hardware_;
+  systemc::ClockedMachine& hardware_;
 };
 
 }  // namespace
 
-kernel::ClockedMachine& clocked_hardware(const machines::Machine& machine) {
+systemc::ClockedMachine& clocked_hardware(const machines::Machine& machine) {
   claim_elaboration(machine);
-  static const std::unique_ptr<kernel::ClockedMachine> hardware = kinds::make_clocked_machine(machine);
+  static const std::unique_ptr<systemc::ClockedMachine> hardware = kinds::make_clocked_machine(machine);
   return *hardware;
 }
 
-std::unique_ptr<Engine> make_clocked_engine(const machines::Machine& machine, kernel::ClockedMachine& hardware) {
+std::unique_ptr<engine::Engine> make_clocked_engine(const machines::Machine& machine,
+                                                    systemc::ClockedMachine& hardware) {
   return std::make_unique<CycleEngine>(machine, hardware);
 }
 
-std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine) {
-  return make_clocked_engine(machine, clocked_hardware(machine));
-}
-
-std::vector<RunResult> run_sequence(const machines::Machine& machine, std::span<const isa::Program> programs,
-                                    std::span<Observer* const> observers) {
+std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, std::span<const isa::Program> programs,
+                                            std::span<engine::Observer* const> observers) {
   for (const isa::Program& program : programs) machines::check_runs_on(program, machine);
   std::deque<Relay> relays;
-  std::vector<kernel::RunListener*> listeners;
+  std::vector<systemc::RunListener*> listeners;
   for (std::size_t i = 0; i < programs.size(); ++i)
     listeners.push_back(&relays.emplace_back(programs[i], observers.subspan(i, 1)));
-  std::vector<kernel::RunReport> reports = clocked_hardware(machine).run_sequence(programs, listeners);
-  std::vector<RunResult> results;
+  std::vector<systemc::RunReport> reports = clocked_hardware(machine).run_sequence(programs, listeners);
+  std::vector<engine::RunResult> results;
   for (std::size_t i = 0; i < reports.size(); ++i) results.push_back(result_of(std::move(reports[i]), relays[i]));
   return results;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::cycle
+
+namespace csgsim {
+
+std::unique_ptr<engine::Engine> engine::make_cycle_engine(const machines::Machine& machine) {
+  return cycle::make_clocked_engine(machine, cycle::clocked_hardware(machine));
+}
+
+}  // namespace csgsim

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace csgsim::sim {
+namespace csgsim::cycle {
 
 void claim_elaboration(const machines::Machine& machine) {
   static const machines::Machine elaborated = machine;
@@ -11,4 +11,4 @@ void claim_elaboration(const machines::Machine& machine) {
                          "; simulate " + machine.name + " clock by clock in a process of its own");
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::cycle

@@ -6,12 +6,12 @@
 
 #include "sim/cycle/segment_state.h"
 
-namespace csgsim::sim {
+namespace csgsim::cycle {
 
 namespace {
 
 /// The pixels after an instruction where no observer has said that it looks.
-class Unread final : public kernel::PixelView {
+class Unread final : public systemc::PixelView {
  public:
   void read_field(isa::Field /*field*/, std::uint32_t /*width*/, std::uint32_t /*height*/,
                   std::span<std::uint32_t> /*values*/) const override {
@@ -31,21 +31,21 @@ class Unread final : public kernel::PixelView {
 
 }  // namespace
 
-InOrder::InOrder(const isa::Program& program, std::span<Observer* const> observers)
+InOrder::InOrder(const isa::Program& program, std::span<engine::Observer* const> observers)
     : program_(program), observers_(observers), held_(program.segments.size()) {}
 
 bool InOrder::reads_after(const isa::Instruction& instruction) const {
   return std::any_of(observers_.begin(), observers_.end(),
-                     [&](const Observer* one) { return one->reads_after(instruction); });
+                     [&](const engine::Observer* one) { return one->reads_after(instruction); });
 }
 
-void InOrder::after_instruction(const Step& step, const kernel::PixelView& pixels) {
+void InOrder::after_instruction(const engine::Step& step, const systemc::PixelView& pixels) {
   const bool reads = reads_after(step.instruction);
   if (step.segment == due_) return tell(step, reads ? &pixels : nullptr);
   held_[step.segment].steps.push_back({step, reads ? pixels.copy() : nullptr});
 }
 
-void InOrder::after_segment(std::uint32_t segment, const kernel::PixelView& pixels) {
+void InOrder::after_segment(std::uint32_t segment, const systemc::PixelView& pixels) {
   if (segment != due_) {
     held_[segment].end = pixels.copy();
     return;
@@ -54,15 +54,15 @@ void InOrder::after_segment(std::uint32_t segment, const kernel::PixelView& pixe
   catch_up();
 }
 
-void InOrder::tell(const Step& step, const kernel::PixelView* pixels) const {
+void InOrder::tell(const engine::Step& step, const systemc::PixelView* pixels) const {
   static const Unread unread;
   const SegmentState state(pixels == nullptr ? unread : *pixels, program_.segments[step.segment].region);
-  for (Observer* observer : observers_) observer->after_instruction(step, state);
+  for (engine::Observer* observer : observers_) observer->after_instruction(step, state);
 }
 
-void InOrder::tell_end(std::uint32_t segment, const kernel::PixelView& pixels) {
+void InOrder::tell_end(std::uint32_t segment, const systemc::PixelView& pixels) {
   const SegmentState state(pixels, program_.segments[segment].region);
-  for (Observer* observer : observers_) observer->after_segment(segment, state);
+  for (engine::Observer* observer : observers_) observer->after_segment(segment, state);
   ++due_;
 }
 
@@ -76,4 +76,4 @@ void InOrder::catch_up() {
   }
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::cycle

@@ -6,7 +6,7 @@
 
 #include "hw/isa/operands.h"
 
-namespace csgsim::sim {
+namespace csgsim::cycle {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::uint64_t count_overflows(const Expression& expression, const isa::Region& r
   return count;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::cycle

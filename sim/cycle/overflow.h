@@ -8,7 +8,7 @@
 #include "hw/isa/instruction.h"
 #include "hw/isa/program.h"
 
-namespace csgsim::sim {
+namespace csgsim::cycle {
 
 /// A linear expression, and the squares of the instruction before; zeros if there are none.
 struct Expression {
@@ -27,4 +27,4 @@ bool can_overflow(const Expression& expression, const isa::Region& region);
 std::uint64_t count_overflows(const Expression& expression, const isa::Region& region,
                               std::span<const std::uint64_t> enable, std::size_t row_words);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::cycle

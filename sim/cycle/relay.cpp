@@ -6,7 +6,7 @@
 
 #include "sim/cycle/overflow.h"
 
-namespace csgsim::sim {
+namespace csgsim::cycle {
 
 namespace {
 
@@ -17,13 +17,13 @@ bool next_can_overflow(const isa::Segment& segment, std::uint32_t index) {
 
 }  // namespace
 
-kernel::Keep Relay::keeps_after(std::uint32_t segment, std::uint32_t index) {
+systemc::Keep Relay::keeps_after(std::uint32_t segment, std::uint32_t index) {
   const isa::Segment& drawn = program_.segments[segment];
-  if (in_order_.reads_after(drawn.instructions[index])) return kernel::Keep::all;
-  return next_can_overflow(drawn, index) ? kernel::Keep::enable : kernel::Keep::nothing;
+  if (in_order_.reads_after(drawn.instructions[index])) return systemc::Keep::all;
+  return next_can_overflow(drawn, index) ? systemc::Keep::enable : systemc::Keep::nothing;
 }
 
-void Relay::after_instruction(const kernel::Retired& retired, const kernel::PixelView& pixels) {
+void Relay::after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) {
   if (retired.skipped > 0) skips_.push_back({retired.segment, retired.index});
   count_overflows_of_next(retired, pixels);
   in_order_.after_instruction({.segment = retired.segment,
@@ -34,7 +34,7 @@ void Relay::after_instruction(const kernel::Retired& retired, const kernel::Pixe
                               pixels);
 }
 
-void Relay::after_segment(std::uint32_t segment, const kernel::PixelView& pixels) {
+void Relay::after_segment(std::uint32_t segment, const systemc::PixelView& pixels) {
   in_order_.after_segment(segment, pixels);
 }
 
@@ -45,7 +45,7 @@ std::vector<machines::Skip> Relay::skips() const {
 }
 
 /// No pixel is enabled when a segment begins, nor where instructions are skipped.
-void Relay::count_overflows_of_next(const kernel::Retired& retired, const kernel::PixelView& pixels) {
+void Relay::count_overflows_of_next(const systemc::Retired& retired, const systemc::PixelView& pixels) {
   const isa::Segment& segment = program_.segments[retired.segment];
   const std::optional<Expression> next = expression_of(segment, retired.index + 1);
   if (retired.skipped > 0 || !next || !can_overflow(*next, segment.region)) return;
@@ -55,4 +55,4 @@ void Relay::count_overflows_of_next(const kernel::Retired& retired, const kernel
   overflows_ += count_overflows(*next, segment.region, enable_, row_words);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::cycle

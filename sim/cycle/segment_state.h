@@ -3,12 +3,12 @@
 #include "hw/systemc/run_listener.h"
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::cycle {
 
 /// What observers see of a machine's pixels: those of a segment's region.
-class SegmentState final : public PixelState {
+class SegmentState final : public engine::PixelState {
  public:
-  SegmentState(const kernel::PixelView& pixels, isa::Region region) : pixels_(pixels), region_(region) {}
+  SegmentState(const systemc::PixelView& pixels, isa::Region region) : pixels_(pixels), region_(region) {}
 
   [[nodiscard]] isa::Region region() const override { return region_; }
   void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
@@ -19,8 +19,8 @@ class SegmentState final : public PixelState {
   }
 
  private:
-  const kernel::PixelView& pixels_;
+  const systemc::PixelView& pixels_;
   isa::Region region_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::cycle

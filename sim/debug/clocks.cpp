@@ -18,9 +18,9 @@ std::vector<machines::Skip> skips_of(const isa::Program& program, const machines
                        [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
   };
   if (std::none_of(program.segments.begin(), program.segments.end(), asks)) return {};
-  const std::unique_ptr<sim::Engine> engine = sim::make_functional_engine(machine);
-  const std::unique_ptr<sim::Run> run = engine->begin(program);
-  run->advance(sim::Run::end, {});
+  const std::unique_ptr<engine::Engine> engine = engine::make_functional_engine(machine);
+  const std::unique_ptr<engine::Run> run = engine->begin(program);
+  run->advance(engine::Run::end, {});
   return run->save().skips;
 }
 
@@ -31,10 +31,10 @@ const machines::Timeline& Clocks::timeline() {
   return *timeline_;
 }
 
-machines::ClockSpan Clocks::issued(sim::Place place) { return timeline().issued[place.segment][place.index]; }
+machines::ClockSpan Clocks::issued(engine::Place place) { return timeline().issued[place.segment][place.index]; }
 
 std::uint64_t Clocks::first_after(std::uint64_t clock, std::uint64_t from) {
-  const sim::Numbers numbers(program_);
+  const engine::Numbers numbers(program_);
   for (; from < numbers.count(); ++from)
     if (issued(numbers.place(from)).end > clock) break;
   return from;

@@ -16,7 +16,7 @@ class Clocks {
   Clocks(const isa::Program& program, const machines::Machine& machine) : program_(program), machine_(machine) {}
 
   /// Of the instruction there. Throws InputError for a kind of machine that does not tell.
-  [[nodiscard]] machines::ClockSpan issued(sim::Place place);
+  [[nodiscard]] machines::ClockSpan issued(engine::Place place);
 
   /// Number of the first instruction, from `from` on, of which something is still to be issued when the clock begins.
   /// Throws the same.

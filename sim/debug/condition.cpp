@@ -46,7 +46,7 @@ bool can_change(const isa::Instruction& instruction, isa::Field watched) {
   return false;
 }
 
-std::uint32_t value_of(const Watched& what, const sim::Run& run) {
+std::uint32_t value_of(const Watched& what, const engine::Run& run) {
   const isa::Region region = run.region();
   const std::uint32_t x = what.x - region.x;
   const std::uint32_t y = what.y - region.y;

@@ -15,7 +15,7 @@ bool changes_enable(isa::Opcode opcode);
 bool can_change(const isa::Instruction& instruction, isa::Field watched);
 
 /// What is watched, of a pixel in the run's segment.
-std::uint32_t value_of(const Watched& what, const sim::Run& run);
+std::uint32_t value_of(const Watched& what, const engine::Run& run);
 
 /// Whether a value is as the condition asks; `before` is that of the boundary before.
 bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before);

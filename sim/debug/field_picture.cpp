@@ -13,7 +13,7 @@ namespace csgsim::debug {
 
 namespace {
 
-std::vector<std::uint32_t> values_of(isa::Field field, const sim::Run& run) {
+std::vector<std::uint32_t> values_of(isa::Field field, const engine::Run& run) {
   const isa::Region region = run.region();
   std::vector<std::uint32_t> values(std::size_t{region.width} * region.height);
   if (field.width > 0) {
@@ -56,7 +56,7 @@ std::uint8_t grey(std::uint32_t value, const Range& range) {
 
 }  // namespace
 
-FieldPicture picture_of(isa::Field field, const sim::Run& run, const isa::Program& program) {
+FieldPicture picture_of(isa::Field field, const engine::Run& run, const isa::Program& program) {
   const std::vector<std::uint32_t> values = values_of(field, run);
   const Meaning meaning = meaning_of(field, program);
   const std::uint64_t nothing = meaning.is_depth ? (std::uint64_t{1} << field.width) - 1 : std::uint64_t{1} << 32U;

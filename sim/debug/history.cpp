@@ -11,10 +11,10 @@ namespace {
 constexpr std::uint64_t most_bytes = std::uint64_t{256} << 20U;
 constexpr std::uint64_t most_kept = 32;
 
-std::uint64_t bytes_of(const sim::Snapshot& snapshot) {
+std::uint64_t bytes_of(const checkpoint::Snapshot& snapshot) {
   std::uint64_t bytes = 0;
   for (const std::vector<std::uint64_t>& plane : snapshot.run.planes) bytes += plane.size() * sizeof(std::uint64_t);
-  const sim::Frame& frame = snapshot.picture.frame;
+  const observe::Frame& frame = snapshot.picture.frame;
   for (const std::vector<std::uint32_t>* values :
        {&frame.colour, &frame.depth, &frame.owner, &snapshot.picture.candidate_owner, &frame.opaque_depth,
         &frame.opaque_owner, &snapshot.picture.panes.owner, &snapshot.picture.panes.depth})
@@ -29,7 +29,7 @@ bool History::is_kept(std::uint64_t number) const {
   return after != kept_.begin() && number - std::prev(after)->first < stride_;
 }
 
-void History::keep(std::uint64_t number, sim::Snapshot snapshot) {
+void History::keep(std::uint64_t number, checkpoint::Snapshot snapshot) {
   const std::uint64_t fit = most_bytes / std::max<std::uint64_t>(bytes_of(snapshot), 1);
   kept_.insert_or_assign(number, std::move(snapshot));
   while (kept_.size() > std::clamp<std::uint64_t>(fit, 2, most_kept)) {
@@ -44,7 +44,7 @@ void History::keep(std::uint64_t number, sim::Snapshot snapshot) {
   }
 }
 
-const sim::Snapshot& History::before(std::uint64_t number) const {
+const checkpoint::Snapshot& History::before(std::uint64_t number) const {
   return std::prev(kept_.upper_bound(number))->second;
 }
 

@@ -18,16 +18,16 @@ class History {
   [[nodiscard]] bool is_kept(std::uint64_t number) const;
 
   /// Keeps the state before that instruction.
-  void keep(std::uint64_t number, sim::Snapshot snapshot);
+  void keep(std::uint64_t number, checkpoint::Snapshot snapshot);
 
   /// The last state kept at that number or before it. One has to be kept at the first from which anybody goes back.
-  [[nodiscard]] const sim::Snapshot& before(std::uint64_t number) const;
+  [[nodiscard]] const checkpoint::Snapshot& before(std::uint64_t number) const;
 
   void clear() { kept_.clear(); }
   [[nodiscard]] std::size_t size() const { return kept_.size(); }
 
  private:
-  std::map<std::uint64_t, sim::Snapshot> kept_;
+  std::map<std::uint64_t, checkpoint::Snapshot> kept_;
   std::uint64_t stride_ = 256;
 };
 

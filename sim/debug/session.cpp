@@ -22,8 +22,8 @@ Session::Session(const isa::Program& program, const machines::Machine& machine, 
     : program_(program),
       machine_(machine),
       numbers_(program),
-      identity_(sim::identity_of(program, machine)),
-      engine_(sim::make_functional_engine(machine, threads)),
+      identity_(checkpoint::identity_of(program, machine)),
+      engine_(engine::make_functional_engine(machine, threads)),
       run_(engine_->begin(program)),
       frame_(program),
       stats_(program),
@@ -47,16 +47,16 @@ std::vector<std::string> Session::words() const {
 
 std::string Session::place() const { return place_text(*run_, program_); }
 
-sim::Snapshot Session::snapshot() const { return sim::take_snapshot(identity_, *run_, frame_, stats_); }
+checkpoint::Snapshot Session::snapshot() const { return checkpoint::take_snapshot(identity_, *run_, frame_, stats_); }
 
-void Session::restore(const sim::Snapshot& snapshot) { sim::resume(snapshot, *run_, frame_, stats_); }
+void Session::restore(const checkpoint::Snapshot& snapshot) { checkpoint::resume(snapshot, *run_, frame_, stats_); }
 
 void Session::keep() {
   if (!history_.is_kept(number())) history_.keep(number(), snapshot());
 }
 
 void Session::advance(std::uint64_t number) {
-  const std::array<sim::Observer*, 2> observers{&frame_, &stats_};
+  const std::array<engine::Observer*, 2> observers{&frame_, &stats_};
   while (!run_->finished()) {
     const std::uint64_t here = numbers_.of(run_->place());
     if (here >= number) return;
@@ -66,7 +66,7 @@ void Session::advance(std::uint64_t number) {
 }
 
 void Session::end_if_none_is_left() {
-  if (number() == numbers_.count()) advance(sim::Run::end);
+  if (number() == numbers_.count()) advance(engine::Run::end);
 }
 
 std::string Session::go(std::optional<Stop> until, const Target* target) {
@@ -74,7 +74,7 @@ std::string Session::go(std::optional<Stop> until, const Target* target) {
   stops.reserve(breakpoints_.size());
   for (const Breakpoint& one : breakpoints_) stops.emplace_back(one.target, program_, numbers_, *run_, clocks_);
   while (!run_->finished()) {
-    std::uint64_t look = until ? until->next_look() : sim::Run::end;
+    std::uint64_t look = until ? until->next_look() : engine::Run::end;
     for (Stop& stop : stops) look = std::min(look, stop.next_look());
     advance(look);
     std::string why;
@@ -111,13 +111,13 @@ std::string Session::does(const Until& command) {
 }
 
 std::vector<std::uint64_t> Session::carried_out() const {
-  const sim::RunState state = run_->save();
+  const engine::RunState state = run_->save();
   std::vector<std::uint64_t> numbers;
   numbers.reserve(numbers_.of(state.place));
   auto skip = state.skips.begin();
   for (std::uint64_t number = 0; number < numbers_.of(state.place); ++number) {
     numbers.push_back(number);
-    const sim::Place at = numbers_.place(number);
+    const engine::Place at = numbers_.place(number);
     if (skip == state.skips.end() || skip->segment != at.segment || skip->index != at.index) continue;
     number += program_.segments[at.segment].instructions[at.index].constant;
     ++skip;
@@ -201,21 +201,21 @@ std::string Session::does(const ListAround& command) {
 
 std::string Session::does(const TakePicture& command) {
   check_seen(run_->region().x, run_->region().y);
-  sim::check_format(command.file);
+  observe::check_format(command.file);
   const FieldPicture made = picture_of(command.field, *run_, program_);
   OutputFile file(command.file);
-  sim::write_picture(file, made.picture);
+  observe::write_picture(file, made.picture);
   file.commit();
   return fmt::format("{}: {}, {}\n", printable(command.file), text_of(command.field, program_), made.scale);
 }
 
 std::string Session::does(const WriteCheckpoint& command) {
-  sim::save_snapshot(command.file, snapshot());
+  checkpoint::save_snapshot(command.file, snapshot());
   return fmt::format("{}: before i{}\n", printable(command.file), number());
 }
 
 std::string Session::does(const ReadCheckpoint& command) {
-  restore(sim::load_snapshot(command.file, program_, machine_));
+  restore(checkpoint::load_snapshot(command.file, program_, machine_));
   keep();
   return place();
 }

@@ -30,7 +30,7 @@ class Session {
   [[nodiscard]] bool is_over() const { return is_over_; }
 
   /// Where it is.
-  [[nodiscard]] const sim::Run& run() const { return *run_; }
+  [[nodiscard]] const engine::Run& run() const { return *run_; }
   [[nodiscard]] std::uint64_t number() const { return numbers_.of(run_->place()); }
 
   /// Words that a command may begin with or name, for completion.
@@ -68,8 +68,8 @@ class Session {
   /// Past the segments without instructions after the last instruction, if that is carried out.
   void end_if_none_is_left();
   void keep();
-  [[nodiscard]] sim::Snapshot snapshot() const;
-  void restore(const sim::Snapshot& snapshot);
+  [[nodiscard]] checkpoint::Snapshot snapshot() const;
+  void restore(const checkpoint::Snapshot& snapshot);
   /// Numbers of the instructions that have been carried out, in order.
   [[nodiscard]] std::vector<std::uint64_t> carried_out() const;
   void check_seen(std::uint32_t x, std::uint32_t y) const;
@@ -77,12 +77,12 @@ class Session {
 
   const isa::Program& program_;
   const machines::Machine& machine_;
-  sim::Numbers numbers_;
-  sim::RunIdentity identity_;
-  std::unique_ptr<sim::Engine> engine_;
-  std::unique_ptr<sim::Run> run_;
-  sim::FrameObserver frame_;
-  sim::StatsObserver stats_;
+  engine::Numbers numbers_;
+  checkpoint::RunIdentity identity_;
+  std::unique_ptr<engine::Engine> engine_;
+  std::unique_ptr<engine::Run> run_;
+  observe::FrameObserver frame_;
+  observe::StatsObserver stats_;
   Clocks clocks_;
   History history_;
   std::vector<Breakpoint> breakpoints_;

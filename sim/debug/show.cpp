@@ -33,21 +33,21 @@ std::string served_text(const isa::Origin& origin, const isa::Program& program) 
   return text + fmt::format(": {}\n", isa::info(origin.purpose).meaning);
 }
 
-std::string clocks_text(sim::Place place, Clocks& clocks) {
+std::string clocks_text(engine::Place place, Clocks& clocks) {
   const machines::ClockSpan span = clocks.issued(place);
   if (span.empty()) return "";
   return fmt::format("  issued in clocks {}..{}\n", span.begin, span.end - 1);
 }
 
 /// The next instruction's place; none if the run is over.
-std::optional<sim::Place> next_of(const sim::Run& run, const sim::Numbers& numbers) {
+std::optional<engine::Place> next_of(const engine::Run& run, const engine::Numbers& numbers) {
   if (numbers.count() == 0) return std::nullopt;
   const std::uint64_t number = numbers.of(run.place());
   if (number == numbers.count()) return std::nullopt;
   return numbers.place(number);
 }
 
-const isa::Instruction& instruction_at(sim::Place place, const isa::Program& program) {
+const isa::Instruction& instruction_at(engine::Place place, const isa::Program& program) {
   return program.segments[place.segment].instructions[place.index];
 }
 
@@ -71,18 +71,18 @@ std::string value_text(isa::Field field, std::uint32_t value, const isa::Program
   return text;
 }
 
-std::string place_text(const sim::Run& run, const isa::Program& program) {
-  const sim::Numbers numbers(program);
-  const std::optional<sim::Place> next = next_of(run, numbers);
+std::string place_text(const engine::Run& run, const isa::Program& program) {
+  const engine::Numbers numbers(program);
+  const std::optional<engine::Place> next = next_of(run, numbers);
   if (numbers.count() == 0) return "the Program has no instructions\n";
   if (!next) return fmt::format("at the end, after i{}\n", numbers.count() - 1);
   return fmt::format("i{} of {}: {}\n", numbers.of(*next), numbers.count(),
                      isa::text_of(instruction_at(*next, program), program.facts.fields));
 }
 
-std::string where_text(const sim::Run& run, const isa::Program& program, Clocks& clocks) {
+std::string where_text(const engine::Run& run, const isa::Program& program, Clocks& clocks) {
   std::string text = place_text(run, program);
-  const std::optional<sim::Place> next = next_of(run, sim::Numbers(program));
+  const std::optional<engine::Place> next = next_of(run, engine::Numbers(program));
   if (!next) return text;
   const isa::Region& region = program.segments[next->segment].region;
   text += served_text(instruction_at(*next, program).origin, program);
@@ -92,7 +92,7 @@ std::string where_text(const sim::Run& run, const isa::Program& program, Clocks&
 }
 
 std::string list_text(std::uint64_t number, const isa::Program& program) {
-  const sim::Numbers numbers(program);
+  const engine::Numbers numbers(program);
   const std::uint64_t end = std::min(numbers.count(), number + around + 1);
   std::string text;
   for (std::uint64_t i = number - std::min(number, around); i < end; ++i) {

@@ -15,10 +15,10 @@ namespace csgsim::debug {
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program);
 
 /// The next instruction, whom it serves and its clocks; or that the run is over.
-std::string where_text(const sim::Run& run, const isa::Program& program, Clocks& clocks);
+std::string where_text(const engine::Run& run, const isa::Program& program, Clocks& clocks);
 
 /// `i12 of 345` and the instruction, on one line.
-std::string place_text(const sim::Run& run, const isa::Program& program);
+std::string place_text(const engine::Run& run, const isa::Program& program);
 
 /// The instructions around the one of that number, which is marked.
 std::string list_text(std::uint64_t number, const isa::Program& program);

@@ -8,7 +8,7 @@
 
 namespace csgsim::debug {
 
-Stop::Stop(const Target& target, const isa::Program& program, const sim::Numbers& numbers, const sim::Run& run,
+Stop::Stop(const Target& target, const isa::Program& program, const engine::Numbers& numbers, const engine::Run& run,
            Clocks& clocks)
     : target_(target), program_(program), numbers_(numbers), run_(run), begin_(numbers.of(run.place())) {
   if (const auto* at = std::get_if<AtInstruction>(&target)) {
@@ -42,7 +42,7 @@ bool Stop::begins(std::uint32_t primitive, std::uint64_t number) const {
 std::uint64_t Stop::look_at_primitive(std::uint32_t primitive, std::uint64_t from) const {
   for (std::uint64_t number = from + 1; number < numbers_.count(); ++number)
     if (begins(primitive, number)) return number;
-  return sim::Run::end;
+  return engine::Run::end;
 }
 
 std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t from) const {
@@ -56,7 +56,7 @@ std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t 
     if (can_change(part.instructions[index], condition.what.field)) return number + 1;
     ++number;
   }
-  return sim::Run::end;
+  return engine::Run::end;
 }
 
 std::uint64_t Stop::next_look() {
@@ -67,7 +67,7 @@ std::uint64_t Stop::next_look() {
   } else if (const auto* at = std::get_if<AtPrimitive>(&target_)) {
     look_ = look_at_primitive(at->primitive, from);
   } else {
-    look_ = number_ > from ? number_ : sim::Run::end;
+    look_ = number_ > from ? number_ : engine::Run::end;
   }
   return look_;
 }

@@ -14,7 +14,7 @@ class Stop {
  public:
   /// From the run's place on. All have to outlive it, but for the target. Throws InputError for a target that the
   /// Program does not have, or a clock of a machine that does not tell.
-  Stop(const Target& target, const isa::Program& program, const sim::Numbers& numbers, const sim::Run& run,
+  Stop(const Target& target, const isa::Program& program, const engine::Numbers& numbers, const engine::Run& run,
        Clocks& clocks);
 
   /// Whether a condition holds where the run is when the watch begins.
@@ -37,8 +37,8 @@ class Stop {
 
   Target target_;
   const isa::Program& program_;
-  const sim::Numbers& numbers_;
-  const sim::Run& run_;
+  const engine::Numbers& numbers_;
+  const engine::Run& run_;
   std::uint64_t begin_;                   ///< where the watch began
   std::uint64_t number_ = 0;              ///< of an instruction, or that of a clock
   std::uint64_t look_ = 0;                ///< the last answer of next_look

@@ -13,7 +13,7 @@
 #include "hw/machines/timing.h"
 #include "sim/engine/work.h"
 
-namespace csgsim::sim {
+namespace csgsim::engine {
 
 class Run;
 
@@ -110,4 +110,4 @@ std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine);
 std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine, unsigned threads = 1);
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::engine

@@ -7,7 +7,7 @@
 #include "hw/isa/instruction_numbers.h"
 #include "hw/isa/program.h"
 
-namespace csgsim::sim {
+namespace csgsim::engine {
 
 /// An instruction boundary of a run: before an instruction, or at the end of its segment.
 struct Place {
@@ -42,4 +42,4 @@ class Numbers {
   std::vector<std::uint64_t> firsts_;  ///< of each segment, and the count
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::engine

@@ -9,7 +9,7 @@
 #include "sim/engine/engine.h"
 #include "sim/engine/numbers.h"
 
-namespace csgsim::sim {
+namespace csgsim::engine {
 
 /// All that decides how a run goes on from an instruction boundary. It is the same at every level.
 struct RunState {
@@ -54,4 +54,4 @@ class Run : public PixelState {
   [[nodiscard]] virtual RunResult result() const = 0;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::engine

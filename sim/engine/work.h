@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace csgsim::sim {
+namespace csgsim::engine {
 
 /// What an engine did to carry a Program out, where it counts it: figures of the simulation, not of the machine. They
 /// are the same in every run, on any number of threads.
@@ -20,4 +20,4 @@ struct Work {
   bool operator==(const Work&) const = default;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::engine

@@ -17,7 +17,7 @@
 #include "sim/functional/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace csgsim::sim {
+namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -106,7 +106,7 @@ HWY_INLINE void bound(Lanes& lanes, unsigned block) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -6,7 +6,7 @@
 #include "hw/machines/clocks.h"
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
@@ -21,7 +21,7 @@ bool may_skip(const isa::Segment& segment) {
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine) {
   if (std::none_of(program.segments.begin(), program.segments.end(), may_skip))
     return machines::clocks(program, machine);
-  return make_functional_engine(machine)->run(program, {}).clocks;
+  return engine::make_functional_engine(machine)->run(program, {}).clocks;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

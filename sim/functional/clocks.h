@@ -5,9 +5,9 @@
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// Clocks that the Program takes on the machine. Where instructions may be skipped, it is run to find them.
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -1,6 +1,6 @@
 #include "sim/functional/crew.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
@@ -78,4 +78,4 @@ void Crew::stand_by(unsigned thread, const std::stop_token& stop) {
   }
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// Threads that share out jobs of some microseconds, with the thread that has them.
 class Crew {
@@ -47,4 +47,4 @@ class Crew {
   std::vector<std::jthread> others_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

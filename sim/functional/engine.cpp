@@ -6,11 +6,11 @@
 
 #include "sim/functional/run.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
-class FunctionalEngine final : public Engine {
+class FunctionalEngine final : public engine::Engine {
  public:
   FunctionalEngine(machines::Machine machine, unsigned threads) : machine_(std::move(machine)), threads_(threads) {
     if (threads == 0) throw std::invalid_argument("no thread to run on");
@@ -18,13 +18,13 @@ class FunctionalEngine final : public Engine {
 
   [[nodiscard]] std::string_view level() const override { return "functional"; }
 
-  RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+  engine::RunResult run(const isa::Program& program, std::span<engine::Observer* const> observers) override {
     FunctionalRun run(program, machine_, threads_);
-    run.advance(Run::end, observers);
+    run.advance(engine::Run::end, observers);
     return run.result();
   }
 
-  [[nodiscard]] std::unique_ptr<Run> begin(const isa::Program& program) const override {
+  [[nodiscard]] std::unique_ptr<engine::Run> begin(const isa::Program& program) const override {
     return std::make_unique<FunctionalRun>(program, machine_, threads_);
   }
 
@@ -35,8 +35,12 @@ class FunctionalEngine final : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine, unsigned threads) {
-  return std::make_unique<FunctionalEngine>(machine, threads);
+}  // namespace csgsim::functional
+
+namespace csgsim {
+
+std::unique_ptr<engine::Engine> engine::make_functional_engine(const machines::Machine& machine, unsigned threads) {
+  return std::make_unique<functional::FunctionalEngine>(machine, threads);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim

@@ -12,7 +12,7 @@
 #include "sim/functional/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace csgsim::sim {
+namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -151,11 +151,11 @@ void scatter(std::uint64_t bits, std::uint32_t* block, unsigned bit) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 HWY_EXPORT(count_all);
 HWY_EXPORT(set_all);
@@ -196,5 +196,5 @@ void scatter_bit(std::uint64_t bits, std::uint32_t* block, unsigned bit) {
   HWY_DYNAMIC_DISPATCH(scatter)(bits, block, bit);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 #endif

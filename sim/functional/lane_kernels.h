@@ -8,7 +8,7 @@
 
 // Loops over lanes, each compiled for several instruction sets and chosen at run time. Bounds are kept up to date.
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// Whether a block's bounds, or F's at its corners, may decide for all its pixels. Where they may not, every lane is
 /// looked at, for a test to hold the decisions against.
@@ -19,7 +19,7 @@ struct Enabled {
   TileBits& enable;
   const TileShape& shape;
   Decide decide;
-  Work& work;
+  engine::Work& work;
 };
 
 /// How many pixels have a one.
@@ -51,4 +51,4 @@ std::uint64_t gather_bit(const std::uint32_t* block, unsigned bit);
 /// The bit of that number of each value of a block := bits; it is 0 before.
 void scatter_bit(std::uint64_t bits, std::uint32_t* block, unsigned bit);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -6,7 +6,7 @@
 #include "hw/isa/instruction.h"
 #include "sim/functional/tile_bits.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// A field's value at every pixel of a tile, block after block and in a block as its bits are, with bounds of the
 /// values of each block. Where both bounds of a block are equal it is constant, and what `values` holds there is
@@ -26,4 +26,4 @@ struct Lanes {
   void set_constant(unsigned number, std::uint32_t value) { least[number] = greatest[number] = value; }
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -15,7 +15,7 @@
 #include "sim/functional/plane_sum.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace csgsim::sim {
+namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -249,7 +249,7 @@ Decided decide(std::uint64_t enabled, const PlaneSum& sum, const LinearTask& tas
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -15,7 +15,7 @@
 #include "sim/functional/plane_sum.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace csgsim::sim {
+namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -261,11 +261,11 @@ LinearResult run_any(const Enabled& pixels, const LinearTask& task, std::uint32_
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 HWY_EXPORT(run_any);
 
@@ -273,5 +273,5 @@ LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint
   return HWY_DYNAMIC_DISPATCH(run_any)(pixels, task, enabled);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 #endif

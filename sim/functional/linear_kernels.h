@@ -5,7 +5,7 @@
 #include "hw/isa/instruction.h"
 #include "sim/functional/lane_kernels.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// What a linear instruction does with F and the number z that it meets.
 enum class LinearKind : std::uint8_t {
@@ -38,4 +38,4 @@ struct LinearResult {
 /// E := 0.
 LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -11,7 +11,7 @@
 #include "sim/functional/linear_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace csgsim::sim {
+namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -41,7 +41,7 @@ HWY_INLINE auto test(Vector f, Vector z) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "sim/functional/lane_kernels.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
@@ -156,4 +156,4 @@ std::uint32_t Memory::value(isa::Field field, std::uint32_t x, std::uint32_t y) 
   return value;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -10,7 +10,7 @@
 #include "sim/functional/lanes.h"
 #include "sim/functional/tile_bits.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// The pixel memory of a tile. Each bit is held in a plane or, while its field is used as a number, in lanes; the
 /// form changes when an instruction needs the other. Compiled Programs use a field one way, so that it seldom changes;
@@ -61,4 +61,4 @@ class Memory {
   std::vector<std::unique_ptr<Lanes>> lanes_;      ///< of width 0: unused
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -6,7 +6,7 @@
 #include "hw/isa/instruction.h"
 #include "sim/functional/tile_bits.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// The sum a*x + b*y + c over a tile: what it is at the corners of its blocks.
 class PlaneSum {
@@ -90,4 +90,4 @@ class PlaneSum {
   std::int64_t spread_ = 0;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

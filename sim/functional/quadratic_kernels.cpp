@@ -17,7 +17,7 @@
 #include "sim/functional/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace csgsim::sim {
+namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -259,11 +259,11 @@ LinearResult run_any(const Enabled& pixels, const QuadraticTask& task) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 HWY_EXPORT(run_any);
 
@@ -271,5 +271,5 @@ LinearResult run_quadratic(const Enabled& pixels, const QuadraticTask& task) {
   return HWY_DYNAMIC_DISPATCH(run_any)(pixels, task);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 #endif

@@ -5,7 +5,7 @@
 #include "sim/functional/linear_kernels.h"
 #include "sim/functional/quadratic_sum.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// What LinearTask is, for all that goes beyond a linear expression that meets lanes: squares, numbers that are added
 /// to F, fields that are too wide for lanes.
@@ -21,4 +21,4 @@ struct QuadraticTask {
 /// Does it at every enabled pixel of a tile; where z is loaded or kept and F does not fit it, E := 0.
 LinearResult run_quadratic(const Enabled& pixels, const QuadraticTask& task);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -6,7 +6,7 @@
 #include "hw/isa/instruction.h"
 #include "sim/functional/tile_bits.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// The sum A*x*x + B*x*y + C*y*y + a*x + b*y + c from a pixel on, of which x and y are counted: as seen from another
 /// pixel A, B and C are the same. Numbers are modulo 2^64, as whose two's complement they are read; at pixels of a
@@ -87,4 +87,4 @@ class QuadraticSum {
   std::uint64_t c_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -12,7 +12,7 @@
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
-namespace csgsim::sim {
+namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -87,11 +87,11 @@ void root_of_planes(const Enabled& pixels, std::span<TileBits* const> planes) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 HWY_EXPORT(root_of_planes);
 
@@ -99,5 +99,5 @@ void take_root(const Enabled& pixels, std::span<TileBits* const> planes) {
   HWY_DYNAMIC_DISPATCH(root_of_planes)(pixels, planes);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional
 #endif

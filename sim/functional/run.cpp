@@ -7,12 +7,12 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
 using Instructions = std::span<const isa::Instruction>;
-using Observers = std::span<Observer* const>;
+using Observers = std::span<engine::Observer* const>;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ bool FunctionalRun::finished() const {
 
 void FunctionalRun::tell_end(Observers observers) {
   if (told_end_) return;
-  for (Observer* const observer : observers) observer->after_segment(place_.segment, tiles_);
+  for (engine::Observer* const observer : observers) observer->after_segment(place_.segment, tiles_);
   told_end_ = true;
 }
 
@@ -58,10 +58,10 @@ void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
   const Tiles::Tally tally = tiles_.execute(stretch);
   overflows_ += tally.overflows;
   for (std::size_t i = 0; i < executed.size(); ++i) {
-    const Step step{place_.segment, place_.index + static_cast<std::uint32_t>(i), executed[i],
-                    machines::clocks(executed[i], machine_), tally.enabled[i]};
+    const engine::Step step{place_.segment, place_.index + static_cast<std::uint32_t>(i), executed[i],
+                            machines::clocks(executed[i], machine_), tally.enabled[i]};
     if (step.instruction.opcode == isa::Opcode::global_or) answers_.push_back(step.enabled_pixels != 0);
-    for (Observer* const observer : observers)
+    for (engine::Observer* const observer : observers)
       if (!stretch.is_looked_at(i) || !observer->reads_enable_alone(step.instruction))
         observer->after_instruction(step, tiles_);
   }
@@ -73,13 +73,13 @@ void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
   place_.index += static_cast<std::uint32_t>(skipped);
 }
 
-RunState FunctionalRun::save() const {
-  RunState state{place_, told_end_, overflows_, skipped_, answers_, skips_, {}};
+engine::RunState FunctionalRun::save() const {
+  engine::RunState state{place_, told_end_, overflows_, skipped_, answers_, skips_, {}};
   if (!program_.segments.empty()) state.planes = tiles_.planes();
   return state;
 }
 
-void FunctionalRun::restore(const RunState& state) {
+void FunctionalRun::restore(const engine::RunState& state) {
   place_ = state.place;
   told_end_ = state.told_end;
   overflows_ = state.overflows;
@@ -93,8 +93,8 @@ void FunctionalRun::restore(const RunState& state) {
     tiles_.execute(Stretch({squares, 1}, {}));
 }
 
-RunResult FunctionalRun::result() const {
-  RunResult result;
+engine::RunResult FunctionalRun::result() const {
+  engine::RunResult result;
   result.overflows = overflows_;
   result.skipped = skipped_;
   result.skips = skips_;
@@ -104,4 +104,4 @@ RunResult FunctionalRun::result() const {
   return result;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -4,20 +4,20 @@
 #include "sim/engine/run.h"
 #include "sim/functional/tiles.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// A run in bit planes. The Program has to outlive it.
-class FunctionalRun final : public Run {
+class FunctionalRun final : public engine::Run {
  public:
   /// Throws InputError if the machine lacks what the Program needs.
   FunctionalRun(const isa::Program& program, const machines::Machine& machine, unsigned threads);
 
-  [[nodiscard]] Place place() const override { return place_; }
+  [[nodiscard]] engine::Place place() const override { return place_; }
   [[nodiscard]] bool finished() const override;
-  void advance(std::uint64_t number, std::span<Observer* const> observers) override;
-  [[nodiscard]] RunState save() const override;
-  void restore(const RunState& state) override;
-  [[nodiscard]] RunResult result() const override;
+  void advance(std::uint64_t number, std::span<engine::Observer* const> observers) override;
+  [[nodiscard]] engine::RunState save() const override;
+  void restore(const engine::RunState& state) override;
+  [[nodiscard]] engine::RunResult result() const override;
 
   [[nodiscard]] isa::Region region() const override { return tiles_.region(); }
   void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
@@ -32,14 +32,14 @@ class FunctionalRun final : public Run {
  private:
   [[nodiscard]] std::span<const isa::Instruction> instructions() const;
   /// Carries out instructions, `most` at most, until one after which an observer looks at the pixels.
-  void execute_stretch(std::uint64_t most, std::span<Observer* const> observers);
-  void tell_end(std::span<Observer* const> observers);
+  void execute_stretch(std::uint64_t most, std::span<engine::Observer* const> observers);
+  void tell_end(std::span<engine::Observer* const> observers);
 
   const isa::Program& program_;
   machines::Machine machine_;
-  Numbers numbers_;
+  engine::Numbers numbers_;
   Tiles tiles_;
-  Place place_;
+  engine::Place place_;
   bool told_end_ = false;
   std::uint64_t overflows_ = 0;
   std::uint64_t skipped_ = 0;
@@ -47,4 +47,4 @@ class FunctionalRun final : public Run {
   std::vector<machines::Skip> skips_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -5,7 +5,7 @@
 
 #include "hw/isa/opcodes.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
@@ -20,7 +20,7 @@ bool acts_on_disabled(isa::Opcode opcode) {
 
 }  // namespace
 
-Stretch::Stretch(std::span<const isa::Instruction> instructions, std::span<Observer* const> observers)
+Stretch::Stretch(std::span<const isa::Instruction> instructions, std::span<engine::Observer* const> observers)
     : observers_(observers) {
   find_end(instructions.first(std::min(instructions.size(), most_instructions)));
   find_wakes();
@@ -33,7 +33,7 @@ void Stretch::find_end(std::span<const isa::Instruction> instructions) {
     const isa::Instruction& instruction = instructions[looked_at_.size()];
     ends = instruction.opcode == isa::Opcode::skip_if_none;
     bool looked_at = false;
-    for (const Observer* const one : observers_) {
+    for (const engine::Observer* const one : observers_) {
       if (!one->reads_after(instruction)) continue;
       (one->reads_enable_alone(instruction) ? looked_at : ends) = true;
     }
@@ -53,8 +53,8 @@ void Stretch::find_wakes() {
 }
 
 void Stretch::show(std::size_t index, const isa::Region& part, std::span<const std::uint64_t> words) const {
-  for (Observer* const one : observers_)
+  for (engine::Observer* const one : observers_)
     if (one->reads_enable_alone(instructions_[index])) one->enabled_after(instructions_[index], part, words);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -7,14 +7,14 @@
 #include "hw/isa/instruction.h"
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// Instructions that tiles carry out one tile after the other.
 class Stretch {
  public:
   /// The first of `instructions`, one at least: until one, inclusive, after which some may be skipped, or an observer
   /// looks at more of the pixels than which are enabled; few enough to show progress.
-  Stretch(std::span<const isa::Instruction> instructions, std::span<Observer* const> observers);
+  Stretch(std::span<const isa::Instruction> instructions, std::span<engine::Observer* const> observers);
 
   [[nodiscard]] std::span<const isa::Instruction> instructions() const { return instructions_; }
   [[nodiscard]] std::size_t size() const { return instructions_.size(); }
@@ -32,9 +32,9 @@ class Stretch {
   void find_wakes();
 
   std::span<const isa::Instruction> instructions_;
-  std::span<Observer* const> observers_;
+  std::span<engine::Observer* const> observers_;
   std::vector<std::uint32_t> wakes_;
   std::vector<std::uint8_t> looked_at_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -10,7 +10,7 @@
 #include "sim/functional/quadratic_kernels.h"
 #include "sim/functional/root_kernels.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
@@ -389,4 +389,4 @@ void Tile::xor_constant(Field target, std::uint64_t constant) {
   }
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -11,7 +11,7 @@
 #include "sim/functional/memory.h"
 #include "sim/functional/tile_bits.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// Up to 64 x 64 pixels of a segment: memory and enable. An instruction costs time for the blocks of 8 x 8 pixels that
 /// it does not treat alike only. Tiles of one segment share nothing.
@@ -30,7 +30,7 @@ class alignas(64) Tile {
   [[nodiscard]] std::uint32_t x() const { return x_; }
   [[nodiscard]] std::uint32_t y() const { return y_; }
   [[nodiscard]] const TileShape& shape() const { return shape_; }
-  [[nodiscard]] const Work& work() const { return work_; }
+  [[nodiscard]] const engine::Work& work() const { return work_; }
 
   /// Pixels whose E is 1.
   [[nodiscard]] std::uint32_t enabled() const { return enabled_; }
@@ -82,9 +82,9 @@ class alignas(64) Tile {
   TileBits enable_;
   std::uint32_t enabled_ = 0;
   isa::Linear squares_;  ///< that the next instruction's sum has besides
-  Work work_;
+  engine::Work work_;
   TileBits first_copy_;   ///< bits read from lanes
   TileBits second_copy_;  ///< bits read from lanes
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

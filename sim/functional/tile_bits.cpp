@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
@@ -65,4 +65,4 @@ void read_rows(const std::uint64_t* rows, std::size_t stride, const TileShape& s
   });
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

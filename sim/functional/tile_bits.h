@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 // A segment's pixels are worked on in tiles, and a tile's in blocks of 8 x 8: one word holds a bit of each pixel of a
 // block, row by row from its least significant bit, and one word holds a bit of each block of a tile in the same way.
@@ -116,4 +116,4 @@ void write_rows(const TileBits& bits, const TileShape& shape, std::uint64_t* row
 /// The other way; bits where there is no pixel have to be 0.
 void read_rows(const std::uint64_t* rows, std::size_t stride, const TileShape& shape, TileBits& bits);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 namespace {
 
@@ -51,8 +51,8 @@ void Tiles::begin(const isa::Region& region) {
     }
 }
 
-Work Tiles::work() const {
-  Work all = earlier_;
+engine::Work Tiles::work() const {
+  engine::Work all = earlier_;
   for (const Tile& tile : tiles_) all += tile.work();
   return all;
 }
@@ -127,4 +127,4 @@ void Tiles::load(std::span<const std::vector<std::uint64_t>> planes) {
   }
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

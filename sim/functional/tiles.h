@@ -11,11 +11,11 @@
 #include "sim/functional/stretch.h"
 #include "sim/functional/tile.h"
 
-namespace csgsim::sim {
+namespace csgsim::functional {
 
 /// The pixels of one segment after another, as tiles that any thread can work on, since instructions look at no pixel
 /// but their own.
-class Tiles final : public PixelState {
+class Tiles final : public engine::PixelState {
  public:
   Tiles(const isa::Program& program, unsigned threads, Decide decide = Decide::by_block);
 
@@ -44,7 +44,7 @@ class Tiles final : public PixelState {
   void load(std::span<const std::vector<std::uint64_t>> planes);
 
   /// Of all segments so far.
-  [[nodiscard]] Work work() const;
+  [[nodiscard]] engine::Work work() const;
 
  private:
   [[nodiscard]] std::size_t tiles_a_row() const { return (region_.width + tile_side - 1) / tile_side; }
@@ -59,7 +59,7 @@ class Tiles final : public PixelState {
   Decide decide_;
   isa::Region region_;
   std::vector<Tile> tiles_;  ///< row by row
-  Work earlier_;             ///< of tiles that are no more
+  engine::Work earlier_;     ///< of tiles that are no more
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::functional

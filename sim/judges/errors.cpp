@@ -28,7 +28,7 @@ DepthError summarise(std::vector<double> errors) {
 using Allowed = std::function<Steps(std::uint32_t plane, PixelPlace place)>;
 using MayShow = std::function<bool(PixelPlace place, std::uint32_t owner, std::uint32_t depth)>;
 
-Errors measure(const Truth& truth, const sim::Frame& frame, const isa::Program& program, const Allowed& allowed,
+Errors measure(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Allowed& allowed,
                const MayShow& may_show) {
   if (frame.width != truth.width || frame.height != truth.height) {
     throw std::invalid_argument("the picture and the truth have different sizes");
@@ -77,11 +77,11 @@ Errors measure(const Truth& truth, const sim::Frame& frame, const isa::Program& 
 
 }  // namespace
 
-Errors compare(const Truth& truth, const sim::Frame& frame, const isa::Program& program) {
+Errors compare(const Truth& truth, const observe::Frame& frame, const isa::Program& program) {
   return measure(truth, frame, program, {}, {});
 }
 
-Errors judge(const Truth& truth, const sim::Frame& frame, const isa::Program& program, const Explainer& explainer) {
+Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Explainer& explainer) {
   return measure(
       truth, frame, program,
       [&](std::uint32_t plane, PixelPlace at) {

@@ -42,11 +42,11 @@ struct Errors {
 
 /// Counts wrong pixels, and measures depth. The Program tells what the frame's depth steps stand for; sizes of frame
 /// and truth have to agree.
-Errors compare(const Truth& truth, const sim::Frame& frame, const isa::Program& program);
+Errors compare(const Truth& truth, const observe::Frame& frame, const isa::Program& program);
 
 /// The same, and says of every wrong pixel whether the bounds that the design states explain it. `truth` has to be
 /// exact_truth's, of the same tree, scene and camera.
-Errors judge(const Truth& truth, const sim::Frame& frame, const isa::Program& program, const Explainer& explainer);
+Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Explainer& explainer);
 
 /// One line for people.
 std::string to_text(const Errors& errors);

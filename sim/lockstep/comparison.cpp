@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-namespace csgsim::sim {
+namespace csgsim::lockstep {
 
 namespace {
 
@@ -26,12 +26,12 @@ bool same_layout(const isa::Program& a, const isa::Program& b) {
 
 Comparison run_both(const Side& a, const Side& b, LockstepSettings settings) {
   Comparison comparison;
-  const std::unique_ptr<Run> b_run = b.engine.begin(b.program);
-  FrameObserver a_frame(a.program);
-  FrameObserver b_frame(b.program);
-  const std::array<Observer*, 1> b_observers{&b_frame};
+  const std::unique_ptr<engine::Run> b_run = b.engine.begin(b.program);
+  observe::FrameObserver a_frame(a.program);
+  observe::FrameObserver b_frame(b.program);
+  const std::array<engine::Observer*, 1> b_observers{&b_frame};
   Lockstep lockstep(a.program, b.program, *b_run, settings, b_observers);
-  const std::array<Observer*, 2> a_observers{&a_frame, &lockstep};
+  const std::array<engine::Observer*, 2> a_observers{&a_frame, &lockstep};
   comparison.a.result = a.engine.run(a.program, a_observers);
   lockstep.finish();
   comparison.b.result = b_run->result();
@@ -63,7 +63,7 @@ std::optional<std::uint64_t> first_other_instruction(const isa::Program& a, cons
   return std::nullopt;
 }
 
-std::optional<PictureDifference> first_difference(const Frame& a, const Frame& b) {
+std::optional<PictureDifference> first_difference(const observe::Frame& a, const observe::Frame& b) {
   std::optional<PictureDifference> difference;
   for (std::size_t i = 0; i < a.owner.size(); ++i) {
     if (a.owner[i] == b.owner[i] && a.depth[i] == b.depth[i] && a.colour[i] == b.colour[i]) continue;
@@ -87,4 +87,4 @@ Comparison compare(const Side& a, const Side& b) {
   return comparison;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::lockstep

@@ -7,19 +7,19 @@
 #include "sim/lockstep/lockstep.h"
 #include "sim/observe/frame.h"
 
-namespace csgsim::sim {
+namespace csgsim::lockstep {
 
 /// One of two runs that are compared.
 struct Side {
   const isa::Program& program;
   const machines::Machine& machine;
-  Engine& engine;
+  engine::Engine& engine;
 };
 
 /// What the run of a side left.
 struct SideResult {
-  RunResult result;
-  Frame frame;
+  engine::RunResult result;
+  observe::Frame frame;
 };
 
 /// The first pixel, in row order, of which the finished pictures show different things.
@@ -50,6 +50,6 @@ Comparison compare(const Side& a, const Side& b);
 std::optional<std::uint64_t> first_other_instruction(const isa::Program& a, const isa::Program& b);
 
 /// Where two pictures of one size differ.
-std::optional<PictureDifference> first_difference(const Frame& a, const Frame& b);
+std::optional<PictureDifference> first_difference(const observe::Frame& a, const observe::Frame& b);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::lockstep

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-namespace csgsim::sim {
+namespace csgsim::lockstep {
 
-Lockstep::Lockstep(const isa::Program& a, const isa::Program& b, Run& b_run, LockstepSettings settings,
-                   std::span<Observer* const> b_observers)
+Lockstep::Lockstep(const isa::Program& a, const isa::Program& b, engine::Run& b_run, LockstepSettings settings,
+                   std::span<engine::Observer* const> b_observers)
     : b_program_(b),
       a_numbers_(a),
       b_numbers_(b),
@@ -17,21 +17,21 @@ Lockstep::Lockstep(const isa::Program& a, const isa::Program& b, Run& b_run, Loc
   b_observers_.push_back(&last_);
 }
 
-void Lockstep::differ(Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise) {
+void Lockstep::differ(engine::Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise) {
   divergence_ = Divergence{place, std::move(pixel), std::move(otherwise)};
   compares_ = false;
 }
 
-std::optional<TwoValues> Lockstep::other_step(const Step& step) const {
+std::optional<TwoValues> Lockstep::other_step(const engine::Step& step) const {
   if (settings_.clocks && last_.clocks != step.clocks) return TwoValues{"clocks", step.clocks, last_.clocks};
   if (last_.enabled_pixels != step.enabled_pixels)
     return TwoValues{"enabled pixels", step.enabled_pixels, last_.enabled_pixels};
   return std::nullopt;
 }
 
-void Lockstep::after_instruction(const Step& step, const PixelState& state) {
+void Lockstep::after_instruction(const engine::Step& step, const engine::PixelState& state) {
   if (!compares_) return;
-  const Place place{step.segment, step.index};
+  const engine::Place place{step.segment, step.index};
   const std::uint64_t number = a_numbers_.of(place);
   if (number >= settings_.end) {
     compares_ = false;
@@ -54,17 +54,18 @@ void Lockstep::after_instruction(const Step& step, const PixelState& state) {
   if (is_whole) whole_until_ = number + 1;
 }
 
-void Lockstep::after_segment(std::uint32_t segment, const PixelState& state) {
+void Lockstep::after_segment(std::uint32_t segment, const engine::PixelState& state) {
   if (!compares_ || a_numbers_.first(segment + 1) > settings_.end) return;
   // Segments without instructions are gone through when B goes on: they have nothing to compare.
   if (a_numbers_.first(segment) == a_numbers_.first(segment + 1)) return;
-  const Place last{segment, static_cast<std::uint32_t>(a_numbers_.first(segment + 1) - a_numbers_.first(segment) - 1)};
-  if (b_.place() != Place{segment, last.index + 1})
+  const engine::Place last{segment,
+                           static_cast<std::uint32_t>(a_numbers_.first(segment + 1) - a_numbers_.first(segment) - 1)};
+  if (b_.place() != engine::Place{segment, last.index + 1})
     return differ(last, {}, TwoValues{"instruction", a_numbers_.first(segment + 1), b_numbers_.of(b_.place())});
   if (std::optional<PixelDifference> pixel = comparison_.whole(state, b_)) return differ(last, std::move(pixel), {});
   whole_until_ = a_numbers_.first(segment + 1);
 }
 
-void Lockstep::finish() { b_.advance(Run::end, b_observers_); }
+void Lockstep::finish() { b_.advance(engine::Run::end, b_observers_); }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::lockstep

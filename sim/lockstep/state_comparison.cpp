@@ -7,7 +7,7 @@
 
 #include "hw/isa/operands.h"
 
-namespace csgsim::sim {
+namespace csgsim::lockstep {
 
 namespace {
 
@@ -43,15 +43,15 @@ StateComparison::StateComparison(const isa::Program& names, std::uint32_t memory
   }
 }
 
-std::optional<PixelDifference> StateComparison::whole(const PixelState& a, const PixelState& b) {
+std::optional<PixelDifference> StateComparison::whole(const engine::PixelState& a, const engine::PixelState& b) {
   std::vector<const Part*> all;
   all.reserve(parts_.size());
   for (const Part& part : parts_) all.push_back(&part);
   return compare(all, a, b);
 }
 
-std::optional<PixelDifference> StateComparison::written(const isa::Instruction& instruction, const PixelState& a,
-                                                        const PixelState& b) {
+std::optional<PixelDifference> StateComparison::written(const isa::Instruction& instruction,
+                                                        const engine::PixelState& a, const engine::PixelState& b) {
   std::vector<const Part*> touched;
   for (const Part& part : parts_) {
     for (std::size_t i = 0; i < isa::max_operands; ++i) {
@@ -64,14 +64,14 @@ std::optional<PixelDifference> StateComparison::written(const isa::Instruction& 
   return compare(touched, a, b);
 }
 
-void StateComparison::read(const Part& part, const PixelState& a, const PixelState& b) {
+void StateComparison::read(const Part& part, const engine::PixelState& a, const engine::PixelState& b) {
   a_values_.resize(differs_.size());
   b_values_.resize(differs_.size());
   a.read_field(part.field, a_values_);
   b.read_field(part.field, b_values_);
 }
 
-void StateComparison::compare_enable(const PixelState& a, const PixelState& b) {
+void StateComparison::compare_enable(const engine::PixelState& a, const engine::PixelState& b) {
   const isa::Region region = a.region();
   a_enable_.assign(row_words(region) * region.height, 0);
   b_enable_.assign(a_enable_.size(), 0);
@@ -82,15 +82,15 @@ void StateComparison::compare_enable(const PixelState& a, const PixelState& b) {
     if (bit_at(a_enable_, region, pixel) != bit_at(b_enable_, region, pixel)) differs_[pixel] = true;
 }
 
-void StateComparison::compare_part(const Part& part, const PixelState& a, const PixelState& b) {
+void StateComparison::compare_part(const Part& part, const engine::PixelState& a, const engine::PixelState& b) {
   read(part, a, b);
   if (a_values_ == b_values_) return;
   for (std::size_t pixel = 0; pixel < differs_.size(); ++pixel)
     if (a_values_[pixel] != b_values_[pixel]) differs_[pixel] = true;
 }
 
-std::optional<PixelDifference> StateComparison::compare(const std::vector<const Part*>& parts, const PixelState& a,
-                                                        const PixelState& b) {
+std::optional<PixelDifference> StateComparison::compare(const std::vector<const Part*>& parts,
+                                                        const engine::PixelState& a, const engine::PixelState& b) {
   const isa::Region region = a.region();
   differs_.assign(std::size_t{region.width} * region.height, false);
   compare_enable(a, b);
@@ -113,4 +113,4 @@ std::optional<PixelDifference> StateComparison::compare(const std::vector<const 
   return difference;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::lockstep

@@ -8,7 +8,7 @@
 #include "hw/isa/program.h"
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::lockstep {
 
 /// What has two values.
 struct TwoValues {
@@ -36,10 +36,11 @@ class StateComparison {
   StateComparison(const isa::Program& names, std::uint32_t memory_bits);
 
   /// E and all of memory.
-  std::optional<PixelDifference> whole(const PixelState& a, const PixelState& b);
+  std::optional<PixelDifference> whole(const engine::PixelState& a, const engine::PixelState& b);
 
   /// E, and the fields of memory that an instruction can write.
-  std::optional<PixelDifference> written(const isa::Instruction& instruction, const PixelState& a, const PixelState& b);
+  std::optional<PixelDifference> written(const isa::Instruction& instruction, const engine::PixelState& a,
+                                         const engine::PixelState& b);
 
  private:
   struct Part {
@@ -47,11 +48,11 @@ class StateComparison {
     isa::Field field;
   };
 
-  std::optional<PixelDifference> compare(const std::vector<const Part*>& parts, const PixelState& a,
-                                         const PixelState& b);
-  void compare_enable(const PixelState& a, const PixelState& b);
-  void compare_part(const Part& part, const PixelState& a, const PixelState& b);
-  void read(const Part& part, const PixelState& a, const PixelState& b);
+  std::optional<PixelDifference> compare(const std::vector<const Part*>& parts, const engine::PixelState& a,
+                                         const engine::PixelState& b);
+  void compare_enable(const engine::PixelState& a, const engine::PixelState& b);
+  void compare_part(const Part& part, const engine::PixelState& a, const engine::PixelState& b);
+  void read(const Part& part, const engine::PixelState& a, const engine::PixelState& b);
 
   std::vector<Part> parts_;  ///< which cover all of memory
   std::vector<bool> differs_;
@@ -61,4 +62,4 @@ class StateComparison {
   std::vector<std::uint64_t> b_enable_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::lockstep

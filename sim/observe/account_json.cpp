@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 nlohmann::ordered_json account_json(const machines::Account& account) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
@@ -16,4 +16,4 @@ nlohmann::ordered_json account_json(const machines::Account& account) {
   return json;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

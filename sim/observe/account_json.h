@@ -4,9 +4,9 @@
 
 #include "hw/machines/accounts.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// Counts and shares by name, then `parts`: the clocks of each by activity.
 nlohmann::ordered_json account_json(const machines::Account& account);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

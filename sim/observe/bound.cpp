@@ -8,15 +8,15 @@
 #include "hw/base/text.h"
 #include "hw/machines/kind.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
-machines::FrameTiming timing_of(const RunResult& result) {
+machines::FrameTiming timing_of(const engine::RunResult& result) {
   return {result.clocks, result.shown_clocks, result.interval_clocks, result.latency_clocks, result.account};
 }
 
-double share_of(const machines::Load& load, const RunResult& result) {
+double share_of(const machines::Load& load, const engine::RunResult& result) {
   return static_cast<double>(load.clocks) / static_cast<double>(result.interval_clocks);
 }
 
@@ -28,7 +28,7 @@ std::string with_article(const std::string& part) {
 
 }  // namespace
 
-std::optional<Bound> bound_of(const RunResult& result, const machines::Machine& machine) {
+std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine) {
   if (machine.kind->loads == nullptr || result.interval_clocks == 0) return std::nullopt;
   std::vector<machines::Load> loads = machine.kind->loads(timing_of(result));
   std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
@@ -42,4 +42,4 @@ std::optional<Bound> bound_of(const RunResult& result, const machines::Machine& 
   return Bound{most.part, share_of(most, result), sentence};
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -6,7 +6,7 @@
 #include "hw/machines/machine.h"
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// The part of a machine that bounds how fast frames follow one another: it works in more of the clocks from one to the
 /// next than any other does.
@@ -17,6 +17,6 @@ struct Bound {
 };
 
 /// From the account of a run; nothing where the machine's kind does not tell of its parts, or a frame takes no time.
-std::optional<Bound> bound_of(const RunResult& result, const machines::Machine& machine);
+std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

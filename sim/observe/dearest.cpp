@@ -11,7 +11,7 @@
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -107,7 +107,7 @@ std::string source_of(const std::string& name) {
   return at == std::string::npos ? "" : name.substr(at + 1);
 }
 
-ClockShares clock_shares(const isa::Program& program, const RunResult& result, const Stats& stats) {
+ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats) {
   ClockShares shares;
   shares.whole = stats.total.clocks + result.latency_clocks;
   const std::vector<Cost>& costs = stats.plain_by_primitive;
@@ -139,4 +139,4 @@ std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& p
   return pixels;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -10,7 +10,7 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// What a primitive takes of a frame, without the effects.
 struct PrimitiveCost {
@@ -40,7 +40,7 @@ struct ClockShares {
 
 inline constexpr std::size_t most_dearest = 10;
 
-ClockShares clock_shares(const isa::Program& program, const RunResult& result, const Stats& stats);
+ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 
 /// The place in a primitive's name; empty if there is none.
 std::string source_of(const std::string& name);
@@ -48,4 +48,4 @@ std::string source_of(const std::string& name);
 /// Pixels of the picture in which each primitive of the Program is seen.
 std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -8,7 +8,7 @@
 
 #include "hw/isa/opcodes.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -125,7 +125,7 @@ bool FrameObserver::reads_enable_alone(const isa::Instruction& instruction) cons
          begins_panes(instruction) || colours_pane(instruction);
 }
 
-void FrameObserver::after_instruction(const Step& step, const PixelState& state) {
+void FrameObserver::after_instruction(const engine::Step& step, const engine::PixelState& state) {
   if (compares_panes(step.instruction)) return take_pane_depths(state);
   if (!reads_enable_alone(step.instruction)) return;
   const isa::Region region = state.region();
@@ -169,7 +169,7 @@ void FrameObserver::enabled_after(const isa::Instruction& instruction, const isa
   }
 }
 
-void FrameObserver::take_pane_depths(const PixelState& state) {
+void FrameObserver::take_pane_depths(const engine::PixelState& state) {
   const isa::Region region = state.region();
   values_.resize(static_cast<std::size_t>(region.width) * region.height);
   state.read_field(nearest_, values_);
@@ -192,7 +192,7 @@ void FrameObserver::put_panes(const isa::Region& region) {
   });
 }
 
-void FrameObserver::after_segment(std::uint32_t segment, const PixelState& state) {
+void FrameObserver::after_segment(std::uint32_t segment, const engine::PixelState& state) {
   if (!drawn_[segment]) return;
   if (depth_.width > 0) {
     place(state, depth_, frame_.depth);
@@ -212,7 +212,7 @@ void FrameObserver::forget_unseen(const isa::Region& region) {
   });
 }
 
-void FrameObserver::place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture) {
+void FrameObserver::place(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture) {
   const isa::Region region = state.region();
   if (region.width == frame_.width && region.height == frame_.height) return state.read_field(field, picture);
   values_.resize(static_cast<std::size_t>(region.width) * region.height);
@@ -223,4 +223,4 @@ void FrameObserver::place(const PixelState& state, isa::Field field, std::vector
   }
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

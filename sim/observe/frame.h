@@ -6,7 +6,7 @@
 
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 inline constexpr std::uint32_t no_owner = 0xffffffffU;
 
@@ -33,16 +33,16 @@ Frame of_opaque(Frame frame);
 /// solid, as the colour of each is written. In the same way owners and depths of see-through surfaces are taken down
 /// that the Program blends: from an effect's fields EFFECT.nearest_depth and EFFECT.nearest_colour, until the effect
 /// first compares that depth with the depth field. By the end of the frame they may hold another layer.
-class FrameObserver : public Observer {
+class FrameObserver : public engine::Observer {
  public:
   explicit FrameObserver(const isa::Program& program);
 
   [[nodiscard]] bool reads_after(const isa::Instruction& instruction) const override;
-  void after_instruction(const Step& step, const PixelState& state) override;
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override;
   [[nodiscard]] bool reads_enable_alone(const isa::Instruction& instruction) const override;
   void enabled_after(const isa::Instruction& instruction, const isa::Region& part,
                      std::span<const std::uint64_t> words) override;
-  void after_segment(std::uint32_t segment, const PixelState& state) override;
+  void after_segment(std::uint32_t segment, const engine::PixelState& state) override;
 
   [[nodiscard]] const Frame& frame() const& { return frame_; }
   [[nodiscard]] Frame frame() && { return std::move(frame_); }
@@ -92,10 +92,10 @@ class FrameObserver : public Observer {
   void for_enabled(const isa::Region& part, std::span<const std::uint64_t> words, const Take& take) const;
   /// A picture may be drawn several times, one over the other: what was seen before is not any more.
   void forget_unseen(const isa::Region& region);
-  void take_pane_depths(const PixelState& state);
+  void take_pane_depths(const engine::PixelState& state);
   /// What stands before opaque surfaces becomes the picture's.
   void put_panes(const isa::Region& region);
-  void place(const PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
+  void place(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
 
   isa::Field depth_;
   isa::Field colour_;
@@ -111,4 +111,4 @@ class FrameObserver : public Observer {
   std::vector<std::uint64_t> enable_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -6,13 +6,13 @@
 #include "hw/base/hash.h"
 #include "sim/observe/frame.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// Of depth, owner and colour of every pixel.
-inline std::string hash_of(const sim::Frame& frame) {
+inline std::string hash_of(const observe::Frame& frame) {
   Hash hash;
   for (const std::vector<std::uint32_t>* values : {&frame.depth, &frame.owner, &frame.colour}) hash.add(*values);
   return hash.text();
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -12,7 +12,7 @@
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -125,8 +125,8 @@ std::vector<Knob> that_help(std::vector<Knob> knobs) {
   return knobs;
 }
 
-std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine, const RunResult& result,
-                               const std::string& word) {
+std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine,
+                               const engine::RunResult& result, const std::string& word) {
   std::vector<Knob> knobs;
   for (const FigureStep& row : figure_steps) {
     const std::optional<Change> change = change_of(machine, row);
@@ -146,4 +146,4 @@ std::size_t figures_to_try(const machines::Machine& machine) {
       std::ranges::count_if(figure_steps, [&](const FigureStep& row) { return change_of(machine, row).has_value(); }));
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

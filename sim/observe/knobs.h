@@ -8,7 +8,7 @@
 #include "hw/machines/machine.h"
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// A setting, or a figure of the machine, that was changed to see what it is worth.
 struct Knob {
@@ -25,8 +25,8 @@ std::string worth(const Knob& knob);
 /// wide, half as long. What it is worth is worked out from the same instructions, by the account of clocks that the run
 /// itself is timed with: nothing is drawn or compiled. `word`: what --machine was given. Only those that help, the one
 /// that helps most first.
-std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine, const RunResult& result,
-                               const std::string& word);
+std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Machine& machine,
+                               const engine::RunResult& result, const std::string& word);
 
 /// How many figures of the machine that would try.
 std::size_t figures_to_try(const machines::Machine& machine);
@@ -34,4 +34,4 @@ std::size_t figures_to_try(const machines::Machine& machine);
 /// The clocks after, the fewest first; what does not help is left out.
 std::vector<Knob> that_help(std::vector<Knob> knobs);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

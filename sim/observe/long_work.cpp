@@ -7,7 +7,7 @@
 
 #include "hw/base/messages.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -48,4 +48,4 @@ void LongWork::at_point(std::size_t done, std::size_t points) {
   if (elapsed() >= some_seconds || part >= some_points) at(part);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

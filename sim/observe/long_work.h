@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// Seconds from some point in time on.
 using Stopwatch = std::function<double()>;
@@ -42,4 +42,4 @@ class LongWork {
   std::optional<double> warned_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -14,7 +14,7 @@
 #include "hw/isa/pieces.h"
 #include "sim/pictures/encode.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -142,4 +142,4 @@ void write_picture(OutputFile& file, const Picture& picture) {
   write(file, png, {picture.width, picture.height, picture.channels, {}, pictures::Bytes(picture.bytes)});
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -8,7 +8,7 @@
 #include "hw/base/output_file.h"
 #include "sim/observe/frame.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// Throws InputError unless the path's extension names a format for pictures; a stream without one is PNG, or EXR for
 /// distances. Asked before a run, it lets what takes
@@ -55,4 +55,4 @@ struct Picture {
 /// In the format that the file's extension names. Throws InputError.
 void write_picture(OutputFile& file, const Picture& picture);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -8,7 +8,7 @@
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -22,7 +22,7 @@ ProgressObserver::ProgressObserver(const isa::Program& program, const machines::
   for (const isa::Segment& segment : program.segments) total_ += machines::clocks(segment.instructions, machine);
 }
 
-void ProgressObserver::begin_at(Place place) {
+void ProgressObserver::begin_at(engine::Place place) {
   for (std::uint32_t segment = 0; segment <= place.segment && segment < program_.segments.size(); ++segment) {
     const std::span<const isa::Instruction> all = program_.segments[segment].instructions;
     total_ -= machines::clocks(segment < place.segment ? all : all.first(place.index), machine_);
@@ -38,7 +38,7 @@ ProgressObserver::~ProgressObserver() {
   if (shown_) tell("\r\x1b[K");
 }
 
-void ProgressObserver::after_instruction(const Step& step, const PixelState& /*state*/) {
+void ProgressObserver::after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) {
   done_ += step.clocks;
   if (const std::uint64_t skipped = isa::skipped_after(step.instruction, step.enabled_pixels); skipped > 0) {
     const std::span<const isa::Instruction> all = program_.segments[step.segment].instructions;
@@ -60,4 +60,4 @@ void ProgressObserver::after_instruction(const Step& step, const PixelState& /*s
                    left));
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

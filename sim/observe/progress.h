@@ -7,11 +7,11 @@
 #include "sim/engine/numbers.h"
 #include "sim/observe/long_work.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// Tells on standard error how far a run is, its rate and the time left, a few times a second once it has taken a
 /// second; and, if asked to, warns then of one that will take minutes.
-class ProgressObserver : public Observer {
+class ProgressObserver : public engine::Observer {
  public:
   /// The clocks of what turns out to be skipped are taken off the total. Program and machine have to outlive it.
   ProgressObserver(const isa::Program& program, const machines::Machine& machine);
@@ -24,10 +24,10 @@ class ProgressObserver : public Observer {
   ProgressObserver& operator=(const ProgressObserver&) = delete;
 
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-  void after_instruction(const Step& step, const PixelState& state) override;
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override;
 
   /// Counts only what is left from there on.
-  void begin_at(Place place);
+  void begin_at(engine::Place place);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -43,4 +43,4 @@ class ProgressObserver : public Observer {
   bool shown_ = false;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

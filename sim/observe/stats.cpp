@@ -1,6 +1,6 @@
 #include "sim/observe/stats.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -25,7 +25,7 @@ StatsObserver::StatsObserver(const isa::Program& program) : primitive_of_piece_(
   stats_.by_effect.resize(program.facts.compile.effects.size() + 1);
 }
 
-void StatsObserver::after_instruction(const Step& step, const PixelState& /*state*/) {
+void StatsObserver::after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) {
   const isa::Instruction& instruction = step.instruction;
   const Cost cost{1, step.clocks, step.clocks * pixels_of_segment_[step.segment], step.clocks * step.enabled_pixels};
   stats_.total += cost;
@@ -43,4 +43,4 @@ void StatsObserver::after_instruction(const Step& step, const PixelState& /*stat
   }
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -7,7 +7,7 @@
 
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// What some of the instructions cost.
 struct Cost {
@@ -36,11 +36,11 @@ struct Stats {
   bool operator==(const Stats&) const = default;
 };
 
-class StatsObserver : public Observer {
+class StatsObserver : public engine::Observer {
  public:
   explicit StatsObserver(const isa::Program& program);
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-  void after_instruction(const Step& step, const PixelState& state) override;
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override;
   [[nodiscard]] const Stats& stats() const { return stats_; }
   /// Goes on from what an observer of the same Program counted.
   void restore(Stats stats) { stats_ = std::move(stats); }
@@ -51,4 +51,4 @@ class StatsObserver : public Observer {
   Stats stats_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

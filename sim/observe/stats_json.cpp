@@ -14,7 +14,7 @@
 #include "sim/observe/bound.h"
 #include "sim/observe/dearest.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 namespace {
 
@@ -219,4 +219,4 @@ nlohmann::ordered_json to_json(const Report& report) {
   return json;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

@@ -9,14 +9,14 @@
 #include "sim/observe/knobs.h"
 #include "sim/observe/stats.h"
 
-namespace csgsim::sim {
+namespace csgsim::observe {
 
 /// All that a stats file tells of one run.
 struct Report {
   const isa::Program& program;
   const machines::Machine& machine;
   std::string_view level;
-  const RunResult& result;
+  const engine::RunResult& result;
   const Stats& stats;
   double wall_seconds = 0;
   std::span<const Knob> knobs{};  ///< what was tried and helps
@@ -28,4 +28,4 @@ nlohmann::ordered_json to_json(const Report& report);
 /// Bits of pixel memory that the Program's named fields take.
 std::uint32_t used_memory_bits(const isa::Program& program);
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::observe

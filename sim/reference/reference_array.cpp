@@ -5,7 +5,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 
-namespace csgsim::sim {
+namespace csgsim::reference {
 
 namespace {
 
@@ -203,4 +203,4 @@ void ReferenceArray::read_enable(std::span<std::uint64_t> words) const {
       if (enabled(x, y)) words[y * words_a_row + x / 64U] |= std::uint64_t{1} << x % 64U;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::reference

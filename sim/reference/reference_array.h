@@ -6,11 +6,11 @@
 
 #include "sim/engine/engine.h"
 
-namespace csgsim::sim {
+namespace csgsim::reference {
 
 /// A segment's pixels, held and worked on one bit at a time, straight from the meanings in hw/isa/opcodes.h: the judge
 /// of the other engines. Memory and enable begin as 0. Slow: meant for small arrays.
-class ReferenceArray final : public PixelState {
+class ReferenceArray final : public engine::PixelState {
  public:
   ReferenceArray(isa::Region region, std::uint32_t memory_bits);
   explicit ReferenceArray(isa::ArrayShape shape)
@@ -52,4 +52,4 @@ class ReferenceArray final : public PixelState {
   std::uint64_t overflows_ = 0;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::reference

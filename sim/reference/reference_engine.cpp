@@ -3,23 +3,23 @@
 
 #include "sim/reference/reference_run.h"
 
-namespace csgsim::sim {
+namespace csgsim::reference {
 
 namespace {
 
-class ReferenceEngine final : public Engine {
+class ReferenceEngine final : public engine::Engine {
  public:
   explicit ReferenceEngine(machines::Machine machine) : machine_(std::move(machine)) {}
 
   [[nodiscard]] std::string_view level() const override { return "reference"; }
 
-  RunResult run(const isa::Program& program, std::span<Observer* const> observers) override {
+  engine::RunResult run(const isa::Program& program, std::span<engine::Observer* const> observers) override {
     ReferenceRun run(program, machine_);
-    run.advance(Run::end, observers);
+    run.advance(engine::Run::end, observers);
     return run.result();
   }
 
-  [[nodiscard]] std::unique_ptr<Run> begin(const isa::Program& program) const override {
+  [[nodiscard]] std::unique_ptr<engine::Run> begin(const isa::Program& program) const override {
     return std::make_unique<ReferenceRun>(program, machine_);
   }
 
@@ -29,8 +29,12 @@ class ReferenceEngine final : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine) {
-  return std::make_unique<ReferenceEngine>(machine);
+}  // namespace csgsim::reference
+
+namespace csgsim {
+
+std::unique_ptr<engine::Engine> engine::make_reference_engine(const machines::Machine& machine) {
+  return std::make_unique<reference::ReferenceEngine>(machine);
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim

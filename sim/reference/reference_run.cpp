@@ -7,7 +7,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 
-namespace csgsim::sim {
+namespace csgsim::reference {
 
 namespace {
 
@@ -45,7 +45,7 @@ bool ReferenceRun::finished() const {
   return program_.segments.empty() || (told_end_ && place_.segment + 1 == program_.segments.size());
 }
 
-void ReferenceRun::advance(std::uint64_t number, std::span<Observer* const> observers) {
+void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* const> observers) {
   while (!finished()) {
     const std::uint64_t next = numbers_.of(place_);
     const bool has_more = place_.index < program_.segments[place_.segment].instructions.size();
@@ -55,7 +55,7 @@ void ReferenceRun::advance(std::uint64_t number, std::span<Observer* const> obse
       continue;
     }
     if (!told_end_) {
-      for (Observer* observer : observers) observer->after_segment(place_.segment, array_);
+      for (engine::Observer* observer : observers) observer->after_segment(place_.segment, array_);
       told_end_ = true;
     }
     if (finished() || next >= number) return;
@@ -63,13 +63,13 @@ void ReferenceRun::advance(std::uint64_t number, std::span<Observer* const> obse
   }
 }
 
-void ReferenceRun::execute(std::span<Observer* const> observers) {
+void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
   const isa::Instruction& instruction = program_.segments[place_.segment].instructions[place_.index];
   const std::uint64_t enabled = array_.enabled_pixels();
   array_.execute(instruction);
   if (instruction.opcode == isa::Opcode::global_or) so_far_.answers.push_back(enabled > 0);
-  const Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
-  for (Observer* observer : observers) observer->after_instruction(step, array_);
+  const engine::Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
+  for (engine::Observer* observer : observers) observer->after_instruction(step, array_);
   if (instruction.opcode == isa::Opcode::skip_if_none && enabled == 0) {
     skips_.push_back({place_.segment, place_.index});
     place_.index += static_cast<std::uint32_t>(instruction.constant);
@@ -78,9 +78,9 @@ void ReferenceRun::execute(std::span<Observer* const> observers) {
   ++place_.index;
 }
 
-RunState ReferenceRun::save() const {
-  RunState state{place_, told_end_, so_far_.overflows + array_.overflows(), so_far_.skipped, so_far_.answers,
-                 skips_, {}};
+engine::RunState ReferenceRun::save() const {
+  engine::RunState state{place_, told_end_, so_far_.overflows + array_.overflows(), so_far_.skipped, so_far_.answers,
+                         skips_, {}};
   if (program_.segments.empty()) return state;
   const isa::Region region = array_.region();
   const std::size_t words = (region.width + word_bits - 1) / word_bits * static_cast<std::size_t>(region.height);
@@ -101,7 +101,7 @@ RunState ReferenceRun::save() const {
   return state;
 }
 
-void ReferenceRun::restore(const RunState& state) {
+void ReferenceRun::restore(const engine::RunState& state) {
   if (program_.segments.empty()) return;
   begin_segment(state.place.segment);
   place_ = state.place;
@@ -129,12 +129,12 @@ void ReferenceRun::restore(const RunState& state) {
   }
 }
 
-RunResult ReferenceRun::result() const {
-  RunResult result = so_far_;
+engine::RunResult ReferenceRun::result() const {
+  engine::RunResult result = so_far_;
   result.overflows += array_.overflows();
   result.skips = skips_;
   put(machines::time_frame(program_, machine_, skips_), result);
   return result;
 }
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::reference

@@ -4,20 +4,20 @@
 #include "sim/engine/run.h"
 #include "sim/reference/reference_array.h"
 
-namespace csgsim::sim {
+namespace csgsim::reference {
 
 /// A run an instruction, a pixel and a bit at a time. The Program has to outlive it.
-class ReferenceRun final : public Run {
+class ReferenceRun final : public engine::Run {
  public:
   /// Throws InputError if the machine lacks what the Program needs.
   ReferenceRun(const isa::Program& program, const machines::Machine& machine);
 
-  [[nodiscard]] Place place() const override { return place_; }
+  [[nodiscard]] engine::Place place() const override { return place_; }
   [[nodiscard]] bool finished() const override;
-  void advance(std::uint64_t number, std::span<Observer* const> observers) override;
-  [[nodiscard]] RunState save() const override;
-  void restore(const RunState& state) override;
-  [[nodiscard]] RunResult result() const override;
+  void advance(std::uint64_t number, std::span<engine::Observer* const> observers) override;
+  [[nodiscard]] engine::RunState save() const override;
+  void restore(const engine::RunState& state) override;
+  [[nodiscard]] engine::RunResult result() const override;
 
   [[nodiscard]] isa::Region region() const override { return array_.region(); }
   void read_field(isa::Field field, std::span<std::uint32_t> values) const override {
@@ -32,16 +32,16 @@ class ReferenceRun final : public Run {
  private:
   /// Goes to the segment's first instruction, with pixels that are all 0.
   void begin_segment(std::uint32_t segment);
-  void execute(std::span<Observer* const> observers);
+  void execute(std::span<engine::Observer* const> observers);
 
   const isa::Program& program_;
   machines::Machine machine_;
-  Numbers numbers_;
-  Place place_;
+  engine::Numbers numbers_;
+  engine::Place place_;
   bool told_end_ = false;
   ReferenceArray array_{isa::Region{}, 0};
-  RunResult so_far_;
+  engine::RunResult so_far_;
   std::vector<machines::Skip> skips_;
 };
 
-}  // namespace csgsim::sim
+}  // namespace csgsim::reference

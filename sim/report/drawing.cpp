@@ -25,21 +25,21 @@ namespace {
 using States = std::vector<std::uint32_t>;
 
 /// What has been carried out so far. Regions that come to their end are looked at, since several may between two steps.
-class Progress : public sim::Observer {
+class Progress : public engine::Observer {
  public:
-  explicit Progress(std::function<void(std::uint32_t, const sim::PixelState&)> look) : look_(std::move(look)) {}
+  explicit Progress(std::function<void(std::uint32_t, const engine::PixelState&)> look) : look_(std::move(look)) {}
 
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
     clocks_ += step.clocks;
     last_ = step.instruction;
   }
-  void after_segment(std::uint32_t segment, const sim::PixelState& state) override { look_(segment, state); }
+  void after_segment(std::uint32_t segment, const engine::PixelState& state) override { look_(segment, state); }
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
   [[nodiscard]] const std::optional<isa::Instruction>& last() const { return last_; }
 
  private:
-  std::function<void(std::uint32_t, const sim::PixelState&)> look_;
+  std::function<void(std::uint32_t, const engine::PixelState&)> look_;
   std::uint64_t clocks_ = 0;
   std::optional<isa::Instruction> last_;
 };
@@ -86,10 +86,10 @@ class Recorder {
  public:
   Recorder(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits)
       : program_(program),
-        run_(sim::make_functional_engine(machine)->begin(program)),
+        run_(engine::make_functional_engine(machine)->begin(program)),
         numbers_(program),
         colour_(program.colour),
-        progress_([this](std::uint32_t segment, const sim::PixelState& state) { look(segment, state); }) {
+        progress_([this](std::uint32_t segment, const engine::PixelState& state) { look(segment, state); }) {
     drawing_.every =
         std::max(1U, (std::max(program.shape.width, program.shape.height) + limits.side - 1) / limits.side);
     drawing_.width = (program.shape.width + drawing_.every - 1) / drawing_.every;
@@ -104,7 +104,7 @@ class Recorder {
   /// Goes on to that boundary, or past it where instructions are skipped, and adds a step if it has not been there.
   void go_to(std::uint64_t boundary) {
     if (numbers_.of(run_->place()) >= boundary) return;
-    sim::Observer* const observers[] = {&progress_};
+    engine::Observer* const observers[] = {&progress_};
     run_->advance(boundary, observers);
     DrawingStep step{numbers_.of(run_->place()), "", "", progress_.clocks(), look(run_->place().segment, *run_), ""};
     if (progress_.last()) {
@@ -162,7 +162,7 @@ class Recorder {
   }
 
   /// Brings the states up to date, and returns how many pixels are enabled.
-  std::uint64_t look(std::uint32_t segment, const sim::PixelState& pixels) {
+  std::uint64_t look(std::uint32_t segment, const engine::PixelState& pixels) {
     if (program_.segments[segment].instructions.empty()) return 0;  // it shows the background
     const isa::Region region = pixels.region();
     if (region != region_) visit_shown(region_, [](std::uint32_t& state, auto, auto) { state &= ~1U; });
@@ -182,8 +182,8 @@ class Recorder {
   }
 
   const isa::Program& program_;
-  std::unique_ptr<sim::Run> run_;
-  sim::Numbers numbers_;
+  std::unique_ptr<engine::Run> run_;
+  engine::Numbers numbers_;
   isa::Field colour_;
   Progress progress_;
   isa::Region region_{};
@@ -244,7 +244,7 @@ Drawing record_work(const isa::Program& program, const machines::Machine& machin
 }  // namespace
 
 Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits) {
-  const std::uint64_t count = sim::Numbers(program).count();
+  const std::uint64_t count = engine::Numbers(program).count();
   std::optional<Drawing> drawing;
   if (count <= std::min<std::uint64_t>(limits.instructions, limits.steps))
     drawing = record_every(program, machine, limits, count);

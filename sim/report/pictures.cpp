@@ -13,7 +13,7 @@ namespace csgsim::report {
 namespace {
 
 template <class Colour>
-Picture encoded(const sim::Frame& frame, const std::vector<std::uint32_t>& pixels, Colour colour) {
+Picture encoded(const observe::Frame& frame, const std::vector<std::uint32_t>& pixels, Colour colour) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(pixels.size() * 3);
   for (const std::uint32_t pixel : pixels) {
@@ -29,7 +29,7 @@ Picture encoded(const sim::Frame& frame, const std::vector<std::uint32_t>& pixel
 
 }  // namespace
 
-Picture picture_of(const sim::Frame& frame, const isa::Program& program, std::string caption, std::string alt) {
+Picture picture_of(const observe::Frame& frame, const isa::Program& program, std::string caption, std::string alt) {
   const unsigned bits = program.colour.width;
   Picture picture =
       encoded(frame, frame.colour, [bits](std::uint32_t packed) { return isa::unpack_colour(packed, bits); });
@@ -38,8 +38,8 @@ Picture picture_of(const sim::Frame& frame, const isa::Program& program, std::st
   return picture;
 }
 
-Picture owners_of(const sim::Frame& frame, std::string caption, std::string alt) {
-  Picture picture = encoded(frame, frame.owner, sim::owner_colour);
+Picture owners_of(const observe::Frame& frame, std::string caption, std::string alt) {
+  Picture picture = encoded(frame, frame.owner, observe::owner_colour);
   picture.caption = std::move(caption);
   picture.alt = std::move(alt);
   return picture;

@@ -96,7 +96,7 @@ Section clocks_section(const Json& data) {
   return section;
 }
 
-std::vector<std::uint64_t> pixels_seen(const sim::Frame& frame, std::size_t primitives) {
+std::vector<std::uint64_t> pixels_seen(const observe::Frame& frame, std::size_t primitives) {
   std::vector<std::uint64_t> pixels(primitives, 0);
   for (const std::uint32_t owner : frame.owner)
     if (owner < primitives) ++pixels[owner];
@@ -109,8 +109,8 @@ std::pair<std::string, std::string> kind_and_place(const std::string& name) {
   return at == std::string::npos ? std::pair{name, std::string()} : std::pair{name.substr(0, at), name.substr(at + 1)};
 }
 
-OwnerPicture owner_picture(const Json& data, const sim::Frame& frame, const isa::Program& program) {
-  const sim::Frame of_primitives = sim::of_primitives(frame, program.facts);
+OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const isa::Program& program) {
+  const observe::Frame of_primitives = observe::of_primitives(frame, program.facts);
   const Json& primitives = data["by_primitive"];
   OwnerPicture owners{
       picture_of(frame, program, "", "The picture that the machine drew"),
@@ -166,8 +166,8 @@ Table dearest(const Json& data) {
 
 }  // namespace
 
-Page run_page(const Json& stats, const sim::Frame& frame, const isa::Program& program, const machines::Machine& machine,
-              const Context& context) {
+Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program& program,
+              const machines::Machine& machine, const Context& context) {
   Page page;
   page.data = without_wall_times(stats);
   const Json& data = page.data;

@@ -10,7 +10,7 @@ namespace csgsim::report {
 
 /// The page of one run: its stats file, its picture, and its drawing, for which it is run once more. The counts are
 /// those of the stats, whatever keys they hold.
-Page run_page(const Json& stats, const sim::Frame& frame, const isa::Program& program, const machines::Machine& machine,
-              const Context& context);
+Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program& program,
+              const machines::Machine& machine, const Context& context);
 
 }  // namespace csgsim::report

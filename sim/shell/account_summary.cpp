@@ -40,7 +40,7 @@ void print_part(const machines::PartAccount& part, std::uint64_t frame) {
 
 }  // namespace
 
-void print_account(const sim::Report& report) {
+void print_account(const observe::Report& report) {
   const machines::Account& account = report.result.account;
   if (!account.counts.empty() || !account.shares.empty()) fmt::print("\n");
   for (const machines::Count& count : account.counts)

@@ -73,7 +73,7 @@ bool may_skip(const isa::Program& program) {
 
 std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
   if (!may_skip(program)) return machines::time_frame(program, machine).interval_clocks;
-  return sim::make_functional_engine(machine)->run(program, {}).interval_clocks;
+  return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
 }
 
 /// Nothing where the model does not fit the machine so.
@@ -83,7 +83,7 @@ std::optional<std::uint64_t> interval_with(const ModelOptions& options, const Co
     const view::View view = view::make_view(model.scene, model.tree, model.camera, sampling_of(options, machine));
     const isa::Program program =
         emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
-                      [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+                      [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
     return interval_of(program, machine);
   } catch (const InputError&) {
     return std::nullopt;
@@ -92,28 +92,28 @@ std::optional<std::uint64_t> interval_with(const ModelOptions& options, const Co
 
 }  // namespace
 
-std::vector<sim::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
-                                     const machines::Machine& machine, const sim::RunResult& result) {
-  std::vector<sim::Knob> knobs;
+std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
+                                         const machines::Machine& machine, const engine::RunResult& result) {
+  std::vector<observe::Knob> knobs;
   for (const TriedSetting& setting : tried_settings) {
     ModelOptions turned = options;
     const std::optional<std::string> option = setting.turn(turned);
     if (!option) continue;
     const std::optional<std::uint64_t> after = interval_with(turned, model, machine);
     if (!after) continue;
-    sim::Knob knob{"", *option, result.interval_clocks, *after};
-    knob.sentence = fmt::format("{}: {}; {}", *option, sim::worth(knob), setting.but);
+    observe::Knob knob{"", *option, result.interval_clocks, *after};
+    knob.sentence = fmt::format("{}: {}; {}", *option, observe::worth(knob), setting.but);
     knobs.push_back(std::move(knob));
   }
   return knobs;
 }
 
-std::vector<sim::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
-                                const sim::RunResult& result) {
+std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
+                                    const engine::RunResult& result) {
   if (!advice.is_asked || result.interval_clocks == 0) return {};
-  std::vector<sim::Knob> knobs = sim::figure_knobs(program, machine, result, advice.machine);
+  std::vector<observe::Knob> knobs = observe::figure_knobs(program, machine, result, advice.machine);
   if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
-  return sim::that_help(std::move(knobs));
+  return observe::that_help(std::move(knobs));
 }
 
 }  // namespace csgsim::shell

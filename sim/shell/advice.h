@@ -19,20 +19,20 @@ struct Advice {
   bool is_asked = false;  ///< --advice; else nothing is tried, since that takes as long as many runs
   std::string ask;        ///< how to ask for it, for people
   /// Compiles again with other settings, to see what they are worth; none where there is no model.
-  std::function<std::vector<sim::Knob>(const sim::RunResult&)> settings{};
+  std::function<std::vector<observe::Knob>(const engine::RunResult&)> settings{};
   std::vector<std::string> commands{};  ///< that tell what is not tried, for people
 };
 
 /// What was tried and helps, the best first; nothing where it was not asked for.
-std::vector<sim::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
-                                const sim::RunResult& result);
+std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
+                                    const engine::RunResult& result);
 
 /// What options of csgsim render are worth, each changed by one step. Each is compiled, and, where the run may skip
 /// something, drawn.
-std::vector<sim::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
-                                     const machines::Machine& machine, const sim::RunResult& result);
+std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
+                                         const machines::Machine& machine, const engine::RunResult& result);
 
 /// Prints which part bounds the frame, the dearest primitives, and the knobs.
-void print_words(const sim::Report& report, const sim::Frame& picture, const Advice& advice);
+void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice);
 
 }  // namespace csgsim::shell

@@ -38,28 +38,31 @@ void CheckpointOptions::check(std::string_view level, std::span<const std::files
   const OutputFile can_be_written(checkpoint);
 }
 
-sim::RunResult run_with_checkpoints(sim::Engine& engine, const isa::Program& program, const machines::Machine& machine,
-                                    const CheckpointOptions& options, RunObservers& observers) {
-  std::vector<sim::Observer*> all{&observers.frame, &observers.stats};
+engine::RunResult run_with_checkpoints(engine::Engine& engine, const isa::Program& program,
+                                       const machines::Machine& machine, const CheckpointOptions& options,
+                                       RunObservers& observers) {
+  std::vector<engine::Observer*> all{&observers.frame, &observers.stats};
   if (observers.progress) all.push_back(&*observers.progress);
   if (options.checkpoint.empty() && options.resume.empty()) return engine.run(program, all);
 
-  const std::unique_ptr<sim::Run> run = engine.begin(program);
+  const std::unique_ptr<engine::Run> run = engine.begin(program);
   if (!options.resume.empty()) {
-    sim::resume(sim::load_snapshot(options.resume, program, machine), *run, observers.frame, observers.stats);
+    checkpoint::resume(checkpoint::load_snapshot(options.resume, program, machine), *run, observers.frame,
+                       observers.stats);
     if (observers.progress) observers.progress->begin_at(run->place());
   }
-  const sim::Numbers numbers(program);
-  const sim::RunIdentity identity = sim::identity_of(program, machine);
+  const engine::Numbers numbers(program);
+  const checkpoint::RunIdentity identity = checkpoint::identity_of(program, machine);
   while (!run->finished()) {
     if (options.checkpoint.empty()) {
-      run->advance(sim::Run::end, all);
+      run->advance(engine::Run::end, all);
       break;
     }
     const std::uint64_t left = numbers.count() - numbers.of(run->place());
     const std::uint64_t stride = options.every.value_or(CheckpointOptions::usual_stride);
-    run->advance(stride < left ? numbers.of(run->place()) + stride : sim::Run::end, all);
-    sim::save_snapshot(options.checkpoint, sim::take_snapshot(identity, *run, observers.frame, observers.stats));
+    run->advance(stride < left ? numbers.of(run->place()) + stride : engine::Run::end, all);
+    checkpoint::save_snapshot(options.checkpoint,
+                              checkpoint::take_snapshot(identity, *run, observers.frame, observers.stats));
   }
   return run->result();
 }

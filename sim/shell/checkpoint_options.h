@@ -16,9 +16,9 @@ namespace csgsim::shell {
 
 /// What a run's observers are, beside others.
 struct RunObservers {
-  sim::FrameObserver frame;
-  sim::StatsObserver stats;
-  std::optional<sim::ProgressObserver> progress;
+  observe::FrameObserver frame;
+  observe::StatsObserver stats;
+  std::optional<observe::ProgressObserver> progress;
 };
 
 /// Options of a run that can be interrupted and go on.
@@ -38,7 +38,8 @@ struct CheckpointOptions {
 
 /// Runs the Program, from the checkpoint that is to be resumed or from its beginning, and writes checkpoints on the
 /// way. Throws InputError.
-sim::RunResult run_with_checkpoints(sim::Engine& engine, const isa::Program& program, const machines::Machine& machine,
-                                    const CheckpointOptions& options, RunObservers& observers);
+engine::RunResult run_with_checkpoints(engine::Engine& engine, const isa::Program& program,
+                                       const machines::Machine& machine, const CheckpointOptions& options,
+                                       RunObservers& observers);
 
 }  // namespace csgsim::shell

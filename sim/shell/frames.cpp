@@ -57,22 +57,22 @@ std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turnta
   return programs;
 }
 
-std::vector<sim::RunResult> run_frames(const machines::Machine& machine, const RunOptions& run,
-                                       const std::vector<isa::Program>& programs,
-                                       const std::vector<sim::Observer*>& observers) {
-  if (run.level == "cycle") return sim::run_sequence(machine, programs, observers);
-  const auto engine = run.level == "reference" ? sim::make_reference_engine(machine)
-                                               : sim::make_functional_engine(machine, run.threads);
-  std::vector<sim::RunResult> results;
+std::vector<engine::RunResult> run_frames(const machines::Machine& machine, const RunOptions& run,
+                                          const std::vector<isa::Program>& programs,
+                                          const std::vector<engine::Observer*>& observers) {
+  if (run.level == "cycle") return cycle::run_sequence(machine, programs, observers);
+  const auto engine = run.level == "reference" ? engine::make_reference_engine(machine)
+                                               : engine::make_functional_engine(machine, run.threads);
+  std::vector<engine::RunResult> results;
   for (std::size_t i = 0; i < programs.size(); ++i) results.push_back(engine->run(programs[i], {&observers[i], 1}));
   return results;
 }
 
-void print_frames(const std::vector<sim::RunResult>& results, const machines::Machine& machine) {
+void print_frames(const std::vector<engine::RunResult>& results, const machines::Machine& machine) {
   std::uint64_t clocks = 0;
   fmt::print("{:<8}{:>14}{:>14}{:>14}\n", "frame", "drawn after", "shown after", "next after");
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const sim::RunResult& result = results[i];
+    const engine::RunResult& result = results[i];
     clocks += result.interval_clocks;
     fmt::print("{:<8}{:>14}{:>14}{:>14}\n", i, grouped(result.clocks), grouped(result.shown_clocks),
                grouped(result.interval_clocks));
@@ -84,18 +84,18 @@ void print_frames(const std::vector<sim::RunResult>& results, const machines::Ma
 
 void draw(const RunOptions& run, const std::vector<isa::Program>& programs, const machines::Machine& machine,
           std::deque<OutputFile>& files) {
-  std::vector<std::unique_ptr<sim::FrameObserver>> frames;
-  std::vector<sim::Observer*> observers;
+  std::vector<std::unique_ptr<observe::FrameObserver>> frames;
+  std::vector<engine::Observer*> observers;
   observers.reserve(programs.size());
   for (const isa::Program& program : programs)
-    observers.push_back(frames.emplace_back(std::make_unique<sim::FrameObserver>(program)).get());
-  const std::vector<sim::RunResult> results = run_frames(machine, run, programs, observers);
-  for (const sim::RunResult& result : results) refuse_overflow(result);
+    observers.push_back(frames.emplace_back(std::make_unique<observe::FrameObserver>(program)).get());
+  const std::vector<engine::RunResult> results = run_frames(machine, run, programs, observers);
+  for (const engine::RunResult& result : results) refuse_overflow(result);
   std::vector<OutputFile*> written;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    sim::Frame picture = frames[i]->frame();
+    observe::Frame picture = frames[i]->frame();
     if (!results[i].scanned_out.empty()) picture.colour = results[i].scanned_out;
-    sim::write_picture(files[i], picture, programs[i]);
+    observe::write_picture(files[i], picture, programs[i]);
     written.push_back(&files[i]);
   }
   commit_all(written);
@@ -111,7 +111,7 @@ void draw_frames(const ModelOptions& model, const RunOptions& run, const Turntab
     throw UsageError("--output", "several pictures have several names; name a file, or leave out --frames");
   const std::vector<fs::path> paths = picture_paths(run.picture, turntable.frames);
   refuse_clashes(model.inputs(), paths);
-  if (!run.picture.empty()) sim::check_format(run.picture);
+  if (!run.picture.empty()) observe::check_format(run.picture);
   std::deque<OutputFile> files;
   for (const fs::path& path : paths) files.emplace_back(path);
   const std::vector<isa::Program> programs = compile_frames(model, turntable, machine);

@@ -398,7 +398,7 @@ isa::Program compile_with_room(const CompiledModel& model, const view::View& vie
   emit::Options emit = emit_options_of(options);
   const auto compiled = [&] {
     return emit::compile(model.tree, model.scene, view, machine, emit,
-                         [&](const isa::Program& one) { return sim::clocks_of_run(one, machine); });
+                         [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
   };
   try {
     return compiled();

@@ -68,10 +68,10 @@ void ReportFile::write(const report::Page& page) {
 
 report::Picture picture_of(const ModelOptions& model, const machines::Machine& machine, const std::string& caption) {
   const isa::Program program = compile_model(model, machine).program;
-  sim::FrameObserver frame(program);
-  sim::Observer* const observer = &frame;
-  const sim::RunResult result = with_memory_for_run({&program, 1}, machine.array, [&] {
-    return sim::make_functional_engine(machine)->run(program, {&observer, 1});
+  observe::FrameObserver frame(program);
+  engine::Observer* const observer = &frame;
+  const engine::RunResult result = with_memory_for_run({&program, 1}, machine.array, [&] {
+    return engine::make_functional_engine(machine)->run(program, {&observer, 1});
   });
   refuse_overflow(result);
   return report::picture_of(frame.frame(), program, caption, "The model: " + caption);

@@ -53,17 +53,18 @@ std::vector<std::string> level_names() {
   return names;
 }
 
-sim::LongWork long_run(const std::string& level) {
+observe::LongWork long_run(const std::string& level) {
   return {"the run at the " + level + " level",
           level == "functional" ? "more --threads and a smaller --size take less"
                                 : "--level functional draws the same picture and tells the same counts in far less"};
 }
 
-std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads) {
+std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
+                                            unsigned threads) {
   switch (levels.at(level)) {
-    case Level::functional: return sim::make_functional_engine(machine, threads);
-    case Level::cycle: return sim::make_cycle_engine(machine);
-    case Level::reference: return sim::make_reference_engine(machine);
+    case Level::functional: return engine::make_functional_engine(machine, threads);
+    case Level::cycle: return engine::make_cycle_engine(machine);
+    case Level::reference: return engine::make_reference_engine(machine);
   }
   throw std::logic_error("a level without an engine");
 }
@@ -96,7 +97,7 @@ void RunOptions::add_to(Command& command) {
   add_progress(command, progress);
 }
 
-void refuse_overflow(const sim::RunResult& result) {
+void refuse_overflow(const engine::RunResult& result) {
   if (result.overflows == 0) return;
   throw InputError("the Program overflows: at " + std::to_string(result.overflows) +
                    " enabled pixels a linear expression does not fit its width; compile it again");
@@ -118,21 +119,21 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
   const isa::Program& program = subject.program;
   const machines::Machine& machine = subject.machine;
   nlohmann::ordered_json configuration = wanted_configuration(command, subject, options);
-  RunObservers observers{sim::FrameObserver(program), sim::StatsObserver(program), {}};
+  RunObservers observers{observe::FrameObserver(program), observe::StatsObserver(program), {}};
   const bool shows = shows_progress(options.progress);
-  sim::LongWork work = long_run(options.level);
+  observe::LongWork work = long_run(options.level);
   if (shows || options.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
-  const std::unique_ptr<sim::Engine> engine = make_engine(machine, options.level, options.threads);
+  const std::unique_ptr<engine::Engine> engine = make_engine(machine, options.level, options.threads);
   const auto begin = std::chrono::steady_clock::now();
-  const sim::RunResult result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);
+  const engine::RunResult result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   observers.progress.reset();
   refuse_overflow(result);
-  sim::Frame picture = std::move(observers.frame).frame();
+  observe::Frame picture = std::move(observers.frame).frame();
   if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
-  const std::vector<sim::Knob> knobs = knobs_of(advice, program, machine, result);
-  const sim::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count(), knobs};
-  nlohmann::ordered_json stats_file = sim::to_json(report);
+  const std::vector<observe::Knob> knobs = knobs_of(advice, program, machine, result);
+  const observe::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count(), knobs};
+  nlohmann::ordered_json stats_file = observe::to_json(report);
   if (!configuration.is_null()) put_configuration(stats_file, std::move(configuration), picture);
   const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
   outputs.write_pictures(picture, program);

@@ -39,19 +39,20 @@ struct RunOptions {
 std::vector<std::string> level_names();
 
 /// Of a run that may take long: what to say of it.
-sim::LongWork long_run(const std::string& level);
+observe::LongWork long_run(const std::string& level);
 
 /// An engine of the level of that name.
-std::unique_ptr<sim::Engine> make_engine(const machines::Machine& machine, const std::string& level, unsigned threads);
+std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
+                                            unsigned threads);
 
 /// Says how right a finished picture is: writes it for the stats, and returns lines of text for the summary.
-using Judge = std::function<std::string(const sim::Frame&, nlohmann::ordered_json&)>;
+using Judge = std::function<std::string(const observe::Frame&, nlohmann::ordered_json&)>;
 
 class RunOutputs;
 struct Advice;
 
 /// Throws InputError if a linear expression did not fit its width somewhere.
-void refuse_overflow(const sim::RunResult& result);
+void refuse_overflow(const engine::RunResult& result);
 
 struct RunSubject;
 

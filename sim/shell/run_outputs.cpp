@@ -17,7 +17,7 @@ void open(std::optional<OutputFile>& file, const std::string& name) {
 
 /// The file beside an owner picture that tells its colours; none if it holds indices.
 std::string legend_of(const std::filesystem::path& owner_picture) {
-  return sim::has_legend(owner_picture) && !is_unnamed_stream(owner_picture)
+  return observe::has_legend(owner_picture) && !is_unnamed_stream(owner_picture)
              ? std::filesystem::path(owner_picture).replace_extension(".json").native()
              : "";
 }
@@ -32,9 +32,9 @@ RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesyste
   refuse_terminal("--output", options.picture);
   refuse_terminal("--depth", options.depth);
   refuse_terminal("--owner", options.owner);
-  if (!options.picture.empty()) sim::check_format(options.picture);
-  if (!options.depth.empty()) sim::check_depth_format(options.depth);
-  if (!options.owner.empty()) sim::check_format(options.owner);
+  if (!options.picture.empty()) observe::check_format(options.picture);
+  if (!options.depth.empty()) observe::check_depth_format(options.depth);
+  if (!options.owner.empty()) observe::check_format(options.owner);
   open(picture_, options.picture);
   open(depth_, options.depth);
   open(owner_, options.owner);
@@ -43,15 +43,15 @@ RunOutputs::RunOutputs(const RunOptions& options, std::span<const std::filesyste
   open(report_, options.report.file);
 }
 
-void RunOutputs::write_pictures(const sim::Frame& frame, const isa::Program& program) {
-  if (picture_) sim::write_picture(*picture_, frame, program);
+void RunOutputs::write_pictures(const observe::Frame& frame, const isa::Program& program) {
+  if (picture_) observe::write_picture(*picture_, frame, program);
   if (!depth_ && !owner_) return;
-  const sim::Frame surfaces = of_opaque_ ? sim::of_opaque(frame) : frame;
-  if (depth_) sim::write_depth(*depth_, surfaces, program);
+  const observe::Frame surfaces = of_opaque_ ? observe::of_opaque(frame) : frame;
+  if (depth_) observe::write_depth(*depth_, surfaces, program);
   if (!owner_) return;
-  const sim::Frame of_primitives = sim::of_primitives(surfaces, program.facts);
-  sim::write_owner(*owner_, of_primitives);
-  if (legend_) sim::write_legend(*legend_, of_primitives, program);
+  const observe::Frame of_primitives = observe::of_primitives(surfaces, program.facts);
+  observe::write_owner(*owner_, of_primitives);
+  if (legend_) observe::write_legend(*legend_, of_primitives, program);
 }
 
 void RunOutputs::write_stats(std::string_view json) {

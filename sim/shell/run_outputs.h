@@ -17,7 +17,7 @@ class RunOutputs {
   /// Throws UsageError for one that is another or an input, InputError for one that cannot be written.
   RunOutputs(const RunOptions& options, std::span<const std::filesystem::path> inputs);
 
-  void write_pictures(const sim::Frame& frame, const isa::Program& program);
+  void write_pictures(const observe::Frame& frame, const isa::Program& program);
   void write_stats(std::string_view json);
   void write_report(const report::Page& page);
   void commit();

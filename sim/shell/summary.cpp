@@ -29,7 +29,7 @@ void print_model(const isa::ModelFacts& model) {
              counted(model.differences, "difference"), counted(model.intersections, "intersection"));
 }
 
-void print_machine(const sim::Report& report) {
+void print_machine(const observe::Report& report) {
   const machines::Machine& machine = report.machine;
   fmt::print("{:<18}{}, {} x {} pixel processors of {} bits at {:g} MHz, {} level\n", "machine", machine.name,
              machine.array.width, machine.array.height, machine.array.memory_bits,
@@ -38,20 +38,20 @@ void print_machine(const sim::Report& report) {
   if (!ideal.empty()) fmt::print("{:<18}{}\n", "ideal", fmt::join(ideal, ", "));
 }
 
-void print_frame(const sim::Report& report) {
+void print_frame(const observe::Report& report) {
   const auto hz = static_cast<double>(report.machine.clock_hz);
-  const sim::RunResult& result = report.result;
+  const engine::RunResult& result = report.result;
   fmt::print("{:<18}shown after {} clocks = {}; the next after {} clocks = {:.4g} frames a second\n", "frame",
              grouped(result.shown_clocks), time_text(static_cast<double>(result.shown_clocks) / hz),
              grouped(result.interval_clocks),
              result.interval_clocks == 0 ? 0.0 : hz / static_cast<double>(result.interval_clocks));
 }
 
-void print_purposes(const sim::Report& report) {
+void print_purposes(const observe::Report& report) {
   const std::uint64_t whole = report.stats.total.clocks + report.result.latency_clocks;
   fmt::print("\n{:<18}{:>14}{:>9}{:>15}{:>12}\n", "purpose", "clocks", "share", "instructions", "busy");
   for (std::size_t i = 0; i < isa::purpose_table.size(); ++i) {
-    const sim::Cost& cost = report.stats.by_purpose[i];
+    const observe::Cost& cost = report.stats.by_purpose[i];
     if (cost.instructions == 0) continue;
     fmt::print("  {:<16}{:>14}{:>7.1f} %{:>15}{:>10.1f} %  {}\n", isa::purpose_table[i].name, grouped(cost.clocks),
                percent(cost.clocks, whole), grouped(cost.instructions), percent(cost.enabled, cost.pixel_operations),
@@ -64,9 +64,9 @@ void print_purposes(const sim::Report& report) {
 
 }  // namespace
 
-void print_summary(const sim::Report& report) {
+void print_summary(const observe::Report& report) {
   const isa::CompileFacts& compile = report.program.facts.compile;
-  const sim::Cost& total = report.stats.total;
+  const observe::Cost& total = report.stats.total;
   const double simulated = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
   print_model(report.program.facts.model);
   print_machine(report);
@@ -80,7 +80,7 @@ void print_summary(const sim::Report& report) {
   fmt::print("{:<18}{} clocks at pixels, {} of them at enabled ones: the array was {:.2f} % busy\n", "pixel operations",
              grouped(total.pixel_operations), grouped(total.enabled), percent(total.enabled, total.pixel_operations));
   fmt::print("{:<18}{} of {} bits a pixel, {} of them for the classification\n", "memory",
-             sim::used_memory_bits(report.program), report.machine.array.memory_bits, compile.stack_bits);
+             observe::used_memory_bits(report.program), report.machine.array.memory_bits, compile.stack_bits);
   print_account(report);
   print_purposes(report);
   const double seconds = std::max(report.wall_seconds, 1e-9);

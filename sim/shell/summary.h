@@ -5,6 +5,6 @@
 namespace csgsim::shell {
 
 /// The readable summary of a run on standard output.
-void print_summary(const sim::Report& report);
+void print_summary(const observe::Report& report);
 
 }  // namespace csgsim::shell

@@ -289,7 +289,7 @@ class Narrator {
   std::span<const std::uint64_t> first_numbers_;
   std::vector<Event> events_;
   std::optional<Open> open_;
-  std::uint32_t owner_ = sim::no_owner;
+  std::uint32_t owner_ = observe::no_owner;
   isa::Field z1_;                        ///< in which the surface's depth is
   std::optional<QuadricDepth> quadric_;  ///< worked out last
   bool with_results_ = false;            ///< E holds results of several comparisons

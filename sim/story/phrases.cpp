@@ -35,7 +35,7 @@ std::string_view name_of(What what) { return what_names.at(static_cast<std::size
 std::string_view name_of(Fate fate) { return fate_names.at(static_cast<std::size_t>(fate)); }
 
 std::string primitive_text(const isa::Program& program, std::uint32_t primitive) {
-  if (primitive == sim::no_owner) return "nothing";
+  if (primitive == observe::no_owner) return "nothing";
   return isa::piece_name(program.facts, primitive);
 }
 

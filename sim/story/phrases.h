@@ -19,7 +19,7 @@ struct Subject {
 std::string_view name_of(What what);
 std::string_view name_of(Fate fate);
 
-/// `p3 cylinder@9:9` or `p3.2 text@9:9`, of a piece (hw/isa/pieces.h); `nothing` for sim::no_owner.
+/// `p3 cylinder@9:9` or `p3.2 text@9:9`, of a piece (hw/isa/pieces.h); `nothing` for observe::no_owner.
 std::string primitive_text(const isa::Program& program, std::uint32_t primitive);
 
 /// `523114 (83.214)`: steps and model units; `nothing` for all ones.

@@ -53,7 +53,7 @@ isa::Field target_of(const isa::Program& program, const isa::Instruction& instru
 }
 
 /// What a field of any width holds; 0 of none.
-std::uint64_t read_whole(const sim::ReferenceArray& pixel, isa::Field field) {
+std::uint64_t read_whole(const reference::ReferenceArray& pixel, isa::Field field) {
   std::uint64_t value = 0;
   for (unsigned at = 0; at < field.width; at += isa::max_field_width) {
     const auto width = static_cast<std::uint16_t>(std::min<unsigned>(field.width - at, isa::max_field_width));
@@ -78,7 +78,7 @@ class Runner {
   void run_segment(std::uint32_t number, std::span<const machines::Skip> skips) {
     const isa::Segment& segment = program_.segments[number];
     run_.segments.push_back(number);
-    sim::ReferenceArray pixel({x_, y_, 1, 1}, program_.shape.memory_bits);
+    reference::ReferenceArray pixel({x_, y_, 1, 1}, program_.shape.memory_bits);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       PixelStep step = carry_out(number, static_cast<std::uint32_t>(i), pixel);
       if (!skips.empty() && skips.front() == machines::Skip{number, step.index}) {
@@ -92,7 +92,7 @@ class Runner {
   }
 
   PixelRun finish() {
-    const sim::Frame& frame = frame_.frame();
+    const observe::Frame& frame = frame_.frame();
     run_.nearest = {frame.owner[place_], frame.depth[place_]};
     run_.opaque = frame.opaque_depth.empty() ? run_.nearest
                                              : ShownSurface{frame.opaque_owner[place_], frame.opaque_depth[place_]};
@@ -101,7 +101,7 @@ class Runner {
   }
 
  private:
-  PixelStep carry_out(std::uint32_t number, std::uint32_t index, sim::ReferenceArray& pixel) {
+  PixelStep carry_out(std::uint32_t number, std::uint32_t index, reference::ReferenceArray& pixel) {
     const isa::Segment& segment = program_.segments[number];
     const isa::Instruction& instruction = segment.instructions[index];
     const AtPixel here = at_pixel(segment, index, x_ - segment.region.x, y_ - segment.region.y);
@@ -126,10 +126,10 @@ class Runner {
     return step;
   }
 
-  [[nodiscard]] std::uint32_t owner_so_far(const sim::ReferenceArray& pixel) const {
-    if (const std::uint32_t pane = frame_.pane_owner(place_); pane != sim::no_owner) return pane;
+  [[nodiscard]] std::uint32_t owner_so_far(const reference::ReferenceArray& pixel) const {
+    if (const std::uint32_t pane = frame_.pane_owner(place_); pane != observe::no_owner) return pane;
     const bool is_empty = depth_.width > 0 && read_whole(pixel, depth_) == (1ULL << depth_.width) - 1;
-    return is_empty ? sim::no_owner : frame_.frame().owner[place_];
+    return is_empty ? observe::no_owner : frame_.frame().owner[place_];
   }
 
   const isa::Program& program_;
@@ -137,7 +137,7 @@ class Runner {
   std::uint32_t y_;
   std::size_t place_;
   isa::Field depth_;
-  sim::FrameObserver frame_;
+  observe::FrameObserver frame_;
   PixelRun run_;
 };
 
@@ -164,7 +164,7 @@ std::vector<machines::Skip> skips_of(const isa::Program& program, const machines
                        [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
   });
   if (!asks) return {};
-  return sim::make_functional_engine(machine)->run(program, {}).skips;
+  return engine::make_functional_engine(machine)->run(program, {}).skips;
 }
 
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,

@@ -22,14 +22,14 @@ struct PixelStep {
   isa::Field target;          ///< of pixel memory that it may have written; of width 0 if none
   std::uint64_t before = 0;   ///< value of the target
   std::uint64_t after = 0;    ///< the same
-  std::uint32_t owner = 0;    ///< primitive that owns the pixel afterwards; sim::no_owner if none does
+  std::uint32_t owner = 0;    ///< primitive that owns the pixel afterwards; observe::no_owner if none does
   bool takes_pixel = false;   ///< it made its primitive the owner
   std::uint64_t skipped = 0;  ///< instructions after it that it leaves out
 };
 
 /// A surface that a finished picture shows at a pixel.
 struct ShownSurface {
-  std::uint32_t owner = 0;  ///< primitive whose it is; sim::no_owner where nothing is seen
+  std::uint32_t owner = 0;  ///< primitive whose it is; observe::no_owner where nothing is seen
   std::uint32_t depth = 0;  ///< steps; all ones where nothing is seen
 };
 

@@ -83,7 +83,7 @@ struct Event {
   isa::Field merged_into;          ///< merge: the field that the depth came to
   bool takes_pixel = false;        ///< merge: its primitive is the owner then
   bool by_results = false;         ///< bits: results of several comparisons took part, not the last one alone
-  std::uint32_t owner_before = 0;  ///< primitive that owns the pixel; sim::no_owner if none does
+  std::uint32_t owner_before = 0;  ///< primitive that owns the pixel; observe::no_owner if none does
   std::uint32_t owner_after = 0;   ///< the same
 
   /// Of the first field of that role among the changes; null if none is.
@@ -128,7 +128,7 @@ struct Story {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
   std::vector<StorySegment> segments;  ///< one, unless the picture is drawn several times; none: the background shows
-  std::uint32_t owner = 0;             ///< primitive of the nearest surface seen; sim::no_owner if none is
+  std::uint32_t owner = 0;             ///< primitive of the nearest surface seen; observe::no_owner if none is
   std::uint32_t depth = 0;             ///< of that surface, steps; all ones where nothing is seen
   std::uint32_t opaque_owner = 0;      ///< of the opaque surface seen, which others may be before: the same
   std::uint32_t opaque_depth = 0;      ///< the same

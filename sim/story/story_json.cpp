@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json primitive_json(const isa::Program& program, std::uint32_t piece) {
-  if (piece == sim::no_owner) return nullptr;
+  if (piece == observe::no_owner) return nullptr;
   const std::uint32_t primitive = isa::primitive_of(program.facts, piece);
   Json json{{"index", primitive}};
   if (primitive < program.facts.primitives.size()) json["name"] = printable(program.facts.primitives[primitive]);

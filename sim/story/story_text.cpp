@@ -101,7 +101,7 @@ class Writer {
     line("  colour    {}", colour_text(program_, story_.colour));
     const auto seen = std::find_if(story_.attempts.rbegin(), story_.attempts.rend(),
                                    [](const Attempt& one) { return one.fate == Fate::seen; });
-    if (owner == sim::no_owner || seen == story_.attempts.rend()) return;
+    if (owner == observe::no_owner || seen == story_.attempts.rend()) return;
     const Event& surface = story_.events[seen->first_event];
     if (surface.decision)
       line("  surface   {}{}", decision_text(program_, *surface.decision), plane_lines(*surface.decision));
@@ -139,7 +139,7 @@ class Writer {
       return "not admitted" + decided("by", *event.cut);
     if (!event.decision) return changes_text(event);
     const std::string owner =
-        event.owner_before == sim::no_owner ? "" : " of " + primitive_text(program_, event.owner_before);
+        event.owner_before == observe::no_owner ? "" : " of " + primitive_text(program_, event.owner_before);
     return fmt::format("Z1 {} {} Z2 {}{}", depth_text(program_, static_cast<std::uint32_t>(event.decision->met)),
                        event.enabled_after ? "is nearer than" : "is not nearer than",
                        depth_text(program_, static_cast<std::uint32_t>(event.decision->met_too)), owner);

@@ -124,7 +124,7 @@ WhyNot why_not(const Subject& subject, const Story& story, std::uint32_t primiti
   for (std::uint32_t i = 0; i < answer.pieces.count; ++i)
     drawn.push_back(drawn_as(subject, story, answer.pieces.first + i));
   answer.drawn_as = drawn.front();
-  answer.is_seen = story.owner != sim::no_owner && isa::primitive_of(facts, story.owner) == primitive;
+  answer.is_seen = story.owner != observe::no_owner && isa::primitive_of(facts, story.owner) == primitive;
   answer.is_broadcast =
       std::any_of(drawn.begin(), drawn.end(), [&](auto one) { return is_drawn(subject, story, one); });
   for (std::size_t i = 0; i < story.attempts.size(); ++i)

@@ -52,7 +52,7 @@ class Progress {
   std::size_t threads_;
   std::size_t measured_ = 0;
   bool show_;
-  sim::LongWork work_{"this study", "fewer points and a smaller --size take less; what is measured is kept"};
+  observe::LongWork work_{"this study", "fewer points and a smaller --size take less; what is measured is kept"};
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

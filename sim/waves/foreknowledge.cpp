@@ -7,20 +7,20 @@ namespace csgsim::waves {
 
 namespace {
 
-class Watcher final : public sim::Observer {
+class Watcher final : public engine::Observer {
  public:
   Watcher(const isa::Program& program, Foreknowledge& known) : program_(program), known_(known) {}
 
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
 
-  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
     if (!isa::is_question(step.instruction.opcode)) return;
     known_.answers.push_back(step.enabled_pixels > 0);
     if (isa::skipped_after(step.instruction, step.enabled_pixels) > 0)
       known_.skips.push_back({step.segment, step.index});
   }
 
-  void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
+  void after_segment(std::uint32_t segment, const engine::PixelState& state) override {
     const isa::Field colour = isa::frame_header(program_).colour;
     if (program_.segments.size() != 1 || colour.width == 0) return;
     const isa::Region& region = program_.segments[segment].region;
@@ -38,8 +38,8 @@ class Watcher final : public sim::Observer {
 Foreknowledge foresee(const isa::Program& program, const machines::Machine& machine) {
   Foreknowledge known;
   Watcher watcher(program, known);
-  sim::Observer* const watchers[] = {&watcher};
-  known.result = sim::make_functional_engine(machine)->run(program, watchers);
+  engine::Observer* const watchers[] = {&watcher};
+  known.result = engine::make_functional_engine(machine)->run(program, watchers);
   known.timeline = machines::timeline(program, machine, known.skips);
   return known;
 }

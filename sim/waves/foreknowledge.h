@@ -14,7 +14,7 @@ namespace csgsim::waves {
 
 /// What a run at the functional level tells before a wave is recorded.
 struct Foreknowledge {
-  sim::RunResult result;
+  engine::RunResult result;
   std::vector<bool> answers;  ///< to each question that is asked, in order: is any pixel enabled?
   std::vector<machines::Skip> skips;
   std::vector<std::uint32_t> picture;  ///< of a Program of one segment with colours: its pixels', in row order

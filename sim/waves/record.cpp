@@ -19,19 +19,19 @@ namespace csgsim::waves {
 namespace {
 
 /// The pixels of a Program of one segment, by their places in the array.
-kernel::Foretold foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
-  kernel::Foretold foretold{.pixels = {},
-                            .answers = known.answers,
-                            .skips = known.skips,
-                            .timeline = &known.timeline,
-                            .picture = known.picture};
+systemc::Foretold foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
+  systemc::Foretold foretold{.pixels = {},
+                             .answers = known.answers,
+                             .skips = known.skips,
+                             .timeline = &known.timeline,
+                             .picture = known.picture};
   const isa::Region& region = program.segments.front().region;
   for (const wave::Pixel pixel : request.pixels) foretold.pixels.push_back({pixel.x - region.x, pixel.y - region.y});
   return foretold;
 }
 
 /// Nobody looks at what instructions leave.
-class Nobody final : public kernel::RunListener {};
+class Nobody final : public systemc::RunListener {};
 
 bool can_be_probed(const isa::Program& program, const machines::Machine& machine, const wave::Request& request) {
   const isa::Region whole{0, 0, machine.array.width, machine.array.height};
@@ -43,14 +43,14 @@ bool can_be_probed(const isa::Program& program, const machines::Machine& machine
 
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
                  const wave::Request& request, Fidelity fidelity) {
-  sim::claim_elaboration(machine);
+  cycle::claim_elaboration(machine);
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);  // that it has been stopped
   const bool probes = fidelity == Fidelity::probed && can_be_probed(program, machine, request);
-  const std::unique_ptr<kernel::ClockedMachine> hardware =
+  const std::unique_ptr<systemc::ClockedMachine> hardware =
       probes ? kinds::make_probed_machine(machine, foretold_of(program, known, request))
              : kinds::make_clocked_machine(machine);
-  const sc_core::sc_time period = kernel::period_of(machine);
-  kernel::WaveRecorder recorder("wave", period);
+  const sc_core::sc_time period = systemc::period_of(machine);
+  systemc::WaveRecorder recorder("wave", period);
 
   Recording recording{
       .reached = false, .taps = hardware->taps(program, request), .top = wave::identifier(machine.kind->name)};

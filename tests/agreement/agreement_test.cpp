@@ -25,7 +25,7 @@ Difference compare(const std::string& name, const view::Camera& camera) {
   const bool perspective = camera.projection == view::Projection::perspective;
   const std::vector<double> expected = testing::mesh_depth(mesh, camera.eye, camera.centre, perspective, size);
   const testing::Compiled compiled = testing::compile_file(testing::model_path(name), {camera, {}, 72});
-  const sim::Frame frame = testing::draw(compiled.program);
+  const observe::Frame frame = testing::draw(compiled.program);
   const double limit = testing::diagonal(mesh) / 1000.0;
   Difference difference;
   for (std::size_t i = 0; i < expected.size(); ++i) {

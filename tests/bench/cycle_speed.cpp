@@ -81,7 +81,7 @@ void run(isa::ArrayShape shape, unsigned primitives) {
   machine.name = "bench";
   machine.array = shape;
   machine.clock_hz = 10'000'000;
-  const auto engine = sim::make_cycle_engine(machine);
+  const auto engine = engine::make_cycle_engine(machine);
 
   std::vector<Row> rows;
   const auto add = [&](const char* what, std::function<std::uint64_t()> run) {

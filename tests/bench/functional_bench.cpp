@@ -134,9 +134,9 @@ class ProgramMaker {
 };
 
 /// As the stats do.
-class Counter final : public sim::Observer {
+class Counter final : public engine::Observer {
  public:
-  void after_instruction(const sim::Step& step, const sim::PixelState&) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState&) override {
     clocks_of_[static_cast<std::size_t>(step.instruction.opcode)] += step.clocks;
     enabled += step.enabled_pixels;
   }
@@ -148,13 +148,13 @@ class Counter final : public sim::Observer {
 
 void run_boxes(benchmark::State& state) {
   const isa::Program program = ProgramMaker(state.range(0)).make();
-  const auto engine = sim::make_functional_engine(machine());
+  const auto engine = engine::make_functional_engine(machine());
   std::uint64_t clocks = 0;
   std::uint64_t enabled = 0;
   for (auto unused : state) {
     static_cast<void>(unused);
     Counter counter;
-    const std::vector<sim::Observer*> observers{&counter};
+    const std::vector<engine::Observer*> observers{&counter};
     clocks += engine->run(program, observers).clocks;
     enabled += counter.enabled;
   }

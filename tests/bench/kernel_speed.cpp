@@ -41,7 +41,7 @@ class Idle final : public sc_core::sc_module {
 
 void run(std::size_t modules, std::size_t signals) {
   constexpr std::uint64_t clocks = 1'000'000;
-  kernel::Clock clock("clock", sc_core::sc_time(100, sc_core::SC_NS));
+  systemc::Clock clock("clock", sc_core::sc_time(100, sc_core::SC_NS));
   std::vector<std::unique_ptr<Idle>> idle;
   for (std::size_t i = 0; i < modules; ++i) {
     const std::size_t share = signals / modules + (i < signals % modules ? 1 : 0);

@@ -24,20 +24,20 @@ namespace {
 using namespace csgsim;
 
 /// Wall seconds of the fastest of some runs with the observers that render has.
-double fastest(sim::Engine& engine, const isa::Program& program, int runs, std::uint64_t& clocks) {
+double fastest(engine::Engine& engine, const isa::Program& program, int runs, std::uint64_t& clocks) {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < runs; ++i) {
     const auto begin = std::chrono::steady_clock::now();
-    sim::FrameObserver frame(program);
-    sim::StatsObserver stats(program);
-    const std::array<sim::Observer*, 2> observers{&frame, &stats};
+    observe::FrameObserver frame(program);
+    observe::StatsObserver stats(program);
+    const std::array<engine::Observer*, 2> observers{&frame, &stats};
     clocks = engine.run(program, observers).clocks;
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   return best;
 }
 
-void report(sim::Engine& engine, const isa::Program& program, const machines::Machine& machine, int runs) {
+void report(engine::Engine& engine, const isa::Program& program, const machines::Machine& machine, int runs) {
   std::uint64_t clocks = 0;
   const double wall = fastest(engine, program, runs, clocks);
   const double simulated = static_cast<double>(clocks) / static_cast<double>(machine.clock_hz);
@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
     const std::chrono::duration<double> compile = std::chrono::steady_clock::now() - begin;
     fmt::print("{}: {} instructions, compiled in {:.1f} ms\n", model, program.segments.at(0).instructions.size(),
                compile.count() * 1e3);
-    report(*sim::make_functional_engine(machine), program, machine, 20);
-    report(*sim::make_cycle_engine(machine), program, machine, 3);
+    report(*engine::make_functional_engine(machine), program, machine, 20);
+    report(*engine::make_cycle_engine(machine), program, machine, 3);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     fmt::print("most memory {:.0f} MB\n", static_cast<double>(usage.ru_maxrss) / 1024.0);

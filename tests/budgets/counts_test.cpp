@@ -59,7 +59,7 @@ std::uint64_t listed(const isa::Program& program, std::uint32_t primitive) {
 
 void check(const std::string& name, const std::vector<std::uint64_t>& by_hand) {
   const isa::Program program = isa::load_program(budgets::place(name));
-  const sim::Stats stats = budgets::measure(program).stats;
+  const observe::Stats stats = budgets::measure(program).stats;
   REQUIRE(program.facts.primitives.size() == by_hand.size());
   for (std::uint32_t i = 0; i < by_hand.size(); ++i) {
     CAPTURE(program.facts.primitives[i]);

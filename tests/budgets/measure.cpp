@@ -15,21 +15,21 @@ std::string place(const std::string& name) { return std::string(CSGSIM_SOURCE_DI
 
 Measured measure(const isa::Program& program) {
   const machines::Machine machine = kinds::load("pixel-planes-4");
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
   REQUIRE(result.overflows == 0);
   return {stats.stats(), frame.frame()};
 }
 
-std::uint64_t dearest_primitive(const sim::Stats& stats) {
+std::uint64_t dearest_primitive(const observe::Stats& stats) {
   std::uint64_t most = 0;
-  for (const sim::Cost& cost : stats.by_primitive) most = std::max(most, cost.clocks);
+  for (const observe::Cost& cost : stats.by_primitive) most = std::max(most, cost.clocks);
   return most;
 }
 
-double clocks_an_expression(const sim::Stats& stats) {
+double clocks_an_expression(const observe::Stats& stats) {
   std::uint64_t expressions = 0;
   for (const isa::OpcodeInfo& row : isa::opcode_table) {
     if (isa::has_operand(row.operands, isa::OperandKind::linear))

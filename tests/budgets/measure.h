@@ -16,16 +16,16 @@ std::string place(const std::string& name);
 
 /// A run at the functional level on Pixel-planes 4, which fails the test if a linear expression overflows.
 struct Measured {
-  sim::Stats stats;
-  sim::Frame frame;
+  observe::Stats stats;
+  observe::Frame frame;
 };
 Measured measure(const isa::Program& program);
 
 /// Clocks of the dearest primitive: what the controller spends on its instructions, without the trees' latency.
-std::uint64_t dearest_primitive(const sim::Stats& stats);
+std::uint64_t dearest_primitive(const observe::Stats& stats);
 
 /// Clocks of all instructions over the number of those with a linear expression.
-double clocks_an_expression(const sim::Stats& stats);
+double clocks_an_expression(const observe::Stats& stats);
 
 /// A triangle of the Programs; pixels to the right, down and away from the eye, components 0 to 255.
 struct Corner {

@@ -105,7 +105,7 @@ struct Tally {
   std::uint32_t dark = 0;
 };
 
-void judge_pixel(const sim::Frame& frame, std::uint32_t pixel, bool with_shadows, Tally& tally) {
+void judge_pixel(const observe::Frame& frame, std::uint32_t pixel, bool with_shadows, Tally& tally) {
   const double x = pixel % side + 0.5;
   const double y = std::floor(pixel / side) + 0.5;
   const std::optional<Seen> seen = look(x, y);
@@ -125,7 +125,7 @@ void judge_pixel(const sim::Frame& frame, std::uint32_t pixel, bool with_shadows
 }
 
 Tally judge_triangles(const std::string& name, bool with_shadows) {
-  const sim::Frame frame = budgets::measure(isa::load_program(budgets::place(name))).frame;
+  const observe::Frame frame = budgets::measure(isa::load_program(budgets::place(name))).frame;
   Tally tally;
   for (std::uint32_t pixel = 0; pixel < side * side; ++pixel) judge_pixel(frame, pixel, with_shadows, tally);
   return tally;
@@ -171,7 +171,7 @@ bool shaded_right(const Sphere& sphere, std::uint32_t colour, int x, int y) {
   return true;
 }
 
-bool sphere_pixel_is(const std::vector<Sphere>& drawn, const sim::Frame& frame, std::uint32_t pixel) {
+bool sphere_pixel_is(const std::vector<Sphere>& drawn, const observe::Frame& frame, std::uint32_t pixel) {
   const int x = static_cast<int>(pixel % side);
   const int y = static_cast<int>(pixel / side);
   const Sphere* nearest = nullptr;
@@ -188,7 +188,7 @@ bool sphere_pixel_is(const std::vector<Sphere>& drawn, const sim::Frame& frame, 
 }
 
 std::uint32_t wrong_pixels(const std::string& name, const std::vector<Sphere>& drawn) {
-  const sim::Frame frame = budgets::measure(isa::load_program(budgets::place(name))).frame;
+  const observe::Frame frame = budgets::measure(isa::load_program(budgets::place(name))).frame;
   std::uint32_t wrong = 0;
   for (std::uint32_t pixel = 0; pixel < side * side; ++pixel) {
     if (!sphere_pixel_is(drawn, frame, pixel)) ++wrong;

@@ -26,7 +26,7 @@ struct Drawn {
   isa::Program program;
   machines::Machine machine;
   std::uint64_t clocks;  ///< of the array, with clearing, latency, and waiting for the link
-  sim::Stats stats;
+  observe::Stats stats;
 };
 
 /// As `csgsim render tests/models/NAME.csg --machine MACHINE --view-all` draws it.
@@ -40,9 +40,9 @@ Drawn draw(const std::string& name, const std::string& machine, unsigned z_bits 
   setup.sampling.z_bits = z_bits;
   setup.camera = view::default_camera(box, setup.sampling.width, setup.sampling.height);
   Drawn drawn{testing::compile_file(testing::model_path(name), setup).program, kinds::load(machine), 0, {}};
-  sim::StatsObserver stats(drawn.program);
-  const std::array<sim::Observer*, 1> observers{&stats};
-  const sim::RunResult result = sim::make_functional_engine(drawn.machine)->run(drawn.program, observers);
+  observe::StatsObserver stats(drawn.program);
+  const std::array<engine::Observer*, 1> observers{&stats};
+  const engine::RunResult result = engine::make_functional_engine(drawn.machine)->run(drawn.program, observers);
   REQUIRE(result.overflows == 0);
   drawn.clocks = result.clocks;
   drawn.stats = stats.stats();

@@ -49,7 +49,7 @@ struct Seen {
   view::View view;
 };
 
-sim::Frame draw_with(const Seen& seen, std::string_view name, emit::Strategy strategy) {
+observe::Frame draw_with(const Seen& seen, std::string_view name, emit::Strategy strategy) {
   machines::Machine machine = load_large(name);
   machines::set_picture_size(machine, {seen.view.sampling.width, seen.view.sampling.height});
   emit::Options options;
@@ -71,11 +71,11 @@ bool may_refuse(std::string_view machine, emit::Strategy strategy, const std::st
   return strategy == emit::Strategy::parallel && says("memory bits a pixel");
 }
 
-void compare(const Seen& seen, const sim::Frame& first, std::string_view machine, emit::Strategy strategy) {
+void compare(const Seen& seen, const observe::Frame& first, std::string_view machine, emit::Strategy strategy) {
   CAPTURE(machine);
   CAPTURE(emit::name_of(strategy));
   try {
-    const sim::Frame frame = draw_with(seen, machine, strategy);
+    const observe::Frame frame = draw_with(seen, machine, strategy);
     CHECK(frame.depth == first.depth);
     CHECK(frame.owner == first.owner);
     CHECK(frame.colour == first.colour);
@@ -97,7 +97,7 @@ void compare_all(const std::string& model, const std::string& path) {
     sampling.width = reference.size;
     sampling.height = reference.size;
     const Seen seen{tree, scene, view::make_view(scene, tree, reference.camera, sampling)};
-    const sim::Frame first = draw_with(seen, drawing_machines.front(), emit::Strategy::stack);
+    const observe::Frame first = draw_with(seen, drawing_machines.front(), emit::Strategy::stack);
     const auto is_other = [&](std::uint32_t owner) { return owner != first.owner.front(); };
     REQUIRE(std::any_of(first.owner.begin(), first.owner.end(), is_other));
     for (const std::string_view machine : drawing_machines)

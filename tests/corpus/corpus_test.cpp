@@ -13,7 +13,7 @@ using namespace csgsim;
 
 namespace {
 
-sim::Frame draw_as(const testing::Reference& reference, const std::string& path, isa::DepthScale& scale) {
+observe::Frame draw_as(const testing::Reference& reference, const std::string& path, isa::DepthScale& scale) {
   view::Sampling sampling;
   sampling.width = reference.size;
   sampling.height = reference.size;
@@ -30,7 +30,7 @@ struct Difference {
 
 Difference compare(const testing::Reference& reference, const std::string& path) {
   isa::DepthScale scale{};
-  const sim::Frame frame = draw_as(reference, path, scale);
+  const observe::Frame frame = draw_as(reference, path, scale);
   Difference difference;
   for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
     const std::uint16_t value = reference.pixels[i];

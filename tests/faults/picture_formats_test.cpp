@@ -43,8 +43,8 @@ isa::Program program() {
 }
 
 /// Noise, so that no format makes it short.
-sim::Frame frame() {
-  sim::Frame frame;
+observe::Frame frame() {
+  observe::Frame frame;
   frame.width = program().shape.width;
   frame.height = program().shape.height;
   std::uint32_t value = 1;
@@ -59,7 +59,7 @@ sim::Frame frame() {
 
 void write_picture(const std::string& path) {
   OutputFile file(path);
-  sim::write_picture(file, frame(), program());
+  observe::write_picture(file, frame(), program());
   file.commit();
 }
 

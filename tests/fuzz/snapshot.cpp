@@ -18,7 +18,9 @@
 
 namespace fuzz = csgsim::fuzz;
 namespace isa = csgsim::isa;
-namespace sim = csgsim::sim;
+namespace checkpoint = csgsim::checkpoint;
+namespace engine = csgsim::engine;
+namespace observe = csgsim::observe;
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed);
@@ -66,14 +68,15 @@ const csgsim::machines::Machine& machine() {
 
 /// The file of what stands before the hashes and behind them, with the hashes and the checksum that it has to have.
 std::vector<std::byte> sealed(std::span<const std::uint8_t> front, std::span<const std::uint8_t> body) {
-  static const sim::RunIdentity identity = sim::identity_of(program(), machine());
+  static const checkpoint::RunIdentity identity = checkpoint::identity_of(program(), machine());
   isa::ByteWriter out;
   out.block(front);
-  sim::put_fixed(out, identity.program, 8);
-  sim::put_fixed(out, identity.machine, 8);
+  checkpoint::put_fixed(out, identity.program, 8);
+  checkpoint::put_fixed(out, identity.machine, 8);
   out.block(body);
-  const std::uint32_t sum = sim::snapshot_checksum(out.written());
-  for (std::size_t i = 0; i < sim::snapshot_checksum_size; ++i) out.byte(static_cast<std::uint8_t>(sum >> 8U * i));
+  const std::uint32_t sum = checkpoint::snapshot_checksum(out.written());
+  for (std::size_t i = 0; i < checkpoint::snapshot_checksum_size; ++i)
+    out.byte(static_cast<std::uint8_t>(sum >> 8U * i));
   return out.take();
 }
 
@@ -81,13 +84,13 @@ std::vector<std::byte> sealed(std::span<const std::uint8_t> front, std::span<con
 
 /// Mostly with a checksum that fits, now and then with one that does not.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
-  constexpr std::size_t front = sim::snapshot_magic.size() + 1;
+  constexpr std::size_t front = checkpoint::snapshot_magic.size() + 1;
   constexpr std::size_t head = front + 16;  // with the hashes
   std::minstd_rand random(seed);
-  if (size < head + sim::snapshot_checksum_size || random() % 16 == 0) return LLVMFuzzerMutate(data, size, most);
-  std::vector<std::uint8_t> body(data + head, data + size - sim::snapshot_checksum_size);
+  if (size < head + checkpoint::snapshot_checksum_size || random() % 16 == 0) return LLVMFuzzerMutate(data, size, most);
+  std::vector<std::uint8_t> body(data + head, data + size - checkpoint::snapshot_checksum_size);
   const std::size_t used = body.size();
-  body.resize(std::max(used, most - head - sim::snapshot_checksum_size));
+  body.resize(std::max(used, most - head - checkpoint::snapshot_checksum_size));
   body.resize(LLVMFuzzerMutate(body.data(), used, body.size()));
   const std::vector<std::byte> file = sealed({data, front}, body);
   if (file.size() > most) return size;
@@ -99,14 +102,16 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 /// is read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const sim::Snapshot read = sim::decode(std::as_bytes(std::span(data, size)), "fuzz.csgs", program(), machine());
-    const std::vector<std::byte> written = sim::encode(read);
-    fuzz::require(sim::decode(written, "fuzz.csgs", program(), machine()) == read, "a checkpoint is read as written");
-    const auto engine = sim::make_functional_engine(machine());
+    const checkpoint::Snapshot read =
+        checkpoint::decode(std::as_bytes(std::span(data, size)), "fuzz.csgs", program(), machine());
+    const std::vector<std::byte> written = checkpoint::encode(read);
+    fuzz::require(checkpoint::decode(written, "fuzz.csgs", program(), machine()) == read,
+                  "a checkpoint is read as written");
+    const auto engine = engine::make_functional_engine(machine());
     const auto run = engine->begin(program());
     run->restore(read.run);
     fuzz::require(run->save() == read.run, "a run has the state that it was given");
-    run->advance(sim::Run::end, {});
+    run->advance(engine::Run::end, {});
     fuzz::require(run->finished(), "a run goes on to its end");
     (void)run->result();
   } catch (const csgsim::InputError& error) {

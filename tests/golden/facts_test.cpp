@@ -30,16 +30,16 @@ std::vector<std::string> traces() {
 }
 
 struct Ran {
-  sim::RunResult result;
-  sim::Cost total;
+  engine::RunResult result;
+  observe::Cost total;
   std::vector<std::uint32_t> colours;
 };
 
 Ran run(const isa::Program& program, const machines::Machine& machine) {
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  Ran ran{sim::make_functional_engine(machine)->run(program, observers), {}, {}};
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  Ran ran{engine::make_functional_engine(machine)->run(program, observers), {}, {}};
   ran.total = stats.stats().total;
   ran.colours = frame.frame().colour;
   return ran;

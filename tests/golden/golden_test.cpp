@@ -45,13 +45,13 @@ void check_run(const std::string& name) {
   nlohmann::json golden = nlohmann::json::parse(std::ifstream(trace(name, ".json")));
   machines::Machine machine = kinds::load(golden["machine"]["name"].get<std::string>());
   machines::adopt(machine, program);
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  const auto engine = sim::make_functional_engine(machine);
-  const sim::RunResult result = engine->run(program, observers);
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const auto engine = engine::make_functional_engine(machine);
+  const engine::RunResult result = engine->run(program, observers);
   nlohmann::json actual =
-      nlohmann::json::parse(sim::to_json({program, machine, engine->level(), result, stats.stats(), 0.0}).dump());
+      nlohmann::json::parse(observe::to_json({program, machine, engine->level(), result, stats.stats(), 0.0}).dump());
   actual.erase("wall_seconds");
   golden.erase("wall_seconds");
   INFO("if the change is meant: traces/renew.sh build/release/csgsim");

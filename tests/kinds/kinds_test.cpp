@@ -63,17 +63,17 @@ isa::Program program_for(const machines::Machine& machine) {
 }
 
 struct Drawn {
-  sim::Frame frame;
-  sim::RunResult result;
+  observe::Frame frame;
+  engine::RunResult result;
   nlohmann::json stats;
 };
 
-Drawn draw(sim::Engine& engine, const isa::Program& program, const machines::Machine& machine) {
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  sim::Observer* const observers[] = {&frame, &stats};
-  sim::RunResult result = engine.run(program, observers);
-  const auto json = sim::to_json({program, machine, std::string(engine.level()), result, stats.stats(), 0});
+Drawn draw(engine::Engine& engine, const isa::Program& program, const machines::Machine& machine) {
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  engine::Observer* const observers[] = {&frame, &stats};
+  engine::RunResult result = engine.run(program, observers);
+  const auto json = observe::to_json({program, machine, std::string(engine.level()), result, stats.stats(), 0});
   return {frame.frame(), std::move(result), json};
 }
 
@@ -84,9 +84,9 @@ TEST_CASE("a kind that stands in one room of its own is described, compiled for,
   CHECK(machine.picture == machines::Size{24, 18});
   const isa::Program program = program_for(machine);
   const auto hardware = raster::make_machine(machine);
-  const Drawn counted = draw(*sim::make_clocked_engine(machine, *hardware), program, machine);
-  const Drawn worked_out = draw(*sim::make_functional_engine(machine), program, machine);
-  const sim::Frame whole = testing::draw(program);
+  const Drawn counted = draw(*cycle::make_clocked_engine(machine, *hardware), program, machine);
+  const Drawn worked_out = draw(*engine::make_functional_engine(machine), program, machine);
+  const observe::Frame whole = testing::draw(program);
   CHECK(counted.frame.colour == whole.colour);
   CHECK(counted.frame.depth == whole.depth);
   CHECK(counted.frame.owner == whole.owner);
@@ -106,7 +106,7 @@ TEST_CASE("a figure may be ideal where its row says so, and nowhere else") {
   text.replace(text.find("value = 2\n"), 9, "value = \"ideal\"");
   const machines::Machine machine = described(text);
   CHECK(machines::idealisations(machine) == std::vector<std::string>{"processor.pixel_clocks"});
-  CHECK(sim::make_functional_engine(machine)->run(program_for(machine), {}).clocks == 0);
+  CHECK(engine::make_functional_engine(machine)->run(program_for(machine), {}).clocks == 0);
   CHECK(machines::idealisations(described(description)).empty());
   text = description;
   text.replace(text.find("value = 24"), 10, "value = \"ideal\"");

@@ -44,25 +44,25 @@ class Meaning {
   array::PixelArray pixels_;
 };
 
-class Processor final : public sc_core::sc_module, public kernel::ClockedMachine {
+class Processor final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   Processor(sc_core::sc_module_name name, const machines::Machine& machine)
       : sc_core::sc_module(name),
         pixel_clocks_(machines::own<Figures>(machine).pixel_clocks),
-        clock_("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)),
+        clock_("clock", systemc::period_of(machine), 0.5, systemc::period_of(machine)),
         meaning_(machine.array) {
     SC_HAS_PROCESS(Processor);
     SC_THREAD(work);
   }
 
-  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override {
+  systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override {
     program_ = &program;
     listener_ = &listener;
     clocks_ = 0;
     if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
     start_.notify(sc_core::SC_ZERO_TIME);
     sc_core::sc_start();
-    kernel::RunReport report{.clocks = clocks_, .answers = {}};
+    systemc::RunReport report{.clocks = clocks_, .answers = {}};
     report.account.parts = {{"processor", {{"working", clocks_}}}};
     return report;
   }
@@ -85,9 +85,9 @@ class Processor final : public sc_core::sc_module, public kernel::ClockedMachine
       const array::PlaneShape shape = meaning_.pixels().shape();
       for (std::uint64_t pixel = 0; pixel < std::uint64_t{shape.width} * shape.height; ++pixel) spend();
       meaning_.carry_out(segment.instructions[i]);
-      listener_->after_instruction({number, i, clocks_ - before, enabled, 0}, kernel::ArrayView(meaning_.pixels()));
+      listener_->after_instruction({number, i, clocks_ - before, enabled, 0}, systemc::ArrayView(meaning_.pixels()));
     }
-    listener_->after_segment(number, kernel::ArrayView(meaning_.pixels()));
+    listener_->after_segment(number, systemc::ArrayView(meaning_.pixels()));
   }
 
   void spend() {
@@ -101,14 +101,14 @@ class Processor final : public sc_core::sc_module, public kernel::ClockedMachine
   sc_core::sc_clock clock_;
   Meaning meaning_;
   const isa::Program* program_ = nullptr;
-  kernel::RunListener* listener_ = nullptr;
+  systemc::RunListener* listener_ = nullptr;
   std::uint64_t clocks_ = 0;
   sc_core::sc_event start_{"start"};
 };
 
 }  // namespace
 
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine) {
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
   return std::make_unique<Processor>("processor", machine);
 }
 

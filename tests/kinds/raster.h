@@ -11,6 +11,6 @@ namespace csgsim::raster {
 
 extern const machines::Kind kind;
 
-std::unique_ptr<kernel::ClockedMachine> make_machine(const machines::Machine& machine);
+std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine);
 
 }  // namespace csgsim::raster

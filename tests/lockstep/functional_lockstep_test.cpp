@@ -24,8 +24,8 @@ namespace {
 std::string difference(const Program& program) {
   isa::validate(program);
   const machines::Machine machine = test::machine_of(program.shape, 1);
-  const auto judge = sim::make_reference_engine(machine);
-  const auto engine = sim::make_functional_engine(machine);
+  const auto judge = engine::make_reference_engine(machine);
+  const auto engine = engine::make_functional_engine(machine);
   try {
     test::check_lockstep(*judge, *engine, program, machine);
   } catch (const test::Difference& found) {
@@ -232,7 +232,7 @@ TEST_CASE("stripes of a sum that wraps many times over the picture are cut as th
         {70, 30, 8}, {op(Opcode::enable_all), with(Opcode::stripe, {}, pattern), op(Opcode::enable_store, {0, 1}),
                       op(Opcode::enable_all), with(Opcode::stripe, {}, {.a = 1, .b = 1, .width = width})});
     CHECK(difference(program) == "");
-    CHECK(sim::make_functional_engine(test::machine_of(program.shape, 1))->run(program, {}).overflows == 0);
+    CHECK(engine::make_functional_engine(test::machine_of(program.shape, 1))->run(program, {}).overflows == 0);
   }
 }
 
@@ -262,12 +262,12 @@ TEST_CASE("several threads make the same bits and the same tallies as one") {
     const Program program = *test::arbitrary_program(shape, 30, 2);
     isa::validate(program);
     const machines::Machine machine = test::machine_of(shape, 1);
-    const auto judge = sim::make_reference_engine(machine);
-    test::check_lockstep(*judge, *sim::make_functional_engine(machine, 2), program, machine);
-    const sim::RunResult expected = judge->run(program, {});
+    const auto judge = engine::make_reference_engine(machine);
+    test::check_lockstep(*judge, *engine::make_functional_engine(machine, 2), program, machine);
+    const engine::RunResult expected = judge->run(program, {});
     for (const unsigned threads : {2U, 5U, 64U}) {
-      const auto engine = sim::make_functional_engine(machine, threads);
-      const sim::RunResult result = engine->run(program, {});
+      const auto engine = engine::make_functional_engine(machine, threads);
+      const engine::RunResult result = engine->run(program, {});
       RC_ASSERT(result.overflows == expected.overflows);
       RC_ASSERT(result.answers == expected.answers);
       RC_ASSERT(result.skipped == expected.skipped);
@@ -277,19 +277,19 @@ TEST_CASE("several threads make the same bits and the same tallies as one") {
 }
 
 TEST_CASE("random Programs skip, and have skips that skip nothing") {
-  struct Skips final : sim::Observer {
-    void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+  struct Skips final : engine::Observer {
+    void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
       if (step.instruction.opcode == Opcode::skip_if_none) ++(step.enabled_pixels == 0 ? taken : passed);
     }
     std::uint64_t taken = 0;
     std::uint64_t passed = 0;
   } skips;
-  sim::Observer* const observers[] = {&skips};
+  engine::Observer* const observers[] = {&skips};
   // Enough Programs, however few a check is told to make.
   for (int round = 0; round < 5; ++round) {
     CHECK(rc::check([&] {
       const Program program = *test::arbitrary_program({8, 8, 72}, 40, 2);
-      sim::make_reference_engine(test::machine_of(program.shape, 1))->run(program, observers);
+      engine::make_reference_engine(test::machine_of(program.shape, 1))->run(program, observers);
     }));
   }
   CHECK(skips.taken > 0);
@@ -308,8 +308,8 @@ TEST_CASE("one pixel in any tile keeps all tiles from skipping") {
                            with(Opcode::edge_not_negative, {}, {.b = 1, .c = -row, .width = 6}),
                            with(Opcode::edge_not_negative, {}, {.b = -1, .c = row, .width = 6}), skip, set({0, 8}, 7)});
     for (const unsigned threads : {1U, 2U, 5U}) {
-      const auto engine = sim::make_functional_engine(machine, threads);
-      test::check_lockstep(*sim::make_reference_engine(machine), *engine, program, machine);
+      const auto engine = engine::make_functional_engine(machine, threads);
+      test::check_lockstep(*engine::make_reference_engine(machine), *engine, program, machine);
       CHECK(engine->run(program, {}).skipped == (row == 13 ? 1 : 0));
     }
   }
@@ -322,7 +322,7 @@ TEST_CASE("what is skipped does not overflow") {
   const Program program = program_of({9, 2, 8}, {skip, op(Opcode::enable_all), with(Opcode::edge_negative, {}, narrow),
                                                  op(Opcode::enable_all), with(Opcode::edge_negative, {}, narrow)});
   CHECK(difference(program) == "");
-  CHECK(sim::make_reference_engine(test::machine_of(program.shape, 1))->run(program, {}).overflows == 18);
+  CHECK(engine::make_reference_engine(test::machine_of(program.shape, 1))->run(program, {}).overflows == 18);
 }
 
 TEST_CASE("axis-parallel and slanting edges cut a full array at the exact pixel") {

@@ -29,25 +29,27 @@ struct Told {
 };
 
 /// Keeps what is told of a run, but for states.
-class Recorder final : public sim::Observer {
+class Recorder final : public engine::Observer {
  public:
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
     boundaries.push_back({step.segment, step.index, step.clocks, step.enabled_pixels});
   }
-  void after_segment(std::uint32_t segment, const sim::PixelState& /*state*/) override { segments.push_back(segment); }
+  void after_segment(std::uint32_t segment, const engine::PixelState& /*state*/) override {
+    segments.push_back(segment);
+  }
 
   std::vector<Told> boundaries;
   std::vector<std::uint32_t> segments;
 };
 
-std::string what_differs(const sim::Divergence& difference) {
+std::string what_differs(const lockstep::Divergence& difference) {
   if (!difference.pixel) {
-    const sim::TwoValues& other = difference.otherwise.value();
+    const lockstep::TwoValues& other = difference.otherwise.value();
     return fmt::format("{} {}, not {}", other.name, other.a, other.b);
   }
   std::string text = fmt::format("pixel {},{}:", difference.pixel->x, difference.pixel->y);
-  for (const sim::TwoValues& field : difference.pixel->fields)
+  for (const lockstep::TwoValues& field : difference.pixel->fields)
     text += fmt::format(" {} {:#x}, not {:#x}", field.name, field.a, field.b);
   return text;
 }
@@ -57,7 +59,7 @@ void require(bool holds, const std::string& text) {
 }
 
 /// `level` ran as A.
-void check_states(const std::optional<sim::Divergence>& difference, const isa::Program& program,
+void check_states(const std::optional<lockstep::Divergence>& difference, const isa::Program& program,
                   std::string_view level) {
   if (!difference) return;
   const auto [segment, index] = difference->place;
@@ -83,7 +85,7 @@ std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& pr
   return skips;
 }
 
-void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::Program& program,
+void check_clocks(const engine::RunResult& result, const Recorder& run, const isa::Program& program,
                   const machines::Machine& machine, std::string_view level) {
   for (const Told& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
@@ -106,17 +108,17 @@ void check_clocks(const sim::RunResult& result, const Recorder& run, const isa::
 
 }  // namespace
 
-Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Program& program,
+Results check_lockstep(engine::Engine& judge, engine::Engine& engine, const isa::Program& program,
                        const machines::Machine& machine) {
   Recorder expected;
   Recorder actual;
-  sim::Observer* const expected_observers[] = {&expected};
-  const std::unique_ptr<sim::Run> judged = judge.begin(program);
-  sim::Lockstep lockstep(program, program, *judged, {}, expected_observers);
-  sim::Observer* const actual_observers[] = {&actual, &lockstep};
-  sim::RunResult actual_result = engine.run(program, actual_observers);
+  engine::Observer* const expected_observers[] = {&expected};
+  const std::unique_ptr<engine::Run> judged = judge.begin(program);
+  lockstep::Lockstep lockstep(program, program, *judged, {}, expected_observers);
+  engine::Observer* const actual_observers[] = {&actual, &lockstep};
+  engine::RunResult actual_result = engine.run(program, actual_observers);
   lockstep.finish();
-  sim::RunResult expected_result = judged->result();
+  engine::RunResult expected_result = judged->result();
 
   check_states(lockstep.divergence(), program, engine.level());
   require(expected.boundaries.size() == actual.boundaries.size(),
@@ -132,7 +134,7 @@ Results check_lockstep(sim::Engine& judge, sim::Engine& engine, const isa::Progr
 }
 
 /// Every clock of the frame is accounted for, in every part.
-bool adds_up(const sim::RunResult& result) {
+bool adds_up(const engine::RunResult& result) {
   return std::all_of(result.account.parts.begin(), result.account.parts.end(), [&](const machines::PartAccount& part) {
     std::uint64_t sum = 0;
     for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
@@ -140,7 +142,7 @@ bool adds_up(const sim::RunResult& result) {
   });
 }
 
-std::string show(const sim::RunResult& result) {
+std::string show(const engine::RunResult& result) {
   std::string text = fmt::format("{} clocks", result.clocks);
   for (const machines::Count& count : result.account.counts) text += fmt::format(", {} {}", count.value, count.name);
   for (const machines::PartAccount& part : result.account.parts) {

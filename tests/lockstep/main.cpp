@@ -19,8 +19,8 @@ namespace csgsim::test {
 namespace {
 
 bool agree_on_random_programs(const machines::Machine& machine, std::size_t instructions) {
-  const auto judge = sim::make_reference_engine(machine);
-  const auto engine = sim::CSGSIM_MAKE_ENGINE(machine);
+  const auto judge = engine::make_reference_engine(machine);
+  const auto engine = engine::CSGSIM_MAKE_ENGINE(machine);
   return rc::check(
       fmt::format("{}: reference and {} agree at every instruction boundary", machine.name, engine->level()), [&] {
         const auto program = *arbitrary_program(machine.array, instructions, machine.evaluator_degree);

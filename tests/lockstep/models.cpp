@@ -29,11 +29,11 @@ struct Trace {
   bool operator==(const Trace&) const = default;
 };
 
-class TraceObserver : public sim::Observer {
+class TraceObserver : public engine::Observer {
  public:
   explicit TraceObserver(const isa::Program& program) : program_(program) {}
 
-  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
     const isa::Region region = state.region();
     values_.resize(static_cast<std::size_t>(region.width) * region.height);
     enable_.resize(static_cast<std::size_t>((region.width + 63) / 64) * region.height);
@@ -61,16 +61,16 @@ class TraceObserver : public sim::Observer {
   std::vector<std::uint64_t> enable_;
 };
 
-std::vector<Trace> trace(sim::Engine& engine, const isa::Program& program, sim::RunResult& result) {
+std::vector<Trace> trace(engine::Engine& engine, const isa::Program& program, engine::RunResult& result) {
   TraceObserver observer(program);
-  const std::array<sim::Observer*, 1> observers{&observer};
+  const std::array<engine::Observer*, 1> observers{&observer};
   result = engine.run(program, observers);
   return std::move(observer.traces);
 }
 
-void compare(sim::Engine& judge, sim::Engine& engine, const std::string& model, const isa::Program& program) {
-  sim::RunResult expected;
-  sim::RunResult actual;
+void compare(engine::Engine& judge, engine::Engine& engine, const std::string& model, const isa::Program& program) {
+  engine::RunResult expected;
+  engine::RunResult actual;
   const std::vector<Trace> judged = trace(judge, program, expected);
   const std::vector<Trace> traced = trace(engine, program, actual);
   for (std::size_t i = 0; i < judged.size(); ++i) {
@@ -93,8 +93,8 @@ void run(const std::vector<std::string>& arguments) {
   const machines::Machine machine =
       test::machine_of({setup.sampling.width, setup.sampling.height, setup.memory_bits}, 1);
   const auto judge =
-      arguments.at(2) == "reference" ? sim::make_reference_engine(machine) : sim::make_functional_engine(machine);
-  const auto engine = sim::make_cycle_engine(machine);
+      arguments.at(2) == "reference" ? engine::make_reference_engine(machine) : engine::make_functional_engine(machine);
+  const auto engine = engine::make_cycle_engine(machine);
   for (std::size_t i = 3; i < arguments.size(); ++i) {
     for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
       compare(*judge, *engine, arguments[i], compile_default_view(model_path(arguments[i]), setup, projection).program);

@@ -13,14 +13,14 @@ namespace csgsim::test {
 namespace {
 
 /// The colours that the pixels hold at the end of each segment; the background where none worked.
-class Picture final : public sim::Observer {
+class Picture final : public engine::Observer {
  public:
   explicit Picture(const isa::Program& program)
       : colours(std::size_t{program.shape.width} * program.shape.height), program_(program), colour_(program.colour) {}
 
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
 
-  void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
+  void after_segment(std::uint32_t segment, const engine::PixelState& state) override {
     const isa::Region region = state.region();
     std::vector<std::uint32_t> values(std::size_t{region.width} * region.height, program_.background);
     if (!program_.segments[segment].instructions.empty()) state.read_field(colour_, values);
@@ -42,19 +42,19 @@ class Picture final : public sim::Observer {
 bool agree_in_parts(const std::string& what, const machines::Machine& machine,
                     const std::function<isa::Program()>& any_program,
                     const std::function<void(const isa::Program&, const TimedMachine&)>& check) {
-  const auto reference = sim::make_reference_engine(machine);
-  const auto functional = sim::make_functional_engine(machine);
+  const auto reference = engine::make_reference_engine(machine);
+  const auto functional = engine::make_functional_engine(machine);
   TimedMachine hardware(machine);
-  const auto cycle = sim::make_clocked_engine(machine, hardware);
+  const auto cycle = cycle::make_clocked_engine(machine, hardware);
   return rc::check(what, [&] {
     const isa::Program program = any_program();
     isa::validate(program);
-    const sim::RunResult counted = check_lockstep(*reference, *cycle, program, machine).engine;
+    const engine::RunResult counted = check_lockstep(*reference, *cycle, program, machine).engine;
     check(program, hardware);
     if (*rc::gen::inRange(0, 3) == 0) hardware.check_wave(program, *reference);
     Picture picture(program);
-    sim::Observer* const observers[] = {&picture};
-    const sim::RunResult expected = functional->run(program, observers);
+    engine::Observer* const observers[] = {&picture};
+    const engine::RunResult expected = functional->run(program, observers);
     if (counted.clocks != expected.clocks || counted.account != expected.account) {
       RC_FAIL("counted " + show(counted) + "\nworked out " + show(expected));
     }

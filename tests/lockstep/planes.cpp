@@ -68,15 +68,15 @@ isa::ArrayShape drawn_in(const machines::Machine& machine, std::uint32_t colour_
 }
 
 /// What a run skips, and the picture that it draws if its last segment fills the array.
-class Drawing final : public sim::Observer {
+class Drawing final : public engine::Observer {
  public:
   explicit Drawing(isa::Field colour) : colour_(colour) {}
 
-  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
     if (step.instruction.opcode == isa::Opcode::skip_if_none && step.enabled_pixels == 0)
       skips.push_back({step.segment, step.index});
   }
-  void after_segment(std::uint32_t /*segment*/, const sim::PixelState& state) override {
+  void after_segment(std::uint32_t /*segment*/, const engine::PixelState& state) override {
     picture.resize(std::size_t{state.region().width} * state.region().height);
     if (colour_.width > 0) state.read_field(colour_, picture);
   }
@@ -107,21 +107,21 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
 
 bool agree_in_sequences(const Settings& settings) {
   const machines::Machine& machine = settings.machine;
-  const auto reference = sim::make_reference_engine(machine);
+  const auto reference = engine::make_reference_engine(machine);
   return rc::check("frames that follow each other are drawn and shown when it is worked out", [&] {
     const std::vector<isa::Program> programs = arbitrary_frames(machine, settings.instructions);
     std::vector<Drawing> drawings;
     std::vector<pixel_planes::DrawnFrame> frames;
-    std::vector<sim::Observer*> nobody;
+    std::vector<engine::Observer*> nobody;
     drawings.reserve(programs.size());
-    sim::Observer unmoved;
+    engine::Observer unmoved;
     for (const isa::Program& program : programs) {
-      sim::Observer* const drawing = &drawings.emplace_back(program.colour);
+      engine::Observer* const drawing = &drawings.emplace_back(program.colour);
       reference->run(program, {&drawing, 1});
       frames.push_back({&program, drawings.back().skips});
       nobody.push_back(&unmoved);
     }
-    const auto counted = sim::run_sequence(machine, programs, nobody);
+    const auto counted = cycle::run_sequence(machine, programs, nobody);
     const auto expected = pixel_planes::time_sequence(frames, machine);
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (counted[i].clocks != expected[i].clocks || counted[i].account != expected[i].account)
@@ -136,14 +136,14 @@ bool agree_in_sequences(const Settings& settings) {
 
 bool agree(const Settings& settings) {
   const machines::Machine& machine = settings.machine;
-  const auto reference = sim::make_reference_engine(machine);
+  const auto reference = engine::make_reference_engine(machine);
   TimedMachine hardware(machine);
-  const auto cycle = sim::make_clocked_engine(machine, hardware);
+  const auto cycle = cycle::make_clocked_engine(machine, hardware);
   return rc::check("the clocked frame-buffer machine leaves the bits, clocks, account and timeline worked out", [&] {
     const isa::Program program =
         *arbitrary_program(drawn_in(machine, isa::max_field_width), settings.instructions, machine.evaluator_degree);
-    const sim::RunResult expected = reference->run(program, {});
-    const sim::RunResult counted = cycle->run(program, {});
+    const engine::RunResult expected = reference->run(program, {});
+    const engine::RunResult counted = cycle->run(program, {});
     if (counted.clocks != expected.clocks || counted.account != expected.account) {
       RC_FAIL("counted " + show(counted) + "\nworked out " + show(expected));
     }

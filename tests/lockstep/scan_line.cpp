@@ -49,18 +49,18 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
 
 /// What the engine's own pictures show.
 struct Pictures {
-  sim::Frame frame;
+  observe::Frame frame;
   std::vector<std::uint32_t> scanned_out;
 };
 
-Pictures draw(sim::Engine& engine, const isa::Program& program) {
-  sim::FrameObserver frame(program);
-  sim::Observer* const observers[] = {&frame};
-  sim::RunResult result = engine.run(program, observers);
+Pictures draw(engine::Engine& engine, const isa::Program& program) {
+  observe::FrameObserver frame(program);
+  engine::Observer* const observers[] = {&frame};
+  engine::RunResult result = engine.run(program, observers);
   return {frame.frame(), std::move(result.scanned_out)};
 }
 
-void check_pictures(sim::Engine& judge, sim::Engine& engine, const isa::Program& program) {
+void check_pictures(engine::Engine& judge, engine::Engine& engine, const isa::Program& program) {
   const Pictures expected = draw(judge, program);
   const Pictures actual = draw(engine, program);
   RC_ASSERT(actual.frame.colour == expected.frame.colour);
@@ -73,10 +73,10 @@ void check_pictures(sim::Engine& judge, sim::Engine& engine, const isa::Program&
 int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
   ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[16]).c_str(), 0);
-  const auto judge = sim::make_reference_engine(machine);
-  const auto drawing = sim::make_functional_engine(machine);
+  const auto judge = engine::make_reference_engine(machine);
+  const auto drawing = engine::make_functional_engine(machine);
   TimedMachine hardware(machine);
-  const auto engine = sim::make_clocked_engine(machine, hardware);
+  const auto engine = cycle::make_clocked_engine(machine, hardware);
   const bool agree = rc::check("the clocked scan-line array agrees with the reference", [&] {
     const auto program = *arbitrary_program_in_parts(machine, figures[17], machine.evaluator_degree);
     check_lockstep(*judge, *engine, program, machine);

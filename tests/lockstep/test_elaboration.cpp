@@ -47,7 +47,7 @@ isa::Program program_of(const std::string& scene) {
 TEST_CASE("a Program without effects and one with some run on the same modules, none of them for an effect") {
   machines::Machine machine = kinds::load("pixel-planes-4");
   machines::set_picture_size(machine, {32, 24});
-  const auto engine = sim::make_cycle_engine(machine);
+  const auto engine = engine::make_cycle_engine(machine);
   engine->run(program_of(""), {});
   const std::vector<std::string> before = modules();
   MESSAGE(before.size(), " modules");

@@ -42,7 +42,7 @@ std::vector<std::uint8_t> bytes_of(const division::DisplayModel& model) {
 
 TEST_CASE("the picture is that of the display model: a facet of another colour there is one in the picture") {
   const machines::Machine machine = machine_32x32();
-  const auto engine = sim::make_cycle_engine(machine);
+  const auto engine = engine::make_cycle_engine(machine);
   isa::Program program = program_for(machine);
   const std::vector<std::uint32_t> before = engine->run(program, {}).scanned_out;
   division::DisplayModel model = division::display_model_of(program.display_model);
@@ -67,7 +67,7 @@ TEST_CASE("the picture is that of the display model: a facet of another colour t
 
 TEST_CASE("a display model with a bit of another value is refused, or makes the same picture") {
   const machines::Machine machine = machine_32x32();
-  const auto engine = sim::make_cycle_engine(machine);
+  const auto engine = engine::make_cycle_engine(machine);
   const isa::Program program = program_for(machine);
   std::size_t refused = 0;
   std::size_t tried = 0;
@@ -88,18 +88,18 @@ TEST_CASE("a display model with a bit of another value is refused, or makes the 
 
 TEST_CASE("the machine counts its own tests: what a Program says of them changes nothing") {
   const machines::Machine machine = machine_32x32();
-  const auto engine = sim::make_cycle_engine(machine);
+  const auto engine = engine::make_cycle_engine(machine);
   isa::Program program = program_for(machine);
-  const sim::RunResult before = engine->run(program, {});
-  CHECK(before.clocks == sim::make_functional_engine(machine)->run(program, {}).clocks);
+  const engine::RunResult before = engine->run(program, {});
+  CHECK(before.clocks == engine::make_functional_engine(machine)->run(program, {}).clocks);
   for (isa::Segment& segment : program.segments) {
     segment.division.halfspaces += 3;
     segment.division.nodes += 2;
     segment.division.group_boxes += 1;
   }
   program.facts.model = {};
-  const sim::RunResult after = engine->run(program, {});
+  const engine::RunResult after = engine->run(program, {});
   CHECK(after.clocks == before.clocks);
   CHECK(after.account == before.account);
-  CHECK(sim::make_functional_engine(machine)->run(program, {}).clocks > before.clocks);
+  CHECK(engine::make_functional_engine(machine)->run(program, {}).clocks > before.clocks);
 }

@@ -25,10 +25,10 @@ using csgsim::isa::Instruction;
 using csgsim::isa::Opcode;
 using csgsim::isa::Program;
 using csgsim::isa::Segment;
-using csgsim::kernel::PixelView;
-using csgsim::kernel::Retired;
-using csgsim::kernel::RunListener;
 using csgsim::pixel_planes::PixelPlanes;
+using csgsim::systemc::PixelView;
+using csgsim::systemc::Retired;
+using csgsim::systemc::RunListener;
 
 constexpr csgsim::isa::ArrayShape shape_8x8{8, 8, 32};
 constexpr unsigned latency_8x8 = 6;
@@ -340,17 +340,17 @@ TEST_CASE("a SystemC warning is an exception") {
 }
 
 TEST_CASE("a second array in one process is refused, the same array is not") {
-  const auto first = csgsim::sim::make_cycle_engine(machine_8x8());
+  const auto first = csgsim::engine::make_cycle_engine(machine_8x8());
   CHECK(first->level() == "cycle");
-  CHECK_NOTHROW(csgsim::sim::make_cycle_engine(machine_8x8()));
-  CHECK_THROWS_AS(csgsim::sim::make_cycle_engine(csgsim::test::machine_of({16, 8, 32}, 1)), std::logic_error);
+  CHECK_NOTHROW(csgsim::engine::make_cycle_engine(machine_8x8()));
+  CHECK_THROWS_AS(csgsim::engine::make_cycle_engine(csgsim::test::machine_of({16, 8, 32}, 1)), std::logic_error);
 }
 
 TEST_CASE("the engine scans out the colour field after the program") {
   csgsim::isa::Program program;
   program.shape = shape_8x8;
   program.segments = {segment_of({{.opcode = Opcode::enable_all}})};
-  const auto engine = csgsim::sim::make_cycle_engine(machine_8x8());
+  const auto engine = csgsim::engine::make_cycle_engine(machine_8x8());
   CHECK(engine->run(program, {}).shown_clocks == lead + 1 + latency_8x8);
   program.colour = {8, 24};
   const auto result = engine->run(program, {});
@@ -379,7 +379,7 @@ class Dump {
 
  private:
   const PixelPlanes& machine_;
-  csgsim::kernel::WaveRecorder recorder_;
+  csgsim::systemc::WaveRecorder recorder_;
 };
 
 TEST_CASE("a window of a run is recorded, and what lies outside it is not") {
@@ -422,7 +422,7 @@ TEST_CASE("between two windows nothing is known") {
 
 TEST_CASE("a wave is sampled in the middle of each clock") {
   const sc_core::sc_time period(100, sc_core::SC_NS);
-  csgsim::kernel::WaveRecorder recorder("recorder", period);
+  csgsim::systemc::WaveRecorder recorder("recorder", period);
   std::vector<sc_core::sc_time> sampled;
   const auto tap = csgsim::wave::bit("one", [&sampled] {
     sampled.push_back(sc_core::sc_time_stamp());

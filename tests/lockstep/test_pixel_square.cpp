@@ -60,18 +60,18 @@ isa::Program slow_square_first() {
 }
 
 /// The order of what it is told, and the values of the field where it looks.
-class Watch : public sim::Observer {
+class Watch : public engine::Observer {
  public:
   explicit Watch(bool reads) : reads_(reads) {}
 
   [[nodiscard]] bool reads_after(const Instruction& /*instruction*/) const override { return reads_; }
 
-  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
     steps.emplace_back(step.segment, step.index);
     if (reads_) values.push_back(value_of(state));
   }
 
-  void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
+  void after_segment(std::uint32_t segment, const engine::PixelState& state) override {
     ends.push_back(segment);
     last_values.push_back(value_of(state));
   }
@@ -82,7 +82,7 @@ class Watch : public sim::Observer {
   std::vector<std::uint32_t> last_values;
 
  private:
-  static std::uint32_t value_of(const sim::PixelState& state) {
+  static std::uint32_t value_of(const engine::PixelState& state) {
     std::vector<std::uint32_t> field(std::size_t{state.region().width} * state.region().height);
     state.read_field(counter, field);
     return field.back();
@@ -91,9 +91,9 @@ class Watch : public sim::Observer {
   bool reads_;
 };
 
-class Thrower final : public sim::Observer {
+class Thrower final : public engine::Observer {
  public:
-  void after_segment(std::uint32_t segment, const sim::PixelState& /*state*/) override {
+  void after_segment(std::uint32_t segment, const engine::PixelState& /*state*/) override {
     if (segment == 1) throw std::runtime_error("enough");
   }
 };
@@ -110,11 +110,11 @@ TEST_CASE("an observer sees squares in the order of the Program, though the othe
       values.push_back(i);
     }
   }
-  const auto engine = sim::make_cycle_engine(machine_8x8());
+  const auto engine = engine::make_cycle_engine(machine_8x8());
   for (const bool reads : {true, false}) {
     Watch watch(reads);
-    sim::Observer* const observers[] = {&watch};
-    const sim::RunResult result = engine->run(program, observers);
+    engine::Observer* const observers[] = {&watch};
+    const engine::RunResult result = engine->run(program, observers);
     CHECK(watch.steps == steps);
     CHECK(watch.ends == std::vector<std::uint32_t>{0, 1, 2, 3});
     CHECK(watch.last_values == std::vector<std::uint32_t>{40, 2, 0, 2});
@@ -125,7 +125,7 @@ TEST_CASE("an observer sees squares in the order of the Program, though the othe
 }
 
 TEST_CASE("the frame buffer shows each square where it belongs, and the background where nothing touched it") {
-  const sim::RunResult result = sim::make_cycle_engine(machine_8x8())->run(slow_square_first(), {});
+  const engine::RunResult result = engine::make_cycle_engine(machine_8x8())->run(slow_square_first(), {});
   REQUIRE(result.scanned_out.size() == 64);
   for (std::size_t i = 0; i < 64; ++i) {
     const std::uint32_t expected[] = {40, 2, 7, 2};
@@ -134,23 +134,23 @@ TEST_CASE("the frame buffer shows each square where it belongs, and the backgrou
 }
 
 TEST_CASE("a second frame takes the clocks of the first") {
-  const auto engine = sim::make_cycle_engine(machine_8x8());
-  const sim::RunResult first = engine->run(slow_square_first(), {});
-  const sim::RunResult second = engine->run(slow_square_first(), {});
+  const auto engine = engine::make_cycle_engine(machine_8x8());
+  const engine::RunResult first = engine->run(slow_square_first(), {});
+  const engine::RunResult second = engine->run(slow_square_first(), {});
   CHECK(first.clocks == second.clocks);
   CHECK(first.account == second.account);
 }
 
 TEST_CASE("what an observer throws comes out, and the machine draws the next frame") {
-  const auto engine = sim::make_cycle_engine(machine_8x8());
+  const auto engine = engine::make_cycle_engine(machine_8x8());
   Thrower thrower;
-  sim::Observer* const observers[] = {&thrower};
+  engine::Observer* const observers[] = {&thrower};
   CHECK_THROWS_WITH_AS(engine->run(slow_square_first(), observers), "enough", std::runtime_error);
   CHECK(engine->run(slow_square_first(), {}).scanned_out.back() == 2);
 }
 
 TEST_CASE("a Program that leaves squares of the picture out is refused") {
-  const auto engine = sim::make_cycle_engine(machine_8x8());
+  const auto engine = engine::make_cycle_engine(machine_8x8());
   isa::Program program = slow_square_first();
   program.segments.pop_back();
   CHECK_THROWS_AS(engine->run(program, {}), InputError);
@@ -160,23 +160,23 @@ TEST_CASE("both levels refuse a question before they run") {
   isa::Program program = slow_square_first();
   program.segments[3].instructions.push_back({.opcode = Opcode::global_or});
   Watch watch(true);
-  sim::Observer* const observers[] = {&watch};
-  CHECK_THROWS_AS(sim::make_cycle_engine(machine_8x8())->run(program, observers), InputError);
-  CHECK_THROWS_AS(sim::make_functional_engine(machine_8x8())->run(program, observers), InputError);
+  engine::Observer* const observers[] = {&watch};
+  CHECK_THROWS_AS(engine::make_cycle_engine(machine_8x8())->run(program, observers), InputError);
+  CHECK_THROWS_AS(engine::make_functional_engine(machine_8x8())->run(program, observers), InputError);
   CHECK(watch.steps.empty());
 }
 
 TEST_CASE("a Program that needs more than the machine has is refused") {
   isa::Program program = slow_square_first();
   program.shape.memory_bits = 17;
-  CHECK_THROWS_AS(sim::make_cycle_engine(machine_8x8())->run(program, {}), InputError);
+  CHECK_THROWS_AS(engine::make_cycle_engine(machine_8x8())->run(program, {}), InputError);
 }
 
 TEST_CASE("one process clocks one machine, of one kind") {
-  const auto first = sim::make_cycle_engine(machine_8x8());
-  CHECK_NOTHROW(sim::make_cycle_engine(machine_8x8()));
+  const auto first = engine::make_cycle_engine(machine_8x8());
+  CHECK_NOTHROW(engine::make_cycle_engine(machine_8x8()));
   machines::Machine other = machine_8x8();
   other.link.fifo_depth = 5;
-  CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
-  CHECK_THROWS_AS(sim::make_cycle_engine(machines::blank(pixel_planes::kind)), std::logic_error);
+  CHECK_THROWS_AS(engine::make_cycle_engine(other), std::logic_error);
+  CHECK_THROWS_AS(engine::make_cycle_engine(machines::blank(pixel_planes::kind)), std::logic_error);
 }

@@ -63,7 +63,7 @@ std::vector<Instruction> ramp() {
 TEST_CASE(
     "a frame of one line takes the link, the entry of its packets and mark, and the way through the cells and back") {
   const machines::Machine machine = machine_of(6, {4, 1});
-  const sim::RunResult result = sim::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
+  const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 2 + 1 + 4 + 4);
   CHECK(result.latency_clocks == 0);
   CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10});
@@ -94,7 +94,7 @@ TEST_CASE(
 
 TEST_CASE("lines with few packets follow one another as the refresh path takes them") {
   const machines::Machine machine = machine_of(16, {16, 3});
-  const sim::RunResult result = sim::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
+  const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.clocks == first_entry + 3 + 16 + 16 + 2 * 16);
   // A line is its beginning, two packets and the mark.
   CHECK(result.account.count("refresh_clocks") == 2 * (16 - 4));
@@ -104,40 +104,42 @@ TEST_CASE("a line without instructions shows the background and takes its mark a
   const machines::Machine machine = machine_of(4, {4, 3});
   isa::Program program = program_of(machine, ramp());
   program.segments[1].instructions.clear();
-  const sim::RunResult result = sim::make_cycle_engine(machine)->run(program, {});
+  const engine::RunResult result = engine::make_cycle_engine(machine)->run(program, {});
   CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 77, 77, 77, 77, 1, 4, 7, 10});
   CHECK(result.clocks == first_entry + 3 + 4 + 4 + 2 * 4);
 }
 
 TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {
-  struct Thrower final : sim::Observer {
-    void after_instruction(const sim::Step&, const sim::PixelState&) override { throw std::runtime_error("enough"); }
+  struct Thrower final : engine::Observer {
+    void after_instruction(const engine::Step&, const engine::PixelState&) override {
+      throw std::runtime_error("enough");
+    }
   } thrower;
   const machines::Machine machine = machine_of(4, {4, 3}, 2);
   const isa::Program program = program_of(machine, ramp());
-  const auto engine = sim::make_cycle_engine(machine);
-  sim::Observer* const observers[] = {&thrower};
+  const auto engine = engine::make_cycle_engine(machine);
+  engine::Observer* const observers[] = {&thrower};
   CHECK_THROWS_WITH_AS(engine->run(program, observers), "enough", std::runtime_error);
   CHECK(engine->run(program, {}).scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10, 1, 4, 7, 10});
 }
 
 TEST_CASE("an observer that reads a state it did not ask for is told so") {
-  struct Curious final : sim::Observer {
+  struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const Instruction&) const override { return false; }
-    void after_instruction(const sim::Step&, const sim::PixelState& state) override {
+    void after_instruction(const engine::Step&, const engine::PixelState& state) override {
       std::vector<std::uint64_t> words(1);
       state.read_enable(words);
     }
   } curious;
   const machines::Machine machine = machine_of(4, {4, 1});
-  sim::Observer* const observers[] = {&curious};
-  CHECK_THROWS_AS(sim::make_cycle_engine(machine)->run(program_of(machine, ramp()), observers), std::logic_error);
+  engine::Observer* const observers[] = {&curious};
+  CHECK_THROWS_AS(engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), observers), std::logic_error);
 }
 
 TEST_CASE("a question to the host, other segments than the lines and too much memory are refused at every level") {
   const machines::Machine machine = machine_of(4, {4, 2});
-  for (const auto& engine :
-       {sim::make_functional_engine(machine), sim::make_cycle_engine(machine), sim::make_reference_engine(machine)}) {
+  for (const auto& engine : {engine::make_functional_engine(machine), engine::make_cycle_engine(machine),
+                             engine::make_reference_engine(machine)}) {
     CAPTURE(engine->level());
     CHECK_THROWS_WITH_AS(engine->run(program_of(machine, {{.opcode = Opcode::global_or}}), {}),
                          "segment 0, instruction 0: global_or needs a global OR, which the machine test does not have; "
@@ -156,9 +158,9 @@ TEST_CASE("a question to the host, other segments than the lines and too much me
 }
 
 TEST_CASE("a SystemC machine of another kind in one process is refused") {
-  const auto first = sim::make_cycle_engine(machine_of(4, {4, 2}));
-  CHECK_NOTHROW(sim::make_cycle_engine(machine_of(4, {3, 9})));
-  CHECK_THROWS_AS(sim::make_cycle_engine(machine_of(4, {4, 2}, 2)), std::logic_error);
+  const auto first = engine::make_cycle_engine(machine_of(4, {4, 2}));
+  CHECK_NOTHROW(engine::make_cycle_engine(machine_of(4, {3, 9})));
+  CHECK_THROWS_AS(engine::make_cycle_engine(machine_of(4, {4, 2}, 2)), std::logic_error);
   const machines::Machine other = machines::blank(pixel_planes::kind);
-  CHECK_THROWS_AS(sim::make_cycle_engine(other), std::logic_error);
+  CHECK_THROWS_AS(engine::make_cycle_engine(other), std::logic_error);
 }

@@ -15,45 +15,45 @@
 namespace csgsim::test {
 
 /// Passes on what it is told.
-class TimedMachine::Listener final : public kernel::RunListener {
+class TimedMachine::Listener final : public systemc::RunListener {
  public:
-  Listener(TimedMachine& machine, kernel::RunListener& next) : machine_(machine), next_(next) {}
+  Listener(TimedMachine& machine, systemc::RunListener& next) : machine_(machine), next_(next) {}
 
-  [[nodiscard]] kernel::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override {
+  [[nodiscard]] systemc::Keep keeps_after(std::uint32_t segment, std::uint32_t index) override {
     return next_.keeps_after(segment, index);
   }
-  void after_instruction(const kernel::Retired& retired, const kernel::PixelView& pixels) override {
+  void after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) override {
     machine_.told_.push_back({retired.segment, retired.index, machine_.edges()});
     if (retired.skipped > 0) machine_.skips_.push_back({retired.segment, retired.index});
     next_.after_instruction(retired, pixels);
   }
-  void after_segment(std::uint32_t segment, const kernel::PixelView& pixels) override {
+  void after_segment(std::uint32_t segment, const systemc::PixelView& pixels) override {
     next_.after_segment(segment, pixels);
   }
 
  private:
   TimedMachine& machine_;
-  kernel::RunListener& next_;
+  systemc::RunListener& next_;
 };
 
 TimedMachine::TimedMachine(const machines::Machine& machine)
-    : machine_(machine), hardware_(sim::clocked_hardware(machine)), recorder_("wave", kernel::period_of(machine)) {}
+    : machine_(machine), hardware_(cycle::clocked_hardware(machine)), recorder_("wave", systemc::period_of(machine)) {}
 
 std::uint64_t TimedMachine::edges() const {
-  return sc_core::sc_time_stamp().value() / kernel::period_of(machine_).value();
+  return sc_core::sc_time_stamp().value() / systemc::period_of(machine_).value();
 }
 
-kernel::RunReport TimedMachine::run(const isa::Program& program, kernel::RunListener& listener) {
+systemc::RunReport TimedMachine::run(const isa::Program& program, systemc::RunListener& listener) {
   told_.clear();
   skips_.clear();
   Listener timed(*this, listener);
   const std::uint64_t before = edges();
-  kernel::RunReport report = hardware_.run(program, timed);
+  systemc::RunReport report = hardware_.run(program, timed);
   for (Told& told : told_) told.edge -= before;
   return report;
 }
 
-void TimedMachine::check_wave(const isa::Program& program, sim::Engine& judge) {
+void TimedMachine::check_wave(const isa::Program& program, engine::Engine& judge) {
   constexpr std::uint64_t period = 1000;
   const bool has_instructions =
       std::ranges::any_of(program.segments, [](const isa::Segment& segment) { return !segment.instructions.empty(); });
@@ -63,7 +63,7 @@ void TimedMachine::check_wave(const isa::Program& program, sim::Engine& judge) {
   const wave::Request request = wave.request([&dump](std::string_view text) { dump += text; });
   recorder_.arm(wave::VcdWriter("machine", hardware_.taps(wave.program(), request), period, request.write),
                 request.windows, 0, false);
-  kernel::RunListener nobody;
+  systemc::RunListener nobody;
   hardware_.run(wave.program(), nobody);
   if (recorder_.finish()) wave.check(Vcd(dump), "machine", period);
 }

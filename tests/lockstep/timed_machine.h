@@ -12,11 +12,11 @@
 namespace csgsim::test {
 
 /// The clocked machine of the process, and when it told of what its pixels had carried out.
-class TimedMachine final : public kernel::ClockedMachine {
+class TimedMachine final : public systemc::ClockedMachine {
  public:
   explicit TimedMachine(const machines::Machine& machine);
 
-  kernel::RunReport run(const isa::Program& program, kernel::RunListener& listener) override;
+  systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
   /// An instruction, told of so many clock edges after the run was asked for.
   struct Told {
@@ -34,7 +34,7 @@ class TimedMachine final : public kernel::ClockedMachine {
   void check_timeline(const isa::Program& program) const;
 
   /// Draws the Program again, and throws Difference unless the wave of a pixel shows what the judge has there.
-  void check_wave(const isa::Program& program, sim::Engine& judge);
+  void check_wave(const isa::Program& program, engine::Engine& judge);
 
  private:
   class Listener;
@@ -42,8 +42,8 @@ class TimedMachine final : public kernel::ClockedMachine {
   [[nodiscard]] std::uint64_t edges() const;
 
   const machines::Machine& machine_;
-  kernel::ClockedMachine& hardware_;
-  kernel::WaveRecorder recorder_;
+  systemc::ClockedMachine& hardware_;
+  systemc::WaveRecorder recorder_;
   std::vector<Told> told_;
   std::vector<machines::Skip> skips_;
 };

@@ -57,11 +57,11 @@ std::uint32_t any_segment_with_instructions(const isa::Program& program) {
 }  // namespace
 
 /// Keeps the pixel's states.
-class WaveCheck::Watch final : public sim::Observer {
+class WaveCheck::Watch final : public engine::Observer {
  public:
   explicit Watch(WaveCheck& check) : check_(check) {}
 
-  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
     if (step.segment != check_.segment_) return;
     const isa::Region region = state.region();
     const std::uint32_t x = check_.pixel_.x - region.x;
@@ -83,7 +83,7 @@ class WaveCheck::Watch final : public sim::Observer {
   WaveCheck& check_;
 };
 
-WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machine, sim::Engine& judge)
+WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machine, engine::Engine& judge)
     : program_(program), segment_(any_segment_with_instructions(program)) {
   const isa::Region& region = program.segments[segment_].region;
   pixel_ = {region.x + *rc::gen::inRange(0U, std::uint32_t{region.width}),
@@ -96,7 +96,7 @@ WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machi
   }
   states_.push_back(std::move(zero));
   Watch watch(*this);
-  sim::Observer* const observers[] = {&watch};
+  engine::Observer* const observers[] = {&watch};
   judge.run(program, observers);
   spans_ = machines::at_pixel(machines::timeline(program, machine), program, machine, segment_, pixel_.x, pixel_.y);
   const std::uint64_t earliest = spans_.front().begin - std::min(spans_.front().begin, before_and_after);

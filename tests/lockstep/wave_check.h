@@ -23,7 +23,7 @@ namespace csgsim::test {
 class WaveCheck {
  public:
   /// Any pixel of any segment that has instructions, and any window of clocks about them. There has to be one.
-  WaveCheck(const isa::Program& program, const machines::Machine& machine, sim::Engine& judge);
+  WaveCheck(const isa::Program& program, const machines::Machine& machine, engine::Engine& judge);
 
   /// With fields that show all of the memory.
   [[nodiscard]] const isa::Program& program() const { return program_; }

@@ -26,7 +26,7 @@ constexpr std::uint32_t engines_height = 20;
 constexpr glm::dvec3 oblique{0.61, -0.74, 0.52};
 constexpr glm::dvec3 along_axis{0, -1, 0};
 
-bool same(const sim::Frame& a, const sim::Frame& b) {
+bool same(const observe::Frame& a, const observe::Frame& b) {
   return a.depth == b.depth && a.owner == b.owner && a.colour == b.colour;
 }
 
@@ -45,9 +45,9 @@ machines::Machine engines_machine() {
   return machine;
 }
 
-sim::Frame run(sim::Engine& engine, const isa::Program& program) {
-  sim::FrameObserver frame(program);
-  const std::array<sim::Observer*, 1> observers{&frame};
+observe::Frame run(engine::Engine& engine, const isa::Program& program) {
+  observe::FrameObserver frame(program);
+  const std::array<engine::Observer*, 1> observers{&frame};
   REQUIRE(engine.run(program, observers).overflows == 0);
   return frame.frame();
 }
@@ -57,14 +57,14 @@ void compare_engines(const std::string& csg, const view::Camera& camera, CurvedL
   how.height = engines_height;
   const isa::Program program = compile_text(csg, curved_setup(camera, how)).program;
   machines::Machine machine = engines_machine();
-  const auto cycle = sim::make_cycle_engine(machine);
+  const auto cycle = engine::make_cycle_engine(machine);
   machine.array = program.shape;
-  const sim::Frame frame = run(*sim::make_functional_engine(machine), program);
-  CHECK(same(frame, run(*sim::make_reference_engine(machine), program)));
+  const observe::Frame frame = run(*engine::make_functional_engine(machine), program);
+  CHECK(same(frame, run(*engine::make_reference_engine(machine), program)));
   CHECK(same(frame, run(*cycle, program)));
 }
 
-judges::Errors errors_of(const Compiled& compiled, const sim::Frame& frame) {
+judges::Errors errors_of(const Compiled& compiled, const observe::Frame& frame) {
   const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.view.camera, compiled.program);
   const judges::Truth truth =
       judges::exact_truth(compiled.tree, compiled.scene, compiled.view.camera, compiled.program.shape.width,
@@ -72,7 +72,7 @@ judges::Errors errors_of(const Compiled& compiled, const sim::Frame& frame) {
   return judges::judge(truth, frame, compiled.program, explainer);
 }
 
-std::uint64_t pixels_against_rules(const Compiled& compiled, const sim::Frame& frame) {
+std::uint64_t pixels_against_rules(const Compiled& compiled, const observe::Frame& frame) {
   const std::vector<Seen> rules = draw_by_rules(compiled.tree, compiled.scene, compiled.view);
   std::uint64_t different = 0;
   for (std::size_t i = 0; i < rules.size(); ++i) {
@@ -82,14 +82,15 @@ std::uint64_t pixels_against_rules(const Compiled& compiled, const sim::Frame& f
 }
 
 /// The picture on other machines and by other ways.
-void check_variants(const Compiled& compiled, const Setup& how, const CurvedLook& look, const sim::Frame& expected) {
+void check_variants(const Compiled& compiled, const Setup& how, const CurvedLook& look,
+                    const observe::Frame& expected) {
   const auto check = [&](const Setup& other) {
     CAPTURE(emit::name_of(other.options.strategy));
     CAPTURE(other.options.stack_bits);
     CAPTURE(emit::name_of(other.options.colouring));
     CAPTURE(other.kind->name);
     CAPTURE(other.machine);
-    const sim::Frame frame = draw(compile_again(compiled, other));
+    const observe::Frame frame = draw(compile_again(compiled, other));
     CHECK(different(frame.depth, expected.depth) == 0);
     CHECK(different(frame.owner, expected.owner) == 0);
     CHECK(different(frame.colour, expected.colour) == 0);
@@ -140,7 +141,7 @@ Setup curved_setup(const view::Camera& camera, const CurvedLook& how) {
   return setup;
 }
 
-CurvedVerdict judged(const Compiled& compiled, const sim::Frame& frame) {
+CurvedVerdict judged(const Compiled& compiled, const observe::Frame& frame) {
   const judges::Errors errors = errors_of(compiled, frame);
   CurvedVerdict verdict;
   verdict.pictures = 1;
@@ -165,7 +166,7 @@ CurvedVerdict look_curved(const std::string& csg, const view::Camera& camera, co
   const Setup setup = curved_setup(camera, how);
   const Compiled compiled = compile_text(csg, setup);
   CHECK((how.may_be_faceted || !is_faceted(compiled)));
-  const sim::Frame frame = draw(compiled.program);
+  const observe::Frame frame = draw(compiled.program);
   const CurvedVerdict verdict = judged(compiled, frame);
   CHECK_MESSAGE(verdict.unexplained == 0, judges::to_text(errors_of(compiled, frame)));
   CHECK(verdict.against_rules == 0);
@@ -208,7 +209,7 @@ CurvedVerdict look_at_all(const std::string& csg, const CurvedLook& how) {
   return sum;
 }
 
-sim::Frame curved_picture(const std::string& csg, const view::Camera& camera, const CurvedLook& how) {
+observe::Frame curved_picture(const std::string& csg, const view::Camera& camera, const CurvedLook& how) {
   return draw(compile_text(csg, curved_setup(camera, how)).program);
 }
 

@@ -42,7 +42,7 @@ struct CurvedVerdict {
 };
 
 /// A picture against the exact oracle (sim/judges) and against the rules.
-CurvedVerdict judged(const Compiled& compiled, const sim::Frame& frame);
+CurvedVerdict judged(const Compiled& compiled, const observe::Frame& frame);
 
 /// Draws a model without facets on a machine of degree 2; fails the test
 ///
@@ -62,6 +62,6 @@ CurvedVerdict look_at_all(const std::string& csg, const CurvedLook& how = {});
 Setup curved_setup(const view::Camera& camera, const CurvedLook& how = {});
 
 /// The functional engine's picture, without facets.
-sim::Frame curved_picture(const std::string& csg, const view::Camera& camera, const CurvedLook& how = {});
+observe::Frame curved_picture(const std::string& csg, const view::Camera& camera, const CurvedLook& how = {});
 
 }  // namespace csgsim::testing

@@ -67,7 +67,7 @@ std::string faults_of(std::uint64_t seed, view::Projection projection, Variants 
   ++tally.scenes;
   tally.refused += first ? 0U : 1U;
   if (!first) return "";
-  const sim::Frame frame = testing::draw(first->program);
+  const observe::Frame frame = testing::draw(first->program);
   const testing::CurvedVerdict verdict = testing::judged(*first, frame);
   std::string faults;
   if (verdict.unexplained > 0) faults += fmt::format("{} pixels unexplained; ", verdict.unexplained);

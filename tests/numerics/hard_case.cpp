@@ -35,15 +35,15 @@ machines::Machine small_machine() {
   return machine;
 }
 
-sim::Frame run(sim::Engine& engine, const isa::Program& program) {
-  sim::FrameObserver frame(program);
-  const std::array<sim::Observer*, 1> observers{&frame};
-  const sim::RunResult result = engine.run(program, observers);
+observe::Frame run(engine::Engine& engine, const isa::Program& program) {
+  observe::FrameObserver frame(program);
+  const std::array<engine::Observer*, 1> observers{&frame};
+  const engine::RunResult result = engine.run(program, observers);
   REQUIRE(result.overflows == 0);
   return frame.frame();
 }
 
-bool same(const sim::Frame& a, const sim::Frame& b) {
+bool same(const observe::Frame& a, const observe::Frame& b) {
   return a.depth == b.depth && a.owner == b.owner && a.colour == b.colour;
 }
 
@@ -52,11 +52,11 @@ void compare_engines(const std::string& csg, const view::Camera& camera, Look ho
   how.sampling.height = small_height;
   const Compiled compiled = compile_text(csg, {camera, how.sampling, how.memory_bits});
   machines::Machine machine = small_machine();
-  const auto cycle = sim::make_cycle_engine(machine);
+  const auto cycle = engine::make_cycle_engine(machine);
   machine.array = compiled.program.shape;
-  const auto functional = sim::make_functional_engine(machine);
-  const auto reference = sim::make_reference_engine(machine);
-  const sim::Frame frame = run(*functional, compiled.program);
+  const auto functional = engine::make_functional_engine(machine);
+  const auto reference = engine::make_reference_engine(machine);
+  const observe::Frame frame = run(*functional, compiled.program);
   CHECK(same(frame, run(*reference, compiled.program)));
   CHECK(same(frame, run(*cycle, compiled.program)));
 }
@@ -105,7 +105,7 @@ judges::Truth truth_of(const Compiled& compiled) {
                              compiled.program.shape.height, compiled.program.facts.depth_scale);
 }
 
-sim::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how) {
+observe::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how) {
   return draw(compile_text(csg, {camera, how.sampling, how.memory_bits}).program);
 }
 
@@ -131,9 +131,9 @@ view::Camera whole(const std::string& csg, const glm::dvec3& direction, Projecti
   return scene.box.empty() ? view::Camera{30.0 * direction, glm::dvec3(0), projection} : camera;
 }
 
-bool same_depths(const sim::Frame& a, const sim::Frame& b) { return a.depth == b.depth; }
+bool same_depths(const observe::Frame& a, const observe::Frame& b) { return a.depth == b.depth; }
 
-std::uint64_t covered_pixels(const sim::Frame& frame, unsigned z_bits) {
+std::uint64_t covered_pixels(const observe::Frame& frame, unsigned z_bits) {
   const auto farthest = static_cast<std::uint32_t>((1ULL << z_bits) - 1);
   return static_cast<std::uint64_t>(
       std::count_if(frame.depth.begin(), frame.depth.end(), [&](std::uint32_t z) { return z != farthest; }));

@@ -57,15 +57,15 @@ Verdict look_obliquely(const std::string& csg, const Look& how = {});
 judges::Truth truth_of(const Compiled& compiled);
 
 /// The picture of the functional engine.
-sim::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how = {});
+observe::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how = {});
 
 /// A camera that sees the whole model from that direction.
 view::Camera whole(const std::string& csg, const glm::dvec3& direction, Projection projection);
 
 /// Both pictures have the same depth everywhere: the same geometry.
-bool same_depths(const sim::Frame& a, const sim::Frame& b);
+bool same_depths(const observe::Frame& a, const observe::Frame& b);
 
 /// Pixels at which anything is seen.
-std::uint64_t covered_pixels(const sim::Frame& frame, unsigned z_bits);
+std::uint64_t covered_pixels(const observe::Frame& frame, unsigned z_bits);
 
 }  // namespace csgsim::testing

@@ -26,7 +26,7 @@ Verdict from_the_front(const std::string& csg, Projection projection, double asi
 TEST_CASE("of blocks that abut in an edge-on face exactly one owns the pixels on it, the one to the right") {
   for (const Projection projection : {orthographic, perspective}) {
     CHECK(from_the_front(abutting, projection).wrong == 0);
-    const csgsim::sim::Frame frame = picture_of(abutting, {{0, -60, 4}, {0, 4, 4}, projection});
+    const csgsim::observe::Frame frame = picture_of(abutting, {{0, -60, 4}, {0, 4, 4}, projection});
     CHECK(frame.owner[static_cast<std::size_t>(frame.height / 2) * frame.width + frame.width / 2] == 1);
   }
 }
@@ -35,7 +35,7 @@ TEST_CASE("of blocks that abut in a horizontal edge-on face the lower one owns t
   for (const Projection projection : {orthographic, perspective}) {
     const csgsim::view::Camera camera{{0, -60, 0}, {0, 4, 0}, projection};
     CHECK(look(stack, camera).wrong == 0);
-    const csgsim::sim::Frame frame = picture_of(stack, camera);
+    const csgsim::observe::Frame frame = picture_of(stack, camera);
     CHECK(frame.owner[static_cast<std::size_t>(frame.height / 2) * frame.width + frame.width / 2] == 0);
   }
 }
@@ -78,9 +78,9 @@ TEST_CASE("blocks turned to edge-on by 1e-3 to 1e-12 leave no crack and no doubl
       // In the middle of the picture both faces beside the common one are covered, whoever owns them.
       const csgsim::view::Camera camera{{0, -60, 4}, {0, 4, 4}, projection};
       look(turned, camera);
-      const csgsim::sim::Frame frame = picture_of(turned, camera);
+      const csgsim::observe::Frame frame = picture_of(turned, camera);
       const std::size_t middle = static_cast<std::size_t>(frame.height / 2) * frame.width + frame.width / 2;
-      for (std::size_t i = middle - 3; i <= middle + 3; ++i) CHECK(frame.owner[i] != csgsim::sim::no_owner);
+      for (std::size_t i = middle - 3; i <= middle + 3; ++i) CHECK(frame.owner[i] != csgsim::observe::no_owner);
     }
   }
 }

@@ -27,7 +27,7 @@ TEST_CASE("an eye inside a solid sees its cap at the near plane everywhere") {
   const Verdict verdict = look(block, {{1, 2, 3}, {1, 40, 5}, perspective});
   CHECK(verdict.wrong == 0);
   CHECK(verdict.covered == total(truth_at(block, {{1, 2, 3}, {1, 40, 5}, perspective})));
-  const csgsim::sim::Frame frame = picture_of(block, {{1, 2, 3}, {1, 40, 5}, perspective});
+  const csgsim::observe::Frame frame = picture_of(block, {{1, 2, 3}, {1, 40, 5}, perspective});
   for (const std::uint32_t depth : frame.depth) REQUIRE(depth == 0);
 }
 TEST_CASE("an eye inside a room sees its walls") {

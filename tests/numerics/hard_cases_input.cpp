@@ -32,7 +32,7 @@ void check_same(const std::string& a, const std::string& b) {
   check_seen(a);
   for (const Projection projection : {orthographic, perspective}) {
     const csgsim::view::Camera camera{{31, -42, 27}, {4, 5, 3}, projection};
-    const csgsim::sim::Frame one = picture_of(a, camera);
+    const csgsim::observe::Frame one = picture_of(a, camera);
     CHECK(same_depths(one, picture_of(b, camera)));
     CHECK(covered_pixels(one, 20) > 500);
   }

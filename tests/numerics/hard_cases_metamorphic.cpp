@@ -38,7 +38,7 @@ std::vector<csgsim::view::Camera> cameras() {
 void check_same_geometry(const std::string& a, const std::string& b) {
   std::uint64_t covered = 0;
   for (const csgsim::view::Camera& camera : cameras()) {
-    const csgsim::sim::Frame one = picture_of(a, camera);
+    const csgsim::observe::Frame one = picture_of(a, camera);
     CHECK(same_depths(one, picture_of(b, camera)));
     covered += covered_pixels(one, 20);
     look(b, camera);
@@ -120,12 +120,12 @@ TEST_CASE("a model moved by whole pixels is the same picture moved by whole pixe
   const double pixel = 2.0 * std::tan(11.25 * std::numbers::pi / 180.0) * 64.0 / how.sampling.height;
   const csgsim::view::Camera camera{{0.123, -64, 0.045}, {0.123, 0, 0.045}, orthographic};
   const std::string body = subtract(solids());
-  const csgsim::sim::Frame here = picture_of(body, camera);
+  const csgsim::observe::Frame here = picture_of(body, camera);
   CHECK(covered_pixels(here, 20) > 300);
   for (const auto& [columns, rows] : std::vector<std::pair<int, int>>{{7, 0}, {0, -11}, {-13, 9}}) {
     const std::string moved = placed(translation({columns * pixel, 0, -rows * pixel}), body);
     look(moved, camera);
-    const csgsim::sim::Frame there = picture_of(moved, camera);
+    const csgsim::observe::Frame there = picture_of(moved, camera);
     std::uint64_t different = 0;
     for (int y = 15; y < 80; ++y) {
       for (int x = 20; x < 105; ++x) {
@@ -145,8 +145,8 @@ TEST_CASE("a model and its mirror image give mirrored pictures") {
   const std::string body = subtract(solids());
   const std::string mirrored = placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body);
   for (const Projection projection : {orthographic, perspective}) {
-    const csgsim::sim::Frame here = picture_of(body, {{3.3, -64, 2.1}, {3.3, 0, 2.1}, projection});
-    const csgsim::sim::Frame there = picture_of(mirrored, {{-3.3, -64, 2.1}, {-3.3, 0, 2.1}, projection});
+    const csgsim::observe::Frame here = picture_of(body, {{3.3, -64, 2.1}, {3.3, 0, 2.1}, projection});
+    const csgsim::observe::Frame there = picture_of(mirrored, {{-3.3, -64, 2.1}, {-3.3, 0, 2.1}, projection});
     std::uint64_t different = 0;
     for (std::size_t i = 0; i < here.owner.size(); ++i) {
       const std::size_t row = i / here.width;

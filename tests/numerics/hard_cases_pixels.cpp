@@ -75,13 +75,13 @@ TEST_CASE("a grid of cubes whose corners all lie on pixel centres up to rounding
   const std::string csg = unite(cubes);
   const csgsim::view::Camera camera{{0, -60, 0}, {0, 0, 0}, Projection::orthographic};
   look(csg, camera);
-  const csgsim::sim::Frame frame = picture_of(csg, camera);
+  const csgsim::observe::Frame frame = picture_of(csg, camera);
   for (int y = -17; y <= 17; ++y) {
     for (int x = -17; x <= 17; ++x) {
       const int row = static_cast<int>(frame.height / 2) + y;
       const int column = static_cast<int>(frame.width / 2) + x;
       REQUIRE(frame.owner[static_cast<std::size_t>(row) * frame.width + static_cast<std::size_t>(column)] !=
-              csgsim::sim::no_owner);
+              csgsim::observe::no_owner);
     }
   }
 }

@@ -35,11 +35,11 @@ void use_instruction_set(std::int64_t target) {
 TEST_CASE("a Program gives the same bits with every instruction set of this processor") {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     const csgsim::isa::Program program = compiled(projection).program;
-    const csgsim::sim::Frame best = draw(program);
+    const csgsim::observe::Frame best = draw(program);
     CHECK(covered_pixels(best, 20) > 1000);
     for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
       use_instruction_set(left & -left);
-      const csgsim::sim::Frame frame = draw(program);
+      const csgsim::observe::Frame frame = draw(program);
       use_instruction_set(0);
       CHECK(frame.depth == best.depth);
       CHECK(frame.owner == best.owner);
@@ -50,9 +50,9 @@ TEST_CASE("a Program gives the same bits with every instruction set of this proc
 TEST_CASE("a Program gives the same bits on one thread and on several") {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     const csgsim::isa::Program program = compiled(projection).program;
-    const csgsim::sim::Frame one = draw(program);
+    const csgsim::observe::Frame one = draw(program);
     for (const unsigned threads : {2U, 3U, 16U}) {
-      const csgsim::sim::Frame several = draw(program, threads);
+      const csgsim::observe::Frame several = draw(program, threads);
       CHECK(several.depth == one.depth);
       CHECK(several.owner == one.owner);
       CHECK(several.colour == one.colour);

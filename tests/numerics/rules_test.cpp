@@ -13,7 +13,7 @@ namespace {
 /// Pixels at which the machine's picture differs from the rules.
 std::size_t wrong_pixels(const testing::Compiled& compiled) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(compiled.tree, compiled.scene, compiled.view);
-  const sim::Frame frame = testing::draw(compiled.program);
+  const observe::Frame frame = testing::draw(compiled.program);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (!(testing::Seen{frame.depth[i], frame.owner[i]} == expected[i])) ++wrong;

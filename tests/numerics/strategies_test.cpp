@@ -24,20 +24,20 @@ testing::Setup setup(const view::Camera& camera, std::uint32_t width, std::uint3
 
 void check_same_pictures(const std::string& text, testing::Setup how) {
   const testing::Compiled first = testing::compile_text(text, how);
-  const sim::Frame expected = testing::draw(first.program);
+  const observe::Frame expected = testing::draw(first.program);
   const std::vector<testing::Seen> rules = testing::draw_by_rules(first.tree, first.scene, first.view);
   for (std::size_t i = 0; i < rules.size(); ++i) {
     RC_ASSERT((testing::Seen{expected.depth[i], expected.owner[i]} == rules[i]));
   }
   for (const emit::Options& options : testing::all_options()) {
     how.options = options;
-    const sim::Frame frame = testing::draw(testing::compile_text(text, how).program);
+    const observe::Frame frame = testing::draw(testing::compile_text(text, how).program);
     RC_ASSERT(frame.depth == expected.depth);
     RC_ASSERT(frame.owner == expected.owner);
     RC_ASSERT(frame.colour == expected.colour);
   }
   for (const testing::Setup& parts : testing::in_parts(how)) {
-    const sim::Frame frame = testing::draw(testing::compile_text(text, parts).program);
+    const observe::Frame frame = testing::draw(testing::compile_text(text, parts).program);
     RC_ASSERT(frame.depth == expected.depth);
     RC_ASSERT(frame.owner == expected.owner);
     RC_ASSERT(frame.colour == expected.colour);
@@ -87,12 +87,12 @@ TEST_CASE("every strategy, colouring, pruning and division draws the same pictur
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
       testing::Setup how = setup(one.camera, 160, 120);
-      const sim::Frame expected = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
+      const observe::Frame expected = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
       for (const emit::Options& options : testing::all_options()) {
         CAPTURE(emit::name_of(options.strategy));
         CAPTURE(options.stack_bits);
         how.options = options;
-        const sim::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
+        const observe::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
         CHECK(frame.depth == expected.depth);
         CHECK(frame.owner == expected.owner);
         CHECK(frame.colour == expected.colour);
@@ -100,7 +100,7 @@ TEST_CASE("every strategy, colouring, pruning and division draws the same pictur
       for (const testing::Setup& parts : testing::in_parts(how)) {
         CAPTURE(parts.kind->name);
         CAPTURE(parts.square.width);
-        const sim::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), parts).program);
+        const observe::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), parts).program);
         CHECK(frame.depth == expected.depth);
         CHECK(frame.owner == expected.owner);
         CHECK(frame.colour == expected.colour);

@@ -20,13 +20,13 @@ int main() {
   sampling.width = sampling.height = 32;
   const view::View view = view::make_view(scene, tree, view::default_camera(scene.box, 32, 32), sampling);
   const isa::Program program = emit::compile(tree, scene, view, machine);
-  sim::FrameObserver frame(program);
-  sim::Observer* const observers[] = {&frame};
-  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  observe::FrameObserver frame(program);
+  engine::Observer* const observers[] = {&frame};
+  const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
   const bool seen = frame.frame().owner[16 * 32 + 16] == 0;
   for (const char* const name : {"user.png", "user.tif"}) {
     OutputFile file(name);
-    sim::write_picture(file, frame.frame(), program);
+    observe::write_picture(file, frame.frame(), program);
     file.commit();
   }
   std::printf("%llu clocks\n", static_cast<unsigned long long>(result.clocks));

@@ -58,8 +58,8 @@ std::string Lockstep::run(const isa::Program& program, std::uint8_t fault) {
   frames_done_ = 0;
   begin_ = edges() + 1;
   comparing_ = true;
-  kernel::RunListener nobody;
-  const kernel::RunReport report = machine_.run(program, nobody);
+  systemc::RunListener nobody;
+  const systemc::RunReport report = machine_.run(program, nobody);
   look();
   comparing_ = false;
   std::string difference = std::move(difference_);
@@ -78,7 +78,7 @@ void Lockstep::clear() {
   program.shape = figures_.array;
   program.segments.resize(1);
   program.segments[0].region = {0, 0, figures_.array.width, figures_.array.height};
-  kernel::RunListener nobody;
+  systemc::RunListener nobody;
   machine_.run(program, nobody);
   rtl_ = std::make_unique<Machine>();
 }

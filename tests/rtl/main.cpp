@@ -155,7 +155,7 @@ int speed(const Words& words) {
   const link::FrameWords frame = link::frame_words(program, figures.link.width);
   Machine verilog;
   pixel_planes::PixelPlanes machine("machine", figures);
-  kernel::RunListener nobody;
+  systemc::RunListener nobody;
   const double by_verilog =
       pixel_clock_ns("Verilator", figures.array, [&] { return run_verilog(verilog, frame, figures.link); });
   const double by_machine =

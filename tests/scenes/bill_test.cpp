@@ -17,11 +17,11 @@ TEST_CASE("the bills of a scene's effects add up to the frame's clocks") {
     const isa::Program& program = drawn.compiled.program;
     machines::Machine machine = kinds::load("pixel-planes-4");
     machines::adopt(machine, program);
-    sim::StatsObserver stats(program);
-    const std::array<sim::Observer*, 1> observers{&stats};
-    const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
-    sim::Cost sum;
-    for (const sim::Cost& one : stats.stats().by_effect) sum += one;
+    observe::StatsObserver stats(program);
+    const std::array<engine::Observer*, 1> observers{&stats};
+    const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
+    observe::Cost sum;
+    for (const observe::Cost& one : stats.stats().by_effect) sum += one;
     CHECK(sum == stats.stats().total);
     CHECK(stats.stats().by_effect.size() == program.facts.compile.effects.size() + 1);
     std::uint64_t besides = result.latency_clocks;

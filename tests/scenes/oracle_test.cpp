@@ -96,7 +96,7 @@ TEST_CASE("every scene shows what rays say, wherever rounding cannot decide othe
     doubt.gap = 3 * drawn.compiled.view.depth_step;
     const auto expected =
         testing::ray_picture(drawn.compiled.tree, drawn.compiled.scene, drawn.scene, shot, effects, doubt);
-    const sim::Frame frame = testing::draw(drawn.compiled.program);
+    const observe::Frame frame = testing::draw(drawn.compiled.program);
     std::size_t judged = 0;
     std::size_t wrong = 0;
     double worst = 0;

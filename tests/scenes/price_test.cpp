@@ -28,17 +28,17 @@ testing::SceneFile vehicle(const std::string& scene) {
           {{560, -590, 420}, {-5, 0, 68}, view::Projection::orthographic}};
 }
 
-sim::Stats run(const testing::Compiled& compiled) {
+observe::Stats run(const testing::Compiled& compiled) {
   machines::Machine machine = kinds::load("pixel-planes-4");
   machines::adopt(machine, compiled.program);
-  sim::StatsObserver stats(compiled.program);
-  const std::array<sim::Observer*, 1> observers{&stats};
-  sim::make_functional_engine(machine)->run(compiled.program, observers);
+  observe::StatsObserver stats(compiled.program);
+  const std::array<engine::Observer*, 1> observers{&stats};
+  engine::make_functional_engine(machine)->run(compiled.program, observers);
   return stats.stats();
 }
 
 /// Clocks of the surfaces of all primitives that have pixels in the rectangle of this one.
-std::uint64_t work_in_rectangle(const testing::Compiled& compiled, const sim::Stats& stats, std::size_t primitive) {
+std::uint64_t work_in_rectangle(const testing::Compiled& compiled, const observe::Stats& stats, std::size_t primitive) {
   std::uint64_t clocks = 0;
   const view::PixelRect& own = compiled.view.extents[primitive].pixels;
   for (std::size_t i = 0; i < compiled.tree.primitives.size(); ++i) {
@@ -55,7 +55,7 @@ std::string only_line(const model::Primitive& primitive) {
 template <class Price>
 double worst_ratio(const std::string& effect, const Price& price) {
   const testing::DrawnScene plain = testing::compile_scene(vehicle(""), side, side);
-  const sim::Stats stats = run(plain.compiled);
+  const observe::Stats stats = run(plain.compiled);
   double worst = 0;
   double sum = 0;
   int count = 0;
@@ -75,7 +75,7 @@ double worst_ratio(const std::string& effect, const Price& price) {
 
 /// Clocks billed to the second effect of a scene, the first being flat shading.
 std::uint64_t billed(const std::string& scene) {
-  const sim::Stats stats = run(testing::compile_scene(vehicle(scene), side, side).compiled);
+  const observe::Stats stats = run(testing::compile_scene(vehicle(scene), side, side).compiled);
   return stats.by_effect.size() < 3 ? 0 : stats.by_effect[1].clocks;
 }
 

@@ -102,17 +102,17 @@ Compiled compile_default_view(const std::string& path, Setup setup, view::Projec
   return compile_tree(std::move(tree), setup);
 }
 
-sim::Frame draw(const isa::Program& program, unsigned threads) {
+observe::Frame draw(const isa::Program& program, unsigned threads) {
   machines::Machine machine = machine_of(program.shape);
   machine.evaluator_degree = 2;
   return draw_on(std::move(machine), program, threads);
 }
 
-sim::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads) {
+observe::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads) {
   machines::adopt(machine, program);
-  sim::FrameObserver frame(program);
-  const std::array<sim::Observer*, 1> observers{&frame};
-  const sim::RunResult result = sim::make_functional_engine(machine, threads)->run(program, observers);
+  observe::FrameObserver frame(program);
+  const std::array<engine::Observer*, 1> observers{&frame};
+  const engine::RunResult result = engine::make_functional_engine(machine, threads)->run(program, observers);
   if (result.overflows != 0) throw std::runtime_error("the Program overflows");
   return frame.frame();
 }

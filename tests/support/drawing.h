@@ -50,8 +50,8 @@ Compiled compile_file(const std::string& path, const Setup& setup);
 Compiled compile_default_view(const std::string& path, Setup setup, view::Projection projection);
 
 /// Runs a Program at the functional level. Throws where a linear expression overflows its width.
-sim::Frame draw(const isa::Program& program, unsigned threads = 1);
-sim::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads = 1);
+observe::Frame draw(const isa::Program& program, unsigned threads = 1);
+observe::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads = 1);
 
 /// tests/models/NAME.csg of the source tree.
 std::string model_path(const std::string& name);

@@ -22,15 +22,15 @@ using namespace csgsim;
 namespace {
 
 struct Run {
-  sim::Frame frame;
-  sim::RunResult result;
+  observe::Frame frame;
+  engine::RunResult result;
 };
 
 Run run(const isa::Program& program, unsigned threads) {
-  sim::FrameObserver observer(program);
-  const std::array<sim::Observer*, 1> observers{&observer};
-  const auto engine = sim::make_functional_engine(testing::machine_of(program.shape), threads);
-  sim::RunResult result = engine->run(program, observers);
+  observe::FrameObserver observer(program);
+  const std::array<engine::Observer*, 1> observers{&observer};
+  const auto engine = engine::make_functional_engine(testing::machine_of(program.shape), threads);
+  engine::RunResult result = engine->run(program, observers);
   return {observer.frame(), std::move(result)};
 }
 

@@ -14,7 +14,7 @@ namespace csgsim::test {
 namespace {
 
 /// Reads one pixel after each instruction.
-class Watcher final : public sim::Observer {
+class Watcher final : public engine::Observer {
  public:
   struct State {
     std::uint32_t index = 0;
@@ -25,7 +25,7 @@ class Watcher final : public sim::Observer {
   Watcher(std::uint32_t memory_bits, std::uint32_t segment, std::uint32_t x, std::uint32_t y)
       : memory_bits_(memory_bits), segment_(segment), x_(x), y_(y) {}
 
-  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
     if (step.instruction.opcode == isa::Opcode::skip_if_none && step.enabled_pixels == 0)
       skips.push_back({step.segment, step.index});
     if (step.segment != segment_) return;
@@ -79,8 +79,8 @@ EngineState::EngineState(const isa::Program& program, const machines::Machine& m
                          std::uint32_t y) {
   const std::uint32_t segment = segment_of(program, x, y);
   Watcher watcher(program.shape.memory_bits, segment, x, y);
-  sim::Observer* const watchers[] = {&watcher};
-  sim::make_reference_engine(machine)->run(program, watchers);
+  engine::Observer* const watchers[] = {&watcher};
+  engine::make_reference_engine(machine)->run(program, watchers);
   const machines::Timeline timeline = machines::timeline(program, machine, watcher.skips);
   const auto spans = machines::at_pixel(timeline, program, machine, segment, x, y);
   std::uint64_t number = 0;

@@ -84,7 +84,7 @@ void look_into(const Options& options, const isa::Program& program, const machin
     read_script(lines, options.commands, program, session);
   } else if (::isatty(STDIN_FILENO) != 0) {
     fmt::print("{}: {} instructions on {}; help lists the commands\n", printable(shown_name(options.model.model)),
-               sim::Numbers(program).count(), machine.name);
+               engine::Numbers(program).count(), machine.name);
     read_terminal(program, session);
   } else {
     keep_input(standard_input_file);

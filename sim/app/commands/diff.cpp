@@ -97,13 +97,13 @@ void refuse_misuse(const Options& options, const Command& command) {
   }
 }
 
-void print_side(char letter, const Subject& subject, const sim::RunResult& result) {
+void print_side(char letter, const Subject& subject, const engine::RunResult& result) {
   fmt::print("{}  {}: {}, {} level, {}, {}\n", letter, subject.name, subject.machine.name, subject.level,
-             counted(sim::Numbers(subject.program).count(), "instruction"), counted(result.clocks, "clock"));
+             counted(engine::Numbers(subject.program).count(), "instruction"), counted(result.clocks, "clock"));
 }
 
 std::string instruction_text(const isa::Program& program, std::uint64_t number) {
-  const sim::Numbers numbers(program);
+  const engine::Numbers numbers(program);
   if (number >= numbers.count()) return "nothing more";
   const auto [segment, index] = numbers.place(number);
   const isa::Segment& part = program.segments[segment];
@@ -113,7 +113,7 @@ std::string instruction_text(const isa::Program& program, std::uint64_t number) 
                      part.region.x, part.region.y);
 }
 
-void print_values(const sim::TwoValues& values, bool is_field) {
+void print_values(const lockstep::TwoValues& values, bool is_field) {
   fmt::print("  {:<16} A {}, B {}", printable(values.name), values.a, values.b);
   const std::uint64_t bits = values.a ^ values.b;
   if (is_field && std::bit_width(values.a | values.b) > 1)
@@ -121,26 +121,26 @@ void print_values(const sim::TwoValues& values, bool is_field) {
   fmt::print("\n");
 }
 
-void print_divergence(const sim::Divergence& found, const isa::Program& program) {
-  const std::uint64_t number = sim::Numbers(program).of(found.place);
+void print_divergence(const lockstep::Divergence& found, const isa::Program& program) {
+  const std::uint64_t number = engine::Numbers(program).of(found.place);
   fmt::print("after i{}, {}\n", number, instruction_text(program, number));
   if (!found.pixel) return print_values(found.otherwise.value(), false);
   fmt::print("{} differ, first {},{}:\n", counted(found.pixel->pixels, "pixel"), found.pixel->x, found.pixel->y);
-  for (const sim::TwoValues& values : found.pixel->fields) print_values(values, true);
+  for (const lockstep::TwoValues& values : found.pixel->fields) print_values(values, true);
 }
 
-void print_picture(const sim::Comparison& comparison, const Subject& a, const Subject& b) {
+void print_picture(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
   if (!comparison.picture) return fmt::print("the pictures are equal\n");
-  const sim::PictureDifference& found = *comparison.picture;
+  const lockstep::PictureDifference& found = *comparison.picture;
   fmt::print("the pictures differ at {}, first {},{}:\n", counted(found.pixels, "pixel"), found.x, found.y);
   const std::size_t at = std::size_t{found.y} * a.program.shape.width + found.x;
-  const auto print_both = [&](const char* what, const std::vector<std::uint32_t> sim::Frame::*values, auto text) {
+  const auto print_both = [&](const char* what, const std::vector<std::uint32_t> observe::Frame::*values, auto text) {
     fmt::print("  {:<16} A {}, B {}\n", what, text(a.program, (comparison.a.frame.*values)[at]),
                text(b.program, (comparison.b.frame.*values)[at]));
   };
-  print_both("owner", &sim::Frame::owner, story::primitive_text);
-  print_both("depth", &sim::Frame::depth, story::depth_text);
-  print_both("colour", &sim::Frame::colour, story::colour_text);
+  print_both("owner", &observe::Frame::owner, story::primitive_text);
+  print_both("depth", &observe::Frame::depth, story::depth_text);
+  print_both("colour", &observe::Frame::colour, story::colour_text);
 }
 
 void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint32_t y) {
@@ -148,7 +148,7 @@ void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint
   fmt::print("\n{}  {}", letter, story::text_of({subject.program}, told));
 }
 
-void print_stories(const sim::Comparison& comparison, const Subject& a, const Subject& b) {
+void print_stories(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
   std::optional<std::pair<std::uint32_t, std::uint32_t>> pixel;
   if (comparison.divergence && comparison.divergence->pixel)
     pixel = {comparison.divergence->pixel->x, comparison.divergence->pixel->y};
@@ -159,26 +159,27 @@ void print_stories(const sim::Comparison& comparison, const Subject& a, const Su
 }
 
 /// As if A and B had changed places.
-sim::Comparison swapped(sim::Comparison comparison) {
+lockstep::Comparison swapped(lockstep::Comparison comparison) {
   std::swap(comparison.a, comparison.b);
   if (!comparison.divergence) return comparison;
   if (comparison.divergence->otherwise)
     std::swap(comparison.divergence->otherwise->a, comparison.divergence->otherwise->b);
   if (comparison.divergence->pixel)
-    for (sim::TwoValues& values : comparison.divergence->pixel->fields) std::swap(values.a, values.b);
+    for (lockstep::TwoValues& values : comparison.divergence->pixel->fields) std::swap(values.a, values.b);
   return comparison;
 }
 
-sim::Comparison compare(const Subject& a, const Subject& b) {
-  const std::unique_ptr<sim::Engine> a_engine = make_engine(a.machine, a.level, 1);
-  const std::unique_ptr<sim::Engine> b_engine = make_engine(b.machine, b.level, 1);
-  const sim::Side a_side{a.program, a.machine, *a_engine};
-  const sim::Side b_side{b.program, b.machine, *b_engine};
-  if (b.level == "cycle") return swapped(sim::compare(b_side, a_side));  // the other level has to stop at each turn
-  return sim::compare(a_side, b_side);
+lockstep::Comparison compare(const Subject& a, const Subject& b) {
+  const std::unique_ptr<engine::Engine> a_engine = make_engine(a.machine, a.level, 1);
+  const std::unique_ptr<engine::Engine> b_engine = make_engine(b.machine, b.level, 1);
+  const lockstep::Side a_side{a.program, a.machine, *a_engine};
+  const lockstep::Side b_side{b.program, b.machine, *b_engine};
+  if (b.level == "cycle")
+    return swapped(lockstep::compare(b_side, a_side));  // the other level has to stop at each turn
+  return lockstep::compare(a_side, b_side);
 }
 
-void print_comparison(const sim::Comparison& comparison, const Subject& a, const Subject& b) {
+void print_comparison(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
   print_side('A', a, comparison.a.result);
   print_side('B', b, comparison.b.result);
   if (comparison.other_instruction) {
@@ -201,7 +202,7 @@ void diff(const Options& options, const Command& command) {
                                  a.program.shape.width, a.program.shape.height, b.program.shape.width,
                                  b.program.shape.height));
   }
-  const sim::Comparison comparison =
+  const lockstep::Comparison comparison =
       with_memory_for_run({&a.program, 1}, a.program.shape, [&] { return compare(a, b); });
   refuse_overflow(comparison.a.result);
   refuse_overflow(comparison.b.result);

@@ -44,9 +44,9 @@ struct Options {
 /// The picture with some of the effects.
 struct Variant {
   isa::Program program;
-  sim::RunResult result;
-  sim::Stats stats;
-  sim::Frame frame;
+  engine::RunResult result;
+  observe::Stats stats;
+  observe::Frame frame;
   double compile_seconds = 0;  ///< wall time
   double run_seconds = 0;      ///< wall time
 
@@ -65,10 +65,10 @@ Variant draw_without(const ModelOptions& all, const std::vector<std::string>& wi
   const auto begin = std::chrono::steady_clock::now();
   variant.program = compile_model(options, machine).program;
   variant.compile_seconds = seconds_since(begin);
-  sim::FrameObserver frame(variant.program);
-  sim::StatsObserver stats(variant.program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  const auto engine = sim::make_functional_engine(machine);
+  observe::FrameObserver frame(variant.program);
+  observe::StatsObserver stats(variant.program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const auto engine = engine::make_functional_engine(machine);
   const auto run = std::chrono::steady_clock::now();
   variant.result = with_memory_for_run({&variant.program, 1}, variant.program.shape,
                                        [&] { return engine->run(variant.program, observers); });
@@ -83,7 +83,7 @@ Variant draw_without(const ModelOptions& all, const std::vector<std::string>& wi
 /// others are there and where they are not.
 struct Row {
   std::string name;
-  sim::Cost billed;
+  observe::Cost billed;
   std::int64_t alone = 0;     ///< clocks that it adds to a frame without effects
   std::int64_t together = 0;  ///< clocks that the frame is shorter without it
   std::int64_t bits = 0;      ///< a pixel, that the frame needs fewer without it
@@ -118,11 +118,11 @@ Bill make_bill(const ModelOptions& options, const machines::Machine& machine) {
   for (std::size_t i = 0; i < called.size(); ++i) {
     const Variant alone = draw_without(options, others(called, called[i]), machine);
     Variant without = draw_without(options, {called[i]}, machine);
-    bill.rows.push_back({called[i], bill.all.stats.by_effect[i + 1],
-                         difference(alone.result.clocks, bill.none.result.clocks),
-                         difference(bill.all.result.clocks, without.result.clocks),
-                         difference(sim::used_memory_bits(bill.all.program), sim::used_memory_bits(without.program)),
-                         bill.all.seconds() - without.seconds()});
+    bill.rows.push_back(
+        {called[i], bill.all.stats.by_effect[i + 1], difference(alone.result.clocks, bill.none.result.clocks),
+         difference(bill.all.result.clocks, without.result.clocks),
+         difference(observe::used_memory_bits(bill.all.program), observe::used_memory_bits(without.program)),
+         bill.all.seconds() - without.seconds()});
     bill.without.push_back(std::move(without));
   }
   return bill;
@@ -132,7 +132,7 @@ std::string signed_text(std::int64_t number) {
   return (number < 0 ? "-" : "") + grouped(static_cast<std::uint64_t>(number < 0 ? -number : number));
 }
 
-void print_line(const std::string& name, const sim::Cost& cost, const std::string& rest = "") {
+void print_line(const std::string& name, const observe::Cost& cost, const std::string& rest = "") {
   fmt::print("  {:<16}{:>14}{:>14}{:>20}{}\n", name, grouped(cost.clocks), grouped(cost.instructions),
              grouped(cost.pixel_operations), rest);
 }
@@ -152,13 +152,13 @@ void print_bill(const Bill& bill) {
   fmt::print("  {:<16}{:>14}  with the link, the controller and what the machine does besides\n", "frame",
              grouped(bill.all.result.clocks));
   fmt::print("  {:<16}{:>14}  {} of {} bits a pixel\n", "without any", grouped(bill.none.result.clocks),
-             sim::used_memory_bits(bill.none.program), sim::used_memory_bits(bill.all.program));
+             observe::used_memory_bits(bill.none.program), observe::used_memory_bits(bill.all.program));
   fmt::print(
       "clocks, instructions and pixel operations are those billed in the frame; alone: what the frame without effects\n"
       "takes more with this one; together: what the frame takes less without it\n");
 }
 
-nlohmann::ordered_json cost_json(const sim::Cost& cost) {
+nlohmann::ordered_json cost_json(const observe::Cost& cost) {
   return {{"clocks", cost.clocks}, {"instructions", cost.instructions}, {"pixel_operations", cost.pixel_operations}};
 }
 
@@ -180,15 +180,15 @@ nlohmann::ordered_json to_json(const Bill& bill) {
           {"total", cost_json(bill.all.stats.total)},
           {"clocks", bill.all.result.clocks},
           {"clocks_without_effects", bill.none.result.clocks},
-          {"bits", sim::used_memory_bits(bill.all.program)},
-          {"bits_without_effects", sim::used_memory_bits(bill.none.program)},
+          {"bits", observe::used_memory_bits(bill.all.program)},
+          {"bits_without_effects", observe::used_memory_bits(bill.none.program)},
           {"wall_seconds", bill.all.seconds()},
           {"wall_seconds_without_effects", bill.none.seconds()}};
 }
 
 void write(const fs::path& path, const Variant& variant) {
   OutputFile file(path);
-  sim::write_picture(file, variant.frame, variant.program);
+  observe::write_picture(file, variant.frame, variant.program);
   file.commit();
 }
 

@@ -28,8 +28,8 @@ namespace {
 
 /// What a level makes of a Program.
 struct Outcome {
-  sim::Frame frame;
-  sim::Stats stats;
+  observe::Frame frame;
+  observe::Stats stats;
   std::uint64_t clocks = 0;
   double seconds = 0;
 
@@ -46,19 +46,19 @@ struct Options {
 };
 
 Outcome run_level(const std::string& level, const isa::Program& program, const machines::Machine& machine, bool shows) {
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  std::optional<sim::ProgressObserver> progress;
-  std::vector<sim::Observer*> observers{&frame, &stats};
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  std::optional<observe::ProgressObserver> progress;
+  std::vector<engine::Observer*> observers{&frame, &stats};
   announce_memory(machine, program.shape, level);
-  const std::unique_ptr<sim::Engine> engine = make_engine(machine, level, 1);
-  sim::LongWork work = long_run(level);
+  const std::unique_ptr<engine::Engine> engine = make_engine(machine, level, 1);
+  observe::LongWork work = long_run(level);
   if (shows || level != "functional") {
     progress.emplace(program, machine).warn(work, shows);
     observers.push_back(&*progress);
   }
   const auto begin = std::chrono::steady_clock::now();
-  const sim::RunResult result = engine->run(program, observers);
+  const engine::RunResult result = engine->run(program, observers);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   Outcome outcome{std::move(frame).frame(), stats.stats(), result.clocks, seconds.count()};
   if (!result.scanned_out.empty()) outcome.frame.colour = result.scanned_out;

@@ -33,7 +33,7 @@ struct Options {
 };
 
 /// Holds the picture against the exact one of the same half-spaces.
-std::string verdict(const CompiledModel& compiled, const sim::Frame& frame, nlohmann::ordered_json& json) {
+std::string verdict(const CompiledModel& compiled, const observe::Frame& frame, nlohmann::ordered_json& json) {
   const isa::Program& program = compiled.program;
   const judges::Truth truth = judges::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width,
                                                   program.shape.height, program.facts.depth_scale);
@@ -83,7 +83,7 @@ Advice advice_of(const Options& options, const CompiledModel& compiled, const ma
   return {options.model.machine,
           options.run.advice,
           "csgsim render with --advice tries the machine's figures and the settings, and tells what each is worth",
-          [&](const sim::RunResult& result) { return setting_knobs(compiled, options.model, machine, result); },
+          [&](const engine::RunResult& result) { return setting_knobs(compiled, options.model, machine, result); },
           {"csgsim accuracy tells what bits and facets cost in wrong pixels, csgsim sweep what memory buys"}};
 }
 
@@ -100,7 +100,7 @@ void run(Options& options, const Command& command) {
   Judge judge;
   if (options.check) {
     refuse_see_through(options.model, compiled.tree, compiled.camera);
-    judge = [&compiled](const sim::Frame& frame, nlohmann::ordered_json& json) {
+    judge = [&compiled](const observe::Frame& frame, nlohmann::ordered_json& json) {
       return verdict(compiled, frame, json);
     };
   }

@@ -155,8 +155,8 @@ Json configuration_of(const Command& command, const RunSubject& subject) {
   return configuration;
 }
 
-void put_configuration(Json& stats, Json configuration, const sim::Frame& picture) {
-  configuration["picture"] = {{"hash", sim::hash_of(picture)}};
+void put_configuration(Json& stats, Json configuration, const observe::Frame& picture) {
+  configuration["picture"] = {{"hash", observe::hash_of(picture)}};
   const Json wall = stats["wall_seconds"];
   stats.erase("wall_seconds");
   stats["configuration"] = std::move(configuration);

@@ -29,6 +29,7 @@ nlohmann::ordered_json configuration_of(const Command& command, const RunSubject
 nlohmann::ordered_json machine_json(const machines::Machine& machine);
 
 /// Puts the configuration before the time that the run took, the last key of a stats file.
-void put_configuration(nlohmann::ordered_json& stats, nlohmann::ordered_json configuration, const sim::Frame& picture);
+void put_configuration(nlohmann::ordered_json& stats, nlohmann::ordered_json configuration,
+                       const observe::Frame& picture);
 
 }  // namespace csgsim::shell

@@ -32,7 +32,7 @@ constexpr unsigned finest_fraction_bits = 16;
 
 struct Drawn {
   isa::Program program;
-  sim::Frame frame;
+  observe::Frame frame;
   std::uint64_t clocks = 0;
 };
 
@@ -52,7 +52,7 @@ isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const v
                      const view::Sampling& sampling, const machines::Machine& machine, const emit::Options& options) {
   const view::View view = view::make_view(scene, tree, camera, sampling);
   return emit::compile(tree, scene, view, machine, options,
-                       [&](const isa::Program& program) { return sim::clocks_of_run(program, machine); });
+                       [&](const isa::Program& program) { return functional::clocks_of_run(program, machine); });
 }
 
 machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
@@ -61,14 +61,14 @@ machines::Machine sized(machines::Machine machine, const view::Sampling& samplin
 }
 
 Drawn draw(isa::Program program, const machines::Machine& machine) {
-  sim::FrameObserver frame(program);
-  const std::array<sim::Observer*, 1> observers{&frame};
-  const std::uint64_t clocks = sim::make_functional_engine(machine)->run(program, observers).clocks;
+  observe::FrameObserver frame(program);
+  const std::array<engine::Observer*, 1> observers{&frame};
+  const std::uint64_t clocks = engine::make_functional_engine(machine)->run(program, observers).clocks;
   return {std::move(program), std::move(frame).frame(), clocks};
 }
 
 /// Sum over pixels and channels of the difference of the colours, which have so many bits.
-double colour_difference(const sim::Frame& a, const sim::Frame& b, unsigned bits) {
+double colour_difference(const observe::Frame& a, const observe::Frame& b, unsigned bits) {
   double sum = 0;
   for (std::size_t i = 0; i < a.colour.size(); ++i) {
     const std::array<std::uint8_t, 3> of_a = isa::unpack_colour(a.colour[i], bits);
@@ -85,7 +85,7 @@ struct Meter::Subject {
   facet::Scene scene;
   judges::Truth exact;     ///< of the half-spaces
   judges::Truth analytic;  ///< of the curved surfaces
-  sim::Frame finest;
+  observe::Frame finest;
 };
 
 Meter::Meter(const model::Tree& tree, std::vector<view::Camera> cameras, const machines::Machine& machine,
@@ -149,7 +149,7 @@ std::uint64_t Meter::clocks(const Settings& settings) {
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const isa::Program program =
         compile(tree_, subject(settings, camera).scene, cameras_[camera], settings.sampling, machine, options_);
-    clocks += sim::clocks_of_run(program, machine);
+    clocks += functional::clocks_of_run(program, machine);
   }
   return clocks;
 }
@@ -169,7 +169,7 @@ Measurement Meter::measure(const Settings& settings) {
     const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
     sum.clocks += drawn.clocks;
     sum.halfspaces = std::max(sum.halfspaces, drawn.program.facts.model.halfspaces);
-    sum.used_bits = std::max(sum.used_bits, sim::used_memory_bits(drawn.program));
+    sum.used_bits = std::max(sum.used_bits, observe::used_memory_bits(drawn.program));
     sum.covered += errors.covered;
     sum.wrong += errors.wrong();
     sum.wrong_silhouette += errors.silhouette;

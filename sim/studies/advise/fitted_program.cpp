@@ -63,7 +63,7 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Scene& scene, const
   }
   if (!program) program = compile(guess.most);
   // Where fields lie may depend on how many bits there are, but not how many are taken.
-  const std::uint32_t used = sim::used_memory_bits(*program);
+  const std::uint32_t used = observe::used_memory_bits(*program);
   if (used != machine.array.memory_bits) program = compile(used);
   return {std::move(*program), std::move(machine)};
 }
@@ -75,7 +75,7 @@ machines::FrameTiming RunTimer::time(const isa::Program& program, const machines
   key.reserve(program.segments.size());
   for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
   const auto [known, is_new] = skips_.try_emplace(std::move(key));
-  if (is_new) known->second = sim::make_functional_engine(machine)->run(program, {}).skips;
+  if (is_new) known->second = engine::make_functional_engine(machine)->run(program, {}).skips;
   return machines::time_frame(program, machine, known->second);
 }
 

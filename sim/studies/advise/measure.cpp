@@ -66,7 +66,7 @@ Fitted compile(const AdviceJob& job, const view::View& view, const AdvicePoint& 
 }
 
 /// The greatest difference of a channel.
-unsigned colour_error(const sim::Frame& exact, const sim::Frame& frame, unsigned bits) {
+unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, unsigned bits) {
   int most = 0;
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
     const auto of_exact = isa::unpack_colour(exact.colour[i], isa::most_colour_bits);
@@ -109,14 +109,14 @@ class Judge {
  private:
   struct Drawn {
     isa::Program program;
-    sim::Frame frame;
+    observe::Frame frame;
   };
 
   [[nodiscard]] Drawn draw(const AdvicePoint& point) const {
     Fitted fitted = compile(job_, view_, point, 0);
-    sim::FrameObserver frame(fitted.program);
-    const std::array<sim::Observer*, 1> observers{&frame};
-    const sim::RunResult result = sim::make_functional_engine(fitted.machine)->run(fitted.program, observers);
+    observe::FrameObserver frame(fitted.program);
+    const std::array<engine::Observer*, 1> observers{&frame};
+    const engine::RunResult result = engine::make_functional_engine(fitted.machine)->run(fitted.program, observers);
     if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
     return {std::move(fitted.program), std::move(frame).frame()};
   }

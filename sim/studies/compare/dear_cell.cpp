@@ -23,9 +23,9 @@ std::string as_word(std::string name) {
 
 }  // namespace
 
-DearPrimitives dear_primitives(const sim::ClockShares& shares) {
+DearPrimitives dear_primitives(const observe::ClockShares& shares) {
   DearPrimitives dear;
-  for (const sim::PrimitiveCost& one : shares.dearest) dear.push_back({as_word(escaped(one.name)), one.clocks});
+  for (const observe::PrimitiveCost& one : shares.dearest) dear.push_back({as_word(escaped(one.name)), one.clocks});
   return dear;
 }
 

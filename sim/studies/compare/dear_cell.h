@@ -20,7 +20,7 @@ struct DearPrimitive {
 /// The dearest first.
 using DearPrimitives = std::vector<DearPrimitive>;
 
-DearPrimitives dear_primitives(const sim::ClockShares& shares);
+DearPrimitives dear_primitives(const observe::ClockShares& shares);
 
 /// As a cell of a table: `cylinder@9:9=1234 cube@4:4=56`.
 std::string to_cell(const DearPrimitives& dear);

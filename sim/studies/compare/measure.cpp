@@ -40,10 +40,10 @@ void count(const isa::Program& program, const machines::Machine& machine, Compar
 }
 
 void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
   if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
   row.clocks = result.clocks;
   row.simulated_seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
@@ -53,11 +53,11 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.enabled = stats.stats().total.enabled;
   row.processor_clocks = row.processors * row.clocks;
   row.utilisation = static_cast<double>(row.enabled) / static_cast<double>(row.processor_clocks);
-  if (const std::optional<sim::Bound> bound = sim::bound_of(result, machine)) {
+  if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) {
     row.bound_by = bound->part;
     row.bound_share = bound->share;
   }
-  const sim::ClockShares shares = sim::clock_shares(program, result, stats.stats());
+  const observe::ClockShares shares = observe::clock_shares(program, result, stats.stats());
   row.instruction_clocks = shares.whole;
   row.dearest = dear_primitives(shares);
   row.picture = hash_of(frame.frame());

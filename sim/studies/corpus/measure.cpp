@@ -35,10 +35,10 @@ void count(const isa::Program& program, CorpusRow& row) {
   row.primitives = program.facts.model.primitives;
   row.pieces = isa::piece_count(program.facts);
   row.halfspaces = program.facts.model.halfspaces;
-  row.used_bits = sim::used_memory_bits(program);
+  row.used_bits = observe::used_memory_bits(program);
 }
 
-void count(const sim::Stats& stats, CorpusRow& row) {
+void count(const observe::Stats& stats, CorpusRow& row) {
   const auto clocks = [&](isa::Purpose purpose) {
     return stats.by_purpose.at(static_cast<std::size_t>(purpose)).clocks;
   };
@@ -55,10 +55,10 @@ void count(const sim::Stats& stats, CorpusRow& row) {
 }
 
 void draw(const isa::Program& program, const machines::Machine& machine, CorpusRow& row) {
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
   if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is a fault of csgsim");
   count(stats.stats(), row);
   row.clocks = result.clocks;
@@ -66,7 +66,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, CorpusR
   row.latency = result.latency_clocks;
   if (result.interval_clocks > 0)
     row.frames_per_second = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
-  if (const std::optional<sim::Bound> bound = sim::bound_of(result, machine)) row.bound_by = bound->part;
+  if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) row.bound_by = bound->part;
   row.picture = hash_of(frame.frame());
 }
 

@@ -17,15 +17,15 @@ namespace csgsim::studies {
 namespace {
 
 /// Of one picture, or `overflow`.
-std::string hash_or_overflow(const sim::FrameObserver& observer, const sim::RunResult& result) {
+std::string hash_or_overflow(const observe::FrameObserver& observer, const engine::RunResult& result) {
   if (result.overflows > 0) return std::string(overflow);
   return hash_of(observer.frame());
 }
 
 void draw(const isa::Program& program, const machines::Machine& machine, SweepRow& row) {
-  sim::FrameObserver observer(program);
-  const std::array<sim::Observer*, 1> observers{&observer};
-  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
+  observe::FrameObserver observer(program);
+  const std::array<engine::Observer*, 1> observers{&observer};
+  const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
   row.clocks = result.clocks;
   row.picture = hash_or_overflow(observer, result);
 }
@@ -41,7 +41,7 @@ void count(const isa::Program& program, const machines::Machine& machine, SweepR
   row.depth_tests = program.facts.compile.depth_tests;
   row.tree_depth = program.facts.compile.tree_depth;
   row.classification_bits = program.facts.compile.stack_bits;
-  row.used_bits = sim::used_memory_bits(program);
+  row.used_bits = observe::used_memory_bits(program);
   row.pixel_transistors = machines::pixel_transistors(machine, row.used_bits);
   row.memory_map = memory_map(program);
 }
@@ -67,7 +67,7 @@ SweepRow measure(const SweepPoint& point, const Job& job, bool is_drawn) {
   if (is_drawn) {
     draw(*program, job.machine, row);
   } else {
-    row.clocks = sim::clocks_of_run(*program, job.machine);
+    row.clocks = functional::clocks_of_run(*program, job.machine);
   }
   row.simulated_seconds = static_cast<double>(row.clocks) / static_cast<double>(job.machine.clock_hz);
   return row;

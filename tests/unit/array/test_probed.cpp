@@ -130,7 +130,7 @@ TEST_CASE("pixels replayed alone have the reference's memory and enable, whateve
     array::PixelReplay quick = replay;
     replay.begin(region);
     quick.begin(region);
-    sim::ReferenceArray reference(region, bits);
+    reference::ReferenceArray reference(region, bits);
     bool passes_over = true;
     for (int n = 0; n < 40; ++n) {
       isa::Instruction one = *test::arbitrary_instruction({region.width, region.height, bits}, bits, 3);

@@ -14,7 +14,8 @@ using namespace csgsim;
 namespace {
 
 /// Memory and enable of every pixel of the last segment.
-void same_as_reference(const bench::DenseLoop& dense, const sim::ReferenceRun& reference, std::uint16_t memory_bits) {
+void same_as_reference(const bench::DenseLoop& dense, const reference::ReferenceRun& reference,
+                       std::uint16_t memory_bits) {
   const isa::Region region = reference.region();
   for (std::uint32_t y = 0; y < region.height; ++y) {
     for (std::uint32_t x = 0; x < region.width; ++x) {
@@ -33,7 +34,7 @@ TEST_CASE("the dense loop leaves what the reference leaves, on random Programs")
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     machines::Machine machine = kinds::load("pixel-powers");
     machines::adopt(machine, program);
-    sim::ReferenceRun reference(program, machine);
+    reference::ReferenceRun reference(program, machine);
     reference.advance(~std::uint64_t{0}, {});
     bench::DenseLoop dense(shape);
     for (const isa::Segment& segment : program.segments) dense.run(segment);

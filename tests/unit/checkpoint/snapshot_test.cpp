@@ -23,14 +23,14 @@ namespace {
 
 /// All that a run leaves behind.
 struct Outcome {
-  sim::RunResult result;
-  sim::Frame frame;
-  sim::Stats stats;
+  engine::RunResult result;
+  observe::Frame frame;
+  observe::Stats stats;
 };
 
 bool same(const Outcome& one, const Outcome& other) {
-  const sim::RunResult& a = one.result;
-  const sim::RunResult& b = other.result;
+  const engine::RunResult& a = one.result;
+  const engine::RunResult& b = other.result;
   return a.clocks == b.clocks && a.latency_clocks == b.latency_clocks && a.shown_clocks == b.shown_clocks &&
          a.interval_clocks == b.interval_clocks && a.overflows == b.overflows && a.skipped == b.skipped &&
          a.answers == b.answers && a.account == b.account && one.frame == other.frame && one.stats == other.stats;
@@ -38,33 +38,35 @@ bool same(const Outcome& one, const Outcome& other) {
 
 /// A run with its observers.
 struct Watched {
-  Watched(sim::Engine& engine, const isa::Program& program)
+  Watched(engine::Engine& engine, const isa::Program& program)
       : run(engine.begin(program)), frame(program), stats(program) {}
 
   void advance(std::uint64_t number) {
-    const std::array<sim::Observer*, 2> observers{&frame, &stats};
+    const std::array<engine::Observer*, 2> observers{&frame, &stats};
     run->advance(number, observers);
   }
 
-  std::unique_ptr<sim::Run> run;
-  sim::FrameObserver frame;
-  sim::StatsObserver stats;
+  std::unique_ptr<engine::Run> run;
+  observe::FrameObserver frame;
+  observe::StatsObserver stats;
 };
 
-Outcome uninterrupted(sim::Engine& engine, const isa::Program& program) {
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  const sim::RunResult result = engine.run(program, observers);
+Outcome uninterrupted(engine::Engine& engine, const isa::Program& program) {
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const engine::RunResult result = engine.run(program, observers);
   return {result, frame.frame(), stats.stats()};
 }
 
 /// Stops at random places; each time another level may go on, from the bytes of a checkpoint.
-Outcome interrupted(std::span<const std::unique_ptr<sim::Engine>> engines, const isa::Program& program,
+Outcome interrupted(std::span<const std::unique_ptr<engine::Engine>> engines, const isa::Program& program,
                     const machines::Machine& machine) {
-  const auto any_engine = [&]() -> sim::Engine& { return *engines[*rc::gen::inRange<std::size_t>(0, engines.size())]; };
-  const std::uint64_t count = sim::Numbers(program).count();
-  const sim::RunIdentity identity = sim::identity_of(program, machine);
+  const auto any_engine = [&]() -> engine::Engine& {
+    return *engines[*rc::gen::inRange<std::size_t>(0, engines.size())];
+  };
+  const std::uint64_t count = engine::Numbers(program).count();
+  const checkpoint::RunIdentity identity = checkpoint::identity_of(program, machine);
   Watched first(any_engine(), program);
   std::unique_ptr<Watched> last;
   Watched* current = &first;
@@ -72,23 +74,24 @@ Outcome interrupted(std::span<const std::unique_ptr<sim::Engine>> engines, const
   for (int stops = *rc::gen::inRange(0, 4); stops > 0; --stops) {
     at = *rc::gen::inRange<std::uint64_t>(at, count + 1);
     current->advance(at);
-    const sim::Snapshot taken = sim::take_snapshot(identity, *current->run, current->frame, current->stats);
-    const sim::Snapshot read = sim::decode(sim::encode(taken), "test", program, machine);
+    const checkpoint::Snapshot taken =
+        checkpoint::take_snapshot(identity, *current->run, current->frame, current->stats);
+    const checkpoint::Snapshot read = checkpoint::decode(checkpoint::encode(taken), "test", program, machine);
     RC_ASSERT(read == taken);
     last = std::make_unique<Watched>(any_engine(), program);
     current = last.get();
-    sim::resume(read, *current->run, current->frame, current->stats);
+    checkpoint::resume(read, *current->run, current->frame, current->stats);
     RC_ASSERT(current->run->save() == taken.run);
   }
-  current->advance(sim::Run::end);
+  current->advance(engine::Run::end);
   RC_ASSERT(current->run->finished());
   return {current->run->result(), current->frame.frame(), current->stats.stats()};
 }
 
 bool survives_interruptions(const machines::Machine& machine, const rc::Gen<isa::Program>& programs) {
-  const std::array<std::unique_ptr<sim::Engine>, 3> engines{sim::make_functional_engine(machine),
-                                                            sim::make_functional_engine(machine, 3),
-                                                            sim::make_reference_engine(machine)};
+  const std::array<std::unique_ptr<engine::Engine>, 3> engines{engine::make_functional_engine(machine),
+                                                               engine::make_functional_engine(machine, 3),
+                                                               engine::make_reference_engine(machine)};
   return rc::check([&] {
     const isa::Program program = *programs;
     const Outcome expected = uninterrupted(*engines.back(), program);
@@ -147,11 +150,12 @@ isa::Program glass_program() {
   return program;
 }
 
-sim::Snapshot snapshot_at(std::uint64_t number, const isa::Program& program, const machines::Machine& machine) {
-  const auto engine = sim::make_functional_engine(machine);
+checkpoint::Snapshot snapshot_at(std::uint64_t number, const isa::Program& program, const machines::Machine& machine) {
+  const auto engine = engine::make_functional_engine(machine);
   Watched watched(*engine, program);
   watched.advance(number);
-  return sim::take_snapshot(sim::identity_of(program, machine), *watched.run, watched.frame, watched.stats);
+  return checkpoint::take_snapshot(checkpoint::identity_of(program, machine), *watched.run, watched.frame,
+                                   watched.stats);
 }
 
 }  // namespace
@@ -174,8 +178,8 @@ TEST_CASE("so does one of a Program that blends what is see-through, with the pa
   const isa::Program program = glass_program();
   const machines::Machine machine = planes(program.shape);
   CHECK(survives_interruptions(machine, rc::gen::just(program)));
-  const auto engine = sim::make_functional_engine(machine, 3);
-  const sim::Frame frame = uninterrupted(*engine, program).frame;
+  const auto engine = engine::make_functional_engine(machine, 3);
+  const observe::Frame frame = uninterrupted(*engine, program).frame;
   const auto at = [](std::uint32_t x, std::uint32_t y) { return std::size_t{y} * 70 + x; };
   CHECK(frame.owner[at(10, 1)] == 0);
   CHECK(frame.depth[at(10, 1)] == 100);
@@ -184,7 +188,7 @@ TEST_CASE("so does one of a Program that blends what is see-through, with the pa
   CHECK(frame.opaque_owner[at(40, 1)] == 0);
   CHECK(frame.opaque_depth[at(40, 1)] == 130);
   CHECK(frame.owner[at(65, 1)] == 1);
-  CHECK(frame.opaque_owner[at(65, 1)] == sim::no_owner);
+  CHECK(frame.opaque_owner[at(65, 1)] == observe::no_owner);
   CHECK(frame.opaque_depth[at(65, 1)] == 255);
 }
 
@@ -192,19 +196,19 @@ TEST_CASE("a run stops before the instruction that it is told to stop at, and a 
   isa::Program program = small_program();
   program.segments.push_back(program.segments.front());
   const machines::Machine machine = planes(program.shape);
-  for (const auto& engine : {sim::make_functional_engine(machine), sim::make_reference_engine(machine)}) {
+  for (const auto& engine : {engine::make_functional_engine(machine), engine::make_reference_engine(machine)}) {
     const auto run = engine->begin(program);
     run->advance(2, {});
-    CHECK(run->place() == sim::Place{0, 2});
+    CHECK(run->place() == engine::Place{0, 2});
     CHECK(run->value({0, 8}, 9, 3) == 15);
     CHECK(run->enabled(9, 3));
     run->advance(6, {});
-    CHECK(run->place() == sim::Place{0, 6});
+    CHECK(run->place() == engine::Place{0, 6});
     CHECK_FALSE(run->enabled(5, 0));
     CHECK(run->enabled(6, 0));
     CHECK(run->value({8, 6}, 6, 0) == 33);
     run->advance(7, {});
-    CHECK(run->place() == sim::Place{1, 1});
+    CHECK(run->place() == engine::Place{1, 1});
     CHECK(run->value({8, 6}, 6, 0) == 0);
     CHECK_FALSE(run->finished());
     run->advance(12, {});
@@ -224,17 +228,17 @@ TEST_CASE("a run that is resumed between squares and their instruction has the s
         {.opcode = isa::Opcode::linear_plus, .fields = {isa::Field{0, 16}}, .linear = {.width = 17}}}});
   isa::validate(program);
   const machines::Machine machine = planes(program.shape);
-  for (const auto& first : {sim::make_functional_engine(machine), sim::make_reference_engine(machine)}) {
+  for (const auto& first : {engine::make_functional_engine(machine), engine::make_reference_engine(machine)}) {
     const auto stopped = first->begin(program);
     stopped->advance(2, {});
-    for (const auto& second : {sim::make_functional_engine(machine), sim::make_reference_engine(machine)}) {
+    for (const auto& second : {engine::make_functional_engine(machine), engine::make_reference_engine(machine)}) {
       const auto resumed = second->begin(program);
       resumed->restore(stopped->save());
-      CHECK(resumed->place() == sim::Place{0, 2});
-      resumed->advance(sim::Run::end, {});
+      CHECK(resumed->place() == engine::Place{0, 2});
+      resumed->advance(engine::Run::end, {});
       CHECK(resumed->value({0, 16}, 80, 3) == 80U * 80 + 2 * 3 * 3);
     }
-    stopped->advance(sim::Run::end, {});
+    stopped->advance(engine::Run::end, {});
     CHECK(stopped->value({0, 16}, 80, 3) == 80U * 80 + 2 * 3 * 3);
   }
 }
@@ -242,10 +246,10 @@ TEST_CASE("a run that is resumed between squares and their instruction has the s
 TEST_CASE("a checkpoint that is cut short, longer or changed in any byte is refused") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
-  const std::vector<std::byte> bytes = sim::encode(snapshot_at(5, program, machine));
-  REQUIRE(sim::decode(bytes, "c", program, machine) == snapshot_at(5, program, machine));
+  const std::vector<std::byte> bytes = checkpoint::encode(snapshot_at(5, program, machine));
+  REQUIRE(checkpoint::decode(bytes, "c", program, machine) == snapshot_at(5, program, machine));
   const auto refused = [&](std::span<const std::byte> changed) {
-    return error_of([&] { sim::decode(changed, "c", program, machine); }).starts_with("c: the checkpoint ");
+    return error_of([&] { checkpoint::decode(changed, "c", program, machine); }).starts_with("c: the checkpoint ");
   };
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     CHECK(refused(std::span(bytes).first(size)));
@@ -261,67 +265,68 @@ TEST_CASE("a checkpoint that is cut short, longer or changed in any byte is refu
 TEST_CASE("a checkpoint of another Program or machine is refused, whatever the machine is called") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
-  const std::vector<std::byte> bytes = sim::encode(snapshot_at(5, program, machine));
+  const std::vector<std::byte> bytes = checkpoint::encode(snapshot_at(5, program, machine));
   isa::Program other = program;
   other.segments[0].instructions.back().constant = 34;
-  CHECK(error_of([&] { sim::decode(bytes, "c", other, machine); }) ==
+  CHECK(error_of([&] { checkpoint::decode(bytes, "c", other, machine); }) ==
         "c: the checkpoint is of another Program; resume it with the one it was made of");
   machines::Machine slower = machine;
   slower.memory_reads = 2;
-  CHECK(error_of([&] { sim::decode(bytes, "c", program, slower); }) ==
+  CHECK(error_of([&] { checkpoint::decode(bytes, "c", program, slower); }) ==
         "c: the checkpoint is of a run on another machine; give the same --machine");
   machines::Machine renamed = machine;
   renamed.name = "another";
-  CHECK_NOTHROW(sim::decode(bytes, "c", program, renamed));
+  CHECK_NOTHROW(checkpoint::decode(bytes, "c", program, renamed));
 }
 
 TEST_CASE("states that no run of the Program can be in are refused") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
-  const sim::Snapshot good = snapshot_at(5, program, machine);
+  const checkpoint::Snapshot good = snapshot_at(5, program, machine);
   const auto refused = [&](auto change) {
-    sim::Snapshot bad = good;
+    checkpoint::Snapshot bad = good;
     change(bad);
-    return !error_of([&] { sim::decode(sim::encode(bad), "c", program, machine); }).empty();
+    return !error_of([&] { checkpoint::decode(checkpoint::encode(bad), "c", program, machine); }).empty();
   };
-  CHECK_FALSE(refused([](sim::Snapshot&) {}));
-  CHECK(refused([](sim::Snapshot& one) { one.run.place.index = 7; }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.place.index = 4; }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.place.segment = 1; }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.told_end = true; }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.answers.push_back(true); }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.skipped = 1; }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.skips.push_back({0, 0}); }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.skips.push_back({0, 2}); }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.planes[1].at(1) |= std::uint64_t{1} << 6U; }));
-  CHECK(refused([](sim::Snapshot& one) { one.run.planes[1].at(7) |= std::uint64_t{1} << 6U; }));  // of the last row
-  CHECK(refused([](sim::Snapshot& one) { one.picture.frame.owner[3] = 1; }));
-  CHECK(refused([](sim::Snapshot& one) { one.picture.frame.depth[3] = 256; }));
-  CHECK(refused([](sim::Snapshot& one) { one.picture.frame.colour[3] = 64; }));
-  CHECK(refused([](sim::Snapshot& one) { ++one.stats.total.instructions; }));
+  CHECK_FALSE(refused([](checkpoint::Snapshot&) {}));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 7; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 4; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.segment = 1; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.told_end = true; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.answers.push_back(true); }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.skipped = 1; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.skips.push_back({0, 0}); }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.skips.push_back({0, 2}); }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.planes[1].at(1) |= std::uint64_t{1} << 6U; }));
+  CHECK(refused(
+      [](checkpoint::Snapshot& one) { one.run.planes[1].at(7) |= std::uint64_t{1} << 6U; }));  // of the last row
+  CHECK(refused([](checkpoint::Snapshot& one) { one.picture.frame.owner[3] = 1; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.picture.frame.depth[3] = 256; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.picture.frame.colour[3] = 64; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { ++one.stats.total.instructions; }));
 }
 
 TEST_CASE("a Program without segments is finished when it begins, and has checkpoints too") {
   isa::Program nothing;
   nothing.shape = {1, 1, 1};
   const machines::Machine machine = planes(nothing.shape);
-  const auto run = sim::make_functional_engine(machine)->begin(nothing);
+  const auto run = engine::make_functional_engine(machine)->begin(nothing);
   CHECK(run->finished());
-  const sim::Snapshot snapshot = snapshot_at(0, nothing, machine);
-  CHECK(sim::decode(sim::encode(snapshot), "c", nothing, machine) == snapshot);
+  const checkpoint::Snapshot snapshot = snapshot_at(0, nothing, machine);
+  CHECK(checkpoint::decode(checkpoint::encode(snapshot), "c", nothing, machine) == snapshot);
 }
 
 TEST_CASE("a machine's identity changes with each figure that a run depends on, and not with its name or description") {
   const isa::Program program = small_program();
   const machines::Machine machine = planes(program.shape);
-  const sim::RunIdentity identity = sim::identity_of(program, machine);
+  const checkpoint::RunIdentity identity = checkpoint::identity_of(program, machine);
   const auto with = [&](auto change) {
     machines::Machine other = machine;
     change(other);
-    return sim::identity_of(program, other);
+    return checkpoint::identity_of(program, other);
   };
   CHECK(with([](machines::Machine& one) { one.name = one.description = "other"; }) == identity);
-  const sim::RunIdentity others[] = {
+  const checkpoint::RunIdentity others[] = {
       with([](machines::Machine& one) { ++one.picture.width; }),
       with([](machines::Machine& one) { ++one.picture.height; }),
       with([](machines::Machine& one) { ++one.array.width; }),

@@ -25,25 +25,25 @@ struct Told {
 };
 
 /// Looks after the instructions of one opcode, or after none, and after each segment.
-class Witness final : public sim::Observer {
+class Witness final : public engine::Observer {
  public:
   explicit Witness(std::optional<Opcode> looks_after) : looks_after_(looks_after) {}
 
   [[nodiscard]] bool reads_after(const isa::Instruction& instruction) const override {
     return instruction.opcode == looks_after_;
   }
-  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
     told.push_back({step.segment, step.index, {}});
     if (reads_after(step.instruction)) told.back().number = number_of(state);
   }
-  void after_segment(std::uint32_t segment, const sim::PixelState& state) override {
+  void after_segment(std::uint32_t segment, const engine::PixelState& state) override {
     told.push_back({segment, {}, number_of(state)});
   }
 
   std::vector<Told> told;
 
  private:
-  static std::uint32_t number_of(const sim::PixelState& state) {
+  static std::uint32_t number_of(const engine::PixelState& state) {
     std::vector<std::uint32_t> values(std::size_t{state.region().width} * state.region().height);
     state.read_field({0, 1}, values);
     return values.back();
@@ -71,7 +71,7 @@ std::uint32_t number_after(std::uint32_t segment, std::size_t index) {
 /// A machine that draws the segments side by side, a next event of the segment chosen at a time.
 class SideBySide {
  public:
-  SideBySide(const isa::Program& program, sim::InOrder& in_order)
+  SideBySide(const isa::Program& program, cycle::InOrder& in_order)
       : program_(program), in_order_(in_order), next_(program.segments.size()) {}
 
   [[nodiscard]] bool has_ended(std::uint32_t segment) const {
@@ -91,7 +91,7 @@ class SideBySide {
 
  private:
   const isa::Program& program_;
-  sim::InOrder& in_order_;
+  cycle::InOrder& in_order_;
   std::vector<std::uint32_t> next_;
 };
 
@@ -123,8 +123,8 @@ TEST_CASE("in whatever order segments are drawn, observers are told in program o
     const isa::Program program = program_of(segments);
     Witness looks(Opcode::enable_all);
     Witness only_ends(std::nullopt);
-    sim::Observer* const observers[] = {&only_ends, &looks};
-    sim::InOrder in_order(program, observers);
+    engine::Observer* const observers[] = {&only_ends, &looks};
+    cycle::InOrder in_order(program, observers);
     SideBySide machine(program, in_order);
     std::vector<std::uint32_t> unfinished(program.segments.size());
     for (std::uint32_t segment = 0; segment < unfinished.size(); ++segment) unfinished[segment] = segment;
@@ -143,8 +143,8 @@ TEST_CASE("in whatever order segments are drawn, observers are told in program o
 TEST_CASE("what comes in its turn is told at once, and nothing is copied") {
   const isa::Program program = program_of({{looked_at, other}, {looked_at}});
   Witness witness(Opcode::enable_all);
-  sim::Observer* const observers[] = {&witness};
-  sim::InOrder in_order(program, observers);
+  engine::Observer* const observers[] = {&witness};
+  cycle::InOrder in_order(program, observers);
   SideBySide machine(program, in_order);
   std::size_t told = 0;
   for (const std::uint32_t segment : {0U, 0U, 0U, 1U, 1U}) {
@@ -159,8 +159,8 @@ TEST_CASE("before their turn pixels are copied where an observer looks, and at t
   for (const auto& [looks_after, copies] :
        {std::pair{std::optional(Opcode::enable_all), 2U}, {std::optional<Opcode>(), 1U}}) {
     Witness witness(looks_after);
-    sim::Observer* const observers[] = {&witness};
-    sim::InOrder in_order(program, observers);
+    engine::Observer* const observers[] = {&witness};
+    cycle::InOrder in_order(program, observers);
     SideBySide machine(program, in_order);
     for (int i = 0; i < 5; ++i) machine.proceed(1);
     CHECK(witness.told.empty());
@@ -171,8 +171,8 @@ TEST_CASE("before their turn pixels are copied where an observer looks, and at t
 TEST_CASE("a segment whose turn comes while it is drawn is told from then on as it goes") {
   const isa::Program program = program_of({{looked_at}, {looked_at, looked_at, looked_at}});
   Witness witness(Opcode::enable_all);
-  sim::Observer* const observers[] = {&witness};
-  sim::InOrder in_order(program, observers);
+  engine::Observer* const observers[] = {&witness};
+  cycle::InOrder in_order(program, observers);
   SideBySide machine(program, in_order);
   machine.proceed(1);
   machine.proceed(0);
@@ -184,20 +184,20 @@ TEST_CASE("a segment whose turn comes while it is drawn is told from then on as 
 }
 
 TEST_CASE("an observer that reads without having said so is told so, in its turn and before it") {
-  struct Curious final : sim::Observer {
+  struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-    void after_instruction(const sim::Step& /*step*/, const sim::PixelState& state) override {
+    void after_instruction(const engine::Step& /*step*/, const engine::PixelState& state) override {
       std::vector<std::uint64_t> words(2);
       state.read_enable(words);
     }
   } curious;
-  sim::Observer* const observers[] = {&curious};
+  engine::Observer* const observers[] = {&curious};
   const isa::Program program = program_of({{}, {other}});
-  sim::InOrder held(program, observers);
+  cycle::InOrder held(program, observers);
   SideBySide ahead(program, held);
   CHECK_NOTHROW(ahead.proceed(1));
   CHECK_THROWS_AS(ahead.proceed(0), std::logic_error);
-  sim::InOrder at_once(program, observers);
+  cycle::InOrder at_once(program, observers);
   SideBySide in_turn(program, at_once);
   CHECK_NOTHROW(in_turn.proceed(0));
   CHECK_THROWS_AS(in_turn.proceed(1), std::logic_error);

@@ -10,7 +10,7 @@
 namespace csgsim::test {
 
 /// Pixels that all hold one number, which changes as the machine goes on; its bits are the first enable word.
-class NumberView final : public kernel::PixelView {
+class NumberView final : public systemc::PixelView {
  public:
   explicit NumberView(std::uint32_t number) : number_(number) {}
 
@@ -25,7 +25,7 @@ class NumberView final : public kernel::PixelView {
     std::fill(words.begin(), words.end(), 0U);
     words[0] = number_;
   }
-  [[nodiscard]] std::unique_ptr<const kernel::PixelView> copy() const override {
+  [[nodiscard]] std::unique_ptr<const systemc::PixelView> copy() const override {
     ++copies_;
     return std::make_unique<NumberView>(number_);
   }

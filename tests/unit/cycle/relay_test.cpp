@@ -9,7 +9,7 @@
 
 using namespace csgsim;
 using isa::Opcode;
-using kernel::Keep;
+using systemc::Keep;
 
 namespace {
 
@@ -25,13 +25,13 @@ isa::Program program_of(const std::vector<isa::Instruction>& instructions) {
   return program;
 }
 
-class Reader final : public sim::Observer {};
+class Reader final : public engine::Observer {};
 
 }  // namespace
 
 TEST_CASE("overflows are counted at the pixels that are enabled when the instruction begins") {
   const isa::Program program = program_of({enable_all, narrow, narrow, enable_all});
-  sim::Relay relay(program, {});
+  cycle::Relay relay(program, {});
   relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));  // x from 2 to 7 do not fit
   CHECK(relay.overflows() == 6);
   relay.after_instruction({.index = 1}, test::NumberView(0b0100'1011));  // of these, 3 and 6
@@ -44,7 +44,7 @@ TEST_CASE("overflows are counted at the pixels that are enabled when the instruc
 TEST_CASE("after a skip nothing is counted, whatever the pixels show: none is enabled") {
   const isa::Program program =
       program_of({{.opcode = Opcode::skip_if_none, .constant = 1}, narrow, narrow, enable_all});
-  sim::Relay relay(program, {});
+  cycle::Relay relay(program, {});
   relay.after_instruction({.index = 0, .skipped = 1}, test::NumberView(0b1111'1111));
   CHECK(relay.overflows() == 0);
 }
@@ -53,7 +53,7 @@ TEST_CASE("a stripe's sum is cut on purpose: nothing is counted, and nothing ask
   isa::Instruction stripe = narrow;
   stripe.opcode = Opcode::stripe;
   const isa::Program program = program_of({enable_all, stripe, enable_all});
-  sim::Relay relay(program, {});
+  cycle::Relay relay(program, {});
   CHECK(relay.keeps_after(0, 0) == Keep::nothing);
   relay.after_instruction({.index = 0}, test::NumberView(0b1111'1111));
   CHECK(relay.overflows() == 0);
@@ -61,11 +61,11 @@ TEST_CASE("a stripe's sum is cut on purpose: nothing is counted, and nothing ask
 
 TEST_CASE("of the machine is asked what the observers read and what the count of overflows needs") {
   const isa::Program program = program_of({enable_all, narrow, enable_all});
-  sim::Relay unobserved(program, {});
+  cycle::Relay unobserved(program, {});
   CHECK(unobserved.keeps_after(0, 0) == Keep::enable);
   CHECK(unobserved.keeps_after(0, 1) == Keep::nothing);
   CHECK(unobserved.keeps_after(0, 2) == Keep::nothing);
   Reader reader;
-  sim::Observer* const observers[] = {&reader};
-  CHECK(sim::Relay(program, observers).keeps_after(0, 2) == Keep::all);
+  engine::Observer* const observers[] = {&reader};
+  CHECK(cycle::Relay(program, observers).keeps_after(0, 2) == Keep::all);
 }

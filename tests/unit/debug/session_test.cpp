@@ -182,7 +182,7 @@ TEST_CASE("back leads to the state before the last instructions that were carrie
   const isa::ArrayShape shape{9, 4, 40};
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
-    std::vector<sim::RunState> states;
+    std::vector<engine::RunState> states;
     while (!debug.session.run().finished()) {
       states.push_back(debug.session.run().save());
       debug("step");
@@ -194,9 +194,10 @@ TEST_CASE("back leads to the state before the last instructions that were carrie
       debug("back " + std::to_string(count));
       at = std::max<std::int64_t>(0, at - count);
       if (at == now || states.empty()) continue;
-      const sim::RunState state = debug.session.run().save();
+      const engine::RunState state = debug.session.run().save();
       // Before a segment's first instruction the pixels are still those of the segment before.
-      RC_ASSERT(debug.session.number() == sim::Numbers(debug.program).of(states[static_cast<std::size_t>(at)].place));
+      RC_ASSERT(debug.session.number() ==
+                engine::Numbers(debug.program).of(states[static_cast<std::size_t>(at)].place));
       if (state.place == states[static_cast<std::size_t>(at)].place)
         RC_ASSERT(state == states[static_cast<std::size_t>(at)]);
       const auto forth = *rc::gen::inRange<std::int64_t>(0, 3);
@@ -211,13 +212,13 @@ TEST_CASE("what no instruction is said to change, none changes, on random Progra
   const machines::Machine machine = planes(shape);
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
-    const auto run = sim::make_reference_engine(machine)->begin(program);
-    const sim::Numbers numbers(program);
+    const auto run = engine::make_reference_engine(machine)->begin(program);
+    const engine::Numbers numbers(program);
     while (!run->finished()) {
-      const sim::RunState before = run->save();
+      const engine::RunState before = run->save();
       const bool has_next = before.place.index < program.segments[before.place.segment].instructions.size();
       run->advance(numbers.of(before.place) + 1, {});
-      const sim::RunState after = run->save();
+      const engine::RunState after = run->save();
       if (!has_next || after.place.segment != before.place.segment) continue;
       const isa::Instruction& one = program.segments[before.place.segment].instructions[before.place.index];
       if (!debug::changes_enable(one.opcode)) RC_ASSERT(before.planes[0] == after.planes[0]);
@@ -234,8 +235,8 @@ TEST_CASE("a condition is met at the instruction at which looking after each of 
     const debug::Watched what{
         {0, static_cast<std::uint16_t>(*rc::gen::inRange(0, 3))}, *rc::gen::inRange(0U, 4U), *rc::gen::inRange(0U, 2U)};
     const debug::Condition condition{what, debug::Relation::changes, 0};
-    const auto run = sim::make_reference_engine(debug.machine)->begin(debug.program);
-    const sim::Numbers numbers(debug.program);
+    const auto run = engine::make_reference_engine(debug.machine)->begin(debug.program);
+    const engine::Numbers numbers(debug.program);
     std::vector<std::uint64_t> expected;
     std::uint32_t value = 0;
     std::uint32_t segment = 0;
@@ -319,7 +320,7 @@ TEST_CASE("a state serves the instructions behind it, up to the next at which on
 
 TEST_CASE("states are kept at the beginning and, the longer the run, the farther apart") {
   debug::History history;
-  sim::Snapshot snapshot;
+  checkpoint::Snapshot snapshot;
   snapshot.picture.frame.colour.resize(1 << 20);
   std::uint64_t number = 0;
   for (; number < 200'000; number = history.due(number)) {

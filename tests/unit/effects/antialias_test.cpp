@@ -47,20 +47,20 @@ testing::Setup random_view(view::Projection projection, const std::string& scene
 }
 
 /// Without the effect, sampled beside the pixels' centres.
-sim::Frame sampled_at(const std::string& csg, testing::Setup setup, const glm::dvec2& offset) {
+observe::Frame sampled_at(const std::string& csg, testing::Setup setup, const glm::dvec2& offset) {
   setup.options.scene = testing::scene_of("");
   setup.sampling.offset = offset;
   return testing::draw(testing::compile_text(csg, setup).program);
 }
 
-std::vector<sim::Frame> sampled(const std::string& csg, const testing::Setup& setup, std::size_t count) {
-  std::vector<sim::Frame> frames;
+std::vector<observe::Frame> sampled(const std::string& csg, const testing::Setup& setup, std::size_t count) {
+  std::vector<observe::Frame> frames;
   for (const glm::dvec2& offset : effects::sample_offsets(count)) frames.push_back(sampled_at(csg, setup, offset));
   return frames;
 }
 
 /// Sums of some of the samples at a pixel.
-Levels sum_of(const std::vector<sim::Frame>& frames, std::size_t begin, std::size_t end, std::size_t pixel) {
+Levels sum_of(const std::vector<observe::Frame>& frames, std::size_t begin, std::size_t end, std::size_t pixel) {
   Levels sum{};
   for (std::size_t i = begin; i < end; ++i) {
     const Levels one = levels_of(frames[i].colour[pixel]);
@@ -70,14 +70,14 @@ Levels sum_of(const std::vector<sim::Frame>& frames, std::size_t begin, std::siz
 }
 
 /// The mean, halves upwards.
-Levels mean_of(const std::vector<sim::Frame>& frames, std::size_t count, std::size_t pixel) {
+Levels mean_of(const std::vector<observe::Frame>& frames, std::size_t count, std::size_t pixel) {
   Levels mean = sum_of(frames, 0, count, pixel);
   for (int& one : mean) one = (one + static_cast<int>(count) / 2) / static_cast<int>(count);
   return mean;
 }
 
 /// What adaptive anti-aliasing does, by its definition.
-Levels refined(const std::vector<sim::Frame>& frames, int least_difference, std::size_t pixel) {
+Levels refined(const std::vector<observe::Frame>& frames, int least_difference, std::size_t pixel) {
   std::size_t count = std::max<std::size_t>(2, frames.size() / 4);
   while (count < frames.size()) {
     const int enough = least_difference * static_cast<int>(count / 2);
@@ -165,8 +165,8 @@ TEST_CASE("the anti-aliased picture is the rounded mean of as many pictures, bit
     const std::size_t count = std::size_t{2} << (seed % 4);
     CAPTURE(seed);
     const testing::Setup setup = random_view(projection, called(count));
-    const sim::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
-    const std::vector<sim::Frame> frames = sampled(csg, setup, count);
+    const observe::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
+    const std::vector<observe::Frame> frames = sampled(csg, setup, count);
     CHECK(picture.depth == frames.front().depth);
     int wrong = 0;
     bool has_edges = false;
@@ -187,15 +187,15 @@ TEST_CASE("with other effects at work the anti-aliased picture is still the mean
       "[[materials]]\nof_colour = [1, 0.2, 0.1]\nopacity = 0.5\n";
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
     const testing::Setup setup = random_view(projection, called(4) + others);
-    const sim::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
-    std::vector<sim::Frame> frames;
+    const observe::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+    std::vector<observe::Frame> frames;
     for (const glm::dvec2& offset : effects::sample_offsets(4)) {
       testing::Setup one = random_view(projection, others);
       one.sampling.offset = offset;
       frames.push_back(testing::draw(testing::compile_text(ball_and_hole, one).program));
     }
     const testing::Setup fewer = random_view(projection, called(4, "adaptive = true\n") + others);
-    const sim::Frame adaptive = testing::draw(testing::compile_text(ball_and_hole, fewer).program);
+    const observe::Frame adaptive = testing::draw(testing::compile_text(ball_and_hole, fewer).program);
     int wrong = 0;
     int wrong_adaptive = 0;
     for (std::size_t i = 0; i < picture.colour.size(); ++i) {
@@ -210,8 +210,8 @@ TEST_CASE("with other effects at work the anti-aliased picture is still the mean
 TEST_CASE("fewer bits of colour are averaged a channel each") {
   testing::Setup setup = random_view(view::Projection::orthographic, called(4));
   setup.options.colour_bits = 11;
-  const sim::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
-  const std::vector<sim::Frame> frames = sampled(ball_and_hole, setup, 4);
+  const observe::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+  const std::vector<observe::Frame> frames = sampled(ball_and_hole, setup, 4);
   int wrong = 0;
   for (std::size_t i = 0; i < picture.colour.size(); ++i) {
     std::uint32_t expected = 0;
@@ -219,7 +219,7 @@ TEST_CASE("fewer bits of colour are averaged a channel each") {
     for (const unsigned width : isa::channel_widths(11)) {
       from -= width;
       std::uint32_t sum = 2;
-      for (const sim::Frame& one : frames) sum += one.colour[i] >> from & ((1U << width) - 1);
+      for (const observe::Frame& one : frames) sum += one.colour[i] >> from & ((1U << width) - 1);
       expected |= (sum / 4) << from;
     }
     wrong += picture.colour[i] != expected;
@@ -234,7 +234,7 @@ TEST_CASE("anti-aliased colours are the means of what rays through the same plac
     CAPTURE(seed);
     const testing::Setup setup = random_view(projection, called(4));
     const testing::Compiled compiled = testing::compile_text(csg, setup);
-    const sim::Frame picture = testing::draw(compiled.program);
+    const observe::Frame picture = testing::draw(compiled.program);
     const testing::RayShot shot{setup.camera, 61, 47, compiled.view.depth.near, effects::sample_offsets(4)};
     const auto seen = testing::ray_picture(compiled.tree, compiled.scene, setup.options.scene, shot);
     int certain = 0;
@@ -260,8 +260,8 @@ TEST_CASE("adaptive anti-aliasing stops at each pixel where its definition says,
     const testing::Setup setup =
         random_view(view::Projection::perspective,
                     called(count, fmt::format("adaptive = true\nleast_difference = {}", least_difference)));
-    const sim::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
-    const std::vector<sim::Frame> frames = sampled(csg, setup, count);
+    const observe::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
+    const std::vector<observe::Frame> frames = sampled(csg, setup, count);
     CHECK(picture.depth == frames.front().depth);
     int wrong = 0;
     for (std::size_t i = 0; i < picture.colour.size(); ++i)
@@ -276,10 +276,10 @@ TEST_CASE("along straight edges adaptive pictures differ from full ones by what 
       "color([1,1,1,1]){multmatrix([[0.8,0,0.6,30],[0,1,0,0],[-0.6,0,0.8,-24],[0,0,0,1]])"
       "{cube(size=[28,4,28],center=true);}}";
   testing::Setup setup = testing::front_view(60, 48, testing::scene_of(testing::plain_colours + called(16)));
-  const sim::Frame full = testing::draw(testing::compile_text(csg, setup).program);
+  const observe::Frame full = testing::draw(testing::compile_text(csg, setup).program);
   setup.options.scene =
       testing::scene_of(testing::plain_colours + called(16, "adaptive = true\nleast_difference = 112"));
-  const sim::Frame adaptive = testing::draw(testing::compile_text(csg, setup).program);
+  const observe::Frame adaptive = testing::draw(testing::compile_text(csg, setup).program);
   const double bound = std::max(worst_at_a_line(4, 16), worst_at_a_line(8, 16)) * 255 + 1;
   CHECK(bound < 100);
   int most = 0;
@@ -296,11 +296,11 @@ TEST_CASE("on the carburettor adaptive anti-aliasing takes less than half the cl
   setup.options.scene = testing::scene_of(called(16, "adaptive = true\nleast_difference = 104"));
   const testing::Compiled fewer = testing::compile_file(testing::model_path("carburettor"), setup);
   const auto clocks = [](const isa::Program& program) {
-    return sim::make_functional_engine(testing::machine_of(program.shape))->run(program, {}).clocks;
+    return engine::make_functional_engine(testing::machine_of(program.shape))->run(program, {}).clocks;
   };
   CHECK(2 * clocks(fewer.program) < clocks(all.program));
-  const sim::Frame full = testing::draw(all.program);
-  const sim::Frame adaptive = testing::draw(fewer.program);
+  const observe::Frame full = testing::draw(all.program);
+  const observe::Frame adaptive = testing::draw(fewer.program);
   int most = 0;
   for (std::size_t i = 0; i < full.colour.size(); ++i)
     most = std::max(most, difference(levels_of(full.colour[i]), levels_of(adaptive.colour[i])));
@@ -312,7 +312,7 @@ TEST_CASE("a picture that is all one colour is not refined") {
   const std::string wall = testing::box_text({-10, 0, -50}, {50, 1, 50});
   const testing::Compiled refined = testing::compile_text(wall, setup);
   const auto run = [](const isa::Program& program) {
-    return sim::make_functional_engine(testing::machine_of(program.shape))->run(program, {});
+    return engine::make_functional_engine(testing::machine_of(program.shape))->run(program, {});
   };
   CHECK(run(refined.program).skipped > 0);
   // With an edge in it there is something left to draw.
@@ -322,9 +322,9 @@ TEST_CASE("a picture that is all one colour is not refined") {
 TEST_CASE("line by line the anti-aliased picture is the same") {
   for (const char* adaptive : {"adaptive = false", "adaptive = true"}) {
     testing::Setup setup = random_view(view::Projection::perspective, called(4, adaptive));
-    const sim::Frame whole = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+    const observe::Frame whole = testing::draw(testing::compile_text(ball_and_hole, setup).program);
     setup.kind = &scan_line::kind;
-    const sim::Frame lines = testing::draw(testing::compile_text(ball_and_hole, setup).program);
+    const observe::Frame lines = testing::draw(testing::compile_text(ball_and_hole, setup).program);
     CHECK(whole.colour == lines.colour);
     CHECK(whole.depth == lines.depth);
   }

@@ -24,7 +24,7 @@ double phase(const glm::dvec2& place, double angle) {
 }
 
 /// With the cuts of its scene.
-sim::Frame drawn(const std::string& csg, const testing::Setup& setup) {
+observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
   const model::Tree tree = effects::reshaped(read::read_csg_text(csg, "box"), setup.options.scene);
   const facet::Scene facets = facet::make_scene(tree);
   const view::View view = view::make_view(facets, tree, setup.camera, setup.sampling);
@@ -47,7 +47,7 @@ TEST_CASE("hatching has its lines where a sample looks, at the centre of a pixel
                                         "hatch = {}\nangle = {}\nhatch_colour = [1, 0, 0]\n",
                                         hatch, angle)));
       setup.sampling.offset = aside;
-      const sim::Frame frame = drawn(box, setup);
+      const observe::Frame frame = drawn(box, setup);
       int wrong = 0;
       int lines = 0;
       for (std::uint32_t y = 1; y + 1 < height; ++y) {

@@ -45,11 +45,11 @@ TEST_CASE("each pixel has its colour, faded by its depth, to within half a step 
     CAPTURE(seed);
     const testing::Setup plain = random_view(projection, "");
     const testing::Compiled without = testing::compile_text(csg, plain);
-    const sim::Frame before = testing::draw(without.program);
+    const observe::Frame before = testing::draw(without.program);
     const testing::Setup setup = random_view(
         projection, fmt::format("[effects.depth_cue]\nnear = {}\nfar = {}\ncolour = [{}, {}, {}]\nbits = {}\n", near,
                                 far, cue[0] / 255.0, cue[1] / 255.0, cue[2] / 255.0, bits));
-    const sim::Frame after = testing::draw(testing::compile_text(csg, setup).program);
+    const observe::Frame after = testing::draw(testing::compile_text(csg, setup).program);
     CHECK(before.depth == after.depth);
     const isa::DepthScale& scale = without.view.depth;
     const double begin = isa::depth_of(scale, 20, near);
@@ -84,7 +84,7 @@ TEST_CASE("in an orthographic view colours fade with distance, as rays see it") 
     const testing::Setup setup =
         random_view(view::Projection::orthographic, "[effects.depth_cue]\nnear = 80\nfar = 130\ncolour = [0, 0, 0]\n");
     const testing::Compiled compiled = testing::compile_text(csg, setup);
-    const sim::Frame picture = testing::draw(compiled.program);
+    const observe::Frame picture = testing::draw(compiled.program);
     testing::RayEffects effects;
     effects.cue = testing::RayCue{80, 130, {0, 0, 0}};
     const testing::RayShot shot{setup.camera, width, height};
@@ -116,10 +116,10 @@ TEST_CASE("what is at the far setting is the background's colour, and what is be
   };
   const std::size_t first = 7 * 24 + 6;
   const std::size_t second = 7 * 24 + 18;
-  const sim::Frame between = draw(1, 39);
+  const observe::Frame between = draw(1, 39);
   CHECK(between.colour[first] == 0xff0000U);
   CHECK(between.colour[second] == 0x000000U);
-  const sim::Frame half = draw(0, 80);
+  const observe::Frame half = draw(0, 80);
   CHECK(half.colour[first] == 0xff0000U);
   CHECK(std::abs(level(half.colour[second], 1) - 127.5) <= bound(5, 1e5));
 }
@@ -127,7 +127,7 @@ TEST_CASE("what is at the far setting is the background's colour, and what is be
 TEST_CASE("line by line the faded picture is the same") {
   testing::Setup setup = random_view(view::Projection::perspective, "[effects.depth_cue]\n");
   const std::string csg = testing::random_model(7, 6);
-  const sim::Frame whole = testing::draw(testing::compile_text(csg, setup).program);
+  const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);
   setup.kind = &scan_line::kind;
   CHECK(whole.colour == testing::draw(testing::compile_text(csg, setup).program).colour);
 }

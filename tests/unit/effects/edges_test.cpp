@@ -25,7 +25,7 @@ testing::Setup random_view(view::Projection projection, const std::string& scene
 }
 
 /// Rows of a picture: whether each pixel has that colour.
-std::vector<std::string> where(const sim::Frame& frame, std::uint32_t colour) {
+std::vector<std::string> where(const observe::Frame& frame, std::uint32_t colour) {
   std::vector<std::string> rows;
   for (std::uint32_t y = 0; y < frame.height; ++y) {
     rows.emplace_back();
@@ -44,7 +44,7 @@ TEST_CASE("a line is drawn where the pixel to the right or below shows another f
   // The view is along +y: of each box one face is seen.
   const std::string boxes = testing::box_text({1, 0, -5}, {5, 1, -2}) + testing::box_text({5, 0, -4}, {7, 1, -3});
   const testing::Setup setup = testing::front_view(9, 7, testing::scene_of(testing::plain_colours + red_lines));
-  const sim::Frame frame = testing::draw(testing::compile_text(boxes, setup).program);
+  const observe::Frame frame = testing::draw(testing::compile_text(boxes, setup).program);
   CHECK(where(frame, red) == std::vector<std::string>{
                                  ".........",
                                  ".####....",
@@ -67,7 +67,7 @@ TEST_CASE("lines are where rays through neighbouring pixels see different facets
     const std::string scene = red_lines + (of_primitives ? "between = \"primitives\"\n" : "crease = 0\n");
     const testing::Setup setup = random_view(projection, scene);
     const testing::Compiled compiled = testing::compile_text(csg, setup);
-    const sim::Frame picture = testing::draw(compiled.program);
+    const observe::Frame picture = testing::draw(compiled.program);
     const testing::RayShot shot{setup.camera, width, height, compiled.view.depth.near};
     const auto seen = testing::ray_picture(compiled.tree, compiled.scene, setup.options.scene, shot);
     const auto differ = [&](std::size_t a, std::size_t b) {
@@ -94,7 +94,7 @@ TEST_CASE("facets around a curved solid are one, those of a prism and of a small
   const auto lines = [](int fragments, const std::string& more) {
     const testing::Setup setup = random_view(view::Projection::orthographic, red_lines + more);
     const std::string csg = fmt::format("cylinder($fn={},h=20,r1=12,r2=12,center=true);", fragments);
-    const sim::Frame frame = testing::draw(testing::compile_text(csg, setup).program);
+    const observe::Frame frame = testing::draw(testing::compile_text(csg, setup).program);
     // A row that crosses the side alone.
     return where(frame, red).at(26);
   };
@@ -106,9 +106,9 @@ TEST_CASE("facets around a curved solid are one, those of a prism and of a small
 
 TEST_CASE("colours and depths besides the lines stay") {
   const std::string csg = testing::random_model(3, 6);
-  const sim::Frame plain =
+  const observe::Frame plain =
       testing::draw(testing::compile_text(csg, random_view(view::Projection::perspective, "")).program);
-  const sim::Frame lined =
+  const observe::Frame lined =
       testing::draw(testing::compile_text(csg, random_view(view::Projection::perspective, red_lines)).program);
   CHECK(plain.depth == lined.depth);
   int other = 0;
@@ -121,8 +121,8 @@ TEST_CASE("anti-aliased lines are the means of lines in each sample, adaptive or
   const std::string csg = testing::random_model(5, 6);
   const testing::Setup setup =
       random_view(view::Projection::orthographic, red_lines + "[effects.antialias]\nsamples = 4\n");
-  const sim::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
-  std::vector<sim::Frame> frames;
+  const observe::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
+  std::vector<observe::Frame> frames;
   for (const glm::dvec2& offset : effects::sample_offsets(4)) {
     testing::Setup one = random_view(view::Projection::orthographic, red_lines);
     one.sampling.offset = offset;
@@ -130,7 +130,7 @@ TEST_CASE("anti-aliased lines are the means of lines in each sample, adaptive or
   }
   const testing::Setup fewer =
       random_view(view::Projection::orthographic, red_lines + "[effects.antialias]\nsamples = 4\nadaptive = true\n");
-  const sim::Frame adaptive = testing::draw(testing::compile_text(csg, fewer).program);
+  const observe::Frame adaptive = testing::draw(testing::compile_text(csg, fewer).program);
   int wrong = 0;
   int wrong_adaptive = 0;
   for (std::size_t i = 0; i < picture.colour.size(); ++i) {
@@ -151,7 +151,7 @@ TEST_CASE("anti-aliased lines are the means of lines in each sample, adaptive or
 TEST_CASE("line by line the picture with edges is the same, and so it is with a second colour field") {
   testing::Setup setup = random_view(view::Projection::perspective, red_lines);
   const std::string csg = testing::random_model(7, 6);
-  const sim::Frame whole = testing::draw(testing::compile_text(csg, setup).program);
+  const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);
   setup.options.colouring = emit::Colouring::field;
   CHECK(whole.colour == testing::draw(testing::compile_text(csg, setup).program).colour);
   setup.kind = &scan_line::kind;

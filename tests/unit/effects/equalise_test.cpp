@@ -41,7 +41,7 @@ testing::Setup setup_of(const std::string& scene, const std::string& model) {
 }
 
 /// The definition, a pixel at a time.
-std::vector<std::uint32_t> equalised(const sim::Frame& before, const Lattice& lattice, unsigned colour_bits,
+std::vector<std::uint32_t> equalised(const observe::Frame& before, const Lattice& lattice, unsigned colour_bits,
                                      std::uint32_t nothing) {
   std::vector<std::uint32_t> after = before.colour;
   unsigned shift = colour_bits;
@@ -78,11 +78,11 @@ std::vector<std::uint32_t> equalised(const sim::Frame& before, const Lattice& la
 int check(const std::string& model, const Lattice& lattice, unsigned colour_bits, const std::string& also = "") {
   testing::Setup setup = setup_of(also, model);
   setup.options.colour_bits = colour_bits;
-  const sim::Frame before = testing::draw(testing::compile_text(model, setup).program);
+  const observe::Frame before = testing::draw(testing::compile_text(model, setup).program);
   setup.options.scene = scene::read_scene(
       also + fmt::format("[effects.equalise]\nsamples = {}\nreach = {}\n", lattice.samples, lattice.reach), "scene", {},
       effects::sections());
-  const sim::Frame after = testing::draw(testing::compile_text(model, setup).program);
+  const observe::Frame after = testing::draw(testing::compile_text(model, setup).program);
   const std::uint32_t nothing = (1U << setup.sampling.z_bits) - 1;
   const std::vector<std::uint32_t> expected = equalised(before, lattice, colour_bits, nothing);
   CHECK(after.colour == expected);

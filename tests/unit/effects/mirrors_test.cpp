@@ -110,7 +110,7 @@ void judge(const std::string& model, const testing::Setup& setup, unsigned depth
   const testing::RayShot shot{setup.camera, setup.sampling.width, setup.sampling.height};
   const auto expected = testing::ray_picture(compiled.tree, compiled.scene, scene, shot, effects);
   const auto without = testing::ray_picture(compiled.tree, compiled.scene, scene, shot);
-  const sim::Frame frame = testing::draw(compiled.program);
+  const observe::Frame frame = testing::draw(compiled.program);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     ++tally.pixels;
     if (!expected[i].is_certain) continue;
@@ -160,9 +160,9 @@ Tally random_models(std::uint64_t first_seed, view::Projection projection) {
   return tally;
 }
 
-bool same(const sim::Frame& a, const sim::Frame& b) { return a.colour == b.colour && a.depth == b.depth; }
+bool same(const observe::Frame& a, const observe::Frame& b) { return a.colour == b.colour && a.depth == b.depth; }
 
-sim::Frame drawn(const std::string& model, const testing::Setup& setup) {
+observe::Frame drawn(const std::string& model, const testing::Setup& setup) {
   return testing::draw(testing::compile_text(model, setup).program);
 }
 
@@ -194,7 +194,7 @@ TEST_CASE("mirrors in mirrors are seen to the depth that is asked for") {
 
 TEST_CASE("mirrors are the same on all machines and by all strategies") {
   testing::Setup setup = view_of_room(32, 28, view::Projection::perspective, to_depth(2), room());
-  const sim::Frame first = drawn(room(), setup);
+  const observe::Frame first = drawn(room(), setup);
   for (const emit::Strategy strategy : emit::strategies) {
     setup.options.strategy = strategy;
     CHECK(same(drawn(room(), setup), first));
@@ -220,7 +220,7 @@ TEST_CASE("glass before a mirror, and in it, is see-through") {
   for (const model::Primitive& one : compiled.tree.primitives) effects.opacity.push_back(one.opacity);
   const auto expected = testing::ray_picture(compiled.tree, compiled.scene, setup.options.scene,
                                              {setup.camera, setup.sampling.width, setup.sampling.height}, effects);
-  const sim::Frame frame = testing::draw(compiled.program);
+  const observe::Frame frame = testing::draw(compiled.program);
   int wrong = 0;
   for (std::size_t i = 0; i < expected.size(); ++i)
     wrong += expected[i].is_certain && testing::off_by(frame.colour[i], expected[i].colour) > 3.5 ? 1 : 0;

@@ -117,7 +117,7 @@ void judge(const Plate& plate, const testing::Setup& setup, Tally& tally) {
   const auto compiled = testing::compile_text(testing::tinted({1, 1, 1}, alpha, plate.text()), setup);
   RC_PRE(compiled.tree.primitives.size() > 1);
   RC_ASSERT(compiled.program.facts.primitives.size() == 1);
-  const sim::Frame frame = sim::of_primitives(testing::draw(compiled.program), compiled.program.facts);
+  const observe::Frame frame = observe::of_primitives(testing::draw(compiled.program), compiled.program.facts);
   const view::EyeSpace eye = view::eye_space(setup.camera, setup.sampling);
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
     const glm::dvec2 place(static_cast<double>(i % width), static_cast<double>(i / width));
@@ -127,7 +127,7 @@ void judge(const Plate& plate, const testing::Setup& setup, Tally& tally) {
     tally.through += *count > 1 ? 1 : 0;
     const double level = 255 * (1 - std::pow(1 - alpha, static_cast<double>(*count)));
     const double off = std::abs(isa::unpack_colour(frame.colour[i], isa::most_colour_bits)[0] - level);
-    const bool is_owner = frame.owner[i] == (*count > 0 ? 0 : sim::no_owner);
+    const bool is_owner = frame.owner[i] == (*count > 0 ? 0 : observe::no_owner);
     if (off <= static_cast<double>(*count) && is_owner) continue;
     ++tally.wrong;
     MESSAGE("column ", i % width, " row ", i / width, ": entered ", *count, " times, off by ", off);
@@ -180,8 +180,8 @@ TEST_CASE("pieces of glass that overlap, and that the near plane cuts open, are 
     const auto drawn = [&](const std::string& csg) {
       return testing::draw(testing::compile_text(testing::tinted({1, 1, 1}, alpha, csg), setup).program);
     };
-    const sim::Frame sum = drawn(bars);
-    const sim::Frame plate = drawn(cross.text());
+    const observe::Frame sum = drawn(bars);
+    const observe::Frame plate = drawn(cross.text());
     int differing = 0;
     for (std::size_t i = 0; i < sum.colour.size(); ++i) differing += sum.colour[i] == plate.colour[i] ? 0 : 1;
     CHECK(differing == 0);

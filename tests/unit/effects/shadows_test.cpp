@@ -55,7 +55,7 @@ constexpr double steps_in_doubt = 1.25;
 /// Holds a picture with shadows against rays.
 Tally judge(const std::string& csg, const testing::Setup& setup) {
   const testing::Compiled compiled = testing::compile_text(csg, setup);
-  const sim::Frame frame = testing::draw(compiled.program);
+  const observe::Frame frame = testing::draw(compiled.program);
   testing::RayShot shot;
   shot.camera = setup.camera;
   shot.width = setup.sampling.width;
@@ -132,11 +132,11 @@ testing::Setup wall_view(const std::string& toml) { return testing::front_view(2
 
 const std::string wall = box_text({0, 5, -24}, {24, 6, 0});
 
-std::uint32_t colour_at(const sim::Frame& frame, std::uint32_t x, std::uint32_t y) {
+std::uint32_t colour_at(const observe::Frame& frame, std::uint32_t x, std::uint32_t y) {
   return frame.colour[std::size_t{y} * frame.width + x];
 }
 
-sim::Frame drawn(const std::string& csg, const testing::Setup& setup) {
+observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
   return testing::draw(testing::compile_text(csg, setup).program);
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("light passes through a hole, and no seam of the pieces around it lets
   check(tally);
   CHECK(tally.judged > 500);
   // Right of the plate the wall is dark as far as 18 + 0.31 * 4, without a gap.
-  const sim::Frame frame = drawn(csg, setup);
+  const observe::Frame frame = drawn(csg, setup);
   const std::uint32_t dark = colour_at(frame, 18, 10);
   CHECK(dark != colour_at(frame, 22, 10));
   for (std::uint32_t y = 3; y < 18; ++y) {
@@ -194,7 +194,7 @@ TEST_CASE("light that runs along the seams of pieces does not come through them"
   // The hole's upper and lower sides, which cut the plate, are planes that light runs along.
   const std::string csg = "union(){" + wall + "difference(){" + box_text({2, 0, -18}, {18, 1, -2}) +
                           box_text({7.5, -1, -12.5}, {12.5, 2, -7.5}) + "}}";
-  const sim::Frame frame = drawn(csg, wall_view(shadows + slanted));
+  const observe::Frame frame = drawn(csg, wall_view(shadows + slanted));
   const std::uint32_t dark = colour_at(frame, 20, 10);
   CHECK(dark != colour_at(frame, 0, 10));
   // Behind the plate's right end: from its back at 1 to the wall at 5.
@@ -225,7 +225,7 @@ TEST_CASE("a convex solid throws no shadow on itself, and nothing is broadcast t
 TEST_CASE("what is taken away throws no shadow, and a solid without itself none either") {
   const std::string block = box_text({4, 0, -14}, {12, 2, -6});
   const testing::Setup setup = wall_view(shadows + slanted);
-  const sim::Frame expected = drawn(wall, setup);
+  const observe::Frame expected = drawn(wall, setup);
   CHECK(drawn("union(){" + wall + "difference(){" + block + block + "}}", setup).colour == expected.colour);
   CHECK(drawn("union(){" + wall + block + "}", setup).colour != expected.colour);
 }
@@ -289,7 +289,7 @@ TEST_CASE("pictures with shadows are the same bits whatever is pruned and whatev
     const std::string csg = on_a_floor(seed);
     const testing::Setup setup =
         seen_from(csg, {1, -2, 1.5}, view::Projection::perspective, testing::scene_of(shadows + lights));
-    const sim::Frame expected = drawn(csg, setup);
+    const observe::Frame expected = drawn(csg, setup);
     testing::Setup other = setup;
     other.options.pruning = csg::Pruning::none();
     CHECK(drawn(csg, other).colour == expected.colour);
@@ -311,7 +311,7 @@ TEST_CASE("one light alone throws shadows, or some lines of the model, if the sc
       "union(){" + wall + box_text({9, 0, -14}, {10, 1, -11}) + box_text({16, 0, -14}, {17, 1, -11}) + "}";
   // The row of the boxes: where the wall is darker than in another row.
   const auto dark_columns = [&](const std::string& keys) {
-    const sim::Frame frame = drawn(csg, wall_view(shadows + keys + lights));
+    const observe::Frame frame = drawn(csg, wall_view(shadows + keys + lights));
     std::string columns;
     for (std::uint32_t x = 0; x < 24; ++x) {
       const bool is_box = x == 9 || x == 16;

@@ -108,7 +108,7 @@ void compare(const std::string& model, const Pattern& pattern, const view::Camer
   const std::string white = "[[materials]]\ncolour = [1, 1, 1]\n";
   const testing::Setup setup = setup_of(white + pattern.text(), camera);
   const auto compiled = testing::compile_text(model, setup);
-  const sim::Frame frame = testing::draw(compiled.program);
+  const observe::Frame frame = testing::draw(compiled.program);
   const auto lit = testing::ray_picture(compiled.tree, compiled.scene, scene_of(white), {camera, width, height});
   const view::EyeSpace space = view::eye_space(camera, setup.sampling);
   for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -183,7 +183,7 @@ std::string error_with(const std::string& scene, const std::string& model, const
   return testing::error_of([&] { testing::compile_text(model, setup_of(scene, camera)); });
 }
 
-std::uint32_t colour_at(const sim::Frame& frame, std::uint32_t x, std::uint32_t y) {
+std::uint32_t colour_at(const observe::Frame& frame, std::uint32_t x, std::uint32_t y) {
   return frame.colour[std::size_t{y} * width + x];
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("a checker begins at u0, v0 with its first colour") {
       cube,
       setup_of(lights + "[[effects.textures]]\nfirst = [1, 0, 0]\nsecond = [0, 0, 1]\nsize = 1\nu0 = -2\nv0 = -2\n",
                camera));
-  const sim::Frame frame = testing::draw(compiled.program);
+  const observe::Frame frame = testing::draw(compiled.program);
   for (std::uint32_t column = 0; column < 4; ++column) {
     for (std::uint32_t row = 0; row < 4; ++row) {
       const std::uint32_t x = width / 2 - 20 + 10 * column + 5;
@@ -252,8 +252,8 @@ TEST_CASE("in perspective a texel that begins at the last pixels of a facet, rig
         "[[effects.textures]]\npattern = 'table'\nsize = 16\nu0 = -11.75\nv0 = -11.75\ntexels = " + texels + "\n";
     return testing::draw(testing::compile_text(plate, setup_of(lights + texture, camera)).program);
   };
-  const sim::Frame columns = drawn("[[[1, 0, 0], [0, 0, 1]]]");
-  const sim::Frame rows = drawn("[[[1, 0, 0]], [[0, 0, 1]]]");
+  const observe::Frame columns = drawn("[[[1, 0, 0], [0, 0, 1]]]");
+  const observe::Frame rows = drawn("[[[1, 0, 0]], [[0, 0, 1]]]");
   for (std::uint32_t i = 23; i <= 40; ++i) {
     CAPTURE(i);
     CHECK(colour_at(columns, i, 24) == (i == 40 ? 0x0000ffU : 0xff0000U));
@@ -288,7 +288,7 @@ TEST_CASE("textures are the same on lines, squares and the whole array, and howe
     const facet::Box box = facet::make_scene(read::read_csg_text(model, "random")).box;
     const view::Camera camera = view::view_all({{1, -2, 1.3}, {0, 0, 0}, projection}, box, width, height);
     testing::Setup setup = setup_of(some_patterns[2].text(), camera);
-    const sim::Frame whole = testing::draw(testing::compile_text(model, setup).program);
+    const observe::Frame whole = testing::draw(testing::compile_text(model, setup).program);
     setup.options.colouring = emit::Colouring::field;
     CHECK(testing::draw(testing::compile_text(model, setup).program).colour == whole.colour);
     setup.kind = &scan_line::kind;

@@ -108,7 +108,7 @@ class Shot {
   [[nodiscard]] const model::Tree& tree() const { return tree_; }
   [[nodiscard]] std::vector<double> opacities() const { return opacities_of(scene_, tree_); }
   [[nodiscard]] isa::Program program() const { return testing::compile_text(text_, setup_).program; }
-  [[nodiscard]] sim::Frame drawn() const { return testing::draw(program()); }
+  [[nodiscard]] observe::Frame drawn() const { return testing::draw(program()); }
 
   /// With primitives listed in that order.
   [[nodiscard]] std::vector<testing::RayColour> cast(const std::vector<std::uint32_t>& order,
@@ -159,7 +159,7 @@ Tally layers_of_random_models(std::uint64_t first_seed, view::Projection project
     effects.layers = 100;
     const auto expected = shot.cast(order, effects);
     const auto opaque = shot.cast(order, {});
-    const sim::Frame frame = shot.drawn();
+    const observe::Frame frame = shot.drawn();
     for (std::size_t i = 0; i < expected.size(); ++i) {
       ++tally.pixels;
       if (!expected[i].is_certain) continue;
@@ -201,7 +201,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
       expected.at(is_reversed ? 1 : 0) = shot.cast(order, effects);
     }
     const auto opaque = shot.cast(shot.tree_order(), {});
-    const sim::Frame frame = shot.drawn();
+    const observe::Frame frame = shot.drawn();
     for (std::size_t i = 0; i < opaque.size(); ++i) {
       ++tally.pixels;
       const testing::RayColour& one = expected[0][i];
@@ -228,7 +228,7 @@ double steps_at(const isa::Program& program, double distance) {
 bool is_told(const isa::Program& program, const testing::RayColour& seen, const std::vector<std::uint32_t>& order,
              std::uint32_t owner, std::uint32_t depth) {
   if (seen.primitive == model::no_index)
-    return owner == sim::no_owner && depth + 1 == 1U << isa::field_of(program, isa::FieldRole::depth).width;
+    return owner == observe::no_owner && depth + 1 == 1U << isa::field_of(program, isa::FieldRole::depth).width;
   return owner == order[seen.primitive] && std::abs(depth - steps_at(program, seen.depth)) <= 2;
 }
 
@@ -241,8 +241,8 @@ Tally surfaces_of_random_models(std::uint64_t first_seed, view::Projection proje
     const std::vector<double> opacities = permuted(shot.opacities(), order);
     const auto nearest = shot.cast(order, {});
     const isa::Program program = shot.program();
-    const sim::Frame frame = testing::draw(program);
-    const sim::Frame opaque = sim::of_opaque(frame);
+    const observe::Frame frame = testing::draw(program);
+    const observe::Frame opaque = observe::of_opaque(frame);
     for (std::size_t i = 0; i < nearest.size(); ++i) {
       ++tally.pixels;
       if (!nearest[i].is_certain) continue;

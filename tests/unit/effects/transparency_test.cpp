@@ -66,11 +66,11 @@ glm::dvec3 levels(std::uint32_t packed) {
 
 double greatest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-sim::Frame drawn(const std::string& csg, const testing::Setup& setup) {
+observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
   return testing::draw(testing::compile_text(csg, setup).program);
 }
 
-sim::Frame drawn(const std::string& csg, const std::vector<std::string>& sets) {
+observe::Frame drawn(const std::string& csg, const std::vector<std::string>& sets) {
   return drawn(csg, front_view(side, side, scene_of(plain_colours, sets)));
 }
 
@@ -92,8 +92,8 @@ std::string union_of(const std::vector<std::string>& parts) {
   return text + "}";
 }
 
-bool same(const sim::Frame& a, const sim::Frame& b) {
-  return a.colour == b.colour && a.depth == b.depth && sim::of_opaque(a).depth == sim::of_opaque(b).depth;
+bool same(const observe::Frame& a, const observe::Frame& b) {
+  return a.colour == b.colour && a.depth == b.depth && observe::of_opaque(a).depth == observe::of_opaque(b).depth;
 }
 
 testing::Setup view_of_parts(const std::vector<std::string>& sets) { return front_view(16, 16, scene_of("", sets)); }
@@ -108,7 +108,7 @@ TEST_CASE("panes behind one another are blended within as many levels as there a
     for (int i = 0; i < count; ++i) panes.push_back({{part(), part(), part()}, *rc::gen::inRange(1, 998) / 1000.0});
     if (*rc::gen::arbitrary<bool>()) panes.push_back({{part(), part(), part()}, 1});
     const glm::dvec3 expected = blended(panes, panes.size());
-    const sim::Frame frame = drawn(panes_text(panes), std::vector<std::string>{});
+    const observe::Frame frame = drawn(panes_text(panes), std::vector<std::string>{});
     for (const std::uint32_t pixel : frame.colour) RC_ASSERT(greatest(levels(pixel) - expected) <= count);
   });
   CHECK(holds);
@@ -118,14 +118,14 @@ TEST_CASE("a pixel with more layers than asked for shows the nearest and what is
   const std::vector<Pane> panes{{{1, 0, 0}, 0.5}, {{0, 1, 0}, 0.5}, {{0, 0, 1}, 0.5}, {{1, 1, 1}, 1}};
   for (const unsigned layers : {1U, 2U, 3U, 4U}) {
     CAPTURE(layers);
-    const sim::Frame frame = drawn(panes_text(panes), {fmt::format("effects.transparency.layers={}", layers)});
+    const observe::Frame frame = drawn(panes_text(panes), {fmt::format("effects.transparency.layers={}", layers)});
     CHECK(greatest(levels(frame.colour.front()) - blended(panes, layers)) <= std::min(layers, 3U));
   }
 }
 
 TEST_CASE("through a hole in glass the wall behind is seen as it is, through the glass with its part") {
   const std::string glass = "difference(){" + box_text({0, 0, -8}, {8, 1, 0}) + box_text({2, -1, -6}, {6, 2, -2}) + "}";
-  const sim::Frame frame =
+  const observe::Frame frame =
       drawn("union(){" + tinted({1, 0, 0}, 0.25, glass) + tinted({0, 0, 1}, 1, box_text({0, 3, -8}, {8, 4, 0})) + "}",
             std::vector<std::string>{});
   CHECK(levels(frame.colour[4 * side + 4]) == glm::dvec3(0, 0, 255));
@@ -147,9 +147,9 @@ TEST_CASE("behind what is see-through the depths and owners of opaque surfaces a
     clear.push_back(rule + set);
     clear.push_back(rule + "opacity=0");
   }
-  const sim::Frame frame = drawn(union_of(parts()), view_of_parts({}));
-  const sim::Frame without = drawn(union_of(parts()), view_of_parts(clear));
-  const sim::Frame opaque = sim::of_opaque(frame);
+  const observe::Frame frame = drawn(union_of(parts()), view_of_parts({}));
+  const observe::Frame without = drawn(union_of(parts()), view_of_parts(clear));
+  const observe::Frame opaque = observe::of_opaque(frame);
   CHECK(opaque.depth == without.depth);
   CHECK(opaque.owner == without.owner);
   CHECK(frame.colour != without.colour);
@@ -164,7 +164,7 @@ TEST_CASE("the order of parts in the file does not change the picture (OpenSCAD 
     const testing::Setup setup = view_of_parts({fmt::format("effects.transparency.method={}", method)});
     std::vector<std::string> all = parts();
     std::sort(all.begin(), all.end());
-    const sim::Frame first = drawn(union_of(all), setup);
+    const observe::Frame first = drawn(union_of(all), setup);
     CHECK(std::set<std::uint32_t>(first.colour.begin(), first.colour.end()).size() > 5);
     int differing = 0;
     while (std::next_permutation(all.begin(), all.end())) differing += same(drawn(union_of(all), setup), first) ? 0 : 1;
@@ -177,7 +177,7 @@ TEST_CASE("see-through pictures are the same on all machines, by all strategies,
     CAPTURE(method);
     testing::Setup setup = view_of_parts({fmt::format("effects.transparency.method={}", method)});
     setup.memory_bits = 400;
-    const sim::Frame first = drawn(union_of(parts()), setup);
+    const observe::Frame first = drawn(union_of(parts()), setup);
     for (const emit::Strategy strategy : emit::strategies) {
       for (const emit::Colouring colouring : emit::colourings) {
         setup.options.strategy = strategy;
@@ -204,7 +204,7 @@ TEST_CASE("see-through surfaces are the same where colours are found by the owne
       .called_by = [](const emit::Look&) { return true; },
       .needs_owners = true};
   testing::Setup setup = view_of_parts({});
-  const sim::Frame first = drawn(union_of(parts()), setup);
+  const observe::Frame first = drawn(union_of(parts()), setup);
   std::vector<const emit::Effect*> rows(effects::all().begin(), effects::all().end());
   rows.push_back(&owners);
   setup.options.effects = rows;
@@ -217,9 +217,9 @@ TEST_CASE("an intersection of glass and thinner glass has the opacity of each at
                                   "multmatrix([[0.6,-0.8,0,4],[0.8,0.6,0,0],[0,0,1,-8],[0,0,0,1]]){cube(size=[8,8,8],"
                                   "center=false);}") +
                            "}";
-  const sim::Frame frame = drawn(text, std::vector<std::string>{});
+  const observe::Frame frame = drawn(text, std::vector<std::string>{});
   CHECK(greatest(levels(frame.colour[4 * side + 3]) - glm::dvec3(64)) <= 1);
-  const sim::Frame turned = drawn(text, {"materials.0.opacity=0.75"});
+  const observe::Frame turned = drawn(text, {"materials.0.opacity=0.75"});
   CHECK(greatest(levels(turned.colour[4 * side + 3]) - glm::dvec3(191)) <= 1);
 }
 
@@ -276,7 +276,7 @@ TEST_CASE("a screen door is open at as many pixels of every 4 x 4 as its opacity
   for (unsigned pixels = 0; pixels <= effects::most_pixels; ++pixels) {
     CAPTURE(pixels);
     const std::string pane = tinted({1, 1, 1}, pixels / 16.0, box_text({-1, 0, -9}, {9, 1, 1}));
-    const sim::Frame frame = drawn(pane, {"effects.transparency.method=screen-door"});
+    const observe::Frame frame = drawn(pane, {"effects.transparency.method=screen-door"});
     std::set<std::size_t> there;
     std::array<unsigned, 4> in_block{};
     for (std::size_t i = 0; i < frame.colour.size(); ++i) {

@@ -67,7 +67,7 @@ Instruction any_instruction() {
 }
 
 /// Enable and memory of every pixel.
-std::vector<std::uint32_t> state_of(const sim::ReferenceArray& array) {
+std::vector<std::uint32_t> state_of(const reference::ReferenceArray& array) {
   std::vector<std::uint32_t> state;
   for (std::uint32_t y = 0; y < shape.height; ++y) {
     for (std::uint32_t x = 0; x < shape.width; ++x) {
@@ -79,8 +79,8 @@ std::vector<std::uint32_t> state_of(const sim::ReferenceArray& array) {
 }
 
 /// Every pixel begins with a memory of its own, and half of them enabled.
-sim::ReferenceArray begun() {
-  sim::ReferenceArray array(shape);
+reference::ReferenceArray begun() {
+  reference::ReferenceArray array(shape);
   for (std::uint32_t i = 0; i < shape.width * shape.height; ++i) array.write({0, 4}, i % 4, i / 4, i);
   array.execute({Opcode::enable_all, {}, {}, 0, {}});
   array.execute({Opcode::edge_not_negative, {}, {1, 0, -2, 4, 0}, 0, {}});
@@ -126,7 +126,7 @@ TEST_CASE("after a question nothing is taken as known, since a skip may end ther
 
 TEST_CASE("what is broadcast leaves enable and memory as all that was asked for would") {
   CHECK(rc::check([] {
-    sim::ReferenceArray asked = begun();
+    reference::ReferenceArray asked = begun();
     isa::Segment segment = empty_segment();
     emit::Broadcast out(segment, {});
     const int count = 1 + below(60);
@@ -135,7 +135,7 @@ TEST_CASE("what is broadcast leaves enable and memory as all that was asked for 
       asked.execute(instruction);
       out.plain(instruction.opcode, instruction.fields[0], instruction.fields[1], instruction.constant);
     }
-    sim::ReferenceArray broadcast = begun();
+    reference::ReferenceArray broadcast = begun();
     for (const Instruction& instruction : segment.instructions) broadcast.execute(instruction);
     RC_ASSERT(state_of(broadcast) == state_of(asked));
   }));

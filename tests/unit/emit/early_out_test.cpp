@@ -49,14 +49,14 @@ testing::Setup setup(emit::Strategy strategy = emit::Strategy::stack,
 }
 
 struct Ran {
-  sim::RunResult result;
-  sim::Stats stats;
+  engine::RunResult result;
+  observe::Stats stats;
 };
 
 Ran run(const isa::Program& program) {
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 1> observers{&stats};
-  sim::RunResult result = sim::make_reference_engine(testing::machine_of(program.shape))->run(program, observers);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 1> observers{&stats};
+  engine::RunResult result = engine::make_reference_engine(testing::machine_of(program.shape))->run(program, observers);
   return {std::move(result), stats.stats()};
 }
 
@@ -121,8 +121,8 @@ TEST_CASE("what is hidden is skipped, and what is left adds up") {
     if (activity == "clearing" || activity == "starved" || activity == "jumping") others += clocks;
   }
   CHECK(asks.stats.total.clocks + others + asks.result.latency_clocks == asks.result.clocks);
-  sim::Cost by_purpose;
-  for (const sim::Cost& cost : asks.stats.by_purpose) by_purpose += cost;
+  observe::Cost by_purpose;
+  for (const observe::Cost& cost : asks.stats.by_purpose) by_purpose += cost;
   CHECK(by_purpose == asks.stats.total);
   const auto of = [](const Ran& ran, isa::Purpose purpose) {
     return ran.stats.by_purpose[static_cast<std::size_t>(purpose)];
@@ -133,5 +133,5 @@ TEST_CASE("what is hidden is skipped, and what is left adds up") {
 
 TEST_CASE("the clocks of a run are those of the reference, skips and all") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
-  CHECK(sim::clocks_of_run(program, testing::machine_of(program.shape)) == run(program).result.clocks);
+  CHECK(functional::clocks_of_run(program, testing::machine_of(program.shape)) == run(program).result.clocks);
 }

@@ -77,7 +77,7 @@ Model random_model() {
 struct Drawn {
   view::View view;
   isa::Program program;
-  sim::Frame frame;
+  observe::Frame frame;
 };
 
 machines::Machine machine_of(const std::string& name, const view::Sampling& sampling) {
@@ -87,10 +87,10 @@ machines::Machine machine_of(const std::string& name, const view::Sampling& samp
   return machine;
 }
 
-sim::Frame run(sim::Engine& engine, const isa::Program& program) {
-  sim::FrameObserver frame(program);
-  const std::array<sim::Observer*, 1> observers{&frame};
-  const sim::RunResult result = engine.run(program, observers);
+observe::Frame run(engine::Engine& engine, const isa::Program& program) {
+  observe::FrameObserver frame(program);
+  const std::array<engine::Observer*, 1> observers{&frame};
+  const engine::RunResult result = engine.run(program, observers);
   RC_ASSERT(result.overflows == 0U);
   return frame.frame();
 }
@@ -121,7 +121,7 @@ Drawn draw(const Model& model, const view::Sampling& sampling, const std::string
   const machines::Machine machine = machine_of(machine_name, sampling);
   Drawn drawn{viewed.view, emit::compile(viewed.tree, viewed.scene, viewed.view, machine, options), {}};
   isa::validate(drawn.program);
-  drawn.frame = run(*sim::make_functional_engine(machine, 1), drawn.program);
+  drawn.frame = run(*engine::make_functional_engine(machine, 1), drawn.program);
   return drawn;
 }
 
@@ -329,10 +329,10 @@ TEST_CASE("fast spheres are the same on machines of all kinds, on all engines, w
     RC_PRE(fits(model, sampling));
     const Drawn drawn = draw(model, sampling);
     const machines::Machine machine = machine_of("pixel-planes-4", sampling);
-    RC_ASSERT(run(*sim::make_reference_engine(machine), drawn.program) == drawn.frame);
+    RC_ASSERT(run(*engine::make_reference_engine(machine), drawn.program) == drawn.frame);
     for (const char* const name : {"scan-line", "pixel-powers", "pixel-square+divider.kind=host",
                                    "pixel-square+divider.kind=host+array.width=16+array.height=8"}) {
-      const sim::Frame other = draw(model, sampling, name).frame;
+      const observe::Frame other = draw(model, sampling, name).frame;
       RC_ASSERT(other.depth == drawn.frame.depth);
       RC_ASSERT(other.owner == drawn.frame.owner);
       RC_ASSERT(other.colour == drawn.frame.colour);
@@ -343,7 +343,7 @@ TEST_CASE("fast spheres are the same on machines of all kinds, on all engines, w
       options.stack_bits = 4;
       if (strategy == emit::Strategy::automatic) options.colouring = emit::Colouring::field;
       options.pruning = *rc::gen::element(csg::Pruning{}, csg::Pruning{false, false, false, false, false, false});
-      const sim::Frame other = draw(model, sampling, "pixel-planes-4", options).frame;
+      const observe::Frame other = draw(model, sampling, "pixel-planes-4", options).frame;
       RC_ASSERT(other.depth == drawn.frame.depth);
       RC_ASSERT(other.colour == drawn.frame.colour);
     }
@@ -382,11 +382,11 @@ TEST_CASE(
 TEST_CASE(
     "the squares in pixel memory are those of the place but for what is linear in it, in as few bits as they take") {
   /// Reads the field when the picture begins, with the farthest depth everywhere.
-  struct Look : sim::Observer {
+  struct Look : engine::Observer {
     isa::Field field;
     std::vector<std::uint32_t> values;
     isa::Region region;
-    void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+    void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
       if (step.instruction.opcode != isa::Opcode::set_constant || !values.empty() || step.index < 3) return;
       region = state.region();
       values.resize(std::size_t{region.width} * region.height);
@@ -405,8 +405,8 @@ TEST_CASE(
     for (const isa::NamedField& one : program.facts.fields)
       if (one.name == "squares") look.field = one.field;
     REQUIRE(look.field.width == bits);
-    const std::array<sim::Observer*, 1> observers{&look};
-    sim::make_functional_engine(machine_of("pixel-planes-4", sampling), 1)->run(program, observers);
+    const std::array<engine::Observer*, 1> observers{&look};
+    engine::make_functional_engine(machine_of("pixel-planes-4", sampling), 1)->run(program, observers);
     REQUIRE(look.values.size() == std::size_t{width} * height);
     int wrong = 0;
     for (std::uint32_t y = 0; y < height; ++y) {

@@ -129,7 +129,7 @@ void measure(const Case& one, Errors& errors) {
   std::string text = one.solid.text();
   if (one.colour) text = fmt::format("color([{},{},{},1]){{{}}}", one.colour->r, one.colour->g, one.colour->b, text);
   const Compiled compiled = compile_text(text + one.beside, setup);
-  const sim::Frame frame = draw(compiled.program);
+  const observe::Frame frame = draw(compiled.program);
   const view::EyeSpace space = view::eye_space(setup.camera, setup.sampling);
   const double steps = steps_of(one, compiled.view);
   const std::array<unsigned, 3> widths = isa::channel_widths(one.colour_bits);

@@ -92,7 +92,7 @@ std::size_t edges_of(const isa::Program& program) {
 }
 
 /// Throws where an expression overflows.
-sim::Frame draw(const testing::Setup& setup, const isa::Program& program) {
+observe::Frame draw(const testing::Setup& setup, const isa::Program& program) {
   if (setup.machine.empty()) return testing::draw(program);
   machines::Machine machine = kinds::load(setup.machine);
   machine.evaluator_degree = 2;
@@ -125,7 +125,7 @@ TEST_CASE("spheres alone are their formula's depths on whole pictures, lines and
       setup.options.colour_bits = *rc::gen::element(24U, 15U, 6U);
       const testing::Compiled compiled = testing::compile_text(text_of(balls), setup);
       const std::vector<std::uint32_t> expected = depths_of(compiled.view);
-      const sim::Frame frame = draw(setup, compiled.program);
+      const observe::Frame frame = draw(setup, compiled.program);
       RC_ASSERT(frame.depth == expected);
       const auto farthest = (std::uint32_t{1} << setup.sampling.z_bits) - 1;
       seen +=
@@ -147,7 +147,7 @@ TEST_CASE("spheres alone are their formula's depths on whole pictures, lines and
 
       other = setup;
       other.machine = *rc::gen::element<std::string>("scan-line", "pixel-powers", squares + "8", squares + "32");
-      const sim::Frame parts = draw(other, testing::compile_again(compiled, other));
+      const observe::Frame parts = draw(other, testing::compile_again(compiled, other));
       RC_ASSERT(parts.depth == frame.depth);
       RC_ASSERT(parts.colour == frame.colour);
     }));

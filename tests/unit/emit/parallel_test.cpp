@@ -37,7 +37,7 @@ std::vector<bool> worked_out(const csg::RootedTree& tree, const Assignments& pix
   const csg::BitString string = csg::make_bit_string(tree.nodes, tree.root);
   const auto width = static_cast<std::uint32_t>(pixels.size());
   const auto memory_bits = static_cast<std::uint32_t>(base + string.leaves.size());
-  sim::ReferenceArray array(isa::ArrayShape{width, 1, memory_bits});
+  reference::ReferenceArray array(isa::ArrayShape{width, 1, memory_bits});
   array.execute({isa::Opcode::enable_all, {}, {}, 0, {}});
   for (std::uint32_t x = 0; x < width; ++x) {
     for (std::size_t i = 0; i < string.leaves.size(); ++i) {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-using csgsim::sim::Crew;
+using csgsim::functional::Crew;
 
 TEST_CASE("a crew does each job once, however many jobs and threads there are, call after call") {
   for (const unsigned threads : {1U, 2U, 3U, 8U}) {

@@ -8,25 +8,27 @@
 
 using namespace csgsim;
 using namespace csgsim::testing;
-using sim::Comparison;
-using sim::Decide;
-using sim::Lanes;
+using functional::Comparison;
+using functional::Decide;
+using functional::Lanes;
 
 namespace {
 
 /// Enabled pixels of a tile, and two fields of it.
 struct Tile {
-  sim::TileShape shape = any_shape();
+  functional::TileShape shape = any_shape();
   unsigned bits = *rc::gen::element(1U, 20U, 32U, between(1U, 33U));
-  sim::TileBits enable;
+  functional::TileBits enable;
   Bits enabled = set_any(enable, shape);
   std::unique_ptr<Lanes> left = std::make_unique<Lanes>();
   std::unique_ptr<Lanes> right = std::make_unique<Lanes>();
   Numbers left_numbers = set_any(*left, bits, shape);
   Numbers right_numbers = set_any(*right, bits, shape);
-  sim::Work work;
+  engine::Work work;
 
-  sim::Enabled pixels() { return {enable, shape, between(0, 3) == 0 ? Decide::by_pixel : Decide::by_block, work}; }
+  functional::Enabled pixels() {
+    return {enable, shape, between(0, 3) == 0 ? Decide::by_pixel : Decide::by_block, work};
+  }
 
   /// left_numbers := number(x, y) where enabled; asserts that this is what the lanes hold, and nothing else changed.
   template <class Number>
@@ -45,7 +47,7 @@ TEST_CASE("a value is set where enabled") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t value = tile.left_numbers.at(0, 0);
-    sim::set_lanes(tile.pixels(), *tile.left, value);
+    functional::set_lanes(tile.pixels(), *tile.left, value);
     tile.check_writes([&](std::uint32_t, std::uint32_t) { return value; });
   }));
 }
@@ -53,7 +55,7 @@ TEST_CASE("a value is set where enabled") {
 TEST_CASE("a field is copied where enabled") {
   CHECK(rc::check([] {
     Tile tile;
-    sim::copy_lanes(tile.pixels(), *tile.left, *tile.right);
+    functional::copy_lanes(tile.pixels(), *tile.left, *tile.right);
     tile.check_writes([&](std::uint32_t x, std::uint32_t y) { return tile.right_numbers.at(x, y); });
   }));
 }
@@ -62,7 +64,7 @@ TEST_CASE("a field is added where enabled, and the carry lost") {
   CHECK(rc::check([] {
     Tile tile;
     const std::uint32_t low_bits = ~std::uint32_t{0} >> (32 - tile.bits);
-    sim::add_lanes(tile.pixels(), *tile.left, *tile.right, low_bits);
+    functional::add_lanes(tile.pixels(), *tile.left, *tile.right, low_bits);
     tile.check_writes([&](std::uint32_t x, std::uint32_t y) {
       return (tile.left_numbers.at(x, y) + tile.right_numbers.at(x, y)) & low_bits;
     });
@@ -73,8 +75,8 @@ TEST_CASE("a comparison keeps the pixels at which it holds") {
   for (const Comparison comparison : {Comparison::less, Comparison::less_or_equal, Comparison::equal}) {
     CHECK(rc::check([&] {
       Tile tile;
-      const std::uint32_t left = sim::compare_lanes(tile.pixels(), comparison, *tile.left, *tile.right);
-      RC_ASSERT(left == sim::count_ones(tile.enable, tile.shape));
+      const std::uint32_t left = functional::compare_lanes(tile.pixels(), comparison, *tile.left, *tile.right);
+      RC_ASSERT(left == functional::count_ones(tile.enable, tile.shape));
       tile.enabled.set_each([&](std::uint32_t x, std::uint32_t y) {
         const std::uint32_t l = tile.left_numbers.at(x, y);
         const std::uint32_t r = tile.right_numbers.at(x, y);
@@ -89,18 +91,18 @@ TEST_CASE("a comparison keeps the pixels at which it holds") {
 }
 
 TEST_CASE("where blocks are constant or far apart no lane is looked at, unless every one has to be") {
-  const sim::TileShape shape(64, 64);
+  const functional::TileShape shape(64, 64);
   auto left = std::make_unique<Lanes>();
   auto right = std::make_unique<Lanes>();
-  for (unsigned block = 0; block < sim::blocks_a_tile; ++block) {
+  for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
     left->set_constant(block, block);
     right->set_constant(block, 32);
   }
   for (const Decide decide : {Decide::by_block, Decide::by_pixel}) {
-    sim::TileBits enable;
+    functional::TileBits enable;
     enable.fill(shape);
-    sim::Work work;
-    sim::compare_lanes({enable, shape, decide, work}, Comparison::less, *left, *right);
+    engine::Work work;
+    functional::compare_lanes({enable, shape, decide, work}, Comparison::less, *left, *right);
     CHECK(enable.full() == 0xffffffffU);
     CHECK(enable.any() == 0xffffffffU);
     CHECK(work.words == (decide == Decide::by_block ? 0 : 64));
@@ -111,19 +113,19 @@ TEST_CASE("where blocks are constant or far apart no lane is looked at, unless e
 TEST_CASE("a bit of each value is gathered, and scattered again") {
   CHECK(rc::check([] {
     Tile tile;
-    const unsigned block = between(0U, sim::blocks_a_tile);
-    sim::fill_block(*tile.left, block);
+    const unsigned block = between(0U, functional::blocks_a_tile);
+    functional::fill_block(*tile.left, block);
     std::uint32_t* const values = tile.left->block(block);
     const unsigned bit = between(0U, tile.bits);
-    const std::uint64_t word = sim::gather_bit(values, bit);
-    for (unsigned i = 0; i < sim::block_pixels; ++i) RC_ASSERT((word >> i & 1U) == (values[i] >> bit & 1U));
-    std::vector<std::uint32_t> expected(values, values + sim::block_pixels);
+    const std::uint64_t word = functional::gather_bit(values, bit);
+    for (unsigned i = 0; i < functional::block_pixels; ++i) RC_ASSERT((word >> i & 1U) == (values[i] >> bit & 1U));
+    std::vector<std::uint32_t> expected(values, values + functional::block_pixels);
     const std::uint64_t other = any_word();
-    for (unsigned i = 0; i < sim::block_pixels; ++i) {
+    for (unsigned i = 0; i < functional::block_pixels; ++i) {
       values[i] &= ~(1U << bit);
       expected[i] = values[i] | static_cast<std::uint32_t>(other >> i & 1U) << bit;
     }
-    sim::scatter_bit(other, values, bit);
-    RC_ASSERT(std::vector<std::uint32_t>(values, values + sim::block_pixels) == expected);
+    functional::scatter_bit(other, values, bit);
+    RC_ASSERT(std::vector<std::uint32_t>(values, values + functional::block_pixels) == expected);
   }));
 }

@@ -9,8 +9,8 @@
 
 using namespace csgsim;
 using namespace csgsim::testing;
-using sim::LinearKind;
-using sim::LinearTask;
+using functional::LinearKind;
+using functional::LinearTask;
 
 namespace {
 
@@ -66,23 +66,23 @@ Expression any_expression(unsigned field_width) { return any_expression(field_wi
 /// Some pixels of a tile and a field of it, and the same pixel by pixel.
 struct Tile {
   Expression expression;
-  sim::TileShape shape = any_shape();
-  sim::TileBits enable;
+  functional::TileShape shape = any_shape();
+  functional::TileBits enable;
   Bits enabled = set_any(enable, shape);
-  std::unique_ptr<sim::Lanes> lanes = std::make_unique<sim::Lanes>();
+  std::unique_ptr<functional::Lanes> lanes = std::make_unique<functional::Lanes>();
   Numbers numbers{shape};
 
   explicit Tile(const Expression& any) : expression(any) {
     if (expression.field_width == 0) return;
     set_any(*lanes, expression.field_width, shape);
     // Blocks that F equals at some pixels.
-    for (unsigned block = 0; block < sim::blocks_a_tile; block += between(1U, 4U)) {
-      if (lanes->is_constant(block)) sim::fill_block(*lanes, block);
-      for (unsigned bit = 0; bit < sim::block_pixels; bit += 2) {
+    for (unsigned block = 0; block < functional::blocks_a_tile; block += between(1U, 4U)) {
+      if (lanes->is_constant(block)) functional::fill_block(*lanes, block);
+      for (unsigned bit = 0; bit < functional::block_pixels; bit += 2) {
         const std::int64_t f = expression.f(block % 8 * 8 + bit % 8, block / 8 * 8 + bit / 8);
         if (f >= 0 && f < field_end()) lanes->block(block)[bit] = static_cast<std::uint32_t>(f);
       }
-      sim::find_bounds(*lanes, block);
+      functional::find_bounds(*lanes, block);
     }
     numbers = numbers_of(*lanes, shape);
   }
@@ -104,13 +104,13 @@ struct Tile {
     task.linear = {expression.a, expression.b, expression.c, static_cast<std::uint16_t>(expression.width),
                    static_cast<std::uint16_t>(expression.shift)};
     task.lanes = expression.field_width == 0 ? nullptr : lanes.get();
-    sim::Work work;
-    const sim::Decide decide = between(0, 3) == 0 ? sim::Decide::by_pixel : sim::Decide::by_block;
+    engine::Work work;
+    const functional::Decide decide = between(0, 3) == 0 ? functional::Decide::by_pixel : functional::Decide::by_block;
     const std::uint64_t expected = overflows();
-    const sim::LinearResult result =
-        sim::run_linear({enable, shape, decide, work}, task, sim::count_ones(enable, shape));
+    const functional::LinearResult result =
+        functional::run_linear({enable, shape, decide, work}, task, functional::count_ones(enable, shape));
     RC_ASSERT(result.overflows == expected);
-    RC_ASSERT(result.enabled == sim::count_ones(enable, shape));
+    RC_ASSERT(result.enabled == functional::count_ones(enable, shape));
   }
 
   void check() const {
@@ -186,15 +186,15 @@ TEST_CASE("a block whose greatest sum is 0 is looked at, however much its bounds
   constexpr std::int64_t slope = (std::int64_t{1} << 29U) + 7;
   const Expression expression{.a = slope, .b = slope, .c = -126 * slope, .width = 40};
   REQUIRE(expression.sum(63, 63) == 0);
-  const sim::TileShape shape(64, 64);
+  const functional::TileShape shape(64, 64);
   for (const LinearKind kind : {LinearKind::not_negative, LinearKind::negative}) {
-    sim::TileBits enable;
+    functional::TileBits enable;
     enable.fill(shape);
     LinearTask task;
     task.kind = kind;
     task.linear = {expression.a, expression.b, expression.c, 40, 0};
-    sim::Work work;
-    sim::run_linear({enable, shape, sim::Decide::by_block, work}, task, shape.area());
+    engine::Work work;
+    functional::run_linear({enable, shape, functional::Decide::by_block, work}, task, shape.area());
     const Bits kept = bits_of(enable, shape);
     kept.each([&](std::uint32_t x, std::uint32_t y) {
       CHECK((kept.at(x, y) != 0) == ((expression.sum(x, y) >= 0) == (kind == LinearKind::not_negative)));

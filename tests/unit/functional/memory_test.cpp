@@ -6,10 +6,10 @@
 
 using namespace csgsim;
 using namespace csgsim::testing;
+using functional::Memory;
+using functional::TileBits;
+using functional::TileShape;
 using isa::Field;
-using sim::Memory;
-using sim::TileBits;
-using sim::TileShape;
 
 namespace {
 
@@ -47,7 +47,7 @@ Field any_field() {
 unsigned any_bit() { return *rc::gen::element(0U, 7U, 8U, 19U, 39U, between(0U, memory_bits)); }
 
 void write_lanes(Memory& memory, SlowMemory& slow, Field field, const TileShape& shape) {
-  sim::Lanes& lanes = memory.lanes(field);
+  functional::Lanes& lanes = memory.lanes(field);
   RC_ASSERT(lanes.field == field);
   const Field named = lanes.field;
   const Numbers numbers = set_any(lanes, field.width, shape);
@@ -61,7 +61,7 @@ void check_read(const Memory& memory, SlowMemory& slow, unsigned bit, const Tile
   set_any(copy, shape);
   const Bits read = bits_of(memory.read(bit, blocks, copy), shape);
   read.each([&](std::uint32_t x, std::uint32_t y) {
-    if ((blocks >> sim::block_of(x, y) & 1U) != 0) RC_ASSERT(read.at(x, y) == slow.bit(bit).at(x, y));
+    if ((blocks >> functional::block_of(x, y) & 1U) != 0) RC_ASSERT(read.at(x, y) == slow.bit(bit).at(x, y));
   });
 }
 

@@ -17,40 +17,40 @@ std::uint64_t any_word() {
   }
 }
 
-sim::TileShape any_shape() {
+functional::TileShape any_shape() {
   const auto side = [] { return *rc::gen::element<std::uint32_t>(1, 7, 8, 9, 63, 64, 64, between(1U, 65U)); };
   const std::uint32_t width = side();
   return {width, side()};
 }
 
-Bits bits_of(const sim::TileBits& bits, const sim::TileShape& shape) {
+Bits bits_of(const functional::TileBits& bits, const functional::TileShape& shape) {
   Bits pixels(shape);
-  for (unsigned block = 0; block < sim::blocks_a_tile; ++block) {
+  for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
     const std::uint64_t word = bits.word(block, shape);
     RC_ASSERT((word & ~shape.pixels(block)) == 0U);
     RC_ASSERT((bits.any() >> block & 1U) == (word != 0 ? 1U : 0U));
     RC_ASSERT((bits.full() >> block & 1U) == (word != 0 && word == shape.pixels(block) ? 1U : 0U));
   }
   pixels.set_each([&](std::uint32_t x, std::uint32_t y) {
-    return static_cast<char>(bits.word(sim::block_of(x, y), shape) >> sim::bit_of(x, y) & 1U);
+    return static_cast<char>(bits.word(functional::block_of(x, y), shape) >> functional::bit_of(x, y) & 1U);
   });
   return pixels;
 }
 
-Bits set_any(sim::TileBits& bits, const sim::TileShape& shape) {
+Bits set_any(functional::TileBits& bits, const functional::TileShape& shape) {
   bits.clear();
   const std::uint64_t mixed = any_word() & shape.blocks();
   bits.fill_blocks(any_word() & shape.blocks());
-  for (unsigned block = 0; block < sim::blocks_a_tile; ++block)
+  for (unsigned block = 0; block < functional::blocks_a_tile; ++block)
     if ((mixed >> block & 1U) != 0) bits.set_word(block, any_word() & shape.pixels(block), shape);
   return bits_of(bits, shape);
 }
 
-Numbers numbers_of(const sim::Lanes& lanes, const sim::TileShape& shape) {
+Numbers numbers_of(const functional::Lanes& lanes, const functional::TileShape& shape) {
   Numbers numbers(shape);
   numbers.set_each([&](std::uint32_t x, std::uint32_t y) {
-    const unsigned block = sim::block_of(x, y);
-    const std::uint32_t value = lanes.value(block, sim::bit_of(x, y));
+    const unsigned block = functional::block_of(x, y);
+    const std::uint32_t value = lanes.value(block, functional::bit_of(x, y));
     RC_ASSERT(lanes.least[block] <= value);
     RC_ASSERT(value <= lanes.greatest[block]);
     return value;
@@ -58,7 +58,7 @@ Numbers numbers_of(const sim::Lanes& lanes, const sim::TileShape& shape) {
   return numbers;
 }
 
-Numbers set_any(sim::Lanes& lanes, unsigned bits, const sim::TileShape& shape) {
+Numbers set_any(functional::Lanes& lanes, unsigned bits, const functional::TileShape& shape) {
   const auto most = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
   const std::vector<std::uint32_t> some{0, most, most / 2, most / 2 + 1, static_cast<std::uint32_t>(any_word()) & most};
   const std::uint64_t constant = any_word();
@@ -69,13 +69,13 @@ Numbers set_any(sim::Lanes& lanes, unsigned bits, const sim::TileShape& shape) {
     return choice % 8 < some.size() ? some[choice % 8] : static_cast<std::uint32_t>(choice >> 3U) & most;
   };
   lanes.field = {0, static_cast<std::uint16_t>(bits)};
-  for (unsigned block = 0; block < sim::blocks_a_tile; ++block) {
+  for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
     if ((constant >> block & 1U) != 0) {
       lanes.set_constant(block, next());
       continue;
     }
-    std::generate_n(lanes.block(block), sim::block_pixels, next);
-    sim::find_bounds(lanes, block);
+    std::generate_n(lanes.block(block), functional::block_pixels, next);
+    functional::find_bounds(lanes, block);
   }
   return numbers_of(lanes, shape);
 }

@@ -21,13 +21,13 @@ Number between(Number low, Number end) {
 std::uint64_t any_word();
 
 /// 1 to tile_side pixels each way: whole tiles, whole blocks, parts of them.
-sim::TileShape any_shape();
+functional::TileShape any_shape();
 
 /// A value of every pixel of a tile, one by one: what the bits and lanes of sim/functional are held against.
 template <class Value>
 class Pixels {
  public:
-  explicit Pixels(const sim::TileShape& shape) : shape_(shape), values_(shape.area()) {}
+  explicit Pixels(const functional::TileShape& shape) : shape_(shape), values_(shape.area()) {}
 
   [[nodiscard]] Value at(std::uint32_t x, std::uint32_t y) const {
     return values_[std::size_t{y} * shape_.width() + x];
@@ -49,7 +49,7 @@ class Pixels {
   bool operator==(const Pixels& other) const { return values_ == other.values_; }
 
  private:
-  sim::TileShape shape_;
+  functional::TileShape shape_;
   std::vector<Value> values_;
 };
 
@@ -57,16 +57,16 @@ using Bits = Pixels<char>;
 using Numbers = Pixels<std::uint32_t>;
 
 /// The bits, one by one. Asserts that those where there is no pixel are 0, and that blocks are known for what they are.
-Bits bits_of(const sim::TileBits& bits, const sim::TileShape& shape);
+Bits bits_of(const functional::TileBits& bits, const functional::TileShape& shape);
 
 /// Blocks become all zeros, all ones, or words of any kind. Returns what they have to hold then.
-Bits set_any(sim::TileBits& bits, const sim::TileShape& shape);
+Bits set_any(functional::TileBits& bits, const functional::TileShape& shape);
 
 /// The numbers, one by one. Asserts that each is within its block's bounds.
-Numbers numbers_of(const sim::Lanes& lanes, const sim::TileShape& shape);
+Numbers numbers_of(const functional::Lanes& lanes, const functional::TileShape& shape);
 
 /// Blocks become constant, or any few values of so many bits, the least and the greatest among them. Returns what they
 /// have to hold then.
-Numbers set_any(sim::Lanes& lanes, unsigned bits, const sim::TileShape& shape);
+Numbers set_any(functional::Lanes& lanes, unsigned bits, const functional::TileShape& shape);
 
 }  // namespace csgsim::testing

@@ -9,7 +9,7 @@
 
 using namespace csgsim;
 using namespace csgsim::testing;
-using sim::LinearKind;
+using functional::LinearKind;
 using test::below_bits;
 using test::Quadratic;
 
@@ -48,10 +48,12 @@ constexpr std::array kinds{LinearKind::not_negative, LinearKind::negative, Linea
                            LinearKind::less,         LinearKind::load,     LinearKind::keep_max,
                            LinearKind::keep_min,     LinearKind::plus,     LinearKind::minus};
 
-sim::Decide any_decide() { return *rc::gen::element(sim::Decide::by_block, sim::Decide::by_pixel); }
+functional::Decide any_decide() {
+  return *rc::gen::element(functional::Decide::by_block, functional::Decide::by_pixel);
+}
 
-sim::QuadraticTask task_of(LinearKind kind, const Quadratic& sum) {
-  return {kind, sim::QuadraticSum(sum.squares, sum.linear), sum.linear.width, sum.linear.shift, nullptr, {}};
+functional::QuadraticTask task_of(LinearKind kind, const Quadratic& sum) {
+  return {kind, functional::QuadraticSum(sum.squares, sum.linear), sum.linear.width, sum.linear.shift, nullptr, {}};
 }
 
 struct Seen {
@@ -63,7 +65,7 @@ struct Seen {
 /// Checks E and the counts, and calls check_z(x, y, before E, what is expected) for each pixel.
 template <class Z, class CheckZ>
 void check_pixels(const Quadratic& sum, LinearKind kind, unsigned field_width, const Bits& before,
-                  const sim::LinearResult& result, const Bits& after, const Z& z, const CheckZ& check_z) {
+                  const functional::LinearResult& result, const Bits& after, const Z& z, const CheckZ& check_z) {
   std::uint64_t overflows = 0;
   std::uint32_t enabled = 0;
   before.each([&](std::uint32_t x, std::uint32_t y) {
@@ -82,24 +84,24 @@ void check_pixels(const Quadratic& sum, LinearKind kind, unsigned field_width, c
 
 TEST_CASE("F of squares is tested against 0 and numbers in lanes, loaded, kept and added as in wide arithmetic") {
   CHECK(rc::check([] {
-    const sim::TileShape shape = any_shape();
+    const functional::TileShape shape = any_shape();
     Quadratic sum = test::any_quadratic({shape.width(), shape.height(), 0});
     if (between(0, 7) == 0) sum.squares = {};
     const LinearKind kind = *rc::gen::elementOf(kinds);
     const unsigned most = std::min(sum.linear.width - sum.linear.shift - 1U, isa::max_field_width);
     const unsigned width = is_sign(kind) ? 0 : between(1U, most + 1);
-    sim::TileBits enable;
+    functional::TileBits enable;
     const Bits before = set_any(enable, shape);
-    const auto lanes = std::make_unique<sim::Lanes>();
+    const auto lanes = std::make_unique<functional::Lanes>();
     lanes->field = {0, static_cast<std::uint16_t>(width)};
     Numbers numbers(shape);
-    sim::QuadraticTask task = task_of(kind, sum);
+    functional::QuadraticTask task = task_of(kind, sum);
     if (width > 0) {
       numbers = set_any(*lanes, width, shape);
       task.lanes = lanes.get();
     }
-    sim::Work work;
-    const sim::LinearResult result = sim::run_quadratic({enable, shape, any_decide(), work}, task);
+    engine::Work work;
+    const functional::LinearResult result = functional::run_quadratic({enable, shape, any_decide(), work}, task);
     const Numbers left = width > 0 ? numbers_of(*lanes, shape) : numbers;
     check_pixels(
         sum, kind, width, before, result, bits_of(enable, shape), [&](auto x, auto y) { return numbers.at(x, y); },
@@ -111,25 +113,25 @@ TEST_CASE("F of squares is tested against 0 and numbers in lanes, loaded, kept a
 
 TEST_CASE("F is loaded into, added to and reduced by a field in planes, however wide") {
   CHECK(rc::check([] {
-    const sim::TileShape shape = any_shape();
+    const functional::TileShape shape = any_shape();
     const Quadratic sum = test::any_quadratic({shape.width(), shape.height(), 0});
     const LinearKind kind = *rc::gen::element(LinearKind::load, LinearKind::plus, LinearKind::minus);
     const unsigned width = sum.linear.width - sum.linear.shift - 1U;
-    std::vector<std::unique_ptr<sim::TileBits>> planes;
-    std::vector<sim::TileBits*> field;
+    std::vector<std::unique_ptr<functional::TileBits>> planes;
+    std::vector<functional::TileBits*> field;
     std::vector<Bits> bits;
     for (unsigned bit = 0; bit < width; ++bit) {
-      field.push_back(planes.emplace_back(std::make_unique<sim::TileBits>()).get());
+      field.push_back(planes.emplace_back(std::make_unique<functional::TileBits>()).get());
       bits.push_back(set_any(*field.back(), shape));
     }
-    sim::TileBits enable;
+    functional::TileBits enable;
     const Bits before = set_any(enable, shape);
-    sim::QuadraticTask task = task_of(kind, sum);
+    functional::QuadraticTask task = task_of(kind, sum);
     task.planes = field;
-    sim::Work work;
-    const sim::LinearResult result = sim::run_quadratic({enable, shape, any_decide(), work}, task);
+    engine::Work work;
+    const functional::LinearResult result = functional::run_quadratic({enable, shape, any_decide(), work}, task);
     std::vector<Bits> left;
-    for (const sim::TileBits* plane : field) left.push_back(bits_of(*plane, shape));
+    for (const functional::TileBits* plane : field) left.push_back(bits_of(*plane, shape));
     const auto value = [&](const std::vector<Bits>& of, std::uint32_t x, std::uint32_t y) {
       std::uint64_t number = 0;
       for (std::size_t bit = 0; bit < of.size(); ++bit) number |= std::uint64_t{of[bit].at(x, y) != 0} << bit;
@@ -152,7 +154,7 @@ TEST_CASE("bounds of a quadratic hold all its values, and are its own where it h
     if (between(0, 1) == 0) sum.squares.b = 0;
     const std::uint32_t x = between(0U, 200 - width);
     const std::uint32_t y = between(0U, 100 - height);
-    const sim::QuadraticSum from_there = sim::QuadraticSum(sum.squares, sum.linear).from(x, y);
+    const functional::QuadraticSum from_there = functional::QuadraticSum(sum.squares, sum.linear).from(x, y);
     RC_PRE(from_there.may_bound());
     const auto range = from_there.range(width, height);
     test::Wide least = sum.sum(x, y);
@@ -175,12 +177,13 @@ TEST_CASE("bounds of a quadratic hold all its values, and are its own where it h
 TEST_CASE("blocks that a quadratic decides are not looked at pixel by pixel") {
   // A circle of radius 20 about (32, 32).
   const Quadratic circle{{-1, 0, -1, 20, 0}, {64, 64, 400 - 2 * 32 * 32, 20, 0}};
-  const sim::TileShape shape(64, 64);
-  for (const auto& [decide, blocks] : {std::pair{sim::Decide::by_block, 20U}, {sim::Decide::by_pixel, 64U}}) {
-    sim::TileBits enable;
+  const functional::TileShape shape(64, 64);
+  for (const auto& [decide, blocks] :
+       {std::pair{functional::Decide::by_block, 20U}, {functional::Decide::by_pixel, 64U}}) {
+    functional::TileBits enable;
     enable.fill(shape);
-    sim::Work work;
-    sim::run_quadratic({enable, shape, decide, work}, task_of(LinearKind::not_negative, circle));
+    engine::Work work;
+    functional::run_quadratic({enable, shape, decide, work}, task_of(LinearKind::not_negative, circle));
     CHECK(work.words == blocks);
   }
 }

@@ -13,20 +13,20 @@ using namespace csgsim::testing;
 TEST_CASE("the root is taken of every width at enabled pixels, and at these alone, in whole tiles and in part") {
   CHECK(rc::check([] {
     const unsigned w = between(1U, 31U);
-    const sim::TileShape shape = any_shape();
-    std::vector<std::unique_ptr<sim::TileBits>> planes;
-    std::vector<sim::TileBits*> field;
+    const functional::TileShape shape = any_shape();
+    std::vector<std::unique_ptr<functional::TileBits>> planes;
+    std::vector<functional::TileBits*> field;
     std::vector<Bits> bits;
     for (unsigned bit = 0; bit < 2 * w + 1; ++bit) {
-      field.push_back(planes.emplace_back(std::make_unique<sim::TileBits>()).get());
+      field.push_back(planes.emplace_back(std::make_unique<functional::TileBits>()).get());
       bits.push_back(set_any(*field.back(), shape));
     }
-    sim::TileBits enable;
+    functional::TileBits enable;
     const Bits enabled = set_any(enable, shape);
-    sim::Work work;
-    sim::take_root({enable, shape, sim::Decide::by_block, work}, field);
+    engine::Work work;
+    functional::take_root({enable, shape, functional::Decide::by_block, work}, field);
     std::vector<Bits> after;
-    for (const sim::TileBits* plane : field) after.push_back(bits_of(*plane, shape));
+    for (const functional::TileBits* plane : field) after.push_back(bits_of(*plane, shape));
     const auto value = [&](const std::vector<Bits>& of, std::uint32_t x, std::uint32_t y) {
       std::uint64_t number = 0;
       for (std::size_t bit = 0; bit < of.size(); ++bit) number |= std::uint64_t{of[bit].at(x, y) != 0} << bit;
@@ -44,20 +44,20 @@ TEST_CASE("the root is exact at the ends of its range, of squares and beside the
   for (unsigned w = 1; w <= 30; ++w) {
     CAPTURE(w);
     const std::vector<std::uint64_t> values = test::extreme_squares(w);
-    REQUIRE(values.size() <= sim::block_pixels);
-    const sim::TileShape shape(8, 8);
-    std::vector<std::unique_ptr<sim::TileBits>> planes;
-    std::vector<sim::TileBits*> field;
+    REQUIRE(values.size() <= functional::block_pixels);
+    const functional::TileShape shape(8, 8);
+    std::vector<std::unique_ptr<functional::TileBits>> planes;
+    std::vector<functional::TileBits*> field;
     for (unsigned bit = 0; bit < 2 * w + 1; ++bit) {
-      field.push_back(planes.emplace_back(std::make_unique<sim::TileBits>()).get());
+      field.push_back(planes.emplace_back(std::make_unique<functional::TileBits>()).get());
       std::uint64_t word = 0;
       for (std::size_t i = 0; i < values.size(); ++i) word |= (values[i] >> bit & 1U) << i;
       field.back()->set_word(0, word, shape);
     }
-    sim::TileBits enable;
+    functional::TileBits enable;
     enable.fill(shape);
-    sim::Work work;
-    sim::take_root({enable, shape, sim::Decide::by_block, work}, field);
+    engine::Work work;
+    functional::take_root({enable, shape, functional::Decide::by_block, work}, field);
     for (std::size_t i = 0; i < values.size(); ++i) {
       CAPTURE(values[i]);
       std::uint64_t number = 0;

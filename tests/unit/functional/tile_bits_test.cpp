@@ -7,8 +7,8 @@
 
 using namespace csgsim;
 using namespace csgsim::testing;
-using sim::TileBits;
-using sim::TileShape;
+using functional::TileBits;
+using functional::TileShape;
 
 namespace {
 
@@ -23,7 +23,7 @@ void do_any(TileBits& bits, Bits& pixels, const TileShape& shape) {
   const std::uint64_t blocks = any_word() & shape.blocks();
   const auto set_blocks = [&](char bit) {
     pixels.set_each([&](std::uint32_t x, std::uint32_t y) {
-      return (blocks >> sim::block_of(x, y) & 1U) != 0 ? bit : pixels.at(x, y);
+      return (blocks >> functional::block_of(x, y) & 1U) != 0 ? bit : pixels.at(x, y);
     });
   };
   switch (between(0, 7)) {
@@ -55,7 +55,7 @@ void do_any(TileBits& bits, Bits& pixels, const TileShape& shape) {
       TileBits value;
       const Bits mask = set_any(where, shape);
       const Bits values = set_any(value, shape);
-      sim::write_where(where, bits, shape, [&](unsigned block) { return value.word(block, shape); });
+      functional::write_where(where, bits, shape, [&](unsigned block) { return value.word(block, shape); });
       pixels.set_each(
           [&](std::uint32_t x, std::uint32_t y) { return mask.at(x, y) != 0 ? values.at(x, y) : pixels.at(x, y); });
     }
@@ -68,17 +68,17 @@ TEST_CASE("a tile has the pixels of its sides, each in one block") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     std::uint32_t area = 0;
-    for (unsigned block = 0; block < sim::blocks_a_tile; ++block) {
+    for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
       const auto count = static_cast<std::uint32_t>(std::popcount(shape.pixels(block)));
       RC_ASSERT((shape.blocks() >> block & 1U) == (count > 0 ? 1U : 0U));
-      RC_ASSERT((shape.whole() >> block & 1U) == (count == sim::block_pixels ? 1U : 0U));
+      RC_ASSERT((shape.whole() >> block & 1U) == (count == functional::block_pixels ? 1U : 0U));
       area += count;
     }
     RC_ASSERT(area == shape.width() * shape.height());
     RC_ASSERT(area == shape.area());
     for (std::uint32_t y = 0; y < shape.height(); ++y)
       for (std::uint32_t x = 0; x < shape.width(); ++x)
-        RC_ASSERT((shape.pixels(sim::block_of(x, y)) >> sim::bit_of(x, y) & 1U) == 1U);
+        RC_ASSERT((shape.pixels(functional::block_of(x, y)) >> functional::bit_of(x, y) & 1U) == 1U);
   }));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("bits of a tile are those of its pixels, whatever was done to them") {
     for (int i = 0; i < steps; ++i) {
       do_any(bits, pixels, shape);
       RC_ASSERT(bits_of(bits, shape) == pixels);
-      RC_ASSERT(sim::count_ones(bits, shape) == ones(pixels));
+      RC_ASSERT(functional::count_ones(bits, shape) == ones(pixels));
     }
   }));
 }
@@ -103,7 +103,7 @@ TEST_CASE("bits become rows of words, and rows bits again") {
     TileBits bits;
     const Bits pixels = set_any(bits, shape);
     std::vector<std::uint64_t> rows(shape.height() * stride, 0x5555U);
-    sim::write_rows(bits, shape, rows.data(), stride);
+    functional::write_rows(bits, shape, rows.data(), stride);
     pixels.each([&](std::uint32_t x, std::uint32_t y) {
       RC_ASSERT((rows[y * stride] >> x & 1U) == (pixels.at(x, y) != 0 ? 1U : 0U));
     });
@@ -113,7 +113,7 @@ TEST_CASE("bits become rows of words, and rows bits again") {
     }
     TileBits again;
     set_any(again, shape);
-    sim::read_rows(rows.data(), stride, shape, again);
+    functional::read_rows(rows.data(), stride, shape, again);
     RC_ASSERT(bits_of(again, shape) == pixels);
   }));
 }

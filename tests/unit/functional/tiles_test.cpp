@@ -36,7 +36,9 @@ std::vector<isa::Instruction> any_instructions(const isa::Region& region) {
   return instructions;
 }
 
-sim::Decide any_decide() { return *rc::gen::element(sim::Decide::by_block, sim::Decide::by_pixel); }
+functional::Decide any_decide() {
+  return *rc::gen::element(functional::Decide::by_block, functional::Decide::by_pixel);
+}
 
 struct State {
   std::vector<std::uint32_t> memory;
@@ -45,7 +47,7 @@ struct State {
   bool operator==(const State&) const = default;
 };
 
-State state_of(const sim::PixelState& pixels) {
+State state_of(const engine::PixelState& pixels) {
   const isa::Region region = pixels.region();
   State state;
   state.memory.resize(std::size_t{region.width} * region.height);
@@ -56,9 +58,9 @@ State state_of(const sim::PixelState& pixels) {
 }
 
 /// The tiles of a region carry out instructions as pixels that are worked on one by one.
-void check_run(sim::Tiles& tiles, const isa::Region& region) {
+void check_run(functional::Tiles& tiles, const isa::Region& region) {
   tiles.begin(region);
-  sim::ReferenceArray pixels(region, memory_bits);
+  reference::ReferenceArray pixels(region, memory_bits);
   RC_ASSERT(tiles.region() == region);
   RC_ASSERT(state_of(tiles) == state_of(pixels));
   const std::vector<isa::Instruction> instructions = any_instructions(region);
@@ -70,8 +72,8 @@ void check_run(sim::Tiles& tiles, const isa::Region& region) {
   std::vector<std::uint64_t> counted;
   std::uint64_t overflows = 0;
   for (std::span<const isa::Instruction> left = instructions; !left.empty();) {
-    const sim::Stretch stretch(left, {});
-    const sim::Tiles::Tally tally = tiles.execute(stretch);
+    const functional::Stretch stretch(left, {});
+    const functional::Tiles::Tally tally = tiles.execute(stretch);
     counted.insert(counted.end(), tally.enabled.begin(), tally.enabled.end());
     overflows += tally.overflows;
     left = left.subspan(stretch.size());
@@ -87,7 +89,7 @@ TEST_CASE("whatever tiles and threads a region has, its pixels end as if each wa
   CHECK(rc::check([] {
     const isa::Region region = any_region();
     const isa::Program program = program_of(region);
-    sim::Tiles tiles(program, between(1U, 8U), any_decide());
+    functional::Tiles tiles(program, between(1U, 8U), any_decide());
     check_run(tiles, region);
   }));
 }
@@ -95,7 +97,7 @@ TEST_CASE("whatever tiles and threads a region has, its pixels end as if each wa
 TEST_CASE("a segment begins with memory and enable 0, after one of the same size or of another") {
   CHECK(rc::check([] {
     const isa::Program program = program_of({0, 0, 200, 10});
-    sim::Tiles tiles(program, between(1U, 4U), any_decide());
+    functional::Tiles tiles(program, between(1U, 4U), any_decide());
     const isa::Region region = any_region();
     check_run(tiles, region);
     check_run(tiles, {region.x + 1, region.y + 1, region.width, region.height});
@@ -106,7 +108,7 @@ TEST_CASE("a segment begins with memory and enable 0, after one of the same size
 TEST_CASE("squares that wait for their instruction are gone where a segment begins") {
   const isa::Linear squares{.a = 1, .b = 0, .c = 0, .width = 12};
   const isa::Linear below_0{.a = 0, .b = 0, .c = -1, .width = 12};
-  sim::Tile tile(0, 0, sim::TileShape(8, 8), memory_bits, sim::Decide::by_block);
+  functional::Tile tile(0, 0, functional::TileShape(8, 8), memory_bits, functional::Decide::by_block);
   tile.execute({.opcode = isa::Opcode::enable_all});
   tile.execute({.opcode = isa::Opcode::squares, .linear = squares});
   tile.clear();

@@ -13,7 +13,8 @@
 #include "sim/engine/engine.h"
 
 using namespace csgsim;
-using namespace csgsim::sim;
+using namespace csgsim::engine;
+using namespace csgsim::reference;
 
 namespace {
 

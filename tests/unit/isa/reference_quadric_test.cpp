@@ -9,7 +9,8 @@
 #include "tests/support/quadric_judge.h"
 
 using namespace csgsim;
-using namespace csgsim::sim;
+using namespace csgsim::engine;
+using namespace csgsim::reference;
 
 namespace {
 

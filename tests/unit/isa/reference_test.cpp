@@ -9,7 +9,7 @@
 #include "sim/reference/reference_array.h"
 
 using namespace csgsim;
-using namespace csgsim::sim;
+using namespace csgsim::reference;
 
 namespace {
 

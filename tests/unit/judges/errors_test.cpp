@@ -28,13 +28,14 @@ isa::Program unit_steps() {
 
 struct Pictures {
   Truth truth;
-  sim::Frame frame;
+  observe::Frame frame;
 };
 
 /// 50 x 40 pixels of two primitives and a quarter of nothing, the picture right everywhere.
 Pictures identical() {
   Pictures p{judges::empty_truth(50, 40), {}};
-  p.frame = {50, 40, {}, std::vector<std::uint32_t>(2000, farthest), std::vector<std::uint32_t>(2000, sim::no_owner)};
+  p.frame = {
+      50, 40, {}, std::vector<std::uint32_t>(2000, farthest), std::vector<std::uint32_t>(2000, observe::no_owner)};
   for (std::uint32_t i = 500; i < 2000; ++i) {
     p.truth.owner[i] = p.frame.owner[i] = i % 2;
     p.truth.distance[i] = i;

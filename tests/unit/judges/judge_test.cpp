@@ -30,7 +30,7 @@ struct Trial {
   Compiled compiled;
   judges::Truth truth;
   judges::Explainer explainer;
-  sim::Frame frame;
+  observe::Frame frame;
 
   explicit Trial(Compiled from)
       : compiled(std::move(from)),
@@ -52,7 +52,7 @@ struct Trial {
 
   void remove(std::size_t at) {
     frame.depth[at] = farthest();
-    frame.owner[at] = sim::no_owner;
+    frame.owner[at] = observe::no_owner;
   }
 };
 

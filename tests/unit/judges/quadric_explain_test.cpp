@@ -27,7 +27,7 @@ struct Trial {
   view::View view;
   isa::Program program;
   judges::Truth truth;
-  sim::Frame frame;
+  observe::Frame frame;
 
   Trial(const std::string& csg, const view::Camera& camera, const view::Sampling& sampling)
       : scenery(make_curved_scenery(csg, camera, size)),
@@ -110,7 +110,7 @@ struct Trial {
     const bool in_rect = rect.x0 <= x && x <= rect.x1 && rect.y0 <= y && y <= rect.y1;
     const bool seen = in.any && in_rect && in.front < in.back;
     frame.depth.push_back(seen ? static_cast<std::uint32_t>(in.front) : farthest());
-    frame.owner.push_back(seen ? 0 : sim::no_owner);
+    frame.owner.push_back(seen ? 0 : observe::no_owner);
     frame.colour.push_back(0);
   }
 };
@@ -175,7 +175,7 @@ TEST_CASE("a depth two steps off in the middle of a ball is not explained, and a
       CHECK(trial.judge().unexplained == 1);
     }
     trial.frame.depth[middle] = trial.farthest();
-    trial.frame.owner[middle] = sim::no_owner;
+    trial.frame.owner[middle] = observe::no_owner;
     CHECK(trial.judge().unexplained == 1);
     // Where nothing is, nothing may be shown.
     trial.frame.depth[middle] = right;

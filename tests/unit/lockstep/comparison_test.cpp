@@ -47,12 +47,12 @@ isa::Program two_columns() {
   return program;
 }
 
-sim::Comparison compare(const isa::Program& a, const isa::Program& b) {
+lockstep::Comparison compare(const isa::Program& a, const isa::Program& b) {
   const machines::Machine a_machine = planes(a.shape);
   const machines::Machine b_machine = planes(b.shape);
-  const auto functional = sim::make_functional_engine(a_machine);
-  const auto reference = sim::make_reference_engine(b_machine);
-  return sim::compare({a, a_machine, *functional}, {b, b_machine, *reference});
+  const auto functional = engine::make_functional_engine(a_machine);
+  const auto reference = engine::make_reference_engine(b_machine);
+  return lockstep::compare({a, a_machine, *functional}, {b, b_machine, *reference});
 }
 
 }  // namespace
@@ -61,11 +61,11 @@ TEST_CASE("two levels are equal at every instruction boundary of random Programs
   const isa::ArrayShape shape{9, 5, 40};
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
-    const sim::Comparison found = compare(program, program);
+    const lockstep::Comparison found = compare(program, program);
     RC_ASSERT_FALSE(found.other_instruction.has_value());
     RC_ASSERT_FALSE(found.divergence.has_value());
     RC_ASSERT_FALSE(found.picture.has_value());
-    RC_ASSERT(found.compared + found.a.result.skipped == sim::Numbers(program).count());
+    RC_ASSERT(found.compared + found.a.result.skipped == engine::Numbers(program).count());
   }));
 }
 
@@ -73,11 +73,11 @@ TEST_CASE("the first instruction that differs, the first pixel after it, and wha
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions[2].linear.c = -2;  // column 2 too
-  const sim::Comparison found = compare(a, b);
+  const lockstep::Comparison found = compare(a, b);
   CHECK(found.other_instruction == 2);
   REQUIRE(found.divergence.has_value());
-  CHECK(found.divergence->place == sim::Place{0, 2});
-  CHECK(found.divergence->pixel == sim::PixelDifference{2, 0, {{"E", 0, 1}}, 2});
+  CHECK(found.divergence->place == engine::Place{0, 2});
+  CHECK(found.divergence->pixel == lockstep::PixelDifference{2, 0, {{"E", 0, 1}}, 2});
   CHECK(found.compared == 2);
   REQUIRE(found.picture.has_value());
   CHECK(found.picture->x == 2);
@@ -89,11 +89,11 @@ TEST_CASE("a field is told by its name, its place where it has none, with both v
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions[3].constant = 41;
-  CHECK(compare(a, b).divergence->pixel == sim::PixelDifference{3, 0, {{"colour", 40, 41}}, 4});
+  CHECK(compare(a, b).divergence->pixel == lockstep::PixelDifference{3, 0, {{"colour", 40, 41}}, 4});
   b = a;
   b.segments[0].instructions[4].constant = 2;
-  const sim::Comparison found = compare(a, b);
-  CHECK(found.divergence->pixel == sim::PixelDifference{3, 0, {{"[14+:6]", 4, 8}}, 4});
+  const lockstep::Comparison found = compare(a, b);
+  CHECK(found.divergence->pixel == lockstep::PixelDifference{3, 0, {{"[14+:6]", 4, 8}}, 4});
   CHECK_FALSE(found.picture.has_value());
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("Programs of different length are compared up to their first different
   const isa::Program a = two_columns();
   isa::Program b = a;
   b.segments[0].instructions.insert(b.segments[0].instructions.begin() + 3, {.opcode = Opcode::enable_all});
-  const sim::Comparison found = compare(a, b);
+  const lockstep::Comparison found = compare(a, b);
   CHECK(found.other_instruction == 3);
   CHECK_FALSE(found.divergence.has_value());
   CHECK(found.compared == 3);
@@ -119,12 +119,12 @@ TEST_CASE("where an instruction takes other clocks on a machine that is told to 
   const machines::Machine machine = planes(program.shape);
   machines::Machine wide = machine;
   wide.alu_bits = 4;
-  const auto functional = sim::make_functional_engine(machine);
-  const auto run = sim::make_functional_engine(wide)->begin(program);
-  sim::Lockstep lockstep(program, program, *run, {});
-  sim::Observer* const observers[] = {&lockstep};
+  const auto functional = engine::make_functional_engine(machine);
+  const auto run = engine::make_functional_engine(wide)->begin(program);
+  lockstep::Lockstep lockstep(program, program, *run, {});
+  engine::Observer* const observers[] = {&lockstep};
   functional->run(program, observers);
   REQUIRE(lockstep.divergence().has_value());
-  CHECK(lockstep.divergence()->place == sim::Place{0, 1});
-  CHECK(lockstep.divergence()->otherwise == sim::TwoValues{"clocks", 8, 2});
+  CHECK(lockstep.divergence()->place == engine::Place{0, 1});
+  CHECK(lockstep.divergence()->otherwise == lockstep::TwoValues{"clocks", 8, 2});
 }

@@ -48,7 +48,7 @@ std::vector<isa::Instruction> any_list(const isa::Region& region, std::uint32_t 
 
 /// Compares the node's pixels with the reference's.
 void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& own, const isa::ArrayShape& nodes,
-                  const sim::ReferenceArray& reference) {
+                  const reference::ReferenceArray& reference) {
   for (std::size_t pixel = 0; pixel < own.count(); ++pixel) {
     const auto x = own.first_x + static_cast<std::uint32_t>(pixel % own.columns) * nodes.width;
     const auto y = own.first_y + static_cast<std::uint32_t>(pixel / own.columns) * nodes.height;
@@ -87,7 +87,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     const isa::Region region{below(9), below(9), 1 + below(10), 1 + below(10)};
     const std::vector<isa::Instruction> list = any_list(region, machine.array.memory_bits);
     if (list.empty()) return;
-    const std::vector<kernel::Keep> keeps(list.size(), kernel::Keep::all);
+    const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const isa::Field colour{0, static_cast<std::uint16_t>(1 + below(8))};
     for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
       const NodePixels own =
@@ -97,7 +97,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
       for (std::size_t pixel = 0; pixel < own.count(); ++pixel) renderer.watch(pixel, moments[pixel]);
       renderer.render();
       check_moments(moments, renderer.steps(), list, own, machine);
-      sim::ReferenceArray reference(region, machine.array.memory_bits);
+      reference::ReferenceArray reference(region, machine.array.memory_bits);
       for (std::size_t i = 0; i < list.size(); ++i) {
         reference.execute(list[i]);
         check_pixels(renderer.steps()[i].pixels, own, machine.array, reference);
@@ -128,11 +128,11 @@ TEST_CASE("nodes add with carries, and cut sums into stripes, as the reference d
         {.opcode = Opcode::stripe, .linear = {.a = 1 + step(), .b = step(), .width = 4}},
         {.opcode = Opcode::add, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}},
         {.opcode = Opcode::add, .fields = {isa::Field{0, 7}, isa::Field{10, 3}}}};
-    const std::vector<kernel::Keep> keeps(list.size(), kernel::Keep::all);
+    const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const NodePixels own = multi_processor::pixels_of(region, machine.array, 0, 0);
     multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own);
     renderer.render();
-    sim::ReferenceArray reference(region, machine.array.memory_bits);
+    reference::ReferenceArray reference(region, machine.array.memory_bits);
     for (std::size_t i = 0; i < list.size(); ++i) {
       reference.execute(list[i]);
       check_pixels(renderer.steps()[i].pixels, own, machine.array, reference);

@@ -10,7 +10,7 @@
 namespace csgsim::testing {
 
 /// Pixels of a region whose memory, of 32 bits at most, and enable a test sets by hand.
-class FakePixels final : public sim::PixelState {
+class FakePixels final : public engine::PixelState {
  public:
   explicit FakePixels(isa::Region region)
       : region_(region),

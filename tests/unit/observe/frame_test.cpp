@@ -44,7 +44,7 @@ isa::Program program(bool second_colour = false) {
   return program;
 }
 
-void carry_out(sim::FrameObserver& observer, const Instruction& instruction, const FakePixels& pixels) {
+void carry_out(observe::FrameObserver& observer, const Instruction& instruction, const FakePixels& pixels) {
   observer.after_instruction({0, 0, instruction, 1, 1}, pixels);
 }
 
@@ -62,17 +62,17 @@ std::size_t others_than(const std::vector<std::uint32_t>& picture, std::uint32_t
 }  // namespace
 
 TEST_CASE("a picture begins with the background, nothing seen, and no owners") {
-  const sim::FrameObserver observer(program());
-  const sim::Frame& frame = observer.frame();
+  const observe::FrameObserver observer(program());
+  const observe::Frame& frame = observer.frame();
   CHECK(frame.width == width);
   CHECK(frame.height == height);
   CHECK(frame.colour == std::vector<std::uint32_t>(width * height, background));
   CHECK(frame.depth == std::vector<std::uint32_t>(width * height, 15));
-  CHECK(frame.owner == std::vector<std::uint32_t>(width * height, sim::no_owner));
+  CHECK(frame.owner == std::vector<std::uint32_t>(width * height, observe::no_owner));
 }
 
 TEST_CASE("depth and colour of a segment's pixels come to the segment's place in the picture") {
-  sim::FrameObserver observer(program());
+  observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   for (std::uint32_t y = 0; y < 2; ++y) {
     for (std::uint32_t x = 0; x < 3; ++x) {
@@ -81,7 +81,7 @@ TEST_CASE("depth and colour of a segment's pixels come to the segment's place in
     }
   }
   observer.after_segment(1, pixels);
-  const sim::Frame& frame = observer.frame();
+  const observe::Frame& frame = observer.frame();
   for (std::uint32_t y = 0; y < 2; ++y) {
     for (std::uint32_t x = 0; x < 3; ++x) {
       CHECK(at(frame.depth, 67 + x, 1 + y) == 3 * y + x);
@@ -95,14 +95,14 @@ TEST_CASE("depth and colour of a segment's pixels come to the segment's place in
 TEST_CASE("a segment without instructions shows the background, whatever its pixels hold") {
   isa::Program empty = program();
   empty.segments[1].instructions.clear();
-  sim::FrameObserver observer(empty);
+  observe::FrameObserver observer(empty);
   observer.after_segment(1, FakePixels({67, 1, 3, 2}));
   CHECK(others_than(observer.frame().depth, 15) == 0);
   CHECK(others_than(observer.frame().colour, background) == 0);
 }
 
 TEST_CASE("a pixel whose depth is merged is owned by the primitive whose depth it is") {
-  sim::FrameObserver observer(program());
+  observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable(0, 0);
   pixels.enable(63, 1);
@@ -114,20 +114,20 @@ TEST_CASE("a pixel whose depth is merged is owned by the primitive whose depth i
   CHECK(at(owner, 63, 1) == 2);
   CHECK(at(owner, 64, 1) == 2);
   CHECK(at(owner, 66, 2) == 2);
-  CHECK(others_than(owner, sim::no_owner) == 4);
+  CHECK(others_than(owner, observe::no_owner) == 4);
 }
 
 TEST_CASE("owners come to the segment's place in the picture") {
-  sim::FrameObserver observer(program());
+  observe::FrameObserver observer(program());
   FakePixels pixels({67, 1, 3, 2});
   pixels.enable(2, 1);
   carry_out(observer, merge_of_2, pixels);
   CHECK(at(observer.frame().owner, 69, 2) == 2);
-  CHECK(others_than(observer.frame().owner, sim::no_owner) == 1);
+  CHECK(others_than(observer.frame().owner, observe::no_owner) == 1);
 }
 
 TEST_CASE("other copies, and colours of one primitive alone, change no owner and are not looked at") {
-  const sim::FrameObserver observer(program());
+  const observe::FrameObserver observer(program());
   CHECK(observer.reads_after(merge_of_2));
   CHECK(observer.reads_after(colours(colour, 1, 0)));
   CHECK_FALSE(observer.reads_after({Opcode::copy, {candidate, depth}, {}, 0, {}}));
@@ -135,15 +135,15 @@ TEST_CASE("other copies, and colours of one primitive alone, change no owner and
   CHECK_FALSE(observer.reads_after(colours(candidate, 1, 0)));
   CHECK_FALSE(observer.reads_after(colours(candidate_colour, 1, 0)));  // there is no such field
   CHECK_FALSE(observer.reads_after({Opcode::field_lt, {depth, candidate}, {}, 0, {}}));
-  sim::FrameObserver other(program());
+  observe::FrameObserver other(program());
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable(1, 1);
   carry_out(other, colours(colour, 1, isa::no_node), pixels);
-  CHECK(others_than(other.frame().owner, sim::no_owner) == 0);
+  CHECK(others_than(other.frame().owner, observe::no_owner) == 0);
 }
 
 TEST_CASE("where several primitives are drawn as one solid, the one whose colour is written is the owner") {
-  sim::FrameObserver observer(program());
+  observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable(3, 0);
   pixels.enable(4, 0);
@@ -158,7 +158,7 @@ TEST_CASE("where several primitives are drawn as one solid, the one whose colour
 }
 
 TEST_CASE("where several primitives are drawn as one solid, light that comes channel by channel tells the owner") {
-  sim::FrameObserver observer(program());
+  observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable(3, 0);
   pixels.enable(4, 0);
@@ -188,7 +188,7 @@ TEST_CASE(
   const Instruction in_mirror{Opcode::copy, {nearest, candidate}, {}, 0, {isa::Purpose::merge, 0, isa::no_node, 2}};
   const isa::Origin composing{isa::Purpose::effect, isa::no_primitive, isa::no_node, glass};
   const Instruction compare{Opcode::field_lt, {nearest, depth}, {}, 0, composing};
-  sim::FrameObserver observer(with_panes);
+  observe::FrameObserver observer(with_panes);
   FakePixels pixels({0, 0, 67, 3});
   pixels.write(depth, 4, 1, 9);
   pixels.enable(4, 1);
@@ -203,21 +203,21 @@ TEST_CASE(
   }
   pixels.write(depth, 6, 1, 15);
   observer.after_segment(0, pixels);
-  const sim::Frame& frame = observer.frame();
+  const observe::Frame& frame = observer.frame();
   CHECK(at(frame.owner, 4, 1) == 1);
   CHECK(at(frame.depth, 4, 1) == 3);
   CHECK(at(frame.owner, 6, 1) == 1);
   CHECK(at(frame.depth, 6, 1) == 4);
-  const sim::Frame opaque = sim::of_opaque(frame);
+  const observe::Frame opaque = observe::of_opaque(frame);
   CHECK(at(opaque.owner, 4, 1) == 2);
   CHECK(at(opaque.depth, 4, 1) == 9);
-  CHECK(at(opaque.owner, 6, 1) == sim::no_owner);
+  CHECK(at(opaque.owner, 6, 1) == observe::no_owner);
   CHECK(at(opaque.depth, 6, 1) == 15);
-  CHECK(others_than(frame.owner, sim::no_owner) == 2);
+  CHECK(others_than(frame.owner, observe::no_owner) == 2);
 }
 
 TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the merge") {
-  sim::FrameObserver observer(program(true));
+  observe::FrameObserver observer(program(true));
   FakePixels pixels({0, 0, 67, 3});
   pixels.enable(3, 0);
   pixels.enable(4, 0);
@@ -226,7 +226,7 @@ TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the mer
   pixels.enable(4, 0);
   pixels.enable(5, 0);
   carry_out(observer, colours(candidate_colour, 1, 0), pixels);
-  CHECK(others_than(observer.frame().owner, sim::no_owner) == 0);
+  CHECK(others_than(observer.frame().owner, observe::no_owner) == 0);
   pixels.enable_none();
   pixels.enable(3, 0);
   pixels.enable(4, 0);
@@ -235,5 +235,5 @@ TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the mer
   carry_out(observer, merge, pixels);
   CHECK(at(observer.frame().owner, 3, 0) == 0);
   CHECK(at(observer.frame().owner, 4, 0) == 1);
-  CHECK(others_than(observer.frame().owner, sim::no_owner) == 2);
+  CHECK(others_than(observer.frame().owner, observe::no_owner) == 2);
 }

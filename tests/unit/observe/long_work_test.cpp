@@ -25,7 +25,7 @@ double processor_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-using MakeEngine = std::unique_ptr<sim::Engine> (*)(const machines::Machine&);
+using MakeEngine = std::unique_ptr<engine::Engine> (*)(const machines::Machine&);
 
 /// What was foretold of a real run after a quarter of it, in parts of what it took. As fast as this computer may be,
 /// the run counts as one of four seconds, of which the first is waited for.
@@ -37,11 +37,11 @@ double foretold(const std::string& trace, const std::string& machine_name, MakeE
   make(machine)->run(program, {});
   const double haste = 4 / (processor_time() - begin);
   const auto engine = make(machine);
-  sim::LongWork work(
+  observe::LongWork work(
       "the run", "wait", [haste] { return haste * processor_time(); }, 0);
-  sim::ProgressObserver observer(program, machine);
+  observe::ProgressObserver observer(program, machine);
   observer.warn(work, false);
-  std::vector<sim::Observer*> observers{&observer};
+  std::vector<engine::Observer*> observers{&observer};
   engine->run(program, observers);
   const double took = work.elapsed();
   REQUIRE(work.warned().has_value());
@@ -52,14 +52,14 @@ double foretold(const std::string& trace, const std::string& machine_name, MakeE
 }  // namespace
 
 TEST_CASE("what a run at the reference level will take is foretold within a factor of two") {
-  const double ratio = foretold("thesis_fig_2_3", "pixel-planes-4", sim::make_reference_engine);
+  const double ratio = foretold("thesis_fig_2_3", "pixel-planes-4", engine::make_reference_engine);
   MESSAGE("foretold / taken: ", ratio);
   CHECK(ratio > 0.5);
   CHECK(ratio < 2);
 }
 
 TEST_CASE("what a run at the cycle level will take is foretold within a factor of two") {
-  const double ratio = foretold("terrain_vehicle", "pixel-planes-4", sim::make_cycle_engine);
+  const double ratio = foretold("terrain_vehicle", "pixel-planes-4", engine::make_cycle_engine);
   MESSAGE("foretold / taken: ", ratio);
   CHECK(ratio > 0.5);
   CHECK(ratio < 2);
@@ -67,7 +67,7 @@ TEST_CASE("what a run at the cycle level will take is foretold within a factor o
 
 TEST_CASE("work is warned of once, by its first part, and only if it takes long") {
   double now = 0;
-  sim::LongWork work(
+  observe::LongWork work(
       "this study", "take less", [&now] { return now; }, 60);
   now = 5;
   work.at(0.1);

@@ -47,12 +47,12 @@ isa::Program program() {
   return program;
 }
 
-sim::Frame frame() {
+observe::Frame frame() {
   return {3,
           2,
           {0b000000, 0b110000, 0b001100, 0b000011, 0b111111, 0b010101},
           {0, 1, 2, 61, 62, 63},
-          {0, 1, 2, 70'000, sim::no_owner, 5}};
+          {0, 1, 2, 70'000, observe::no_owner, 5}};
 }
 
 template <class Value>
@@ -88,7 +88,7 @@ void write_to(const fs::path& path, const Write& write) {
 
 TEST_CASE("a picture has each pixel's colour at its place, in eight bits a channel") {
   const Scratch scratch(".png");
-  write_to(scratch.path(), [](OutputFile& file) { sim::write_picture(file, frame(), program()); });
+  write_to(scratch.path(), [](OutputFile& file) { observe::write_picture(file, frame(), program()); });
   const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
   CHECK(picture.width == 3);
   CHECK(picture.height == 2);
@@ -101,7 +101,7 @@ TEST_CASE("a grey picture has each pixel's grey at its place") {
     CAPTURE(extension);
     const Scratch scratch(extension);
     const std::vector<std::uint8_t> bytes{0, 1, 127, 128, 254, 255};
-    write_to(scratch.path(), [&](OutputFile& file) { sim::write_picture(file, sim::Picture{2, 3, 1, bytes}); });
+    write_to(scratch.path(), [&](OutputFile& file) { observe::write_picture(file, observe::Picture{2, 3, 1, bytes}); });
     const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
     CHECK(picture.width == 2);
     CHECK(picture.height == 3);
@@ -114,10 +114,10 @@ TEST_CASE("noise of any size comes back from a PNG as it was") {
   for (const std::uint32_t width : {1U, 2U, 7U, 640U, 5000U}) {
     CAPTURE(width);
     std::mt19937 random(width);
-    sim::Picture noise{width, 17, 3, {}};
+    observe::Picture noise{width, 17, 3, {}};
     for (std::uint32_t i = 0; i < width * 17 * 3; ++i) noise.bytes.push_back(static_cast<std::uint8_t>(random()));
     const Scratch scratch(".png");
-    write_to(scratch.path(), [&](OutputFile& file) { sim::write_picture(file, noise); });
+    write_to(scratch.path(), [&](OutputFile& file) { observe::write_picture(file, noise); });
     const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
     CHECK(picture.width == static_cast<int>(width));
     CHECK(picture.values == noise.bytes);
@@ -127,13 +127,13 @@ TEST_CASE("noise of any size comes back from a PNG as it was") {
 TEST_CASE("a PNG too wide for its readers is refused") {
   const Scratch scratch(".png");
   OutputFile file(scratch.path());
-  const sim::Picture wide{2'000'000, 1, 1, std::vector<std::uint8_t>(2'000'000)};
-  CHECK_THROWS_WITH_AS(sim::write_picture(file, wide), doctest::Contains(": cannot be written: "), InputError);
+  const observe::Picture wide{2'000'000, 1, 1, std::vector<std::uint8_t>(2'000'000)};
+  CHECK_THROWS_WITH_AS(observe::write_picture(file, wide), doctest::Contains(": cannot be written: "), InputError);
 }
 
 TEST_CASE("a depth picture has distances in model units, and infinity where nothing is seen") {
   const Scratch scratch(".exr");
-  write_to(scratch.path(), [](OutputFile& file) { sim::write_depth(file, frame(), program()); });
+  write_to(scratch.path(), [](OutputFile& file) { observe::write_depth(file, frame(), program()); });
   const auto picture = read<float>(scratch.path(), OIIO::TypeDesc::FLOAT);
   CHECK(picture.channels == std::vector<std::string>{"Z"});
   REQUIRE(picture.values.size() == 6);
@@ -146,7 +146,7 @@ TEST_CASE("a depth picture has distances in model units, and infinity where noth
 
 TEST_CASE("a picture of owners has the number of the primitive, and -1 where nothing is seen") {
   const Scratch scratch(".exr");
-  write_to(scratch.path(), [](OutputFile& file) { sim::write_owner(file, frame()); });
+  write_to(scratch.path(), [](OutputFile& file) { observe::write_owner(file, frame()); });
   const auto picture = read<float>(scratch.path(), OIIO::TypeDesc::FLOAT);
   CHECK(picture.channels == std::vector<std::string>{"owner"});
   CHECK(picture.values == std::vector<float>{0, 1, 2, 70'000, -1, 5});
@@ -154,13 +154,13 @@ TEST_CASE("a picture of owners has the number of the primitive, and -1 where not
 
 TEST_CASE("primitives have different colours in an owner picture, none of them that of nothing") {
   // Bits of the index + 1, lowest first, go to the highest bits of red, green and blue.
-  CHECK(sim::owner_colour(sim::no_owner) == std::array<std::uint8_t, 3>{0, 0, 0});
-  CHECK(sim::owner_colour(0) == std::array<std::uint8_t, 3>{128, 0, 0});
-  CHECK(sim::owner_colour(1) == std::array<std::uint8_t, 3>{0, 128, 0});
-  CHECK(sim::owner_colour(2) == std::array<std::uint8_t, 3>{128, 128, 0});
-  CHECK(sim::owner_colour(7) == std::array<std::uint8_t, 3>{64, 0, 0});
-  std::set<std::array<std::uint8_t, 3>> colours{sim::owner_colour(sim::no_owner)};
-  for (std::uint32_t i = 0; i < 100'000; ++i) colours.insert(sim::owner_colour(i));
+  CHECK(observe::owner_colour(observe::no_owner) == std::array<std::uint8_t, 3>{0, 0, 0});
+  CHECK(observe::owner_colour(0) == std::array<std::uint8_t, 3>{128, 0, 0});
+  CHECK(observe::owner_colour(1) == std::array<std::uint8_t, 3>{0, 128, 0});
+  CHECK(observe::owner_colour(2) == std::array<std::uint8_t, 3>{128, 128, 0});
+  CHECK(observe::owner_colour(7) == std::array<std::uint8_t, 3>{64, 0, 0});
+  std::set<std::array<std::uint8_t, 3>> colours{observe::owner_colour(observe::no_owner)};
+  for (std::uint32_t i = 0; i < 100'000; ++i) colours.insert(observe::owner_colour(i));
   CHECK(colours.size() == 100'001);
 }
 
@@ -169,10 +169,10 @@ TEST_CASE("an owner picture for ordinary tools has the colours that its legend t
   const Scratch beside(".json");
   isa::Program named = program();
   named.facts.primitives = {"cube@1:1", "ball", "cube@3:1"};
-  sim::Frame seen = frame();
-  seen.owner = {0, 1, 1, 2, sim::no_owner, 1};
-  write_to(scratch.path(), [&](OutputFile& file) { sim::write_owner(file, seen); });
-  write_to(beside.path(), [&](OutputFile& file) { sim::write_legend(file, seen, named); });
+  observe::Frame seen = frame();
+  seen.owner = {0, 1, 1, 2, observe::no_owner, 1};
+  write_to(scratch.path(), [&](OutputFile& file) { observe::write_owner(file, seen); });
+  write_to(beside.path(), [&](OutputFile& file) { observe::write_legend(file, seen, named); });
   const auto picture = read<std::uint8_t>(scratch.path(), OIIO::TypeDesc::UINT8);
   CHECK(picture.values == std::vector<std::uint8_t>{128, 0, 0, 0, 128, 0, 0, 128, 0,  //
                                                     128, 128, 0, 0, 0, 0, 0, 128, 0});
@@ -185,17 +185,17 @@ TEST_CASE("an owner picture for ordinary tools has the colours that its legend t
 }
 
 TEST_CASE("a name that is of no picture format is refused, with what to take") {
-  CHECK_NOTHROW(sim::check_format("a.png"));
+  CHECK_NOTHROW(observe::check_format("a.png"));
   // Endings that nobody waits for the module to know, too.
   for (const char* const name : {"a.exr", "a.tif", "a.jpg", "a.ppm", "a.EXR", "a.sgi"}) {
     CAPTURE(name);
-    CHECK_NOTHROW(sim::check_format(name));
-    CHECK_NOTHROW(sim::check_depth_format(name));
+    CHECK_NOTHROW(observe::check_format(name));
+    CHECK_NOTHROW(observe::check_depth_format(name));
   }
   for (const char* const name : {"a.xyz", "a", "a.null", "a.term"}) {
     CAPTURE(name);
     CHECK_THROWS_WITH_AS(
-        sim::check_format(name),
+        observe::check_format(name),
         (std::string(name) + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like").c_str(),
         InputError);
   }

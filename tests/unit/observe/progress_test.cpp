@@ -71,7 +71,8 @@ machines::Machine machine() {
 using Clock = std::chrono::steady_clock;
 
 /// Carries out so many instructions, the first of which finds so many pixels enabled.
-void carry_out(sim::ProgressObserver& observer, std::uint32_t count, const Instruction& first, std::uint64_t enabled) {
+void carry_out(observe::ProgressObserver& observer, std::uint32_t count, const Instruction& first,
+               std::uint64_t enabled) {
   const testing::FakePixels pixels({0, 0, 1, 1});
   for (std::uint32_t i = 0; i < count; ++i)
     observer.after_instruction({0, i, i == 0 ? first : plain, 1, enabled}, pixels);
@@ -85,7 +86,7 @@ TEST_CASE("a run of less than a second tells nothing") {
   {
     const isa::Program all = program();
     const machines::Machine on = machine();
-    sim::ProgressObserver observer(all, on);
+    observe::ProgressObserver observer(all, on);
     std::this_thread::sleep_for(std::chrono::milliseconds(400));
     carry_out(observer, 128, plain, 1);
   }
@@ -97,7 +98,7 @@ TEST_CASE("a run of more than a second tells how far it is, once in a while, and
   const StandardError standard_error;
   const isa::Program all = program();
   const machines::Machine on = machine();
-  std::optional<sim::ProgressObserver> observer;
+  std::optional<observe::ProgressObserver> observer;
   observer.emplace(all, on);
   std::this_thread::sleep_for(std::chrono::milliseconds(1050));
   const Clock::time_point begin = Clock::now();
@@ -117,7 +118,7 @@ TEST_CASE("what turns out to be skipped is taken off the clocks that are left") 
   const StandardError standard_error;
   const isa::Program all = program();
   const machines::Machine on = machine();
-  sim::ProgressObserver observer(all, on);
+  observe::ProgressObserver observer(all, on);
   std::this_thread::sleep_for(std::chrono::milliseconds(1050));
   carry_out(observer, 64, skips_100, 0);
   CHECK(standard_error.text().starts_with("\r\x1b[K 25.0 %  64 of 256 clocks  "));

@@ -15,7 +15,7 @@ using namespace csgsim;
 using isa::Instruction;
 using isa::Opcode;
 using isa::Purpose;
-using sim::Cost;
+using observe::Cost;
 
 namespace {
 
@@ -32,8 +32,10 @@ isa::Program program() {
   return program;
 }
 
-const Cost& of(const sim::Stats& stats, Opcode opcode) { return stats.by_opcode[static_cast<std::size_t>(opcode)]; }
-const Cost& of(const sim::Stats& stats, Purpose purpose) { return stats.by_purpose[static_cast<std::size_t>(purpose)]; }
+const Cost& of(const observe::Stats& stats, Opcode opcode) { return stats.by_opcode[static_cast<std::size_t>(opcode)]; }
+const Cost& of(const observe::Stats& stats, Purpose purpose) {
+  return stats.by_purpose[static_cast<std::size_t>(purpose)];
+}
 
 Cost sum(std::span<const Cost> costs) {
   Cost all;
@@ -44,13 +46,13 @@ Cost sum(std::span<const Cost> costs) {
 }  // namespace
 
 TEST_CASE("an instruction costs its clocks at every pixel of its segment, and at those that were enabled") {
-  sim::StatsObserver observer(program());
+  observe::StatsObserver observer(program());
   const testing::FakePixels pixels({0, 0, 5, 3});
   observer.after_instruction({0, 0, set_up, 1, 0}, pixels);
   observer.after_instruction({0, 1, renders, 1, 15}, pixels);
   observer.after_instruction({0, 2, classifies, 20, 7}, pixels);
   observer.after_instruction({1, 0, merges, 30, 1}, pixels);
-  const sim::Stats& stats = observer.stats();
+  const observe::Stats& stats = observer.stats();
   // Instructions, clocks, 15 pixels in the first segment and 1 in the second, enabled.
   CHECK(stats.total == Cost{4, 52, 15 + 15 + 20 * 15 + 30, 15 + 20 * 7 + 30});
   CHECK(of(stats, Opcode::enable_all) == Cost{2, 2, 30, 15});
@@ -68,7 +70,7 @@ TEST_CASE("an instruction costs its clocks at every pixel of its segment, and at
 TEST_CASE("what an effect calls for at a primitive is the effect's, not the primitive's alone") {
   isa::Program one = program();
   one.facts.compile.effects = {"flat", "shadows"};
-  sim::StatsObserver observer(one);
+  observe::StatsObserver observer(one);
   const testing::FakePixels pixels({0, 0, 5, 3});
   const Instruction shadow{Opcode::copy, {}, {}, 0, {Purpose::render, 1, isa::no_node, 1}};
   const Instruction flat{Opcode::copy, {}, {}, 0, {Purpose::shade, 1, isa::no_node, 0}};
@@ -82,7 +84,7 @@ TEST_CASE("what an effect calls for at a primitive is the effect's, not the prim
 
 TEST_CASE("opcodes add up to the total, and so do purposes, and primitives with what serves none") {
   CHECK(rc::check([] {
-    sim::StatsObserver observer(program());
+    observe::StatsObserver observer(program());
     const testing::FakePixels pixels({0, 0, 5, 3});
     Cost of_none;
     const int steps = *rc::gen::inRange(0, 30);
@@ -95,7 +97,7 @@ TEST_CASE("opcodes add up to the total, and so do purposes, and primitives with 
       observer.after_instruction({0, 0, instruction, clocks, 4}, pixels);
       if (instruction.origin.primitive == isa::no_primitive) of_none += {1, clocks, clocks * 15, clocks * 4};
     }
-    const sim::Stats& stats = observer.stats();
+    const observe::Stats& stats = observer.stats();
     RC_ASSERT(stats.total.instructions == static_cast<std::uint64_t>(steps));
     RC_ASSERT(sum(stats.by_opcode) == stats.total);
     RC_ASSERT(sum(stats.by_purpose) == stats.total);
@@ -111,11 +113,11 @@ TEST_CASE("the stats say what is used, and give the account of the machine") {
   machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.array = {8, 4, 16};
   machine.clock_hz = 1000;
-  sim::RunResult result;
+  engine::RunResult result;
   result.clocks = 250;
   result.latency_clocks = 5;
-  const sim::Stats stats = sim::StatsObserver(one).stats();
-  const auto json = sim::to_json({one, machine, "functional", result, stats, 0.5});
+  const observe::Stats stats = observe::StatsObserver(one).stats();
+  const auto json = observe::to_json({one, machine, "functional", result, stats, 0.5});
   CHECK(json["clocks"] == 250);
   CHECK(json["simulated_seconds"] == 0.25);
   CHECK(json["memory_bits"]["used"] == 8);

@@ -27,11 +27,11 @@ const std::string all_machines[] = {"pixel-planes-4",
                                     "pixel-square+divider.kind=host+renderers.count=3"};
 
 /// Clocks by the primitive and the effect that each instruction names, taken down as it is told.
-class Ledger : public sim::Observer {
+class Ledger : public engine::Observer {
  public:
   explicit Ledger(const isa::Facts& facts) : facts_(facts) {}
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
-  void after_instruction(const sim::Step& step, const sim::PixelState& /*state*/) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
     const isa::Origin& origin = step.instruction.origin;
     all += step.clocks;
     if (origin.effect != isa::no_effect && origin.effect > 0) {
@@ -55,8 +55,8 @@ class Ledger : public sim::Observer {
 struct Drawn {
   machines::Machine machine;
   isa::Program program;
-  sim::RunResult result;
-  sim::Stats stats;
+  engine::RunResult result;
+  observe::Stats stats;
   Ledger ledger;
 };
 
@@ -72,14 +72,14 @@ Drawn draw(const std::string& machine_name, const std::string& model, const emit
               {},
               Ledger(drawn.program.facts)};
   machines::set_picture_size(drawn.machine, {60, 44});
-  sim::StatsObserver stats(drawn.program);
-  const std::array<sim::Observer*, 2> observers{&stats, &drawn.ledger};
-  drawn.result = sim::make_functional_engine(drawn.machine)->run(drawn.program, observers);
+  observe::StatsObserver stats(drawn.program);
+  const std::array<engine::Observer*, 2> observers{&stats, &drawn.ledger};
+  drawn.result = engine::make_functional_engine(drawn.machine)->run(drawn.program, observers);
   drawn.stats = stats.stats();
   return drawn;
 }
 
-std::uint64_t activity(const sim::RunResult& result, const char* name) {
+std::uint64_t activity(const engine::RunResult& result, const char* name) {
   return machines::clocks_of(result.account, "controller", name);
 }
 
@@ -91,9 +91,9 @@ TEST_CASE("primitives, effects and the rest take all clocks of a frame, on every
       CAPTURE(machine);
       CAPTURE(model);
       const Drawn drawn = draw(machine, model);
-      const sim::ClockShares shares = sim::clock_shares(drawn.program, drawn.result, drawn.stats);
+      const observe::ClockShares shares = observe::clock_shares(drawn.program, drawn.result, drawn.stats);
       std::uint64_t sum = shares.other_clocks + shares.rest;
-      for (const sim::PrimitiveCost& one : shares.dearest) {
+      for (const observe::PrimitiveCost& one : shares.dearest) {
         CHECK(one.clocks == drawn.ledger.primitives.at(one.primitive));
         sum += one.clocks;
       }
@@ -113,28 +113,29 @@ TEST_CASE("primitives, effects and the rest take all clocks of a frame, on every
 
 TEST_CASE("the dearest primitives come first, ten at most, with their place in the file") {
   const Drawn drawn = draw("pixel-planes-4", "carburettor");
-  const sim::ClockShares shares = sim::clock_shares(drawn.program, drawn.result, drawn.stats);
+  const observe::ClockShares shares = observe::clock_shares(drawn.program, drawn.result, drawn.stats);
   REQUIRE(shares.dearest.size() == 10);
   for (std::size_t i = 1; i < 10; ++i) CHECK(shares.dearest[i].clocks <= shares.dearest[i - 1].clocks);
   std::multiset<std::uint64_t> clocks;
   for (const auto& [primitive, count] : drawn.ledger.primitives) clocks.insert(count);
   CHECK(*clocks.rbegin() == shares.dearest.front().clocks);
-  for (const sim::PrimitiveCost& one : shares.dearest) {
+  for (const observe::PrimitiveCost& one : shares.dearest) {
     CHECK(one.name.ends_with("@" + one.source));
     CHECK(one.source.find(':') != std::string::npos);
   }
-  CHECK(sim::source_of("mesh") == "");
+  CHECK(observe::source_of("mesh") == "");
 }
 
 TEST_CASE("the half-spaces of the primitives are those that pruning leaves, counted once in however many squares") {
   const Drawn whole = draw("pixel-planes-4", "thesis_fig_2_3");
   std::uint64_t halfspaces = 0;
-  const sim::ClockShares shares = sim::clock_shares(whole.program, whole.result, whole.stats);
-  for (const sim::PrimitiveCost& one : shares.dearest) halfspaces += one.half_spaces;
+  const observe::ClockShares shares = observe::clock_shares(whole.program, whole.result, whole.stats);
+  for (const observe::PrimitiveCost& one : shares.dearest) halfspaces += one.half_spaces;
   CHECK(halfspaces == whole.program.segments.front().facts.kept_halfspaces);
   const Drawn squares = draw("pixel-square", "thesis_fig_2_3");
-  for (const sim::PrimitiveCost& one : sim::clock_shares(squares.program, squares.result, squares.stats).dearest) {
-    const auto same = std::ranges::find(shares.dearest, one.primitive, &sim::PrimitiveCost::primitive);
+  for (const observe::PrimitiveCost& one :
+       observe::clock_shares(squares.program, squares.result, squares.stats).dearest) {
+    const auto same = std::ranges::find(shares.dearest, one.primitive, &observe::PrimitiveCost::primitive);
     REQUIRE(same != shares.dearest.end());
     CHECK(one.half_spaces > 0);
     CHECK(one.half_spaces <= same->half_spaces);
@@ -144,7 +145,7 @@ TEST_CASE("the half-spaces of the primitives are those that pruning leaves, coun
 TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of") {
   const auto bound = [](const std::string& machine, const std::string& model = "carburettor") {
     const Drawn drawn = draw(machine, model);
-    const auto found = sim::bound_of(drawn.result, drawn.machine);
+    const auto found = observe::bound_of(drawn.result, drawn.machine);
     REQUIRE(found);
     CHECK(found->share > 0);
     CHECK(found->share <= 1);
@@ -168,11 +169,11 @@ TEST_CASE("a figure is worth what a run on a machine with it takes") {
   for (const std::string& name : all_machines) {
     CAPTURE(name);
     const Drawn drawn = draw(name, "carburettor");
-    const std::vector<sim::Knob> knobs = sim::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
+    const std::vector<observe::Knob> knobs = observe::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
     CHECK(!knobs.empty());
-    CHECK(knobs.size() <= sim::figures_to_try(drawn.machine));
+    CHECK(knobs.size() <= observe::figures_to_try(drawn.machine));
     std::uint64_t before = 0;
-    for (const sim::Knob& knob : knobs) {
+    for (const observe::Knob& knob : knobs) {
       CAPTURE(knob.option);
       CHECK(knob.clocks_before == drawn.result.interval_clocks);
       CHECK(knob.clocks_after < knob.clocks_before);
@@ -181,7 +182,7 @@ TEST_CASE("a figure is worth what a run on a machine with it takes") {
       REQUIRE(knob.option.starts_with("--machine "));
       machines::Machine machine = kinds::load(knob.option.substr(10));
       machines::set_picture_size(machine, {60, 44});
-      CHECK(sim::make_functional_engine(machine)->run(drawn.program, {}).interval_clocks == knob.clocks_after);
+      CHECK(engine::make_functional_engine(machine)->run(drawn.program, {}).interval_clocks == knob.clocks_after);
     }
   }
 }
@@ -189,7 +190,7 @@ TEST_CASE("a figure is worth what a run on a machine with it takes") {
 TEST_CASE("a figure that a machine's name changes already is changed in its place") {
   const std::string name = "scan-line+link.width=4+cells.ports=2";
   const Drawn drawn = draw(name, "thesis_fig_2_3");
-  const std::vector<sim::Knob> knobs = sim::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
+  const std::vector<observe::Knob> knobs = observe::figure_knobs(drawn.program, drawn.machine, drawn.result, name);
   REQUIRE(!knobs.empty());
-  CHECK(std::ranges::count(knobs, "--machine scan-line+cells.ports=2+link.width=8", &sim::Knob::option) == 1);
+  CHECK(std::ranges::count(knobs, "--machine scan-line+cells.ports=2+link.width=8", &observe::Knob::option) == 1);
 }

@@ -29,7 +29,7 @@ struct Tally {
 /// Whether 8 bits are what a channel rounds to, halves either way.
 bool is_rounded(std::uint8_t level, double channel) { return std::abs(level - 255.0 * channel) <= 0.5 + 1e-6; }
 
-void compare(const testing::Compiled& compiled, const sim::Frame& frame,
+void compare(const testing::Compiled& compiled, const observe::Frame& frame,
              const std::vector<testing::RayColour>& expected, Tally& tally) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const testing::RayColour& pixel = expected[i];

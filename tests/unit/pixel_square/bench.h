@@ -36,7 +36,7 @@ inline machines::Machine square_machine(const pixel_square::Figures& figures, co
 class Bench {
  public:
   explicit Bench(const machines::Machine& machine)
-      : clock("clock", kernel::period_of(machine), 0.5, kernel::period_of(machine)) {}
+      : clock("clock", systemc::period_of(machine), 0.5, systemc::period_of(machine)) {}
 
   /// So many edges go by, and all that belongs to them happens.
   void edges(std::uint64_t count) {

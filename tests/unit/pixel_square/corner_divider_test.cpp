@@ -86,8 +86,8 @@ struct Board {
       "links", 1, [](const char* name, std::size_t) { return new sc_core::sc_fifo<isa::LinkWord>(name, 10'000); }};
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> finished{"finished", 1};
   sc_core::sc_fifo<PortWord> clears{"clears", 100};
-  kernel::Retirement retirement{"retirement"};
-  kernel::RunListener listener;
+  systemc::Retirement retirement{"retirement"};
+  systemc::RunListener listener;
   CornerDivider divider;
 };
 

@@ -40,16 +40,16 @@ constexpr Instruction ramp{
     .opcode = Opcode::load_linear, .fields = {colour}, .linear = {.a = 2, .b = 5, .c = 3, .width = 6}};
 
 /// Notes what it is told.
-class Listener final : public kernel::RunListener {
+class Listener final : public systemc::RunListener {
  public:
-  void after_instruction(const kernel::Retired& retired, const kernel::PixelView& /*pixels*/) override {
+  void after_instruction(const systemc::Retired& retired, const systemc::PixelView& /*pixels*/) override {
     instructions.push_back(retired);
   }
-  void after_segment(std::uint32_t segment, const kernel::PixelView& /*pixels*/) override {
+  void after_segment(std::uint32_t segment, const systemc::PixelView& /*pixels*/) override {
     squares.push_back(segment);
   }
 
-  std::vector<kernel::Retired> instructions;
+  std::vector<systemc::Retired> instructions;
   std::vector<std::uint32_t> squares;
 };
 
@@ -94,14 +94,14 @@ struct Board {
   sc_core::sc_fifo<isa::LinkWord> link{"link", 100};
   sc_core::sc_fifo<PortWord> colours;
   sc_core::sc_signal<std::uint64_t> finished{"finished"};
-  kernel::Retirement retirement{"retirement"};
+  systemc::Retirement retirement{"retirement"};
   Listener listener;
   Renderer renderer;
 };
 
 /// The colours of the square after these, as the reference has them.
 std::vector<std::uint32_t> reference(const std::vector<Instruction>& instructions) {
-  sim::ReferenceArray judge(isa::Region{0, 0, square.width, square.height}, 8);
+  reference::ReferenceArray judge(isa::Region{0, 0, square.width, square.height}, 8);
   for (const Instruction& one : instructions) judge.execute(one);
   std::vector<std::uint32_t> values(std::size_t{square.width} * square.height);
   judge.read_field(colour, values);

@@ -25,9 +25,9 @@ constexpr std::uint64_t header_words = 4;
 constexpr std::uint64_t square_words = 3;
 
 /// Notes the squares that are told of.
-class Listener final : public kernel::RunListener {
+class Listener final : public systemc::RunListener {
  public:
-  void after_segment(std::uint32_t segment, const kernel::PixelView& /*pixels*/) override {
+  void after_segment(std::uint32_t segment, const systemc::PixelView& /*pixels*/) override {
     squares.push_back(segment);
   }
 
@@ -57,7 +57,7 @@ struct Board {
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> links;
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> finished;
   sc_core::sc_fifo<PortWord> clears{"clears", 100};
-  kernel::Retirement retirement{"retirement"};
+  systemc::Retirement retirement{"retirement"};
   Listener listener;
   HostSender sender;
 };

@@ -67,7 +67,7 @@ TEST_CASE("each step is what the reference engine has in memory and enable after
   REQUIRE(drawing.steps.size() > 20);
   CHECK(drawing.steps.size() <= count + 1);
   const std::vector<std::vector<std::uint32_t>> states = replayed(drawing);
-  const auto run = sim::make_reference_engine(machine)->begin(program);
+  const auto run = engine::make_reference_engine(machine)->begin(program);
   const isa::Field colour = program.colour;
   for (std::size_t i = 1; i < drawing.steps.size(); ++i) {
     run->advance(drawing.steps[i].number, {});
@@ -90,7 +90,7 @@ TEST_CASE("the last step is the picture on machines of every kind, however few s
     CAPTURE(name);
     const testing::Compiled model = compiled(name);
     const machines::Machine machine = kinds::load(name);
-    const sim::Frame frame = testing::draw_on(machine, model.program);
+    const observe::Frame frame = testing::draw_on(machine, model.program);
     std::vector<std::uint32_t> expected;
     for (const std::uint32_t packed : frame.colour) expected.push_back(shown(packed, model.program));
     for (const report::DrawingLimits limits :
@@ -153,7 +153,7 @@ TEST_CASE("of a large picture every second pixel of every second row is shown, a
   CHECK(drawing.width == 20);
   CHECK(drawing.height == 15);
   CHECK(drawing.told.find("One pixel in 2") != std::string::npos);
-  const sim::Frame frame = testing::draw(model.program);
+  const observe::Frame frame = testing::draw(model.program);
   const std::vector<std::uint32_t> last = replayed(drawing).back();
   for (std::uint32_t y = 0; y < 15; ++y)
     for (std::uint32_t x = 0; x < 20; ++x)

@@ -21,11 +21,11 @@ TEST_CASE("a run's page shows what the stats say in words, and the prices of its
   setup.sampling.height = 12;
   const isa::Program program = testing::compile_text("cube(size = [8, 8, 8], center = true);", setup).program;
   const machines::Machine machine = testing::machine_of(program.shape);
-  sim::FrameObserver frame(program);
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 2> observers{&frame, &stats};
-  const sim::RunResult result = sim::make_functional_engine(machine)->run(program, observers);
-  Json file = sim::to_json({program, machine, "functional", result, stats.stats(), 1.2345678});
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
+  Json file = observe::to_json({program, machine, "functional", result, stats.stats(), 1.2345678});
   const auto page = [&] {
     return report::to_html(report::run_page(file, frame.frame(), program, machine, {"csgsim render m.csg", {}}));
   };

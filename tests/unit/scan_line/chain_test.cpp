@@ -15,13 +15,13 @@ using namespace csgsim;
 using isa::Field;
 using isa::Instruction;
 using isa::Opcode;
-using kernel::Keep;
 using scan_line::CellShape;
 using scan_line::Chain;
 using scan_line::Departure;
 using scan_line::PacketWord;
 using scan_line::RefreshPixel;
 using scan_line::WordKind;
+using systemc::Keep;
 
 namespace {
 
@@ -44,7 +44,7 @@ PacketWord mark() {
   return word;
 }
 
-void require_same(const scan_line::Snapshot& actual, const sim::ReferenceArray& expected, isa::ArrayShape shape) {
+void require_same(const scan_line::Snapshot& actual, const reference::ReferenceArray& expected, isa::ArrayShape shape) {
   for (std::uint32_t x = 0; x < shape.width; ++x) {
     RC_ASSERT((actual.enable[x / 64] >> x % 64 & 1U) == (expected.enabled(x, 0) ? 1U : 0U));
     for (std::uint32_t bit = 0; bit < shape.memory_bits; ++bit) {
@@ -81,7 +81,7 @@ TEST_CASE("after random packets, some many words long, every cell holds what the
         20, rc::gen::container<std::vector<Instruction>>(test::arbitrary_instruction(shape, shape.memory_bits, 0)));
     Chain chain(shape.width + 3, shape.memory_bits, cell);
     chain.begin(shape.width);
-    sim::ReferenceArray judge(shape);
+    reference::ReferenceArray judge(shape);
     std::size_t left = 0;
     const auto look = [&] {
       const Departure& departure = chain.departure();

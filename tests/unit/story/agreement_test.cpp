@@ -103,7 +103,7 @@ void check_cause(const isa::Program& program, const story::Story& story) {
   for (const story::Event& event : story.events) CHECK_FALSE((event.cut && event.enabled_after));
   const auto seen = std::find_if(story.attempts.rbegin(), story.attempts.rend(),
                                  [](const story::Attempt& one) { return one.fate == story::Fate::seen; });
-  if (story.owner == sim::no_owner) {
+  if (story.owner == observe::no_owner) {
     CHECK(seen == story.attempts.rend());
     return;
   }
@@ -148,7 +148,7 @@ TEST_CASE("owner and depth are the judges' at 10,000 random pixels of random mod
         CHECK(exact.may_show(x, y, story.owner, story.depth));
         check_cause(program, story);
         ++judged;
-        covered += seen.owner != sim::no_owner ? 1U : 0U;
+        covered += seen.owner != observe::no_owner ? 1U : 0U;
       }
     }
   }

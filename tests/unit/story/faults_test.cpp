@@ -90,7 +90,7 @@ TEST_CASE("a comparison that is the wrong way round is pointed at where it takes
       isa::Program faulty = program;
       instruction(faulty, fault).opcode = Opcode::linear_le;
       const story::Story story = tell(faulty, x, y);
-      REQUIRE(story.owner == sim::no_owner);
+      REQUIRE(story.owner == observe::no_owner);
       const story::Attempt& notch = story.attempts.back();
       REQUIRE(notch.primitive == 1);
       REQUIRE(notch.fate == Fate::classified);
@@ -118,7 +118,7 @@ TEST_CASE("a depth test with its fields exchanged is pointed at where it refuses
   REQUIRE(y < side);
   std::swap(instruction(program, fault).fields[0], instruction(program, fault).fields[1]);
   const story::Story wrong = tell(program, x, y);
-  CHECK(wrong.owner == sim::no_owner);
+  CHECK(wrong.owner == observe::no_owner);
   REQUIRE_FALSE(wrong.attempts.empty());
   CHECK(wrong.attempts.front().fate == Fate::refused);
   const auto& cut = wrong.events[wrong.attempts.front().deciding_event].cut;

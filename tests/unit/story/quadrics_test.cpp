@@ -60,10 +60,10 @@ Drawn draw(const Row& row, const std::string& csg, view::Projection projection) 
   return {std::move(tree), std::move(scene), camera, std::move(view), std::move(machine), std::move(program)};
 }
 
-sim::Frame frame_of(const Drawn& drawn) {
-  sim::FrameObserver frame(drawn.program);
-  const std::array<sim::Observer*, 1> observers{&frame};
-  sim::make_functional_engine(drawn.machine)->run(drawn.program, observers);
+observe::Frame frame_of(const Drawn& drawn) {
+  observe::FrameObserver frame(drawn.program);
+  const std::array<engine::Observer*, 1> observers{&frame};
+  engine::make_functional_engine(drawn.machine)->run(drawn.program, observers);
   return std::move(frame).frame();
 }
 
@@ -130,7 +130,7 @@ TEST_CASE(
       const std::string csg = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 9));
       const Drawn drawn =
           draw(row, csg, seed % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective);
-      const sim::Frame frame = frame_of(drawn);
+      const observe::Frame frame = frame_of(drawn);
       const judges::Explainer exact(drawn.tree, drawn.scene, drawn.camera, drawn.program);
       const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
       const story::Subject subject{drawn.program, &finder};
@@ -146,7 +146,7 @@ TEST_CASE(
         CHECK(exact.may_show(x, y, story.owner, story.depth));
         const auto seen = std::find_if(story.attempts.begin(), story.attempts.end(),
                                        [](const story::Attempt& one) { return one.fate == story::Fate::seen; });
-        CHECK((seen == story.attempts.end()) == (story.owner == sim::no_owner));
+        CHECK((seen == story.attempts.end()) == (story.owner == observe::no_owner));
         if (seen == story.attempts.end()) continue;
         const story::Event& surface = story.events[seen->first_event];
         REQUIRE(surface.decision.has_value());
@@ -170,7 +170,7 @@ TEST_CASE("text and JSON tell which quadric is seen, by which side, and which bi
   const Drawn drawn = draw({"pixel-powers"}, bowl, view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};
-  const sim::Frame frame = frame_of(drawn);
+  const observe::Frame frame = frame_of(drawn);
   const auto at = static_cast<std::uint32_t>(std::ranges::find(frame.owner, 1U) - frame.owner.begin());
   REQUIRE(at < frame.owner.size());
   const story::Story story = story::Teller(drawn.program, drawn.machine).story_of(at % width, at / width);
@@ -199,11 +199,11 @@ TEST_CASE("a pixel beside a curved outline is cut out by the discriminant, squar
   const Drawn drawn = draw({"pixel-powers"}, "sphere($fn=40,$fa=12,$fs=2,r=4);", view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};
-  const sim::Frame frame = frame_of(drawn);
+  const observe::Frame frame = frame_of(drawn);
   const view::PixelRect& box = drawn.view.extents[0].pixels;
   const auto x = static_cast<std::uint32_t>(box.x0);
   const auto y = static_cast<std::uint32_t>(box.y0);
-  REQUIRE(frame.owner[std::size_t{y} * width + x] == sim::no_owner);
+  REQUIRE(frame.owner[std::size_t{y} * width + x] == observe::no_owner);
   const story::Story story = story::Teller(drawn.program, drawn.machine).story_of(x, y);
   const auto cut =
       std::ranges::find_if(story.events, [](const story::Event& one) { return one.cut && one.cut->squares; });

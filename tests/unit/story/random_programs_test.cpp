@@ -36,11 +36,11 @@ struct Left {
   std::uint64_t target = 0;
 };
 
-class PixelObserver final : public sim::Observer {
+class PixelObserver final : public engine::Observer {
  public:
   PixelObserver(const isa::Program& program, std::uint32_t x, std::uint32_t y) : program_(program), x_(x), y_(y) {}
 
-  void after_instruction(const sim::Step& step, const sim::PixelState& state) override {
+  void after_instruction(const engine::Step& step, const engine::PixelState& state) override {
     const isa::Region region = state.region();
     if (x_ < region.x || y_ < region.y || x_ - region.x >= region.width || y_ - region.y >= region.height) return;
     const std::size_t words = (region.width + 63U) / 64U;
@@ -78,8 +78,8 @@ TEST_CASE("a pixel by itself is at every instruction of random Programs what it 
     const auto y = static_cast<std::uint32_t>(*rc::gen::inRange(0, 5));
     const machines::Machine machine = quadratic_machine(program.shape);
     PixelObserver observer(program, x, y);
-    const std::array<sim::Observer*, 1> observers{&observer};
-    sim::make_reference_engine(machine)->run(program, observers);
+    const std::array<engine::Observer*, 1> observers{&observer};
+    engine::make_reference_engine(machine)->run(program, observers);
     const story::PixelRun run = story::run_pixel(program, story::skips_of(program, machine), x, y);
     RC_ASSERT(run.steps.size() == observer.left.size());
     for (std::size_t i = 0; i < run.steps.size(); ++i) {

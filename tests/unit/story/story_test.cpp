@@ -146,7 +146,7 @@ TEST_CASE(
        {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::products, emit::Strategy::parallel}) {
     CAPTURE(emit::name_of(strategy));
     const story::Story story = tell(through_hole, 3, 2, strategy).story();
-    CHECK(story.owner == sim::no_owner);
+    CHECK(story.owner == observe::no_owner);
     CHECK(story.depth == (1U << 20U) - 1);
     const story::Attempt& front = attempt_of(story, 1);
     REQUIRE(front.fate == Fate::classified);
@@ -184,7 +184,7 @@ TEST_CASE("in a blind hole the back of what is taken away is seen, inside what i
 TEST_CASE("a pixel beside a box is cut out by the side that it is beyond, before it has a depth") {
   const Told told = tell(big, 6, 2);
   const story::Story story = told.story();
-  CHECK(story.owner == sim::no_owner);
+  CHECK(story.owner == observe::no_owner);
   const story::Attempt& beside = attempt_of(story, 1);
   CHECK(beside.fate == Fate::outside);
   const story::Event& surface = story.events[beside.first_event];
@@ -280,7 +280,7 @@ TEST_CASE("a pixel that glass alone is seen at shows the glass, with nothing beh
   const story::Story story = told.story();
   CHECK(story.owner == 1);
   CHECK(story.depth == at_1);
-  CHECK(story.opaque_owner == sim::no_owner);
+  CHECK(story.opaque_owner == observe::no_owner);
   const story::Subject subject{told.compiled.program, nullptr};
   CHECK(story::to_json(subject, story)["opaque"]["owner"].is_null());
   CHECK(contains(story::text_of(subject, story), "through   nothing"));
@@ -343,7 +343,7 @@ TEST_CASE("one pixel by itself has the memory, enable and picture that the whole
   const testing::Compiled compiled = testing::compile_text(models, setup);
   const isa::Program& program = compiled.program;
   const machines::Machine machine = testing::machine_of(program.shape);
-  const sim::Frame frame = testing::draw(program);
+  const observe::Frame frame = testing::draw(program);
   const auto skips = story::skips_of(program, machine);
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 8; ++x) {

@@ -326,7 +326,7 @@ TEST_CASE("a timer tells of every machine what a run of its own tells, though it
     machines::Machine machine = kinds::load(name);
     machines::set_picture_size(machine, {side, side});
     const isa::Program program = emit::compile(job.subject->tree, job.subject->scene, view, machine, job.options);
-    const sim::RunResult result = sim::make_functional_engine(machine)->run(program, {});
+    const engine::RunResult result = engine::make_functional_engine(machine)->run(program, {});
     skips = skips || result.skipped > 0;
     const machines::FrameTiming timing = timer.time(program, machine);
     CHECK(timing.clocks == result.clocks);

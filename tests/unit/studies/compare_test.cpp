@@ -51,9 +51,9 @@ TEST_CASE("a point of a comparison is what the Program's run is at the level of 
   const facet::Scene scene = facet::make_scene(tree);
   const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
   const isa::Program program = emit::compile(tree, scene, view, machine, {});
-  sim::StatsObserver stats(program);
-  const std::array<sim::Observer*, 1> observers{&stats};
-  const sim::RunResult result = sim::make_reference_engine(machine)->run(program, observers);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 1> observers{&stats};
+  const engine::RunResult result = engine::make_reference_engine(machine)->run(program, observers);
   CHECK(row.processors == 24 * 20);
   CHECK(row.clocks == result.clocks);
   CHECK(row.enabled == stats.stats().total.enabled);
