@@ -169,3 +169,25 @@ TEST_CASE("no machine and no engine reads facts, which are for people, nor whom 
     }
   }
 }
+
+TEST_CASE("what a room declares is in the namespace of its name, and what the base declares in csgsim itself") {
+  const std::regex opened(R"(^namespace (csgsim[a-z_:]*) \{.*)");
+  std::vector<std::string> strange;
+  for (const char* const part : {"hw", "host", "sim"}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(CSGSIM_SOURCE_DIR) / part)) {
+      if (entry.path().extension() != ".h") continue;
+      const fs::path file = fs::relative(entry.path(), CSGSIM_SOURCE_DIR);
+      const std::string room = std::next(file.begin())->string();
+      const std::string own = room == "base" ? "csgsim" : "csgsim::" + room;
+      std::ifstream lines(entry.path());
+      for (std::string line; std::getline(lines, line);) {
+        std::smatch match;
+        if (!std::regex_match(line, match, opened)) continue;
+        const std::string name = match[1];
+        if (name != own && !name.starts_with(own + "::")) strange.push_back(file.string() + ": " + name);
+      }
+    }
+  }
+  // A word of a link is printed by SystemC, which looks for its operator beside the word.
+  CHECK(strange == std::vector<std::string>{"hw/link/frame_words.h: csgsim::isa"});
+}
