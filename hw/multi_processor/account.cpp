@@ -20,7 +20,7 @@ std::uint64_t whole(const NodeClocks& node) { return std::accumulate(node.begin(
 std::uint64_t working(const NodeClocks& node) { return whole(node) - node.at(std::size_t(NodeActivity::waiting)); }
 
 machines::Share mean_share(const FrameAccount& counted) {
-  machines::Share share{.name = "nodes_working"};
+  machines::Share share{.name = "node_utilisation"};
   for (const NodeClocks& node : counted.nodes) {
     share.part += working(node);
     share.whole += whole(node);
@@ -30,7 +30,7 @@ machines::Share mean_share(const FrameAccount& counted) {
 
 /// Of the node that waits least.
 machines::Share busiest_share(const FrameAccount& counted) {
-  machines::Share share{.name = "busiest_node_working"};
+  machines::Share share{.name = "busiest_node_utilisation"};
   for (const NodeClocks& node : counted.nodes) {
     share.part = std::max(share.part, working(node));
     share.whole = whole(node);

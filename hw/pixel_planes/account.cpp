@@ -11,9 +11,9 @@ machines::Account account(const ControllerAccount& controller, const machines::L
                                controller.draining + controller.refreshing + controller.holding;
   const std::uint64_t bits = link.words * machine.link.width;
   machines::Account told{.counts = {{"link_words", link.words}, {"link_bits", bits}},
-                         .shares = {{"link_bits_an_instruction", bits, instructions},
-                                    {"controller_busy", working, clocks},
-                                    {"link_busy", link.sending, clocks}},
+                         .shares = {{"link_bits_per_instruction", bits, instructions},
+                                    {"controller_utilisation", working, clocks},
+                                    {"link_utilisation", link.sending, clocks}},
                          .parts = {{"controller",
                                     {{"issuing", controller.issuing},
                                      {"clearing", controller.clearing},

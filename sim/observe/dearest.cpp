@@ -75,7 +75,7 @@ void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& d
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const PictureSurface& one : found) ++dearest[std::get<0>(one)].half_spaces;
+  for (const PictureSurface& one : found) ++dearest[std::get<0>(one)].halfspaces;
 }
 
 std::vector<std::uint32_t> by_clocks(const std::vector<Cost>& costs) {

@@ -20,7 +20,7 @@ struct PrimitiveCost {
   std::uint64_t clocks = 0;       ///< of its instructions, in all segments
   double share = 0;               ///< of ClockShares::whole
   std::uint32_t pieces = 0;       ///< convex ones that it is drawn as
-  std::uint64_t half_spaces = 0;  ///< that are scan-converted for its surface: what pruning leaves of it
+  std::uint64_t halfspaces = 0;  ///< that are scan-converted for its surface: what pruning leaves of it
 };
 
 struct EffectCost {

@@ -50,7 +50,7 @@ Json machine_json(const Report& report) {
           {"z_bits", compile.z_bits},
           {"fraction_bits", compile.fraction_bits},
           {"edge_on_fraction", compile.edge_on_fraction},
-          {"colouring", printable(compile.colouring)}};
+          {"colouring_used", printable(compile.colouring)}};
 }
 
 Json instructions_json(const Report& report) {
@@ -71,11 +71,11 @@ Json memory_json(const Report& report) {
                       {"width", named.field.width},
                       {"role", isa::name_of(named.role)}});
   }
-  return {{"available", report.machine.array.memory_bits},
-          {"used", used_memory_bits(report.program)},
-          {"stack", report.program.facts.compile.stack_bits},
+  return {{"memory_bits", report.machine.array.memory_bits},
+          {"used_bits", used_memory_bits(report.program)},
+          {"classification_bits", report.program.facts.compile.stack_bits},
           {"tree_depth", report.program.facts.compile.tree_depth},
-          {"fields", fields}};
+          {"memory_map", fields}};
 }
 
 Json purposes_json(const Report& report) {
@@ -156,7 +156,7 @@ Json dearest_json(const Report& report) {
                        {"clocks", one.clocks},
                        {"share", one.share},
                        {"pieces", one.pieces},
-                       {"half_spaces", one.half_spaces}});
+                       {"halfspaces", one.halfspaces}});
   }
   return dearest;
 }
@@ -192,7 +192,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["model"] = model_json(report.program.facts);
   json["machine"] = machine_json(report);
   json["level"] = report.level;
-  json["strategy"] = printable(compile.strategy);
+  json["strategy_used"] = printable(compile.strategy);
   json["clocks"] = report.result.clocks;
   json["shown_clocks"] = report.result.shown_clocks;
   json["interval_clocks"] = report.result.interval_clocks;
@@ -204,7 +204,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["pixel_operations"] = pixel_operations(report.stats.total);
   json["scan_conversions"] = {{"rendered", compile.rendered}, {"classified", compile.classified}};
   json["depth_tests"] = compile.depth_tests;
-  json["memory_bits"] = memory_json(report);
+  json["memory"] = memory_json(report);
   json["by_purpose"] = purposes_json(report);
   json["by_primitive"] = primitives_json(report);
   json["by_effect"] = effects_json(report);
@@ -213,7 +213,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["effects"] = Json::array();
   for (const std::string& effect : compile.effects) json["effects"].push_back(printable(effect));
   json["bound_by"] = bound_json(report);
-  json["dearest_primitives"] = dearest_json(report);
+  json["dearest"] = dearest_json(report);
   json["knobs"] = knobs_json(report.knobs);
   json["wall_seconds"] = report.wall_seconds;
   return json;

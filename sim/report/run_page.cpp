@@ -43,9 +43,9 @@ Table summary(const Json& data) {
       {"depth tests", "/depth_tests"},
       {"pixel operations", "/pixel_operations/total"},
       {"of these, at enabled pixels", "/pixel_operations/enabled"},
-      {"memory bits a pixel, used", "/memory_bits/used"},
-      {"memory bits a pixel, of the machine", "/memory_bits/available"},
-      {"wrong pixels", "/accuracy/wrong_pixels"},
+      {"memory bits a pixel, used", "/memory/used_bits"},
+      {"memory bits a pixel, of the machine", "/memory/memory_bits"},
+      {"wrong pixels", "/accuracy/wrong"},
   };
   Table table{"Counts of the frame", {"count", "value"}, {}};
   for (const auto& [name, at] : rows) {
@@ -154,12 +154,12 @@ std::vector<Part> in_words(const Json& data) {
 
 Table dearest(const Json& data) {
   Table table{"The dearest primitives", {"primitive", "place", "clocks", "share", "pieces", "half-spaces"}, {}};
-  const Json& rows = data["dearest_primitives"];
+  const Json& rows = data["dearest"];
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string at = "/dearest_primitives/" + std::to_string(i);
+    const std::string at = "/dearest/" + std::to_string(i);
     table.rows.push_back({cell(data, at + "/name"), cell(data, at + "/source"), cell(data, at + "/clocks"),
                           cell(data, at + "/share", Show::share), cell(data, at + "/pieces"),
-                          cell(data, at + "/half_spaces")});
+                          cell(data, at + "/halfspaces")});
   }
   return table;
 }
@@ -179,7 +179,7 @@ Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program
   page.sections.push_back({"Drawing", {record_drawing(program, machine)}});
   page.sections.push_back({"Counts", {summary(data)}});
   page.sections.push_back(clocks_section(data));
-  if (data.contains("dearest_primitives") && data["dearest_primitives"].is_array())
+  if (data.contains("dearest") && data["dearest"].is_array())
     page.sections.back().parts.emplace_back(dearest(data));
   page.sections.push_back(configuration_section(data, context));
   return page;

@@ -49,7 +49,7 @@ void print_frame(const observe::Report& report) {
 
 void print_purposes(const observe::Report& report) {
   const std::uint64_t whole = report.stats.total.clocks + report.result.latency_clocks;
-  fmt::print("\n{:<18}{:>14}{:>9}{:>15}{:>12}\n", "purpose", "clocks", "share", "instructions", "busy");
+  fmt::print("\n{:<18}{:>14}{:>9}{:>15}{:>12}\n", "purpose", "clocks", "share", "instructions", "utilisation");
   for (std::size_t i = 0; i < isa::purpose_table.size(); ++i) {
     const observe::Cost& cost = report.stats.by_purpose[i];
     if (cost.instructions == 0) continue;
@@ -77,7 +77,7 @@ void print_summary(const observe::Report& report) {
              grouped(report.result.skipped));
   fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {}\n", "scan-conversions", grouped(compile.rendered),
              grouped(compile.classified), counted(compile.depth_tests, "depth test"));
-  fmt::print("{:<18}{} clocks at pixels, {} of them at enabled ones: the array was {:.2f} % busy\n", "pixel operations",
+  fmt::print("{:<18}{} clocks at pixels, {} of them at enabled ones: utilisation {:.2f} %\n", "pixel operations",
              grouped(total.pixel_operations), grouped(total.enabled), percent(total.enabled, total.pixel_operations));
   fmt::print("{:<18}{} of {} bits a pixel, {} of them for the classification\n", "memory",
              observe::used_memory_bits(report.program), report.machine.array.memory_bits, compile.stack_bits);

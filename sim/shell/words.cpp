@@ -29,7 +29,7 @@ void print_dearest(const observe::Report& report, const observe::Frame& picture)
   for (const observe::PrimitiveCost& one : shares.dearest) {
     const std::string name = one.name.substr(0, one.source.empty() ? one.name.size() : one.name.rfind('@'));
     fmt::print("  {:<26}{:<14}{:>16}{:>7.1f} %{:>9}{:>13}{:>11}\n", fmt::format("p{} {}", one.primitive, name),
-               one.source, grouped(one.clocks), 100.0 * one.share, grouped(one.pieces), grouped(one.half_spaces),
+               one.source, grouped(one.clocks), 100.0 * one.share, grouped(one.pieces), grouped(one.halfspaces),
                grouped(pixels[one.primitive]));
   }
   print_rest(counted(shares.other_primitives, "other primitive"), shares.other_clocks, shares.whole);

@@ -185,7 +185,7 @@ def drawn(csgsim, model, folder):
                     "30,-60,70,5,5,0", "--view-all", "-o", folder / "model.ppm", "--stats", folder / "stats.json"],
                    check=True, stdout=subprocess.DEVNULL)
     stats = json.loads((folder / "stats.json").read_text())
-    figures = stats["clocks"], stats["memory_bits"]["used"], stats["model"]["halfspaces"]
+    figures = stats["clocks"], stats["memory"]["used_bits"], stats["model"]["halfspaces"]
     return figures, (folder / "model.ppm").read_bytes()
 
 

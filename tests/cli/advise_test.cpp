@@ -26,11 +26,11 @@ void check_command(const nlohmann::json& recommended, const Folder& folder) {
   REQUIRE(outcome.code == 0);
   const nlohmann::json stats = json(folder / "p.json");
   const nlohmann::json& point = recommended["point"];
-  CHECK(stats["memory_bits"]["used"] == point["used_bits"]);
+  CHECK(stats["memory"]["used_bits"] == point["used_bits"]);
   CHECK(stats["clocks"] == point["clocks"]);
   CHECK(stats["interval_clocks"] == point["interval_clocks"]);
   CHECK(stats["frames_per_second"].get<double>() == doctest::Approx(point["frames_per_second"].get<double>()));
-  CHECK(stats["accuracy"]["wrong_pixels"] == point["wrong"]);
+  CHECK(stats["accuracy"]["wrong"] == point["wrong"]);
 }
 
 /// All that is recommended for the model, as advise.json has it.
@@ -81,8 +81,8 @@ TEST_CASE("the commands on advise's page draw what the page says of them") {
     const nlohmann::json stats = json(folder / "p.json");
     const auto says = [&](const std::string& text) { return figures.find(text) != std::string::npos; };
     const std::string clocks = std::to_string(stats["clocks"].get<std::uint64_t>());
-    CHECK(says(": " + stats["memory_bits"]["used"].dump() + " bits a pixel, "));
-    CHECK(says(" " + stats["accuracy"]["wrong_pixels"].dump() + " wrong pixel"));
+    CHECK(says(": " + stats["memory"]["used_bits"].dump() + " bits a pixel, "));
+    CHECK(says(" " + stats["accuracy"]["wrong"].dump() + " wrong pixel"));
     CHECK(says(" " + clocks.substr(0, clocks.size() - 3) + "," + clocks.substr(clocks.size() - 3) + " clocks"));
   }
   CHECK(commands == 6);

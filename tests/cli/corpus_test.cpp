@@ -87,7 +87,7 @@ TEST_CASE("a point of a corpus is what render counts for it") {
     CHECK(point["pixel_operations"] == stats["pixel_operations"]["total"]);
     CHECK(point["halfspaces"] == stats["model"]["halfspaces"]);
     CHECK(point["pieces"] == stats["model"]["pieces"]);
-    CHECK(point["used_bits"] == stats["memory_bits"]["used"]);
+    CHECK(point["used_bits"] == stats["memory"]["used_bits"]);
     CHECK(point["bound_by"] == stats["bound_by"]["part"]);
     for (const auto& [purpose, cost] : stats["by_purpose"].items()) CHECK(point[purpose] == cost["clocks"]);
   }

@@ -25,7 +25,7 @@ TEST_CASE("the dearest primitives count a quadric once, whether it is drawn in o
                 (folder / "s.json"))
                 .code == 0);
     const auto stats = json(folder / "s.json");
-    CHECK(stats["dearest_primitives"][0]["half_spaces"] == 1);
+    CHECK(stats["dearest"][0]["halfspaces"] == 1);
     CHECK(stats["model"]["halfspaces"] == 1);
   }
 }
@@ -124,5 +124,5 @@ TEST_CASE("advice for a machine with quadratic expressions can be followed: it f
   REQUIRE(drawn.code == 0);
   const auto stats = json(folder / "s.json");
   CHECK(stats["accuracy"]["unexplained"] == 0);
-  CHECK(stats["accuracy"]["wrong_pixels"] <= 10);
+  CHECK(stats["accuracy"]["wrong"] <= 10);
 }

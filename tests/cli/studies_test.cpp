@@ -197,10 +197,10 @@ TEST_CASE("render tells how right its picture is, and takes the cheapest setting
   REQUIRE(run(options).code == 0);
   const nlohmann::json fine = json(folder / "s.json");
   CHECK(fine["accuracy"]["unexplained"] == 0);
-  CHECK(fine["accuracy"]["wrong_pixels"] <= 1);
+  CHECK(fine["accuracy"]["wrong"] <= 1);
   REQUIRE(run(options + " --max-wrong-pixels 40").code == 0);
   const nlohmann::json coarse = json(folder / "s.json");
-  CHECK(coarse["accuracy"]["wrong_pixels"] <= 40);
+  CHECK(coarse["accuracy"]["wrong"] <= 40);
   CHECK(coarse["clocks"] < fine["clocks"]);
   CHECK(coarse["machine"]["z_bits"] < 20);
 }

@@ -14,8 +14,8 @@ TEST_CASE("render ends with what bounds the frame, its dearest primitives and th
   const nlohmann::json stats = json(folder / "s.json");
   CHECK(stats["bound_by"]["part"] == "array");
   CHECK(outcome.out.find(stats["bound_by"]["sentence"].get<std::string>()) != std::string::npos);
-  REQUIRE(stats["dearest_primitives"].size() == 10);
-  const nlohmann::json& dearest = stats["dearest_primitives"][0];
+  REQUIRE(stats["dearest"].size() == 10);
+  const nlohmann::json& dearest = stats["dearest"][0];
   const nlohmann::json& counted = stats["by_primitive"][dearest["primitive"].get<std::size_t>()];
   CHECK(dearest["name"] == counted["name"]);
   CHECK(dearest["clocks"] == counted["clocks"]);
@@ -67,7 +67,7 @@ TEST_CASE("effects have lines of their own beside the primitives") {
   CHECK(stats["by_effect"]["shadows"]["clocks"] > 0);
   CHECK(outcome.out.find("effect shadows") != std::string::npos);
   std::uint64_t plain = 0;
-  for (const nlohmann::json& one : stats["dearest_primitives"]) plain += one["clocks"].get<std::uint64_t>();
+  for (const nlohmann::json& one : stats["dearest"]) plain += one["clocks"].get<std::uint64_t>();
   std::uint64_t with_effects = 0;
   for (const nlohmann::json& one : stats["by_primitive"]) with_effects += one["clocks"].get<std::uint64_t>();
   CHECK(plain < with_effects);
@@ -94,24 +94,24 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
     if (point["machine"] != "scan-line" || point["width"] != 64 || point["fragments"] != 0) continue;
     CHECK(point["bound_by"] == stats["bound_by"]["part"]);
     CHECK(point["bound_share"] == stats["bound_by"]["share"]);
-    REQUIRE(point["dearest"].size() == stats["dearest_primitives"].size());
-    CHECK(point["dearest"][0]["name"] == stats["dearest_primitives"][0]["name"]);
-    CHECK(point["dearest"][0]["clocks"] == stats["dearest_primitives"][0]["clocks"]);
+    REQUIRE(point["dearest"].size() == stats["dearest"].size());
+    CHECK(point["dearest"][0]["name"] == stats["dearest"][0]["name"]);
+    CHECK(point["dearest"][0]["clocks"] == stats["dearest"][0]["clocks"]);
   }
   CHECK(outcome.out.find("what bounds it") != std::string::npos);
-  CHECK(outcome.out.find(stats["dearest_primitives"][0]["name"].get<std::string>()) != std::string::npos);
+  CHECK(outcome.out.find(stats["dearest"][0]["name"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find("$fn = 8 gives") != std::string::npos);
   // The share of the dearest primitive of the first machine on each, as render tells it of that machine.
   REQUIRE(
       run("render " + model("thesis_fig_2_3") + " --machine pixel-planes-4 --size 64x64 --stats " + (folder / "p.json"))
           .code == 0);
-  const nlohmann::json first = json(folder / "p.json")["dearest_primitives"];
+  const nlohmann::json first = json(folder / "p.json")["dearest"];
   const std::string name = first[0]["name"];
   const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("dearest primitives"));
   REQUIRE(line != std::string::npos);
   const std::string shares = outcome.out.substr(line + 1, outcome.out.find('\n', line + 1) - line - 1);
   CAPTURE(shares);
-  for (const nlohmann::json& dearest : {first, stats["dearest_primitives"]}) {
+  for (const nlohmann::json& dearest : {first, stats["dearest"]}) {
     for (const nlohmann::json& one : dearest) {
       if (one["name"] != name) continue;
       CHECK(shares.find(fmt::format(" {:.1f} %", 100.0 * one["share"].get<double>())) != std::string::npos);

@@ -50,7 +50,7 @@ class Tally:
         for said in refused:
             self.refusals[pair, re.sub(r"\d+", "N", said)].add(model.stem)
         if drawn:
-            counts["most bits"] = max(counts["most bits"], drawn.stats["memory_bits"]["used"])
+            counts["most bits"] = max(counts["most bits"], drawn.stats["memory"]["used_bits"])
 
     def compare(self, pair, first, other):
         """What is not the same."""

@@ -75,7 +75,7 @@ def drawn(csgsim, scad, limit, more=()):
             return None, f"not in {limit} s" if code is None else said.strip().splitlines()[-1]
         told = json.loads(Path(stats).read_text(encoding="utf-8"))
     of = told["model"]
-    return [of["halfspaces"], of["pieces"], told["clocks"], told["memory_bits"]["used"], f"{seconds:.1f}"], said
+    return [of["halfspaces"], of["pieces"], told["clocks"], told["memory"]["used_bits"], f"{seconds:.1f}"], said
 
 
 def csgsim_says(csgsim, scad, limit):

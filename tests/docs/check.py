@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary|lists|tasks"""
+"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary|lists|tasks|words"""
 
 import collections
+import json
 import pathlib
 import re
 import sys
@@ -120,8 +121,23 @@ def lists():
             yield f"README.md: its table of commands has {name} {named[name]} times"
 
 
+def keys(value):
+    """All keys of a JSON value but those that are names of instructions, purposes, effects, parts and what parts do."""
+    if isinstance(value, list):
+        for each in value:
+            yield from keys(each)
+    elif isinstance(value, dict):
+        for key, below in value.items():
+            yield key
+            if key in ("by_name", "by_purpose", "by_effect"):
+                yield from keys(list(below.values()))
+            elif key != "parts":
+                yield from keys(below)
+
+
 def words():
-    """The table of words in docs/developing.md has each column of a study once, and no other."""
+    """One word for one thing: the table of words in docs/developing.md has each column of a study once, and no other; a key of
+    stats stands there or in docs/stats.md and the machines' pages; no key and no option is one of these words spelt otherwise."""
     section = markdown.read("docs/developing.md").split("\n## Words\n")[1].split("\n## ")[0]
     told = collections.Counter(name for _, row in markdown.rows(section) for name in re.findall(r"^`(\w+)`$", row[0]))
     headers = (path.read_text(encoding="utf-8") for path in (ROOT / "sim/studies").rglob("*.h"))
@@ -129,6 +145,19 @@ def words():
     for name in sorted(columns | set(told)):
         if told[name] != (name in columns):
             yield f"docs/developing.md: its table of words has {name} {told[name]} times, studies {'do' if name in columns else 'do not'}"
+
+    stats = {key for path in (ROOT / "traces").glob("*.json") for key in keys(json.loads(path.read_text(encoding="utf-8")))}
+    pages = "".join(markdown.read(path) for path in markdown.pages() if path.endswith("stats.md") or "/machines/" in path)
+    described = set(re.findall(r"\w+", pages))
+    yield from (f"the key {key} of stats is neither a word of docs/developing.md nor in docs/stats.md" for key in sorted(stats)
+                if re.fullmatch(r"\w+", key) and key not in columns | described)
+    sources = (path.read_text(encoding="utf-8") for room in ("app", "shell", "studies") for path in (ROOT / "sim" / room).rglob("*.cpp"))
+    options = {name for text in sources for name in re.findall(r'option\(\s*"--([a-z-]+[a-z])', text)}
+    spelt = {re.sub("[-_]", "", word).removesuffix("s"): word for word in columns}
+    for name in sorted(stats | options):
+        word = spelt.get(re.sub("[-_]", "", name).removesuffix("s"))
+        if word and name.replace("-", "_").removesuffix("s") != word.removesuffix("s"):
+            yield f"{name} is the word {word} of docs/developing.md, spelt otherwise"
 
 
 CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary, lists, tasks, words)}

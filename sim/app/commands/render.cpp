@@ -39,15 +39,17 @@ std::string verdict(const CompiledModel& compiled, const observe::Frame& frame, 
                                                   program.shape.height, program.facts.depth_scale);
   const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.camera, program);
   const judges::Errors errors = judges::judge(truth, frame, program, explainer);
-  json = {{"wrong_pixels", errors.wrong()},
-          {"silhouette", errors.silhouette},
-          {"owner", errors.owner},
-          {"depth", errors.depth},
+  json = {{"wrong", errors.wrong()},
+          {"wrong_silhouette", errors.silhouette},
+          {"wrong_owner", errors.owner},
+          {"wrong_depth", errors.depth},
           {"explained", errors.explained},
           {"unexplained", errors.unexplained},
           {"covered", errors.covered},
-          {"depth_error", {{"max", errors.model_units.max}, {"p999", errors.model_units.p999}}},
-          {"depth_error_steps", {{"max", errors.steps.max}, {"p999", errors.steps.p999}}}};
+          {"depth_max", errors.model_units.max},
+          {"depth_p999", errors.model_units.p999},
+          {"depth_max_steps", errors.steps.max},
+          {"depth_p999_steps", errors.steps.p999}};
   return fmt::format("{:<18}{}\n", "accuracy", judges::to_text(errors));
 }
 

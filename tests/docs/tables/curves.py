@@ -30,14 +30,14 @@ def models(figures):
         facets, exact = (figures.render(f"tests/models/{model}.csg --view-all --machine pixel-powers --curves {way}")
                          for way in ("facets", "exact"))
         rows.append((name, exact.model.primitives, f"{facets.clocks:,}", f"{exact.clocks:,}", f"{facets.clocks / exact.clocks:.1f}",
-                     facets.memory_bits.used, exact.memory_bits.used))
+                     facets.memory.used_bits, exact.memory.used_bits))
     return ruled(("", "primitives", "facets: clocks", "exact: clocks", "facets / exact", "facets: bits", "exact: bits"), rows)
 
 
 def wrong(figures, view, way, stats):
     """Pixels that show another surface than the true one."""
     if way != "facets":
-        return stats.accuracy.silhouette + stats.accuracy.owner
+        return stats.accuracy.wrong_silhouette + stats.accuracy.wrong_owner
     points = figures.accuracy(VIEWS[view], "--curves facets --views 1 --knobs size")
     return point(points, knob="size", value="512x512").facet_wrong
 
@@ -49,6 +49,6 @@ def fast(figures):
             stats = figures.render(model, options)
             clocks = stats.by_purpose
             rows.append((f"{view}: {way}" if way == "facets" else way, f"{stats.clocks:,}", f"{clocks.render.clocks:,}",
-                         f"{clocks.shade.clocks:,}", f"{clocks.setup.clocks:,}", stats.memory_bits.used,
+                         f"{clocks.shade.clocks:,}", f"{clocks.setup.clocks:,}", stats.memory.used_bits,
                          f"{wrong(figures, view, way, stats):,}"))
     return ruled(("", "clocks", "surfaces", "light", "setup", "bits", "pixels of another surface"), rows)

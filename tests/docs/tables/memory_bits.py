@@ -19,10 +19,10 @@ def curved(figures):
     for z_bits in CURVED_Z_BITS:
         wide, narrow = (figures.render("carburettor", f"--machine pixel-powers --z-bits {z_bits} --colour-bits {bits}") for bits in (24, 12))
         facets = figures.render("carburettor", f"--z-bits {z_bits}")
-        width = {field.name: field.width for field in wide.memory_bits.fields}
+        width = {field.name: field.width for field in wide.memory.memory_map}
         root = width["root"]
-        rows.append((z_bits, width["sum"], root, f"{root * root + 2 * root}", wide.memory_bits.used, f"{wide.clocks:,}",
-                     narrow.memory_bits.used, f"{narrow.clocks:,}", facets.memory_bits.used, f"{facets.clocks:,}"))
+        rows.append((z_bits, width["sum"], root, f"{root * root + 2 * root}", wide.memory.used_bits, f"{wide.clocks:,}",
+                     narrow.memory.used_bits, f"{narrow.clocks:,}", facets.memory.used_bits, f"{facets.clocks:,}"))
     return ruled(("z bits", "sum", "root", "clocks of a root", "bits, colours of 24", "clocks", "bits, colours of 12", "clocks", "bits in facets",
                   "clocks"), rows)
 

@@ -13,5 +13,5 @@ def stages(figures):
             ("seconds", *(f"{each.simulated_seconds:.2f}" for each in stats))]
     rows += [(name, *(f"{each.account[key]:,}" for each in stats)) for name, key in STAGES]
     rows += [(name, *(f"{100 * each.account[key]:.1f} %" for each in stats))
-             for name, key in (("nodes at work, mean", "nodes_working"), ("busiest node", "busiest_node_working"))]
+             for name, key in (("nodes at work, mean", "node_utilisation"), ("busiest node", "busiest_node_utilisation"))]
     return ruled(("", *THESIS_MODELS), rows)

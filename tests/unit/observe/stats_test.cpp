@@ -120,8 +120,8 @@ TEST_CASE("the stats say what is used, and give the account of the machine") {
   const auto json = observe::to_json({one, machine, "functional", result, stats, 0.5});
   CHECK(json["clocks"] == 250);
   CHECK(json["simulated_seconds"] == 0.25);
-  CHECK(json["memory_bits"]["used"] == 8);
-  CHECK(json["memory_bits"]["available"] == 16);
+  CHECK(json["memory"]["used_bits"] == 8);
+  CHECK(json["memory"]["memory_bits"] == 16);
   CHECK(json["by_purpose"]["latency"]["clocks"] == 5);
   CHECK(json["segments"]["count"] == 2);
   CHECK(json["segments"]["drawn"] == 0);

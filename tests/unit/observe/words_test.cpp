@@ -130,15 +130,15 @@ TEST_CASE("the half-spaces of the primitives are those that pruning leaves, coun
   const Drawn whole = draw("pixel-planes-4", "thesis_fig_2_3");
   std::uint64_t halfspaces = 0;
   const observe::ClockShares shares = observe::clock_shares(whole.program, whole.result, whole.stats);
-  for (const observe::PrimitiveCost& one : shares.dearest) halfspaces += one.half_spaces;
+  for (const observe::PrimitiveCost& one : shares.dearest) halfspaces += one.halfspaces;
   CHECK(halfspaces == whole.program.segments.front().facts.kept_halfspaces);
   const Drawn squares = draw("pixel-square", "thesis_fig_2_3");
   for (const observe::PrimitiveCost& one :
        observe::clock_shares(squares.program, squares.result, squares.stats).dearest) {
     const auto same = std::ranges::find(shares.dearest, one.primitive, &observe::PrimitiveCost::primitive);
     REQUIRE(same != shares.dearest.end());
-    CHECK(one.half_spaces > 0);
-    CHECK(one.half_spaces <= same->half_spaces);
+    CHECK(one.halfspaces > 0);
+    CHECK(one.halfspaces <= same->halfspaces);
   }
 }
 

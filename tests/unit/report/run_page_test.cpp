@@ -35,19 +35,19 @@ TEST_CASE("a run's page shows what the stats say in words, and the prices of its
   CHECK(plain.find("<th scope=row>half-spaces</th><td class=n data-at=\"/model/halfspaces\">6<") != std::string::npos);
   CHECK(plain.find("wrong pixels") == std::string::npos);  // which nobody has counted
   file["bound_by"] = {{"part", "controller"}, {"share", 0.9}, {"sentence", "The controller <bounds> it."}};
-  file["accuracy"]["wrong_pixels"] = 3;
+  file["accuracy"]["wrong"] = 3;
   file["knobs"] = {{{"sentence", "Turn this."}}};
-  file["dearest_primitives"] = {{{"primitive", 0},
+  file["dearest"] = {{{"primitive", 0},
                                  {"name", "cube@1:1"},
                                  {"source", "1:1"},
                                  {"clocks", 77},
                                  {"share", 0.5},
                                  {"pieces", 1},
-                                 {"half_spaces", 6}}};
+                                 {"halfspaces", 6}}};
   file["configuration"] = {{"view", {{"camera", "a b"}}}};
   const std::string told = page();
   for (const std::string part :
-       {"The controller &lt;bounds&gt; it.", "Turn this.", "data-at=\"/dearest_primitives/0/half_spaces\">6<",
-        "data-at=\"/configuration/view/camera\">a b<", "data-at=\"/accuracy/wrong_pixels\">3<"})
+       {"The controller &lt;bounds&gt; it.", "Turn this.", "data-at=\"/dearest/0/halfspaces\">6<",
+        "data-at=\"/configuration/view/camera\">a b<", "data-at=\"/accuracy/wrong\">3<"})
     CHECK(told.find(part) != std::string::npos);
 }
