@@ -8,53 +8,54 @@ namespace csgsim::array {
 /// What the ALU of every pixel does in one clock, with one bit of its operands or with several, bit after bit from the
 /// least significant: see function_of_bit. In the meanings E is the enable bit, K the carry bit, L the operand latch, G
 /// the sign flag of a root, P whether the pixel is part of the region, M[w] the memory bit written; x and y are the
-/// operands, k is the constant and maj(a, b, c) the carry of a full adder. Columns: function, reads x, reads y, writes
-/// memory, reads or writes K, reads or writes G, may change enable or memory of a pixel that is not enabled, meaning.
+/// operands, k is the constant and maj(a, b, c) the carry of a full adder. Columns: function, that of the bits after
+/// the first where others follow, reads x, reads y, writes memory, reads or writes K, reads or writes G, may change
+/// enable or memory of a pixel that is not enabled, meaning.
 // clang-format off
-#define CSGSIM_ALU_FUNCTIONS(F)                                                                                                            \
-  F(idle,               false, false, false, false, false, false, "nothing")                                                               \
-  F(latch_x,            true,  false, false, false, false, false, "L := x")                                                                \
-  F(enable_all,         false, false, false, false, false, true,  "E := P")                                                                \
-  F(enable_invert,      false, false, false, false, false, true,  "E := P and not E")                                                      \
-  F(enable_load,        true,  false, false, false, false, true,  "E := x")                                                                \
-  F(enable_and,         true,  false, false, false, false, false, "E := E and x")                                                          \
-  F(enable_and_not,     true,  false, false, false, false, false, "E := E and not x")                                                      \
-  F(enable_or,          true,  false, false, false, false, true,  "E := E or x")                                                           \
-  F(enable_xor,         true,  false, false, false, false, true,  "E := E xor x")                                                          \
-  F(enable_equal,       true,  true,  false, false, false, false, "E := E and not (x xor y)")                                              \
-  F(compare_from_0,     true,  true,  false, true,  false, false, "K := maj(x, not y, 0): first bit of x > y")                             \
-  F(compare_from_1,     true,  true,  false, true,  false, false, "K := maj(x, not y, 1): first bit of x >= y")                            \
-  F(compare,            true,  true,  false, true,  false, false, "K := maj(x, not y, K)")                                                 \
-  F(compare_with_0,     true,  false, false, true,  false, false, "K := maj(x, 1, K): x is longer than y")                                 \
-  F(less_from_0,        true,  true,  false, true,  false, false, "K := maj(x, not y, 0), E := E and not K")                               \
-  F(less_from_1,        true,  true,  false, true,  false, false, "K := maj(x, not y, 1), E := E and not K")                               \
-  F(less,               true,  true,  false, true,  false, false, "K := maj(x, not y, K), E := E and not K")                               \
-  F(sign_enable,        true,  false, false, true,  false, false, "K := maj(not x, 0, K), E := E and K: x is the sign")                    \
-  F(sign_enable_not,    true,  false, false, true,  false, false, "K := maj(not x, 0, K), E := E and not K: x is the sign")                \
-  F(sign_select,        true,  false, false, true,  false, false, "K := E and maj(not x, 0, K): x is the sign")                            \
-  F(sign_select_not,    true,  false, false, true,  false, false, "K := E and not maj(not x, 0, K): x is the sign")                        \
-  F(enable_fits,        true,  false, false, true,  false, false, "E := E and not (K and x): a bit beyond the field")                      \
-  F(store_x,            true,  false, true,  false, false, false, "M[w] := x where E")                                                     \
-  F(store_x_selected,   true,  false, true,  true,  false, false, "M[w] := x where E and K")                                               \
-  F(store_not_x,        true,  false, true,  false, false, false, "M[w] := not x where E")                                                 \
-  F(store_constant,     false, false, true,  false, false, false, "M[w] := k where E")                                                     \
-  F(store_xor_constant, true,  false, true,  false, false, false, "M[w] := x xor k where E")                                               \
-  F(store_and,          true,  true,  true,  false, false, false, "M[w] := x and y where E")                                               \
-  F(store_or,           true,  true,  true,  false, false, false, "M[w] := x or y where E")                                                \
-  F(store_xor,          true,  true,  true,  false, false, false, "M[w] := x xor y where E")                                               \
-  F(store_and_not,      true,  true,  true,  false, false, false, "M[w] := x and not y where E")                                           \
-  F(sum_from_0,         true,  true,  true,  true,  false, false, "M[w] := x xor y where E, K := x and y: first bit of x + y")             \
-  F(sum,                true,  true,  true,  true,  false, false, "M[w] := x xor y xor K where E, K := maj(x, y, K)")                      \
-  F(sum_with_0,         false, true,  true,  true,  false, false, "M[w] := y xor K where E, K := y and K: y is longer than x")             \
-  F(sum_with_1_from_0,  false, true,  true,  true,  false, false, "M[w] := not y where E, K := y: first bit of y + 1, 1 being longer")     \
-  F(sum_with_1,         false, true,  true,  true,  false, false, "M[w] := not (y xor K) where E, K := y or K: a further 1 is added to y") \
-  F(difference_from_1,  true,  true,  true,  true,  false, false, "M[w] := x xor y where E, K := maj(x, not y, 1): first bit of x - y")    \
-  F(difference,         true,  true,  true,  true,  false, false, "M[w] := x xor not y xor K where E, K := maj(x, not y, K)")              \
-  F(root_first,         false, false, true,  true,  true,  false, "G := not K; M[w] := K where E: the first bit of a root")                \
-  F(root_bit,           true,  true,  true,  true,  true,  false, "z = x xor not G; M[w] := y xor z xor K where E, K := maj(y, z, K)")     \
-  F(root_sign,          false, true,  true,  true,  true,  false, "G := y xor not G xor K; M[w] := not G where E: a bit of the root")      \
-  F(store_enable,       false, false, true,  false, false, true,  "M[w] := E at every pixel")                                              \
-  F(answer,             false, false, false, false, false, false, "the wired OR of E goes to the controller")
+#define CSGSIM_ALU_FUNCTIONS(F)                                                                                                                                 \
+  F(idle,               idle,               false, false, false, false, false, false, "nothing")                                                               \
+  F(latch_x,            latch_x,            true,  false, false, false, false, false, "L := x")                                                                \
+  F(enable_all,         enable_all,         false, false, false, false, false, true,  "E := P")                                                                \
+  F(enable_invert,      enable_invert,      false, false, false, false, false, true,  "E := P and not E")                                                      \
+  F(enable_load,        enable_load,        true,  false, false, false, false, true,  "E := x")                                                                \
+  F(enable_and,         enable_and,         true,  false, false, false, false, false, "E := E and x")                                                          \
+  F(enable_and_not,     enable_and_not,     true,  false, false, false, false, false, "E := E and not x")                                                      \
+  F(enable_or,          enable_or,          true,  false, false, false, false, true,  "E := E or x")                                                           \
+  F(enable_xor,         enable_xor,         true,  false, false, false, false, true,  "E := E xor x")                                                          \
+  F(enable_equal,       enable_equal,       true,  true,  false, false, false, false, "E := E and not (x xor y)")                                              \
+  F(compare_from_0,     compare,            true,  true,  false, true,  false, false, "K := maj(x, not y, 0): first bit of x > y")                             \
+  F(compare_from_1,     compare,            true,  true,  false, true,  false, false, "K := maj(x, not y, 1): first bit of x >= y")                            \
+  F(compare,            compare,            true,  true,  false, true,  false, false, "K := maj(x, not y, K)")                                                 \
+  F(compare_with_0,     compare_with_0,     true,  false, false, true,  false, false, "K := maj(x, 1, K): x is longer than y")                                 \
+  F(less_from_0,        compare,            true,  true,  false, true,  false, false, "K := maj(x, not y, 0), E := E and not K")                               \
+  F(less_from_1,        compare,            true,  true,  false, true,  false, false, "K := maj(x, not y, 1), E := E and not K")                               \
+  F(less,               compare,            true,  true,  false, true,  false, false, "K := maj(x, not y, K), E := E and not K")                               \
+  F(sign_enable,        sign_enable,        true,  false, false, true,  false, false, "K := maj(not x, 0, K), E := E and K: x is the sign")                    \
+  F(sign_enable_not,    sign_enable_not,    true,  false, false, true,  false, false, "K := maj(not x, 0, K), E := E and not K: x is the sign")                \
+  F(sign_select,        sign_select,        true,  false, false, true,  false, false, "K := E and maj(not x, 0, K): x is the sign")                            \
+  F(sign_select_not,    sign_select_not,    true,  false, false, true,  false, false, "K := E and not maj(not x, 0, K): x is the sign")                        \
+  F(enable_fits,        enable_fits,        true,  false, false, true,  false, false, "E := E and not (K and x): a bit beyond the field")                      \
+  F(store_x,            store_x,            true,  false, true,  false, false, false, "M[w] := x where E")                                                     \
+  F(store_x_selected,   store_x_selected,   true,  false, true,  true,  false, false, "M[w] := x where E and K")                                               \
+  F(store_not_x,        store_not_x,        true,  false, true,  false, false, false, "M[w] := not x where E")                                                 \
+  F(store_constant,     store_constant,     false, false, true,  false, false, false, "M[w] := k where E")                                                     \
+  F(store_xor_constant, store_xor_constant, true,  false, true,  false, false, false, "M[w] := x xor k where E")                                               \
+  F(store_and,          store_and,          true,  true,  true,  false, false, false, "M[w] := x and y where E")                                               \
+  F(store_or,           store_or,           true,  true,  true,  false, false, false, "M[w] := x or y where E")                                                \
+  F(store_xor,          store_xor,          true,  true,  true,  false, false, false, "M[w] := x xor y where E")                                               \
+  F(store_and_not,      store_and_not,      true,  true,  true,  false, false, false, "M[w] := x and not y where E")                                           \
+  F(sum_from_0,         sum,                true,  true,  true,  true,  false, false, "M[w] := x xor y where E, K := x and y: first bit of x + y")             \
+  F(sum,                sum,                true,  true,  true,  true,  false, false, "M[w] := x xor y xor K where E, K := maj(x, y, K)")                      \
+  F(sum_with_0,         sum_with_0,         false, true,  true,  true,  false, false, "M[w] := y xor K where E, K := y and K: y is longer than x")             \
+  F(sum_with_1_from_0,  sum_with_1_from_0,  false, true,  true,  true,  false, false, "M[w] := not y where E, K := y: first bit of y + 1, 1 being longer")     \
+  F(sum_with_1,         sum_with_1,         false, true,  true,  true,  false, false, "M[w] := not (y xor K) where E, K := y or K: a further 1 is added to y") \
+  F(difference_from_1,  difference,         true,  true,  true,  true,  false, false, "M[w] := x xor y where E, K := maj(x, not y, 1): first bit of x - y")    \
+  F(difference,         difference,         true,  true,  true,  true,  false, false, "M[w] := x xor not y xor K where E, K := maj(x, not y, K)")              \
+  F(root_first,         root_first,         false, false, true,  true,  true,  false, "G := not K; M[w] := K where E: the first bit of a root")                \
+  F(root_bit,           root_bit,           true,  true,  true,  true,  true,  false, "z = x xor not G; M[w] := y xor z xor K where E, K := maj(y, z, K)")     \
+  F(root_sign,          root_sign,          false, true,  true,  true,  true,  false, "G := y xor not G xor K; M[w] := not G where E: a bit of the root")      \
+  F(store_enable,       store_enable,       false, false, true,  false, false, true,  "M[w] := E at every pixel")                                              \
+  F(answer,             answer,             false, false, false, false, false, false, "the wired OR of E goes to the controller")
 // clang-format on
 
 enum class AluFunction : std::uint8_t {
@@ -65,6 +66,7 @@ enum class AluFunction : std::uint8_t {
 
 struct AluInfo {
   std::string_view name;
+  AluFunction rest;  ///< of the bits after the first, where others follow
   bool reads_x;
   bool reads_y;
   bool writes;
@@ -75,7 +77,7 @@ struct AluInfo {
 };
 
 inline constexpr AluInfo alu_table[] = {
-#define CSGSIM_ALU_ROW(name, ...) AluInfo{#name, __VA_ARGS__},
+#define CSGSIM_ALU_ROW(name, rest, ...) AluInfo{#name, AluFunction::rest, __VA_ARGS__},
     CSGSIM_ALU_FUNCTIONS(CSGSIM_ALU_ROW)
 #undef CSGSIM_ALU_ROW
 };
@@ -105,60 +107,14 @@ struct ArrayStep {
 /// The function that a step carries out on one of its bits. Of a comparison or a sum the first bit sets the carry,
 /// which ripples; of a comparison the last decides.
 constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
+  using enum AluFunction;
   const bool first = bit == 0;
-  const bool last = bit + 1U == step.bits;
-  switch (step.function) {
-    case AluFunction::compare_from_0:
-    case AluFunction::compare_from_1: return first ? step.function : AluFunction::compare;
-    case AluFunction::less_from_0:
-      if (last) return first ? step.function : AluFunction::less;
-      return first ? AluFunction::compare_from_0 : AluFunction::compare;
-    case AluFunction::less_from_1:
-      if (last) return first ? step.function : AluFunction::less;
-      return first ? AluFunction::compare_from_1 : AluFunction::compare;
-    case AluFunction::sum_from_0:
-    case AluFunction::sum:
-      if ((step.constant >> bit & 1U) == 0) return AluFunction::sum_with_0;
-      return first ? step.function : AluFunction::sum;
-    case AluFunction::less: return last ? step.function : AluFunction::compare;
-    case AluFunction::difference_from_1: return first ? step.function : AluFunction::difference;
-    case AluFunction::idle:
-    case AluFunction::latch_x:
-    case AluFunction::enable_all:
-    case AluFunction::enable_invert:
-    case AluFunction::enable_load:
-    case AluFunction::enable_and:
-    case AluFunction::enable_and_not:
-    case AluFunction::enable_or:
-    case AluFunction::enable_xor:
-    case AluFunction::enable_equal:
-    case AluFunction::compare:
-    case AluFunction::compare_with_0:
-    case AluFunction::sign_enable:
-    case AluFunction::sign_enable_not:
-    case AluFunction::sign_select:
-    case AluFunction::sign_select_not:
-    case AluFunction::enable_fits:
-    case AluFunction::store_x:
-    case AluFunction::store_x_selected:
-    case AluFunction::store_not_x:
-    case AluFunction::store_constant:
-    case AluFunction::store_xor_constant:
-    case AluFunction::store_and:
-    case AluFunction::store_or:
-    case AluFunction::store_xor:
-    case AluFunction::store_and_not:
-    case AluFunction::sum_with_0:
-    case AluFunction::sum_with_1_from_0:
-    case AluFunction::sum_with_1:
-    case AluFunction::difference:
-    case AluFunction::root_first:
-    case AluFunction::root_bit:
-    case AluFunction::root_sign:
-    case AluFunction::store_enable:
-    case AluFunction::answer: break;
-  }
-  return step.function;
+  const AluFunction rest = info(step.function).rest;
+  if (rest == sum && (step.constant >> bit & 1U) == 0) return sum_with_0;
+  const bool decides = step.function == less || step.function == less_from_0 || step.function == less_from_1;
+  if (decides && bit + 1U == step.bits) return first ? step.function : less;
+  if (!decides || !first) return first ? step.function : rest;
+  return step.function == less_from_0 ? compare_from_0 : step.function == less_from_1 ? compare_from_1 : compare;
 }
 
 /// Read ports of pixel memory that a step occupies.

@@ -140,4 +140,10 @@ bool PixelArray::memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_
   return (pixels_.word(pixels_.bits().memory(address), shape_.word_of(x, y)) >> (x % word_bits) & 1U) != 0;
 }
 
+std::uint64_t PixelArray::value(isa::Field field, std::uint32_t x, std::uint32_t y) const {
+  std::uint64_t value = 0;
+  for (unsigned bit = 0; bit < field.width; ++bit) value |= std::uint64_t{memory_bit(field.base + bit, x, y)} << bit;
+  return value;
+}
+
 }  // namespace csgsim::array

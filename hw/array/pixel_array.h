@@ -66,6 +66,7 @@ class PixelArray {
   /// `tree`: as in step.
   [[nodiscard]] PixelProbe probe(std::uint32_t x, std::uint32_t y, const StreamBit& tree) const;
   [[nodiscard]] bool memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const;
+  [[nodiscard]] std::uint64_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const;
 
  private:
   [[nodiscard]] std::uint64_t eight_pixels(isa::Field field, std::uint32_t x, std::uint32_t y) const;

@@ -6,48 +6,11 @@ namespace csgsim::array {
 
 namespace {
 
-/// Whether it may change memory or enable of a pixel that is not enabled, or what the next instruction does.
-bool acts_where_none_is_enabled(isa::Opcode opcode) {
-  switch (opcode) {
-    case isa::Opcode::enable_all:
-    case isa::Opcode::enable_invert:
-    case isa::Opcode::enable_load:
-    case isa::Opcode::enable_or:
-    case isa::Opcode::enable_xor:
-    case isa::Opcode::enable_store:
-    case isa::Opcode::squares: return true;
-    case isa::Opcode::enable_and:
-    case isa::Opcode::enable_and_not:
-    case isa::Opcode::edge_not_negative:
-    case isa::Opcode::edge_negative:
-    case isa::Opcode::linear_ge:
-    case isa::Opcode::linear_gt:
-    case isa::Opcode::linear_le:
-    case isa::Opcode::linear_lt:
-    case isa::Opcode::linear_eq:
-    case isa::Opcode::load_linear:
-    case isa::Opcode::keep_max:
-    case isa::Opcode::keep_min:
-    case isa::Opcode::set_constant:
-    case isa::Opcode::copy:
-    case isa::Opcode::field_lt:
-    case isa::Opcode::field_le:
-    case isa::Opcode::field_eq:
-    case isa::Opcode::bit_and:
-    case isa::Opcode::bit_or:
-    case isa::Opcode::bit_xor:
-    case isa::Opcode::bit_and_not:
-    case isa::Opcode::bit_not:
-    case isa::Opcode::global_or:
-    case isa::Opcode::xor_constant:
-    case isa::Opcode::skip_if_none:
-    case isa::Opcode::add:
-    case isa::Opcode::linear_plus:
-    case isa::Opcode::linear_minus:
-    case isa::Opcode::root:
-    case isa::Opcode::stripe: break;
-  }
-  return false;
+/// Whether it may change memory or enable of a pixel that is not enabled, or what the next instruction does. What does
+/// so has one step.
+bool acts_where_none_is_enabled(const isa::Instruction& instruction, Sequencer sequencer) {
+  sequencer.begin(instruction);
+  return instruction.opcode == isa::Opcode::squares || info(sequencer.issue().pixels.function).acts_where_disabled;
 }
 
 /// Whether it sets the carry whatever that was.
@@ -72,7 +35,7 @@ void PixelReplay::begin(const isa::Region& region) {
 }
 
 void PixelReplay::execute_where_enabled(const isa::Instruction& instruction) {
-  if (acts_where_none_is_enabled(instruction.opcode) || pixels_.any_enabled()) return execute(instruction);
+  if (acts_where_none_is_enabled(instruction, sequencer_) || pixels_.any_enabled()) return execute(instruction);
   knows_tree_ = false;
   knows_carry_ = false;
   knows_flag_ = false;

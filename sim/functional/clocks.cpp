@@ -8,19 +8,15 @@
 
 namespace csgsim::functional {
 
-namespace {
-
-bool may_skip(const isa::Segment& segment) {
-  return std::any_of(segment.instructions.begin(), segment.instructions.end(), [](const isa::Instruction& instruction) {
-    return instruction.opcode == isa::Opcode::skip_if_none;
+bool may_skip(const isa::Program& program) {
+  return std::ranges::any_of(program.segments, [](const isa::Segment& segment) {
+    return std::ranges::find(segment.instructions, isa::Opcode::skip_if_none, &isa::Instruction::opcode) !=
+           segment.instructions.end();
   });
 }
 
-}  // namespace
-
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine) {
-  if (std::none_of(program.segments.begin(), program.segments.end(), may_skip))
-    return machines::clocks(program, machine);
+  if (!may_skip(program)) return machines::clocks(program, machine);
   return engine::make_functional_engine(machine)->run(program, {}).clocks;
 }
 

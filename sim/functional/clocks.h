@@ -7,6 +7,9 @@
 
 namespace csgsim::functional {
 
+/// Whether any instruction may leave out others.
+bool may_skip(const isa::Program& program);
+
 /// Clocks that the Program takes on the machine. Where instructions may be skipped, it is run to find them.
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine);
 

@@ -21,49 +21,6 @@ using isa::Opcode;
 /// Fields no wider than this stay in bit planes as long as only bits of theirs are moved and compared.
 constexpr unsigned max_width_as_bits = 8;
 
-LinearKind kind_of(Opcode opcode) {
-  switch (opcode) {
-    case Opcode::edge_negative:
-    case Opcode::stripe: return LinearKind::negative;
-    case Opcode::linear_ge: return LinearKind::greater_or_equal;
-    case Opcode::linear_gt: return LinearKind::greater;
-    case Opcode::linear_le: return LinearKind::less_or_equal;
-    case Opcode::linear_lt: return LinearKind::less;
-    case Opcode::linear_eq: return LinearKind::equal;
-    case Opcode::load_linear: return LinearKind::load;
-    case Opcode::keep_max: return LinearKind::keep_max;
-    case Opcode::keep_min: return LinearKind::keep_min;
-    case Opcode::linear_plus: return LinearKind::plus;
-    case Opcode::linear_minus: return LinearKind::minus;
-    case Opcode::edge_not_negative:
-    case Opcode::enable_all:
-    case Opcode::enable_invert:
-    case Opcode::enable_load:
-    case Opcode::enable_and:
-    case Opcode::enable_and_not:
-    case Opcode::enable_or:
-    case Opcode::enable_xor:
-    case Opcode::enable_store:
-    case Opcode::set_constant:
-    case Opcode::copy:
-    case Opcode::field_lt:
-    case Opcode::field_le:
-    case Opcode::field_eq:
-    case Opcode::bit_and:
-    case Opcode::bit_or:
-    case Opcode::bit_xor:
-    case Opcode::bit_and_not:
-    case Opcode::bit_not:
-    case Opcode::global_or:
-    case Opcode::xor_constant:
-    case Opcode::skip_if_none:
-    case Opcode::add:
-    case Opcode::squares:
-    case Opcode::root: break;
-  }
-  return LinearKind::not_negative;
-}
-
 using WidePlanes = std::array<TileBits*, isa::max_wide_field_width>;
 
 std::span<TileBits* const> planes_of(Field field, Memory& memory, WidePlanes& planes) {
@@ -113,19 +70,19 @@ std::uint64_t Tile::execute(const Instruction& instruction) {
     case Opcode::enable_or:
     case Opcode::enable_xor: combine_enable(instruction.opcode, fields[0].base); break;
     case Opcode::enable_store: memory_.plane(fields[0].base).assign(enable_); return 0;
-    case Opcode::edge_not_negative:
+    case Opcode::edge_not_negative: return execute_linear(instruction, LinearKind::not_negative);
     case Opcode::edge_negative:
-    case Opcode::stripe:
-    case Opcode::linear_ge:
-    case Opcode::linear_gt:
-    case Opcode::linear_le:
-    case Opcode::linear_lt:
-    case Opcode::linear_eq:
-    case Opcode::load_linear:
-    case Opcode::keep_max:
-    case Opcode::keep_min:
-    case Opcode::linear_plus:
-    case Opcode::linear_minus: return execute_linear(instruction);
+    case Opcode::stripe: return execute_linear(instruction, LinearKind::negative);
+    case Opcode::linear_ge: return execute_linear(instruction, LinearKind::greater_or_equal);
+    case Opcode::linear_gt: return execute_linear(instruction, LinearKind::greater);
+    case Opcode::linear_le: return execute_linear(instruction, LinearKind::less_or_equal);
+    case Opcode::linear_lt: return execute_linear(instruction, LinearKind::less);
+    case Opcode::linear_eq: return execute_linear(instruction, LinearKind::equal);
+    case Opcode::load_linear: return execute_linear(instruction, LinearKind::load);
+    case Opcode::keep_max: return execute_linear(instruction, LinearKind::keep_max);
+    case Opcode::keep_min: return execute_linear(instruction, LinearKind::keep_min);
+    case Opcode::linear_plus: return execute_linear(instruction, LinearKind::plus);
+    case Opcode::linear_minus: return execute_linear(instruction, LinearKind::minus);
     case Opcode::set_constant: set_constant(fields[0], instruction.constant); return 0;
     case Opcode::copy: copy(fields[0], fields[1]); return 0;
     case Opcode::field_lt:
@@ -182,14 +139,14 @@ void Tile::combine_enable(Opcode opcode, unsigned bit) {
   }
 }
 
-std::uint64_t Tile::execute_linear(const Instruction& instruction) {
+std::uint64_t Tile::execute_linear(const Instruction& instruction, LinearKind kind) {
   const isa::Linear squares = std::exchange(squares_, {});
   if (enabled_ == 0) return 0;
   LinearTask task;
-  task.kind = kind_of(instruction.opcode);
+  task.kind = kind;
   const Field field = instruction.fields[0];
-  const bool is_linear = squares.width == 0 && field.width <= isa::max_field_width && task.kind != LinearKind::plus &&
-                         task.kind != LinearKind::minus;
+  const bool is_linear = squares.width == 0 && field.width <= isa::max_field_width && kind != LinearKind::plus &&
+                         kind != LinearKind::minus;
   LinearResult result;
   if (is_linear) {
     const auto& [a, b, c, width, shift] = instruction.linear;
@@ -197,16 +154,15 @@ std::uint64_t Tile::execute_linear(const Instruction& instruction) {
     if (field.width > 0) task.lanes = &memory_.lanes(field);
     result = run_linear(pixels(), task, enabled_);
   } else {
-    result = execute_quadratic(instruction, squares);
+    result = execute_quadratic(instruction, squares, kind);
   }
   enabled_ = result.enabled;
   return isa::cuts_sum(instruction.opcode) ? 0 : result.overflows;
 }
 
-LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::Linear& squares) {
+LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::Linear& squares, LinearKind kind) {
   const isa::Linear& linear = instruction.linear;
-  QuadraticTask task{
-      kind_of(instruction.opcode), QuadraticSum(squares, linear).from(x_, y_), linear.width, linear.shift, nullptr, {}};
+  QuadraticTask task{kind, QuadraticSum(squares, linear).from(x_, y_), linear.width, linear.shift, nullptr, {}};
   const Field field = instruction.fields[0];
   WidePlanes planes{};
   if (field.width > isa::max_field_width) {

@@ -58,8 +58,8 @@ class alignas(64) Tile {
 
   void invert_enable();
   void combine_enable(isa::Opcode opcode, unsigned bit);
-  std::uint64_t execute_linear(const isa::Instruction& instruction);
-  LinearResult execute_quadratic(const isa::Instruction& instruction, const isa::Linear& squares);
+  std::uint64_t execute_linear(const isa::Instruction& instruction, LinearKind kind);
+  LinearResult execute_quadratic(const isa::Instruction& instruction, const isa::Linear& squares, LinearKind kind);
   void root(isa::Field target);
 
   void set_constant(isa::Field target, std::uint64_t constant);

@@ -85,90 +85,69 @@ void ReferenceArray::put_linear(std::size_t pixel, isa::Field field, std::int64_
   if (!fits_unsigned(value, field.width)) enable_[pixel] = 0;
 }
 
+/// 0 where E is 0: no instruction looks at F there.
+std::int64_t ReferenceArray::f_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction) {
+  if (!enabled(x, y) || !isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear)) return 0;
+  const Wide sum = exact_sum(instruction.linear, x, y) + exact_squares(squares_, x, y);
+  if (!isa::cuts_sum(instruction.opcode) && !fits_signed(sum, instruction.linear.width)) ++overflows_;
+  return value_of_f(sum, instruction.linear);
+}
+
 void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction) {
   using isa::Opcode;
   const std::size_t pixel = pixel_at(x, y);
-  const auto& [first, second, third] = instruction.fields;
-  const isa::Linear& linear = instruction.linear;
+  const isa::Field& first = instruction.fields[0];
+  const isa::Field& second = instruction.fields[1];
+  const isa::Field& third = instruction.fields[2];
   const bool e = enable_[pixel] != 0;
   const auto set_enable = [&](bool one) { write_enable(x, y, one); };
   const auto bits = [&](isa::Field field) { return static_cast<std::uint64_t>(get(pixel, field)); };
-
-  const bool has_sum = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
-  const bool streams = e && has_sum;  // where E is 0 no instruction looks at F
-  const Wide sum = streams ? exact_sum(linear, x, y) + exact_squares(squares_, x, y) : 0;
-  const bool must_fit = streams && !isa::cuts_sum(instruction.opcode);
-  if (must_fit && !fits_signed(sum, linear.width)) ++overflows_;
-  const std::int64_t f = streams ? value_of_f(sum, linear) : 0;
+  const auto store = [&](auto value) {
+    if (e) put(pixel, first, value());
+  };
+  const std::int64_t f = f_at(x, y, instruction);
+  const auto keep = [&](bool where) {
+    if (where) put_linear(pixel, first, f);
+  };
 
   switch (instruction.opcode) {
-    case Opcode::enable_all: set_enable(true); break;
-    case Opcode::enable_invert: set_enable(!e); break;
-    case Opcode::enable_load: set_enable(get(pixel, first) == 1); break;
-    case Opcode::enable_and: set_enable(e && get(pixel, first) == 1); break;
-    case Opcode::enable_and_not: set_enable(e && get(pixel, first) == 0); break;
-    case Opcode::enable_or: set_enable(e || get(pixel, first) == 1); break;
-    case Opcode::enable_xor: set_enable(e != (get(pixel, first) == 1)); break;
-    case Opcode::enable_store: put(pixel, first, e ? 1 : 0); break;
-    case Opcode::edge_not_negative: set_enable(e && f >= 0); break;
-    case Opcode::edge_negative: set_enable(e && f < 0); break;
-    case Opcode::linear_ge: set_enable(e && f >= get(pixel, first)); break;
-    case Opcode::linear_gt: set_enable(e && f > get(pixel, first)); break;
-    case Opcode::linear_le: set_enable(e && f <= get(pixel, first)); break;
-    case Opcode::linear_lt: set_enable(e && f < get(pixel, first)); break;
-    case Opcode::linear_eq: set_enable(e && f == get(pixel, first)); break;
-    case Opcode::load_linear:
-      if (e) put_linear(pixel, first, f);
-      break;
-    case Opcode::keep_max:
-      if (e && f > get(pixel, first)) put_linear(pixel, first, f);
-      break;
-    case Opcode::keep_min:
-      if (e && f < get(pixel, first)) put_linear(pixel, first, f);
-      break;
-    case Opcode::set_constant:
-      if (e) put(pixel, first, instruction.constant);
-      break;
-    case Opcode::copy:
-      if (e) put(pixel, first, bits(second));
-      break;
-    case Opcode::field_lt: set_enable(e && get(pixel, first) < get(pixel, second)); break;
-    case Opcode::field_le: set_enable(e && get(pixel, first) <= get(pixel, second)); break;
-    case Opcode::field_eq: set_enable(e && get(pixel, first) == get(pixel, second)); break;
-    case Opcode::bit_and:
-      if (e) put(pixel, first, bits(second) & bits(third));
-      break;
-    case Opcode::bit_or:
-      if (e) put(pixel, first, bits(second) | bits(third));
-      break;
-    case Opcode::bit_xor:
-      if (e) put(pixel, first, bits(second) ^ bits(third));
-      break;
-    case Opcode::bit_and_not:
-      if (e) put(pixel, first, bits(second) & ~bits(third));
-      break;
-    case Opcode::bit_not:
-      if (e) put(pixel, first, ~bits(second));
-      break;
+    case Opcode::enable_all: return set_enable(true);
+    case Opcode::enable_invert: return set_enable(!e);
+    case Opcode::enable_load: return set_enable(get(pixel, first) == 1);
+    case Opcode::enable_and: return set_enable(e && get(pixel, first) == 1);
+    case Opcode::enable_and_not: return set_enable(e && get(pixel, first) == 0);
+    case Opcode::enable_or: return set_enable(e || get(pixel, first) == 1);
+    case Opcode::enable_xor: return set_enable(e != (get(pixel, first) == 1));
+    case Opcode::enable_store: return put(pixel, first, e ? 1 : 0);
+    case Opcode::edge_not_negative: return set_enable(e && f >= 0);
+    case Opcode::edge_negative:
+    case Opcode::stripe: return set_enable(e && f < 0);
+    case Opcode::linear_ge: return set_enable(e && f >= get(pixel, first));
+    case Opcode::linear_gt: return set_enable(e && f > get(pixel, first));
+    case Opcode::linear_le: return set_enable(e && f <= get(pixel, first));
+    case Opcode::linear_lt: return set_enable(e && f < get(pixel, first));
+    case Opcode::linear_eq: return set_enable(e && f == get(pixel, first));
+    case Opcode::load_linear: return keep(e);
+    case Opcode::keep_max: return keep(e && f > get(pixel, first));
+    case Opcode::keep_min: return keep(e && f < get(pixel, first));
+    case Opcode::set_constant: return store([&] { return instruction.constant; });
+    case Opcode::copy: return store([&] { return bits(second); });
+    case Opcode::field_lt: return set_enable(e && get(pixel, first) < get(pixel, second));
+    case Opcode::field_le: return set_enable(e && get(pixel, first) <= get(pixel, second));
+    case Opcode::field_eq: return set_enable(e && get(pixel, first) == get(pixel, second));
+    case Opcode::bit_and: return store([&] { return bits(second) & bits(third); });
+    case Opcode::bit_or: return store([&] { return bits(second) | bits(third); });
+    case Opcode::bit_xor: return store([&] { return bits(second) ^ bits(third); });
+    case Opcode::bit_and_not: return store([&] { return bits(second) & ~bits(third); });
+    case Opcode::bit_not: return store([&] { return ~bits(second); });
     case Opcode::global_or:
-    case Opcode::skip_if_none: break;
-    case Opcode::xor_constant:
-      if (e) put(pixel, first, bits(first) ^ instruction.constant);
-      break;
-    case Opcode::add:
-      if (e) put(pixel, first, bits(first) + bits(second));
-      break;
-    case Opcode::squares: break;
-    case Opcode::linear_plus:
-      if (e) put(pixel, first, static_cast<std::uint64_t>(f) + bits(first));
-      break;
-    case Opcode::linear_minus:
-      if (e) put(pixel, first, static_cast<std::uint64_t>(f) - bits(first));
-      break;
-    case Opcode::root:
-      if (e) put(pixel, first, with_root(bits(first), first.width / 2U));
-      break;
-    case Opcode::stripe: set_enable(streams && (sum >> (linear.width - 1U) & 1) != 0); break;
+    case Opcode::skip_if_none:
+    case Opcode::squares: return;
+    case Opcode::xor_constant: return store([&] { return bits(first) ^ instruction.constant; });
+    case Opcode::add: return store([&] { return bits(first) + bits(second); });
+    case Opcode::linear_plus: return store([&] { return static_cast<std::uint64_t>(f) + bits(first); });
+    case Opcode::linear_minus: return store([&] { return static_cast<std::uint64_t>(f) - bits(first); });
+    case Opcode::root: return store([&] { return with_root(bits(first), first.width / 2U); });
   }
 }
 

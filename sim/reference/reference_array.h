@@ -41,6 +41,7 @@ class ReferenceArray final : public engine::PixelState {
   [[nodiscard]] std::int64_t get(std::size_t pixel, isa::Field field) const;
   void put(std::size_t pixel, isa::Field field, std::uint64_t value);
   void put_linear(std::size_t pixel, isa::Field field, std::int64_t value);
+  std::int64_t f_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction);
   void execute_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction);
 
   isa::Region region_;
