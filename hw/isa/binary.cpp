@@ -7,9 +7,11 @@
 #include <boost/crc.hpp>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include "hw/base/error.h"
 #include "hw/isa/bytes.h"
+#include "hw/isa/describe.h"
 #include "hw/isa/extents.h"
 #include "hw/isa/metadata.h"
 #include "hw/isa/operands.h"
@@ -57,53 +59,38 @@ Origin read_origin(ByteReader& in) {
   return origin;
 }
 
-std::uint16_t read_short(ByteReader& in) {
-  return in.varint_to<std::uint16_t>(std::numeric_limits<std::uint16_t>::max());
-}
-
-void write_operand(ByteWriter& out, const Instruction& instruction, std::size_t operand) {
-  const Linear& linear = instruction.linear;
-  switch (operands_of(instruction.opcode)[operand]) {
-    case OperandKind::none: break;
-    case OperandKind::target:
-    case OperandKind::source:
-      out.varint(instruction.fields[operand].base);
-      out.varint(instruction.fields[operand].width);
-      break;
-    case OperandKind::linear:
-      for (const std::int64_t coefficient : {linear.a, linear.b, linear.c}) out.varint(zigzag(coefficient));
-      out.varint(linear.width);
-      out.varint(linear.shift);
-      break;
-    case OperandKind::squares:
-      for (const std::int64_t coefficient : {linear.a, linear.b, linear.c}) out.varint(zigzag(coefficient));
-      out.varint(linear.width);
-      break;
-    case OperandKind::constant:
-    case OperandKind::count: out.varint(instruction.constant); break;
+template <class Number>
+void pass(ByteWriter& out, const Number& number) {
+  if constexpr (std::is_signed_v<Number>) {
+    out.varint(zigzag(number));
+  } else {
+    out.varint(number);
   }
 }
 
-void read_operand(ByteReader& in, Instruction& instruction, std::size_t operand) {
-  Linear& linear = instruction.linear;
+template <class Number>
+void pass(ByteReader& in, Number& number) {
+  if constexpr (std::is_signed_v<Number>) {
+    number = unzigzag(in.varint());
+  } else {
+    number = in.varint_to<Number>(std::numeric_limits<Number>::max());
+  }
+}
+
+/// Writes or reads an operand: the one list of its numbers, in their order.
+template <class Bytes, Any<Instruction> T>
+void pass_operand(Bytes& bytes, T& instruction, std::size_t operand) {
+  const auto pass_all = [&](auto&... numbers) { (pass(bytes, numbers), ...); };
+  auto& field = instruction.fields[operand];
+  auto& [a, b, c, width, shift] = instruction.linear;
   switch (operands_of(instruction.opcode)[operand]) {
-    case OperandKind::none: break;
+    case OperandKind::none: return;
     case OperandKind::target:
-    case OperandKind::source:
-      instruction.fields[operand].base = read_short(in);
-      instruction.fields[operand].width = read_short(in);
-      break;
-    case OperandKind::linear:
-      for (std::int64_t* coefficient : {&linear.a, &linear.b, &linear.c}) *coefficient = unzigzag(in.varint());
-      linear.width = read_short(in);
-      linear.shift = read_short(in);
-      break;
-    case OperandKind::squares:
-      for (std::int64_t* coefficient : {&linear.a, &linear.b, &linear.c}) *coefficient = unzigzag(in.varint());
-      linear.width = read_short(in);
-      break;
+    case OperandKind::source: return pass_all(field.base, field.width);
+    case OperandKind::linear: return pass_all(a, b, c, width, shift);
+    case OperandKind::squares: return pass_all(a, b, c, width);
     case OperandKind::constant:
-    case OperandKind::count: instruction.constant = in.varint(); break;
+    case OperandKind::count: return pass_all(instruction.constant);
   }
 }
 
@@ -116,7 +103,7 @@ void write_instruction(ByteWriter& out, const Instruction& instruction, Origin& 
     write_origin(out, instruction.origin);
     before = instruction.origin;
   }
-  for (std::size_t i = 0; i < max_operands; ++i) write_operand(out, instruction, i);
+  for (std::size_t i = 0; i < max_operands; ++i) pass_operand(out, instruction, i);
 }
 
 Instruction read_instruction(ByteReader& in, Origin& before) {
@@ -127,7 +114,7 @@ Instruction read_instruction(ByteReader& in, Origin& before) {
     throw MalformedBytes(fmt::format("holds the undefined opcode {}", code & ~same_origin));
   if ((code & same_origin) == 0) before = read_origin(in);
   instruction.origin = before;
-  for (std::size_t i = 0; i < max_operands; ++i) read_operand(in, instruction, i);
+  for (std::size_t i = 0; i < max_operands; ++i) pass_operand(in, instruction, i);
   return instruction;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 #include <sstream>
 #include <string_view>
@@ -116,16 +117,9 @@ std::string_view clocks_of(ClockClass clock_class) {
 }
 
 std::string_view operand_name(OperandKind kind) {
-  switch (kind) {
-    case OperandKind::none: return {};
-    case OperandKind::target: return "target";
-    case OperandKind::source: return "source";
-    case OperandKind::linear: return "linear";
-    case OperandKind::constant: return "constant";
-    case OperandKind::count: return "count";
-    case OperandKind::squares: return "squares";
-  }
-  return {};
+  constexpr auto names =
+      std::to_array<std::string_view>({"", "target", "source", "linear", "constant", "count", "squares"});
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view widths_of(const OpcodeInfo& row) {

@@ -14,6 +14,14 @@ constexpr bool has_operand(const Operands& operands, OperandKind kind) {
   return std::find(operands.begin(), operands.end(), kind) != operands.end();
 }
 
+/// May it write to the field?
+inline bool may_write(const Instruction& instruction, Field field) {
+  const Operands& operands = operands_of(instruction.opcode);
+  for (std::size_t i = 0; i < max_operands; ++i)
+    if (operands[i] == OperandKind::target && instruction.fields[i].overlaps(field)) return true;
+  return false;
+}
+
 /// Instructions after this one that are not carried out, if so many pixels are enabled.
 inline std::uint64_t skipped_after(const Instruction& instruction, std::uint64_t enabled_pixels) {
   return enabled_pixels == 0 && has_operand(operands_of(instruction.opcode), OperandKind::count) ? instruction.constant

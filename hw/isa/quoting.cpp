@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "hw/isa/text_grammar.h"
+#include "hw/isa/grammar_parts.h"
 
 namespace csgsim::isa {
 

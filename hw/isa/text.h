@@ -57,6 +57,12 @@ std::string text_of(const Instruction& instruction, std::span<const NamedField> 
 /// A linear expression as the text form has it.
 std::string text_of(const Linear& linear);
 
+/// A field's place as the text form has it.
+std::string text_of(Field field);
+
+/// Whom an instruction serves, as the text form has it behind a `;`.
+std::string text_of(const Origin& origin, const Facts& facts);
+
 /// Reads the text form; `name` is the file's in errors. The result is valid. Throws InputError, `name:line:column:
 /// what, and what to do`; unknown words name the nearest known one.
 Program parse(std::string_view text, std::string_view name);

@@ -1,24 +1,17 @@
 #pragma once
 
-#include <tao/pegtl.hpp>
 #include <type_traits>
 
+#include "hw/isa/grammar_parts.h"
 #include "hw/isa/text_reading.h"
 
 /// The grammar of the text form, of which hw/isa/text.h tells. What operands an instruction takes, and what a directive
 /// holds, the tables decide while it is read.
 namespace csgsim::isa::grammar {
 
-using namespace tao::pegtl;  // the vocabulary of rules
-
 struct comment : seq<one<'#'>, until<at<eolf>>> {};
 struct blanks : plus<blank> {};
-struct gap : star<blank> {};
 struct line_end : seq<gap, opt<comment>, eolf> {};
-
-struct word_part : ranges<'a', 'z', 'A', 'Z', '0', '9', '_', '_', '.', '.'> {};
-struct word : seq<ranges<'a', 'z', 'A', 'Z', '_', '_'>, star<word_part>> {};
-struct number : plus<digit> {};
 
 struct escape_code : sor<one<'"', '\\'>, seq<one<'x'>, xdigit, xdigit>> {};
 struct string_body : star<sor<if_must<one<'\\'>, escape_code>, not_one<'"', '\\', '\n', '\r'>>> {};
@@ -26,11 +19,6 @@ struct string_end : one<'"'> {};
 struct quoted_string : if_must<one<'"'>, string_body, string_end> {};
 
 // Operands.
-struct field_base : number {};
-struct field_width : number {};
-struct field_end : seq<gap, one<']'>> {};
-struct field_place
-    : if_must<one<'['>, gap, field_base, opt<if_must<seq<gap, string<'+', ':'>>, gap, field_width>>, field_end> {};
 struct field_name : sor<word, quoted_string> {};
 struct field_operand : sor<field_place, field_name> {};
 
@@ -53,9 +41,7 @@ struct squares_bits : if_must<seq<one<'('>, gap, one<'w'>>, linear_width, linear
 struct squares_operand
     : seq<opt<sign, gap>, must<square_term>, star<gap, sign, gap, must<square_term>>, gap, must<squares_bits>> {};
 
-struct hexadecimal : plus<xdigit> {};
-struct decimal : number {};
-struct constant_operand : sor<if_must<string<'0', 'x'>, hexadecimal>, decimal> {};
+struct constant_operand : seq<constant> {};
 
 struct instruction_count : seq<constant_operand> {};
 
@@ -154,80 +140,43 @@ struct line : seq<gap, sor<seq<opt<comment>, eolf>, must<statement, line_end>>> 
 struct file : until<eof, line> {};
 
 /// What is said where a rule that has to match does not.
-template <typename>
-inline constexpr const char* message = nullptr;
-template <>
-inline constexpr const char* message<line_end> = "unexpected text; end the line here, or begin a comment with #";
-template <>
-inline constexpr const char* message<escape_code> = "unknown escape; write \\\", \\\\ or \\xNN";
-template <>
-inline constexpr const char* message<string_end> = "the string does not end on its line; close it with \"";
-template <>
-inline constexpr const char* message<quoted_string> = "expected a string in double quotes";
-template <>
-inline constexpr const char* message<field_base> = "expected the number of a bit, as in [12] or [12+:20]";
-template <>
-inline constexpr const char* message<field_width> = "expected a width in bits, as in [12+:20]";
-template <>
-inline constexpr const char* message<field_end> = "expected ] at the end of the field, as in [12] or [12+:20]";
-template <>
-inline constexpr const char* message<field_place> = "expected the place of a field: [bit] or [base+:width]";
-template <>
-inline constexpr const char* message<field_operand> = "expected a field: its name, [bit] or [base+:width]";
-template <>
-inline constexpr const char* message<term> = "expected a term of A*x + B*y + C";
-template <>
-inline constexpr const char* message<variable> = "expected x or y";
-template <>
-inline constexpr const char* message<linear_bits> = "expected the width of the linear expression, as in (w35 >> 12)";
-template <>
-inline constexpr const char* message<linear_width> = "expected a width in bits, as in (w35 >> 12)";
-template <>
-inline constexpr const char* message<linear_shift> = "expected a number of fraction bits, as in (w35 >> 12)";
-template <>
-inline constexpr const char* message<linear_end> = "expected ) at the end of the width, as in (w35 >> 12)";
-template <>
-inline constexpr const char* message<linear_operand> =
-    "expected a linear expression, as in 12*x - 7*y + 991 (w35 >> 12)";
-template <>
-inline constexpr const char* message<square_term> = "expected a term of A*x*x + B*x*y + C*y*y";
-template <>
-inline constexpr const char* message<squares_bits> =
-    "expected the width of the next instruction's expression, as in (w35)";
-template <>
-inline constexpr const char* message<squares_operand> = "expected squares, as in 3*x*x - 2*x*y + 5*y*y (w35)";
-template <>
-inline constexpr const char* message<hexadecimal> = "expected hexadecimal digits after 0x";
-template <>
-inline constexpr const char* message<constant_operand> = "expected a constant, as in 255 or 0xff";
-template <>
-inline constexpr const char* message<instruction_count> = "expected a number of instructions, as in skip_if_none 12";
-template <>
-inline constexpr const char* message<comma> = "expected a comma and one more operand";
-template <>
-inline constexpr const char* message<purpose> = "expected a purpose, as in ; render p0";
-template <>
-inline constexpr const char* message<node> = "expected the index of a primitive, as in against p1";
-template <>
-inline constexpr const char* message<equals> = "expected = and a value after the key";
-template <>
-inline constexpr const char* message<value> = "expected a number, true, false, a string or a list of strings";
-template <>
-inline constexpr const char* message<list_item> = "expected one more string in double quotes";
-template <>
-inline constexpr const char* message<list_end> = "expected ] at the end of the list, or a comma";
-template <>
-inline constexpr const char* message<new_field_name> = "expected a name for the field: a word or a string";
-template <>
-inline constexpr const char* message<role> = "expected the role of the field, as in .field Z2 [20+:20] depth";
-template <>
-inline constexpr const char* message<directive_name> = "expected the name of a directive, as in .segment";
-template <>
-inline constexpr const char* message<statement> = "expected an instruction, or a directive that begins with a dot";
+template <class Rule>
+constexpr const char* message() {
+  if (std::is_same_v<Rule, line_end>) return "unexpected text; end the line here, or begin a comment with #";
+  if (std::is_same_v<Rule, escape_code>) return "unknown escape; write \\\", \\\\ or \\xNN";
+  if (std::is_same_v<Rule, string_end>) return "the string does not end on its line; close it with \"";
+  if (std::is_same_v<Rule, quoted_string>) return "expected a string in double quotes";
+  if (std::is_same_v<Rule, field_place>) return "expected the place of a field: [bit] or [base+:width]";
+  if (std::is_same_v<Rule, field_operand>) return "expected a field: its name, [bit] or [base+:width]";
+  if (std::is_same_v<Rule, term>) return "expected a term of A*x + B*y + C";
+  if (std::is_same_v<Rule, variable>) return "expected x or y";
+  if (std::is_same_v<Rule, linear_bits>) return "expected the width of the linear expression, as in (w35 >> 12)";
+  if (std::is_same_v<Rule, linear_width>) return "expected a width in bits, as in (w35 >> 12)";
+  if (std::is_same_v<Rule, linear_shift>) return "expected a number of fraction bits, as in (w35 >> 12)";
+  if (std::is_same_v<Rule, linear_end>) return "expected ) at the end of the width, as in (w35 >> 12)";
+  if (std::is_same_v<Rule, linear_operand>) return "expected a linear expression, as in 12*x - 7*y + 991 (w35 >> 12)";
+  if (std::is_same_v<Rule, square_term>) return "expected a term of A*x*x + B*x*y + C*y*y";
+  if (std::is_same_v<Rule, squares_bits>) return "expected the width of the next instruction's expression, as in (w35)";
+  if (std::is_same_v<Rule, squares_operand>) return "expected squares, as in 3*x*x - 2*x*y + 5*y*y (w35)";
+  if (std::is_same_v<Rule, constant_operand>) return "expected a constant, as in 255 or 0xff";
+  if (std::is_same_v<Rule, instruction_count>) return "expected a number of instructions, as in skip_if_none 12";
+  if (std::is_same_v<Rule, comma>) return "expected a comma and one more operand";
+  if (std::is_same_v<Rule, purpose>) return "expected a purpose, as in ; render p0";
+  if (std::is_same_v<Rule, node>) return "expected the index of a primitive, as in against p1";
+  if (std::is_same_v<Rule, equals>) return "expected = and a value after the key";
+  if (std::is_same_v<Rule, value>) return "expected a number, true, false, a string or a list of strings";
+  if (std::is_same_v<Rule, list_item>) return "expected one more string in double quotes";
+  if (std::is_same_v<Rule, list_end>) return "expected ] at the end of the list, or a comma";
+  if (std::is_same_v<Rule, new_field_name>) return "expected a name for the field: a word or a string";
+  if (std::is_same_v<Rule, role>) return "expected the role of the field, as in .field Z2 [20+:20] depth";
+  if (std::is_same_v<Rule, directive_name>) return "expected the name of a directive, as in .segment";
+  if (std::is_same_v<Rule, statement>) return "expected an instruction, or a directive that begins with a dot";
+  return message_of_part<Rule>();
+}
 
 struct Messages {
   template <typename Rule>
-  static constexpr const char* message = grammar::message<Rule>;
+  static constexpr const char* message = grammar::message<Rule>();
   /// Only where it has to match; elsewhere another rule may.
   template <typename Rule>
   static constexpr bool raise_on_failure = false;

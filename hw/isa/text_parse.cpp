@@ -13,26 +13,6 @@ namespace {
 template <typename Rule>
 struct Action : tao::pegtl::nothing<Rule> {};
 
-/// An action that calls Does::apply(text, reading), and puts the place before an InputError.
-template <class Does>
-struct Located {
-  template <typename ActionInput>
-  static void apply(const ActionInput& in, Reading& reading) {
-    try {
-      Does::read(in.string_view(), reading);
-    } catch (const InputError& error) {
-      throw tao::pegtl::parse_error(error.what(), in);
-    }
-  }
-};
-
-#define CSGSIM_WHEN(rule)                                                          \
-  template <>                                                                      \
-  struct Action<grammar::rule> : Located<Action<grammar::rule>> {                  \
-    static void read([[maybe_unused]] std::string_view matched, Reading& reading); \
-  };                                                                               \
-  void Action<grammar::rule>::read([[maybe_unused]] std::string_view matched, Reading& reading)
-
 CSGSIM_WHEN(word) { reading.text = matched; }
 CSGSIM_WHEN(string_body) { reading.text = unescaped(matched); }
 
@@ -72,7 +52,7 @@ CSGSIM_WHEN(directive) { reading.end_directive(); }
 #undef CSGSIM_WHEN
 
 template <>
-struct Action<grammar::instruction> : Located<Action<grammar::instruction>> {
+struct Action<grammar::instruction> : grammar::Located<Action<grammar::instruction>> {
   template <typename ActionInput>
   static void apply(const ActionInput& in, Reading& reading) {
     Located::apply(in, reading);
@@ -86,12 +66,8 @@ struct Action<grammar::instruction> : Located<Action<grammar::instruction>> {
 Program parse(std::string_view text, std::string_view name) {
   tao::pegtl::memory_input<> in(text.data(), text.size(), std::string(name));
   Reading reading;
-  try {
-    tao::pegtl::parse<grammar::file, Action, grammar::Control>(in, reading);
-    return reading.finish(name);
-  } catch (const tao::pegtl::parse_error& error) {
-    throw InputError(error.what());
-  }
+  grammar::read<grammar::file, Action, grammar::Control>(in, reading);
+  return reading.finish(name);
 }
 
 }  // namespace csgsim::isa

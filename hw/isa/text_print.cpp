@@ -52,14 +52,6 @@ void put_record(Buffer& out, std::string_view name, const Record& record, std::s
   put(out, "{}\n", comment);
 }
 
-void put_place(Buffer& out, Field field) {
-  if (field.width == 1) {
-    put(out, "[{}]", field.base);
-  } else {
-    put(out, "[{}+:{}]", field.base, field.width);
-  }
-}
-
 /// The names of fields; of several names of one field the first.
 class FieldNames {
  public:
@@ -70,7 +62,7 @@ class FieldNames {
   void put(Buffer& out, Field field) const {
     const auto named = names_.find(key_of(field));
     if (named == names_.end()) {
-      put_place(out, field);
+      out.append(text_of(field));
     } else {
       out.append(word_or_quoted(named->second));
     }
@@ -128,7 +120,7 @@ void put_operand(Buffer& out, const Instruction& instruction, std::size_t operan
 }
 
 void put_origin(Buffer& out, const Origin& origin, const Facts& facts) {
-  put(out, "; {}", info(origin.purpose).name);
+  put(out, "{}", info(origin.purpose).name);
   if (origin.primitive != no_primitive) put(out, " {}", piece_label(facts, origin.primitive));
   if (origin.node != no_node) put(out, " against {}", piece_label(facts, origin.node));
   if (origin.effect != no_effect) put(out, " for e{}", origin.effect);
@@ -151,6 +143,7 @@ void put_instruction(Buffer& out, const Instruction& instruction, std::uint64_t 
   put(out, "  ");
   put_operation(out, instruction, names);
   put_blanks(out, begin, origin_column);
+  put(out, "; ");
   put_origin(out, instruction.origin, facts);
   put_blanks(out, begin, number_column);
   put(out, "# i{}\n", number);
@@ -167,9 +160,7 @@ void put_header(Buffer& out, const Program& program) {
     if (name != "machine" || program.machine != MachineRecord{}) put_record(out, name, record);
   });
   for (const NamedField& named : program.facts.fields) {
-    put(out, ".field {} ", word_or_quoted(named.name));
-    put_place(out, named.field);
-    put(out, " {}\n", name_of(named.role));
+    put(out, ".field {} {} {}\n", word_or_quoted(named.name), text_of(named.field), name_of(named.role));
   }
   for (std::uint32_t i = 0; i < program.facts.primitives.size(); ++i) {
     put(out, ".primitive {}", in_quotes(program.facts.primitives[i]));
@@ -217,6 +208,16 @@ std::string text_of(const Instruction& instruction, std::span<const NamedField> 
 std::string text_of(const Linear& linear) {
   Buffer buffer;
   put_linear(buffer, linear);
+  return fmt::to_string(buffer);
+}
+
+std::string text_of(Field field) {
+  return field.width == 1 ? fmt::format("[{}]", field.base) : fmt::format("[{}+:{}]", field.base, field.width);
+}
+
+std::string text_of(const Origin& origin, const Facts& facts) {
+  Buffer buffer;
+  put_origin(buffer, origin, facts);
   return fmt::to_string(buffer);
 }
 

@@ -45,20 +45,12 @@ constexpr void pass(Stream& stream, T& field) {
 }
 
 template <class Stream, Any<Linear> T>
-constexpr void pass(Stream& stream, T& linear) {
+constexpr void pass(Stream& stream, T& linear, bool has_shift) {
   stream(wire_linear_width_bits, linear.width);
-  stream(wire_shift_bits, linear.shift);
+  if (has_shift) stream(wire_shift_bits, linear.shift);
   stream(linear.width, linear.a);
   stream(linear.width, linear.b);
   stream(linear.width, linear.c);
-}
-
-template <class Stream, Any<Linear> T>
-constexpr void pass_squares(Stream& stream, T& squares) {
-  stream(wire_linear_width_bits, squares.width);
-  stream(squares.width, squares.a);
-  stream(squares.width, squares.b);
-  stream(squares.width, squares.c);
 }
 
 template <class Stream, Any<Instruction> T>
@@ -69,8 +61,8 @@ constexpr void pass(Stream& stream, T& instruction) {
       case OperandKind::none: break;
       case OperandKind::target:
       case OperandKind::source: pass(stream, instruction.fields[i]); break;
-      case OperandKind::linear: pass(stream, instruction.linear); break;
-      case OperandKind::squares: pass_squares(stream, instruction.linear); break;
+      case OperandKind::linear: pass(stream, instruction.linear, true); break;
+      case OperandKind::squares: pass(stream, instruction.linear, false); break;
       case OperandKind::constant: stream(instruction.fields[0].width, instruction.constant); break;
       case OperandKind::count: stream(wire_count_bits, instruction.constant); break;
     }

@@ -1,11 +1,9 @@
 #include "sim/debug/clocks.h"
 
-#include <algorithm>
-#include <memory>
 #include <vector>
 
-#include "hw/isa/opcodes.h"
-#include "sim/engine/run.h"
+#include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
 
 namespace csgsim::debug {
 
@@ -13,15 +11,8 @@ namespace {
 
 /// What a run of the whole Program skips.
 std::vector<machines::Skip> skips_of(const isa::Program& program, const machines::Machine& machine) {
-  const auto asks = [](const isa::Segment& segment) {
-    return std::any_of(segment.instructions.begin(), segment.instructions.end(),
-                       [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
-  };
-  if (std::none_of(program.segments.begin(), program.segments.end(), asks)) return {};
-  const std::unique_ptr<engine::Engine> engine = engine::make_functional_engine(machine);
-  const std::unique_ptr<engine::Run> run = engine->begin(program);
-  run->advance(engine::Run::end, {});
-  return run->save().skips;
+  if (!functional::may_skip(program)) return {};
+  return engine::make_functional_engine(machine)->run(program, {}).skips;
 }
 
 }  // namespace

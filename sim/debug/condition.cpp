@@ -6,23 +6,17 @@
 #include <string_view>
 
 #include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 #include "hw/isa/quoting.h"
+#include "hw/isa/text.h"
 
 namespace csgsim::debug {
 
 namespace {
 
 std::string_view sign_of(Relation relation) {
-  switch (relation) {
-    case Relation::less: return "<";
-    case Relation::not_greater: return "<=";
-    case Relation::equal: return "==";
-    case Relation::not_equal: return "!=";
-    case Relation::not_less: return ">=";
-    case Relation::greater: return ">";
-    case Relation::changes: return "";
-  }
-  return "";
+  constexpr auto signs = std::to_array<std::string_view>({"<", "<=", "==", "!=", ">=", ">", ""});
+  return signs.at(static_cast<std::size_t>(relation));
 }
 
 /// E is written where a meaning says `E := ...`.
@@ -38,12 +32,7 @@ constexpr auto enable_changers = [] {
 bool changes_enable(isa::Opcode opcode) { return enable_changers.at(static_cast<std::size_t>(opcode)); }
 
 bool can_change(const isa::Instruction& instruction, isa::Field watched) {
-  if (watched.width == 0) return changes_enable(instruction.opcode);
-  for (std::size_t i = 0; i < isa::max_operands; ++i) {
-    const bool is_target = isa::operands_of(instruction.opcode)[i] == isa::OperandKind::target;
-    if (is_target && watched.overlaps(instruction.fields[i])) return true;
-  }
-  return false;
+  return watched.width == 0 ? changes_enable(instruction.opcode) : isa::may_write(instruction, watched);
 }
 
 std::uint32_t value_of(const Watched& what, const engine::Run& run) {
@@ -71,7 +60,7 @@ std::string text_of(isa::Field field, const isa::Program& program) {
   if (field.width == 0) return "E";
   for (const isa::NamedField& named : program.facts.fields)
     if (named.field == field) return isa::word_or_quoted(named.name);
-  return field.width == 1 ? fmt::format("[{}]", field.base) : fmt::format("[{}+:{}]", field.base, field.width);
+  return isa::text_of(field);
 }
 
 std::string text_of(const Watched& what, const isa::Program& program) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/isa/colour_format.h"
+#include "sim/debug/show.h"
 
 namespace csgsim::debug {
 
@@ -26,22 +27,6 @@ std::vector<std::uint32_t> values_of(isa::Field field, const engine::Run& run) {
   return values;
 }
 
-struct Meaning {
-  bool is_colour = false;
-  bool is_depth = false;
-};
-
-Meaning meaning_of(isa::Field field, const isa::Program& program) {
-  using enum isa::FieldRole;
-  for (const isa::NamedField& named : program.facts.fields) {
-    if (named.field != field) continue;
-    const bool is_colour = named.role == colour || named.role == candidate_colour || named.role == shown;
-    return {is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits,
-            named.role == depth || named.role == candidate_depth};
-  }
-  return {};
-}
-
 /// The least and the greatest value that count.
 struct Range {
   std::uint32_t low = std::numeric_limits<std::uint32_t>::max();
@@ -58,7 +43,7 @@ std::uint8_t grey(std::uint32_t value, const Range& range) {
 
 FieldPicture picture_of(isa::Field field, const engine::Run& run, const isa::Program& program) {
   const std::vector<std::uint32_t> values = values_of(field, run);
-  const Meaning meaning = meaning_of(field, program);
+  const FieldMeaning meaning = meaning_of(field, program);
   const std::uint64_t nothing = meaning.is_depth ? (std::uint64_t{1} << field.width) - 1 : std::uint64_t{1} << 32U;
   Range range;
   for (const std::uint32_t value : values) {

@@ -1,18 +1,17 @@
 #pragma once
 
-#include <tao/pegtl.hpp>
+#include <type_traits>
+
+#include "hw/isa/grammar_parts.h"
 
 /// The grammar of the debugger's commands, of which sim/debug/command.h tells.
 namespace csgsim::debug::grammar {
 
-using namespace tao::pegtl;  // the vocabulary of rules
+using namespace isa::grammar;
 
-struct gap : star<blank> {};
-struct word_part : ranges<'a', 'z', 'A', 'Z', '0', '9', '_', '_', '.', '.'> {};
 template <typename Word>
 struct whole : seq<Word, not_at<word_part>> {};
 
-struct number : plus<digit> {};
 struct count : seq<number, not_at<word_part>> {};
 struct instruction_number : seq<number, not_at<word_part>> {};
 struct breakpoint_number : seq<number, not_at<word_part>> {};
@@ -24,13 +23,9 @@ struct quoted_body : star<sor<seq<one<'\\'>, any>, not_one<'"', '\\'>>> {};
 struct quote_end : one<'"'> {};
 struct quoted : if_must<one<'"'>, quoted_body, quote_end> {};
 
-struct base : number {};
-struct width : number {};
-struct place_end : seq<gap, one<']'>> {};
-struct place : if_must<one<'['>, gap, base, opt<if_must<seq<gap, string<'+', ':'>>, gap, width>>, place_end> {};
-struct field_word : seq<ranges<'a', 'z', 'A', 'Z', '_', '_'>, star<word_part>> {};
+struct field_word : word {};
 struct field_quoted : seq<quoted> {};
-struct field : sor<place, field_quoted, field_word> {};
+struct field : sor<field_place, field_quoted, field_word> {};
 
 struct pixel_begin : seq<gap, one<'['>> {};
 struct pixel_end : seq<gap, one<']'>> {};
@@ -44,9 +39,7 @@ struct not_equal : string<'!', '='> {};
 struct not_less : string<'>', '='> {};
 struct greater : one<'>'> {};
 struct relation : sor<not_greater, less, equal, not_equal, not_less, greater> {};
-struct hexadecimal : plus<xdigit> {};
-struct decimal : number {};
-struct value : seq<sor<if_must<string<'0', 'x'>, hexadecimal>, decimal>, not_at<word_part>> {};
+struct value : seq<constant, not_at<word_part>> {};
 
 struct change : whole<TAO_PEGTL_STRING("change")> {};
 struct negation : whole<TAO_PEGTL_STRING("not")> {};
@@ -99,57 +92,33 @@ struct known_command : seq<any_command> {};
 struct line : seq<gap, sor<line_end, seq<must<known_command>, must<line_end>>>> {};
 
 /// What is said where a rule that has to match does not.
-template <typename>
-inline constexpr const char* message = nullptr;
-template <>
-inline constexpr const char* message<known_command> = "unknown command; help lists those that there are";
-template <>
-inline constexpr const char* message<line_end> = "unexpected text; end the line here, or begin a comment with #";
-template <>
-inline constexpr const char* message<quote_end> = "the name does not end; close it with \"";
-template <>
-inline constexpr const char* message<quoted_body> = "expected a name in double quotes";
-template <>
-inline constexpr const char* message<base> = "expected the number of a bit, as in [12] or [12+:20]";
-template <>
-inline constexpr const char* message<width> = "expected a width in bits, as in [12+:20]";
-template <>
-inline constexpr const char* message<place_end> = "expected ] at the end of the field, as in [12] or [12+:20]";
-template <>
-inline constexpr const char* message<field> = "expected a field: its name, [base+:width] or E";
-template <>
-inline constexpr const char* message<watched> = "expected a field of a pixel, as in Z2[100,20]";
-template <>
-inline constexpr const char* message<pixel_begin> = "expected a pixel of the field, as in Z2[100,20]";
-template <>
-inline constexpr const char* message<pixel_end> = "expected ] after the pixel, as in Z2[100,20]";
-template <>
-inline constexpr const char* message<column> = "expected the pixel's column, as in Z2[100,20]";
-template <>
-inline constexpr const char* message<row> = "expected the pixel's row, as in Z2[100,20]";
-template <>
-inline constexpr const char* message<comma> = "expected a comma and the pixel's row, as in 100,20";
-template <>
-inline constexpr const char* message<hexadecimal> = "expected hexadecimal digits after 0x";
-template <>
-inline constexpr const char* message<value> = "expected a number to compare with, as in 5000 or 0xff";
-template <>
-inline constexpr const char* message<clock_number> = "expected the number of a clock, as in clock 12000";
-template <>
-inline constexpr const char* message<primitive> = "expected a primitive: its index or its name";
-template <>
-inline constexpr const char* message<target> =
-    "expected where to stop: i123, clock N, primitive P, or a condition as Z2[100,20] < 5000";
-template <>
-inline constexpr const char* message<breakpoint_number> = "expected the number of a breakpoint; breakpoints lists them";
-template <>
-inline constexpr const char* message<printed> = "expected what to print: Z2[100,20], 100,20 or E";
-template <>
-inline constexpr const char* message<file> = "expected the name of a file";
+template <class Rule>
+constexpr const char* message() {
+  if (std::is_same_v<Rule, known_command>) return "unknown command; help lists those that there are";
+  if (std::is_same_v<Rule, line_end>) return "unexpected text; end the line here, or begin a comment with #";
+  if (std::is_same_v<Rule, quote_end>) return "the name does not end; close it with \"";
+  if (std::is_same_v<Rule, quoted_body>) return "expected a name in double quotes";
+  if (std::is_same_v<Rule, field>) return "expected a field: its name, [base+:width] or E";
+  if (std::is_same_v<Rule, watched>) return "expected a field of a pixel, as in Z2[100,20]";
+  if (std::is_same_v<Rule, pixel_begin>) return "expected a pixel of the field, as in Z2[100,20]";
+  if (std::is_same_v<Rule, pixel_end>) return "expected ] after the pixel, as in Z2[100,20]";
+  if (std::is_same_v<Rule, column>) return "expected the pixel's column, as in Z2[100,20]";
+  if (std::is_same_v<Rule, row>) return "expected the pixel's row, as in Z2[100,20]";
+  if (std::is_same_v<Rule, comma>) return "expected a comma and the pixel's row, as in 100,20";
+  if (std::is_same_v<Rule, value>) return "expected a number to compare with, as in 5000 or 0xff";
+  if (std::is_same_v<Rule, clock_number>) return "expected the number of a clock, as in clock 12000";
+  if (std::is_same_v<Rule, primitive>) return "expected a primitive: its index or its name";
+  if (std::is_same_v<Rule, target>)
+    return "expected where to stop: i123, clock N, primitive P, or a condition as Z2[100,20] < 5000";
+  if (std::is_same_v<Rule, breakpoint_number>) return "expected the number of a breakpoint; breakpoints lists them";
+  if (std::is_same_v<Rule, printed>) return "expected what to print: Z2[100,20], 100,20 or E";
+  if (std::is_same_v<Rule, file>) return "expected the name of a file";
+  return message_of_part<Rule>();
+}
 
 struct Messages {
   template <typename Rule>
-  static constexpr const char* message = grammar::message<Rule>;
+  static constexpr const char* message = grammar::message<Rule>();
   /// Only where it has to match; elsewhere another rule may.
   template <typename Rule>
   static constexpr bool raise_on_failure = false;

@@ -105,30 +105,7 @@ struct Reading {
 template <typename Rule>
 struct Action : tao::pegtl::nothing<Rule> {};
 
-/// An action that calls Does::read(text, reading), and puts the place before an InputError.
-template <class Does>
-struct Located {
-  template <typename ActionInput>
-  static void apply(const ActionInput& in, Reading& reading) {
-    try {
-      Does::read(in.string_view(), reading);
-    } catch (const InputError& error) {
-      throw tao::pegtl::parse_error(error.what(), in);
-    }
-  }
-};
-
-#define CSGSIM_WHEN(rule)                                                          \
-  template <>                                                                      \
-  struct Action<grammar::rule> : Located<Action<grammar::rule>> {                  \
-    static void read([[maybe_unused]] std::string_view matched, Reading& reading); \
-  };                                                                               \
-  void Action<grammar::rule>::read([[maybe_unused]] std::string_view matched, Reading& reading)
-
-CSGSIM_WHEN(count) {
-  reading.number = number_in<std::uint64_t>(matched);
-  reading.has_number = true;
-}
+CSGSIM_WHEN(count) { reading.number = number_in<std::uint64_t>(matched); }
 CSGSIM_WHEN(instruction_number) {
   reading.number = number_in<std::uint64_t>(matched);
   reading.has_number = true;
@@ -142,9 +119,9 @@ CSGSIM_WHEN(row) {
 }
 CSGSIM_WHEN(quoted_body) { reading.text = isa::unescaped(matched); }
 
-CSGSIM_WHEN(base) { reading.watched.field = {number_in<std::uint16_t>(matched), 1}; }
-CSGSIM_WHEN(width) { reading.watched.field.width = number_in<std::uint16_t>(matched); }
-CSGSIM_WHEN(place) { reading.check_place(); }
+CSGSIM_WHEN(field_base) { reading.watched.field = {number_in<std::uint16_t>(matched), 1}; }
+CSGSIM_WHEN(field_width) { reading.watched.field.width = number_in<std::uint16_t>(matched); }
+CSGSIM_WHEN(field_place) { reading.check_place(); }
 CSGSIM_WHEN(field_word) { reading.name_field(std::string(matched)); }
 CSGSIM_WHEN(field_quoted) { reading.name_field(reading.text); }
 
@@ -194,12 +171,8 @@ CSGSIM_WHEN(quit) { reading.command = Quit{}; }
 Command parse_command(std::string_view text, std::string_view name, std::size_t line, const isa::Program& program) {
   tao::pegtl::memory_input<> in(text.data(), text.data() + text.size(), std::string(name), 0, line, 1);
   Reading reading(program);
-  try {
-    tao::pegtl::parse<grammar::line, Action, grammar::Control>(in, reading);
-    return reading.command;
-  } catch (const tao::pegtl::parse_error& error) {
-    throw InputError(error.what());
-  }
+  isa::grammar::read<grammar::line, Action, grammar::Control>(in, reading);
+  return reading.command;
 }
 
 }  // namespace csgsim::debug

@@ -15,14 +15,6 @@ namespace {
 
 constexpr std::uint64_t around = 5;  ///< instructions on either side
 
-std::string origin_text(const isa::Origin& origin, const isa::Facts& facts) {
-  std::string text(isa::info(origin.purpose).name);
-  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_label(facts, origin.primitive);
-  if (origin.node != isa::no_node) text += " against " + isa::piece_label(facts, origin.node);
-  if (origin.effect != isa::no_effect) text += fmt::format(" for e{}", origin.effect);
-  return text;
-}
-
 /// Names and meanings of the origin.
 std::string served_text(const isa::Origin& origin, const isa::Program& program) {
   std::string text = fmt::format("  {}", isa::info(origin.purpose).name);
@@ -53,22 +45,23 @@ const isa::Instruction& instruction_at(engine::Place place, const isa::Program& 
 
 }  // namespace
 
+FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
+  using enum isa::FieldRole;
+  const auto named = std::ranges::find(program.facts.fields, field, &isa::NamedField::field);
+  if (named == program.facts.fields.end()) return {};
+  const bool is_colour = named->role == colour || named->role == candidate_colour || named->role == shown;
+  return {is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits,
+          named->role == depth || named->role == candidate_depth};
+}
+
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program) {
+  const FieldMeaning meaning = meaning_of(field, program);
   std::string text = fmt::format("{}", value);
   if (field.width > 4) text += fmt::format(" ({:#x})", value);
-  using enum isa::FieldRole;
-  for (const isa::NamedField& named : program.facts.fields) {
-    if (named.field != field) continue;
-    const bool is_depth = named.role == depth || named.role == candidate_depth;
-    if (is_depth && value == (std::uint64_t{1} << field.width) - 1) text += ", nothing";
-    const bool is_colour = named.role == colour || named.role == candidate_colour || named.role == shown;
-    if (is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits) {
-      const auto [red, green, blue] = isa::unpack_colour(value, field.width);
-      text += fmt::format(", #{:02x}{:02x}{:02x}", red, green, blue);
-    }
-    break;
-  }
-  return text;
+  if (meaning.is_depth && value == (std::uint64_t{1} << field.width) - 1) text += ", nothing";
+  if (!meaning.is_colour) return text;
+  const auto [red, green, blue] = isa::unpack_colour(value, field.width);
+  return text + fmt::format(", #{:02x}{:02x}{:02x}", red, green, blue);
 }
 
 std::string place_text(const engine::Run& run, const isa::Program& program) {
@@ -98,7 +91,7 @@ std::string list_text(std::uint64_t number, const isa::Program& program) {
   for (std::uint64_t i = number - std::min(number, around); i < end; ++i) {
     const isa::Instruction& one = instruction_at(numbers.place(i), program);
     text += fmt::format("{} {:<8} {:<54}  ; {}\n", i == number ? '>' : ' ', fmt::format("i{}", i),
-                        isa::text_of(one, program.facts.fields), origin_text(one.origin, program.facts));
+                        isa::text_of(one, program.facts.fields), isa::text_of(one.origin, program.facts));
   }
   return text.empty() ? "there are no instructions\n" : text;
 }

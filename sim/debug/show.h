@@ -11,6 +11,14 @@ namespace csgsim::debug {
 
 // What the debugger prints, in lines that end with one.
 
+/// How the role of a field asks for it to be shown.
+struct FieldMeaning {
+  bool is_colour = false;
+  bool is_depth = false;
+};
+
+FieldMeaning meaning_of(isa::Field field, const isa::Program& program);
+
 /// A value as its field's role asks: a colour, a depth that is nothing.
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program);
 

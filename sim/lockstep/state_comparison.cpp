@@ -1,11 +1,10 @@
 #include "sim/lockstep/state_comparison.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 
 #include "hw/isa/operands.h"
+#include "hw/isa/text.h"
 
 namespace csgsim::lockstep {
 
@@ -14,10 +13,6 @@ namespace {
 constexpr std::uint32_t word_bits = 64;
 
 std::size_t row_words(const isa::Region& region) { return (region.width + word_bits - 1) / word_bits; }
-
-std::string place_of(isa::Field field) {
-  return field.width == 1 ? fmt::format("[{}]", field.base) : fmt::format("[{}+:{}]", field.base, field.width);
-}
 
 bool bit_at(const std::vector<std::uint64_t>& words, const isa::Region& region, std::size_t pixel) {
   const std::size_t x = pixel % region.width;
@@ -38,7 +33,7 @@ StateComparison::StateComparison(const isa::Program& names, std::uint32_t memory
     while (end < memory_bits && !covered[end] && end - bit < isa::max_field_width) ++end;
     if (end == bit) continue;
     const isa::Field field{static_cast<std::uint16_t>(bit), static_cast<std::uint16_t>(end - bit)};
-    parts_.push_back({place_of(field), field});
+    parts_.push_back({isa::text_of(field), field});
     bit = end - 1;
   }
 }
@@ -53,14 +48,8 @@ std::optional<PixelDifference> StateComparison::whole(const engine::PixelState& 
 std::optional<PixelDifference> StateComparison::written(const isa::Instruction& instruction,
                                                         const engine::PixelState& a, const engine::PixelState& b) {
   std::vector<const Part*> touched;
-  for (const Part& part : parts_) {
-    for (std::size_t i = 0; i < isa::max_operands; ++i) {
-      const bool is_target = isa::operands_of(instruction.opcode)[i] == isa::OperandKind::target;
-      if (!is_target || !part.field.overlaps(instruction.fields[i])) continue;
-      touched.push_back(&part);
-      break;
-    }
-  }
+  for (const Part& part : parts_)
+    if (isa::may_write(instruction, part.field)) touched.push_back(&part);
   return compare(touched, a, b);
 }
 
