@@ -11,28 +11,13 @@
 #include <csignal>
 #include <limits>
 
+#include "hw/base/blocked_signals.h"
+
 // Whatever runs between fork and exec may call only what a signal handler may call: other threads may have held locks.
 
 namespace csgsim {
 
 namespace {
-
-/// This thread lets no signals through until the object goes.
-class BlockedSignals {
- public:
-  BlockedSignals() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~BlockedSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  BlockedSignals(const BlockedSignals&) = delete;
-  BlockedSignals& operator=(const BlockedSignals&) = delete;
-  [[nodiscard]] const sigset_t& before() const { return before_; }
-
- private:
-  sigset_t before_{};
-};
 
 /// What handles a signal in csgsim has nothing to do here; what is ignored stays so.
 void drop_handlers() {

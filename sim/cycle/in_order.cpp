@@ -1,35 +1,11 @@
 #include "sim/cycle/in_order.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "sim/cycle/segment_state.h"
 
 namespace csgsim::cycle {
-
-namespace {
-
-/// The pixels after an instruction where no observer has said that it looks.
-class Unread final : public systemc::PixelView {
- public:
-  void read_field(isa::Field /*field*/, std::uint32_t /*width*/, std::uint32_t /*height*/,
-                  std::span<std::uint32_t> /*values*/) const override {
-    refuse();
-  }
-  void read_enable(std::uint32_t /*width*/, std::uint32_t /*height*/,
-                   std::span<std::uint64_t> /*words*/) const override {
-    refuse();
-  }
-  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override { return std::make_unique<Unread>(); }
-
- private:
-  [[noreturn]] static void refuse() {
-    throw std::logic_error("an observer reads the state after an instruction without having said so");
-  }
-};
-
-}  // namespace
 
 InOrder::InOrder(const isa::Program& program, std::span<engine::Observer* const> observers)
     : program_(program), observers_(observers), held_(program.segments.size()) {}
@@ -55,13 +31,12 @@ void InOrder::after_segment(std::uint32_t segment, const systemc::PixelView& pix
 }
 
 void InOrder::tell(const engine::Step& step, const systemc::PixelView* pixels) const {
-  static const Unread unread;
-  const SegmentState state(pixels == nullptr ? unread : *pixels, program_.segments[step.segment].region);
+  const SegmentState state(pixels, program_.segments[step.segment].region);
   for (engine::Observer* observer : observers_) observer->after_instruction(step, state);
 }
 
 void InOrder::tell_end(std::uint32_t segment, const systemc::PixelView& pixels) {
-  const SegmentState state(pixels, program_.segments[segment].region);
+  const SegmentState state(&pixels, program_.segments[segment].region);
   for (engine::Observer* observer : observers_) observer->after_segment(segment, state);
   ++due_;
 }

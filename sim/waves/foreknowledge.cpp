@@ -1,7 +1,6 @@
 #include "sim/waves/foreknowledge.h"
 
 #include "hw/isa/opcodes.h"
-#include "hw/isa/operands.h"
 
 namespace csgsim::waves {
 
@@ -14,10 +13,7 @@ class Watcher final : public engine::Observer {
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
 
   void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
-    if (!isa::is_question(step.instruction.opcode)) return;
-    known_.answers.push_back(step.enabled_pixels > 0);
-    if (isa::skipped_after(step.instruction, step.enabled_pixels) > 0)
-      known_.skips.push_back({step.segment, step.index});
+    if (isa::is_question(step.instruction.opcode)) known_.answers.push_back(step.enabled_pixels > 0);
   }
 
   void after_segment(std::uint32_t segment, const engine::PixelState& state) override {
@@ -40,7 +36,7 @@ Foreknowledge foresee(const isa::Program& program, const machines::Machine& mach
   Watcher watcher(program, known);
   engine::Observer* const watchers[] = {&watcher};
   known.result = engine::make_functional_engine(machine)->run(program, watchers);
-  known.timeline = machines::timeline(program, machine, known.skips);
+  known.timeline = machines::timeline(program, machine, known.result.skips);
   return known;
 }
 

@@ -15,8 +15,7 @@ namespace csgsim::waves {
 /// What a run at the functional level tells before a wave is recorded.
 struct Foreknowledge {
   engine::RunResult result;
-  std::vector<bool> answers;  ///< to each question that is asked, in order: is any pixel enabled?
-  std::vector<machines::Skip> skips;
+  std::vector<bool> answers;           ///< to each question that is asked, in order: is any pixel enabled?
   std::vector<std::uint32_t> picture;  ///< of a Program of one segment with colours: its pixels', in row order
   machines::Timeline timeline;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -21,13 +22,8 @@ constexpr unsigned row_height = 23;
 
 /// GTKWave's flags for the way a signal is shown.
 std::string_view flags_of(wave::Show show) {
-  switch (show) {
-    case wave::Show::bits: return "@28\n";
-    case wave::Show::number: return "@24\n";
-    case wave::Show::hexadecimal: return "@22\n";
-    case wave::Show::text: return "@820\n";
-  }
-  return "";
+  constexpr auto flags = std::to_array<std::string_view>({"@28\n", "@24\n", "@22\n", "@820\n"});
+  return flags.at(static_cast<std::size_t>(show));
 }
 
 /// Picoseconds a clock, rounded as SystemC does.

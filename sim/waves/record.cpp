@@ -22,7 +22,7 @@ namespace {
 systemc::Foretold foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
   systemc::Foretold foretold{.pixels = {},
                              .answers = known.answers,
-                             .skips = known.skips,
+                             .skips = known.result.skips,
                              .timeline = &known.timeline,
                              .picture = known.picture};
   const isa::Region& region = program.segments.front().region;

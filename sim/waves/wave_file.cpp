@@ -1,7 +1,6 @@
 #include "sim/waves/wave_file.h"
 
 #include <fmt/format.h>
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask is POSIX
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
 
 #include <array>
@@ -13,6 +12,7 @@
 #include <string>
 #include <system_error>
 
+#include "hw/base/blocked_signals.h"
 #include "hw/base/child_process.h"
 #include "hw/base/error.h"
 
@@ -48,22 +48,6 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Signals wait for the end of what is done while it lives, so that they leave no temporary folder behind.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
-  }
-  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_{};
-};
-
 }  // namespace
 
 WaveFile::WaveFile(OutputFile& file, bool is_fst) : file_(file) {
@@ -81,7 +65,7 @@ void WaveFile::write(std::string_view text) {
 void WaveFile::finish() {
   if (!dump_) return;
   dump_->rewind();
-  const SignalsHeld held;
+  const BlockedSignals held;  // so that they leave no temporary folder behind
   const TemporaryFolder folder(file_.asked());
   const std::string made = (folder.path() / "wave.fst").native();
   const std::array<std::string, 3> words{"vcd2fst", "-", made};

@@ -159,21 +159,6 @@ isa::Field field_named(std::string_view what, const isa::Program& program) {
   return program.facts.fields[index_of("field", what, names)].field;
 }
 
-std::uint64_t value_of(const array::PixelArray& pixels, isa::Field field) {
-  std::uint64_t value = 0;
-  for (unsigned bit = 0; bit < field.width; ++bit)
-    value |= static_cast<std::uint64_t>(pixels.memory_bit(field.base + bit, 0, 0)) << bit;
-  return value;
-}
-
-bool may_write(const isa::Instruction& instruction, isa::Field field) {
-  const isa::Operands& operands = isa::operands_of(instruction.opcode);
-  for (std::size_t i = 0; i < isa::max_operands; ++i) {
-    if (operands[i] == isa::OperandKind::target && instruction.fields[i].overlaps(field)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 WindowRequest parse_window(std::string_view text) {
@@ -225,9 +210,9 @@ LastWrite last_write(std::string_view what, const isa::Program& program, const m
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
       if (is_here) {
-        const std::uint64_t before = value_of(replay.pixels(), field);
+        const std::uint64_t before = replay.pixels().value(field, 0, 0);
         replay.execute(instruction);
-        if (may_write(instruction, field) && value_of(replay.pixels(), field) != before) {
+        if (isa::may_write(instruction, field) && replay.pixels().value(field, 0, 0) != before) {
           is_found = true;
           last.segment = s;
           last.index = i;
