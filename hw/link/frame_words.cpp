@@ -1,18 +1,8 @@
 #include "hw/link/frame_words.h"
 
-#include <fmt/format.h>
-
 #include <limits>
 
 #include "hw/isa/wire.h"
-
-namespace csgsim::isa {
-
-std::ostream& operator<<(std::ostream& stream, const LinkWord& word) {
-  return stream << fmt::format("{:016x}{:016x}{:016x}{:016x}", word.bits[3], word.bits[2], word.bits[1], word.bits[0]);
-}
-
-}  // namespace csgsim::isa
 
 namespace csgsim::link {
 

@@ -1,16 +1,12 @@
 #include "hw/link/link_source.h"
 
+#include <array>
 #include <utility>
 
 namespace csgsim::link {
 
 LinkSource::LinkSource(sc_core::sc_module_name name, const machines::Link& link)
-    : sc_core::sc_module(name), link_(link) {
-  SC_HAS_PROCESS(LinkSource);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+    : systemc::ClockedModule(name), link_(link) {}
 
 void LinkSource::load(FrameWords frame) {
   frame_ = std::move(frame);
@@ -25,14 +21,8 @@ void LinkSource::resume(FrameWords frame, std::size_t word, std::uint32_t clocks
 }
 
 std::string_view LinkSource::state() const {
-  switch (state_) {
-    case State::waiting: return "waiting";
-    case State::latent: return "latent";
-    case State::sending: return "sending";
-    case State::blocked: return "blocked";
-    case State::done: return "done";
-  }
-  return "";
+  constexpr auto names = std::to_array<std::string_view>({"waiting", "latent", "sending", "blocked", "done"});
+  return names.at(static_cast<std::size_t>(state_));
 }
 
 std::optional<std::size_t> LinkSource::word() const {

@@ -10,6 +10,7 @@
 #include "hw/link/frame_words.h"
 #include "hw/machines/link_timing.h"
 #include "hw/machines/machine.h"
+#include "hw/systemc/clocked_module.h"
 
 namespace csgsim::link {
 
@@ -18,9 +19,8 @@ namespace csgsim::link {
 /// edge at which the request has come. A word is on the link for Link::word_clocks clocks and goes into the FIFO at the
 /// end of the last, or at the first edge after that which finds room; then the next word follows. A request that comes
 /// while words are sent ends that: the word on the link is lost.
-class LinkSource final : public sc_core::sc_module {
+class LinkSource final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<std::uint64_t> requests{"requests"};  ///< a place for one
   sc_core::sc_fifo_out<isa::LinkWord> words{"words"};       ///< Link::fifo_depth places
 
@@ -43,7 +43,7 @@ class LinkSource final : public sc_core::sc_module {
  private:
   enum class State : std::uint8_t { waiting, latent, sending, blocked, done };
 
-  void on_clock();
+  void on_clock() override;
   void count();
   void go_on_from(std::uint64_t instruction);
   void go_on();

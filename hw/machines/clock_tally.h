@@ -3,7 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "hw/machines/accounts.h"
 
 namespace csgsim::machines {
 
@@ -25,5 +31,16 @@ struct ClockTally {
 
   constexpr bool operator==(const ClockTally&) const = default;
 };
+
+/// As it is told of that part: these activities, or all if none is named.
+template <class Activity, std::size_t activities>
+PartAccount part_of(std::string part, const ClockTally<Activity, activities>& tally,
+                    const std::array<std::string_view, activities>& names, std::initializer_list<Activity> told = {}) {
+  PartAccount account{std::move(part), {}};
+  const auto tell = [&](std::size_t i) { account.clocks.push_back({names.at(i), tally.clocks.at(i)}); };
+  for (const Activity activity : told) tell(static_cast<std::size_t>(activity));
+  for (std::size_t i = 0; told.size() == 0 && i < activities; ++i) tell(i);
+  return account;
+}
 
 }  // namespace csgsim::machines

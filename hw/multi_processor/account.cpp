@@ -1,29 +1,19 @@
 #include "hw/multi_processor/account.h"
 
 #include <algorithm>
-#include <numeric>
-#include <span>
 #include <string>
 
 namespace csgsim::multi_processor {
 
 namespace {
 
-machines::PartAccount part(std::string name, std::span<const std::uint64_t> clocks,
-                           std::span<const std::string_view> names) {
-  machines::PartAccount told{std::move(name), {}};
-  for (std::size_t i = 0; i < clocks.size(); ++i) told.clocks.push_back({names[i], clocks[i]});
-  return told;
-}
-
-std::uint64_t whole(const NodeClocks& node) { return std::accumulate(node.begin(), node.end(), std::uint64_t{0}); }
-std::uint64_t working(const NodeClocks& node) { return whole(node) - node.at(std::size_t(NodeActivity::waiting)); }
+std::uint64_t working(const NodeClocks& node) { return node.total() - node.of(NodeActivity::waiting); }
 
 machines::Share mean_share(const FrameAccount& counted) {
   machines::Share share{.name = "node_utilisation"};
   for (const NodeClocks& node : counted.nodes) {
     share.part += working(node);
-    share.whole += whole(node);
+    share.whole += node.total();
   }
   return share;
 }
@@ -33,7 +23,7 @@ machines::Share busiest_share(const FrameAccount& counted) {
   machines::Share share{.name = "busiest_node_utilisation"};
   for (const NodeClocks& node : counted.nodes) {
     share.part = std::max(share.part, working(node));
-    share.whole = whole(node);
+    share.whole = node.total();
   }
   return share;
 }
@@ -65,11 +55,11 @@ machines::Account account(const FrameAccount& counted, const isa::ArrayShape& no
                                     {"rendering_clocks", stages.rendering},
                                     {"barrier_clocks", stages.barriers}},
                          .shares = {mean_share(counted), busiest_share(counted)},
-                         .parts = {part("display processor", counted.display, display_activity_names),
-                                   part("control bus", counted.bus, bus_activity_names)}};
+                         .parts = {machines::part_of("display processor", counted.display, display_activity_names),
+                                   machines::part_of("control bus", counted.bus, bus_activity_names)}};
   for (std::size_t i = 0; i < counted.nodes.size(); ++i) {
     const std::string name = "node " + std::to_string(i / nodes.width) + "," + std::to_string(i % nodes.width);
-    told.parts.push_back(part(name, counted.nodes[i], node_activity_names));
+    told.parts.push_back(machines::part_of(name, counted.nodes[i], node_activity_names));
   }
   return told;
 }

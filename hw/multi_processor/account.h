@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/machines/accounts.h"
+#include "hw/machines/clock_tally.h"
 #include "hw/machines/machine.h"
 
 namespace csgsim::multi_processor {
@@ -22,23 +23,14 @@ inline constexpr auto bus_activity_names = std::to_array<std::string_view>({"bus
 inline constexpr auto node_activity_names =
     std::to_array<std::string_view>({"receiving", "pruning", "sharing", "rendering", "waiting"});
 
-constexpr std::string_view name_of(DisplayActivity activity) {
-  return display_activity_names[static_cast<std::size_t>(activity)];
-}
-constexpr std::string_view name_of(BusActivity activity) {
-  return bus_activity_names[static_cast<std::size_t>(activity)];
-}
-constexpr std::string_view name_of(NodeActivity activity) {
-  return node_activity_names[static_cast<std::size_t>(activity)];
-}
+constexpr std::string_view name_of(DisplayActivity one) { return display_activity_names[std::size_t(one)]; }
+constexpr std::string_view name_of(BusActivity one) { return bus_activity_names[std::size_t(one)]; }
+constexpr std::string_view name_of(NodeActivity one) { return node_activity_names[std::size_t(one)]; }
 
 /// Clocks by activity.
-template <std::size_t activities>
-using Clocks = std::array<std::uint64_t, activities>;
-
-using DisplayClocks = Clocks<display_activity_names.size()>;
-using BusClocks = Clocks<bus_activity_names.size()>;
-using NodeClocks = Clocks<node_activity_names.size()>;
+using DisplayClocks = machines::ClockTally<DisplayActivity, display_activity_names.size()>;
+using BusClocks = machines::ClockTally<BusActivity, bus_activity_names.size()>;
+using NodeClocks = machines::ClockTally<NodeActivity, node_activity_names.size()>;
 
 /// Clocks of the frame by its stages, which come one after the other unless the display processor divides ahead.
 struct StageClocks {

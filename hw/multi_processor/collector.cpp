@@ -14,10 +14,12 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// A subsegment put together of what the nodes hold.
+using Memories = std::vector<std::shared_ptr<const PixelMemory>>;
+
+/// A subsegment put together of what the nodes hold; a copy of it has the pixels to itself.
 class MergedView final : public systemc::PixelView {
  public:
-  MergedView(const isa::Region& region, const isa::ArrayShape& nodes, std::vector<const PixelMemory*> memories)
+  MergedView(const isa::Region& region, const isa::ArrayShape& nodes, Memories memories)
       : region_(region), nodes_(nodes), memories_(std::move(memories)) {}
 
   void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
@@ -43,7 +45,11 @@ class MergedView final : public systemc::PixelView {
     }
   }
 
-  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override;
+  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override {
+    Memories own = memories_;
+    for (std::shared_ptr<const PixelMemory>& memory : own) memory = std::make_shared<const PixelMemory>(*memory);
+    return std::make_unique<MergedView>(region_, nodes_, std::move(own));
+  }
 
  private:
   struct Place {
@@ -54,7 +60,7 @@ class MergedView final : public systemc::PixelView {
   [[nodiscard]] Place place_of(std::uint32_t x, std::uint32_t y) const {
     const std::uint32_t row = (region_.y + y) % nodes_.height;
     const std::uint32_t column = (region_.x + x) % nodes_.width;
-    const PixelMemory* const memory = memories_[std::size_t{row} * nodes_.width + column];
+    const PixelMemory* const memory = memories_[std::size_t{row} * nodes_.width + column].get();
     const NodePixels pixels = pixels_of(region_, nodes_, row, column);
     if (memory->pixels() < pixels.count()) throw std::logic_error("pixels are looked at that were not to be kept");
     return {memory, std::size_t{y / nodes_.height} * pixels.columns + x / nodes_.width};
@@ -62,54 +68,19 @@ class MergedView final : public systemc::PixelView {
 
   isa::Region region_;
   isa::ArrayShape nodes_;
-  std::vector<const PixelMemory*> memories_;
+  Memories memories_;
 };
-
-/// One that has the pixels to itself.
-class OwnedView final : public systemc::PixelView {
- public:
-  OwnedView(const isa::Region& region, const isa::ArrayShape& nodes, std::vector<PixelMemory> memories)
-      : region_(region), nodes_(nodes), memories_(std::move(memories)) {}
-
-  void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
-                  std::span<std::uint32_t> values) const override {
-    view().read_field(field, width, height, values);
-  }
-  void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override {
-    view().read_enable(width, height, words);
-  }
-  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override { return std::make_unique<OwnedView>(*this); }
-
- private:
-  [[nodiscard]] MergedView view() const {
-    std::vector<const PixelMemory*> memories;
-    memories.reserve(memories_.size());
-    for (const PixelMemory& memory : memories_) memories.push_back(&memory);
-    return {region_, nodes_, std::move(memories)};
-  }
-
-  isa::Region region_;
-  isa::ArrayShape nodes_;
-  std::vector<PixelMemory> memories_;
-};
-
-std::unique_ptr<const systemc::PixelView> MergedView::copy() const {
-  std::vector<PixelMemory> memories;
-  memories.reserve(memories_.size());
-  for (const PixelMemory* const memory : memories_) memories.push_back(*memory);
-  return std::make_unique<OwnedView>(region_, nodes_, std::move(memories));
-}
 
 MergedView view_of(const isa::Region& region, const isa::ArrayShape& nodes, std::span<const NodeState> states) {
-  std::vector<const PixelMemory*> memories;
+  Memories memories;
   memories.reserve(states.size());
-  for (const NodeState& state : states) memories.push_back(&state.pixels);
+  for (const NodeState& state : states) memories.emplace_back(std::shared_ptr<void>(), &state.pixels);
   return {region, nodes, std::move(memories)};
 }
 
 }  // namespace
 
-Collector::Collector(sc_core::sc_module_name name, const machines::Machine& machine, const SubsegmentNames& names)
+Collector::Collector(sc_core::sc_module_name name, const machines::Machine& machine, const systemc::SegmentNames& names)
     : sc_core::sc_module(name),
       nodes_(machine.array),
       names_(names),
@@ -117,7 +88,7 @@ Collector::Collector(sc_core::sc_module_name name, const machines::Machine& mach
       ends_(told_.size()) {}
 
 systemc::Keep Collector::keeps_after(const isa::Region& region, std::uint32_t index) {
-  return retirement->keeps_after(names_.number_of(region), index);
+  return retirement->keeps_after(names_.segment_of(region), index);
 }
 
 void Collector::after_instruction(std::uint32_t node, NodeState state) {
@@ -136,7 +107,7 @@ void Collector::after_subsegment(std::uint32_t node, const isa::Region& region, 
 }
 
 void Collector::tell(const isa::Region& region) {
-  const std::uint32_t segment = names_.number_of(region);
+  const std::uint32_t segment = names_.segment_of(region);
   for (std::uint32_t index = 0; index < steps_.size(); ++index) {
     systemc::Retired retired{.segment = segment, .index = index};
     for (const NodeState& state : steps_[index]) {
@@ -153,7 +124,7 @@ void Collector::after_clear(const isa::Region& segment) {
   if (++ended_ < told_.size()) return;
   ended_ = 0;
   for (const isa::Region& part : parts_of(segment, nodes_.width, nodes_.height)) {
-    retirement->after_segment(names_.number_of(part), systemc::ClearView());
+    retirement->after_segment(names_.segment_of(part), systemc::ClearView());
   }
 }
 

@@ -7,8 +7,8 @@
 
 #include "hw/machines/machine.h"
 #include "hw/multi_processor/node_state.h"
-#include "hw/multi_processor/subsegment_names.h"
 #include "hw/systemc/retirement.h"
+#include "hw/systemc/segment_names.h"
 
 namespace csgsim::multi_processor {
 
@@ -29,7 +29,7 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
  public:
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
-  Collector(sc_core::sc_module_name name, const machines::Machine& machine, const SubsegmentNames& names);
+  Collector(sc_core::sc_module_name name, const machines::Machine& machine, const systemc::SegmentNames& names);
 
   [[nodiscard]] systemc::Keep keeps_after(const isa::Region& region, std::uint32_t index) override;
   void after_instruction(std::uint32_t node, NodeState state) override;
@@ -40,7 +40,7 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
   void tell(const isa::Region& region);
 
   const isa::ArrayShape nodes_;
-  const SubsegmentNames& names_;
+  const systemc::SegmentNames& names_;
   std::vector<std::vector<NodeState>> steps_;  ///< by instruction, by node
   std::vector<std::uint32_t> told_;            ///< instructions, by node
   std::vector<NodeState> ends_;                ///< by node

@@ -27,42 +27,24 @@ void DisplayProcessor::begin() {
   memory_.clear();
   divider_.reset();
   first_word_ = words_;
-  model_words_ = 0;
-  segments_drawn_ = 0;
-  active_segments_ = 0;
-  box_tests_ = 0;
-  halfspace_tests_ = 0;
-  cell_tests_ = 0;
-  sent_primitives_ = 0;
-  sent_halfspaces_ = 0;
   segment_ = {};
-  stages_ = {};
+  counted_ = {};
   stays_.begin(DisplayActivity::receiving, time_.now());
   start_.notify(sc_core::SC_ZERO_TIME);
 }
 
-void DisplayProcessor::tell(FrameAccount& counted) const {
-  counted.segment_count = segments_drawn_;
-  counted.active_segments = active_segments_;
-  counted.first_box_tests = box_tests_;
-  counted.first_halfspace_tests = halfspace_tests_;
-  counted.first_cell_tests = cell_tests_;
-  counted.model_words = model_words_;
-  counted.broadcast_primitives = sent_primitives_;
-  counted.broadcast_halfspaces = sent_halfspaces_;
+FrameAccount DisplayProcessor::counted() const {
+  FrameAccount counted = counted_;
   counted.broadcast_words = words_ - first_word_;
-  counted.stages.reception = stages_.reception;
-  counted.stages.transformation = stages_.transformation;
-  counted.stages.first_pruning = stages_.first_pruning;
-  counted.stages.broadcasting = stages_.broadcasting;
-  counted.display = account();
+  counted.display = stays_.clocks(time_.now());
+  return counted;
 }
 
 /// The length, then the bytes.
 void DisplayProcessor::on_host_word() {
   constexpr unsigned byte_bits = 8;
   const isa::LinkWord& word = host.read().word;
-  ++model_words_;
+  ++counted_.model_words;
   for (unsigned i = 0; i < figures_.host.width; ++i, ++bits_taken_) {
     if (bits_taken_ < length_bits) {
       model_bytes_ |= word.number(i, 1) << bits_taken_;
@@ -99,7 +81,7 @@ void DisplayProcessor::receive_model() {
   const std::uint64_t begun = time_.now();
   wait(model_received_);
   divider_.emplace(division::display_model_of(memory_));
-  stages_.reception = time_.now() - begun;
+  counted_.stages.reception = time_.now() - begun;
   stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 
@@ -108,7 +90,8 @@ void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
   stays_.change(activity, begun);
   if (clocks > 0) wait(time_.of(clocks));
   stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
-  (activity == DisplayActivity::dividing ? stages_.first_pruning : stages_.transformation) += time_.now() - begun;
+  (activity == DisplayActivity::dividing ? counted_.stages.first_pruning : counted_.stages.transformation) +=
+      time_.now() - begun;
 }
 
 void DisplayProcessor::draw_segment(const isa::Region& segment) {
@@ -121,8 +104,8 @@ void DisplayProcessor::draw_segment(const isa::Region& segment) {
   const bool is_active = !left.primitives.empty() || is_picture;
   wait_for_nodes();
   broadcast(segment, left, is_active);
-  ++segments_drawn_;
-  if (is_active) ++active_segments_;
+  ++counted_.segment_count;
+  if (is_active) ++counted_.active_segments;
   barriers_ += is_active ? 1 + parts : 1;
 }
 
@@ -130,9 +113,9 @@ division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
   segment_ = segment;
   division::Counts counts;
   division::Candidates left = divider_->survivors(segment, counts);
-  box_tests_ += counts.boxes;
-  halfspace_tests_ += counts.halfspaces;
-  cell_tests_ += counts.cells;
+  counted_.first_box_tests += counts.boxes;
+  counted_.first_halfspace_tests += counts.halfspaces;
+  counted_.first_cell_tests += counts.cells;
   spend(DisplayActivity::dividing, clocks_of(counts, figures_.display_tests));
   return left;
 }
@@ -149,14 +132,14 @@ void DisplayProcessor::broadcast(const isa::Region& segment, const division::Can
   if (is_active) send(segment_records(divider_->model(), left), WordKind::segment, false);
   send(isa::SegmentEnd{}, true);
   end_broadcast();
-  sent_primitives_ += left.primitives.size();
-  sent_halfspaces_ += left.entries() - left.primitives.size();
+  counted_.broadcast_primitives += left.primitives.size();
+  counted_.broadcast_halfspaces += left.entries() - left.primitives.size();
 }
 
 void DisplayProcessor::begin_broadcast() { stays_.change(DisplayActivity::broadcasting, time_.now()); }
 
 void DisplayProcessor::end_broadcast() {
-  stages_.broadcasting += stays_.since(time_.now());
+  counted_.stages.broadcasting += stays_.since(time_.now());
   stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 

@@ -33,9 +33,8 @@ class DisplayProcessor final : public sc_core::sc_module {
   /// Draws a frame of the model that comes from the host from the next delta on.
   void begin();
 
-  [[nodiscard]] DisplayClocks account() const { return stays_.clocks(time_.now()); }
-  /// Adds what it has done.
-  void tell(FrameAccount& counted) const;
+  /// What it has done, and its stages.
+  [[nodiscard]] FrameAccount counted() const;
 
   /// For waves.
   [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
@@ -74,15 +73,7 @@ class DisplayProcessor final : public sc_core::sc_module {
   sc_core::sc_event model_received_{"model_received"};
 
   std::uint64_t first_word_ = 0;  ///< sent before the frame
-  std::uint64_t model_words_ = 0;
-  std::uint64_t segments_drawn_ = 0;
-  std::uint64_t active_segments_ = 0;
-  std::uint64_t box_tests_ = 0;
-  std::uint64_t halfspace_tests_ = 0;
-  std::uint64_t cell_tests_ = 0;
-  std::uint64_t sent_primitives_ = 0;
-  std::uint64_t sent_halfspaces_ = 0;
-  StageClocks stages_;
+  FrameAccount counted_;
   Stays<DisplayActivity, display_activity_names.size()> stays_;
 };
 

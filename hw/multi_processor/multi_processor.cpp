@@ -106,9 +106,8 @@ void MultiProcessor::begin(const isa::Program& program, systemc::RunListener& li
 }
 
 FrameAccount MultiProcessor::counted() const {
-  FrameAccount counted;
-  counted.stages = watch_.stages();
-  display_.tell(counted);
+  FrameAccount counted = display_.counted();
+  watch_.tell(counted.stages);
   counted.bus = bus_.account();
   std::for_each(nodes_.begin(), nodes_.end(), [&](const Node& node) { node.tell(counted); });
   return counted;

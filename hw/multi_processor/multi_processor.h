@@ -15,9 +15,9 @@
 #include "hw/multi_processor/model_host.h"
 #include "hw/multi_processor/node.h"
 #include "hw/multi_processor/stage_watch.h"
-#include "hw/multi_processor/subsegment_names.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
+#include "hw/systemc/segment_names.h"
 
 namespace csgsim::multi_processor {
 
@@ -52,7 +52,7 @@ class MultiProcessor final : public sc_core::sc_module, public systemc::ClockedM
   sc_core::sc_signal<std::uint64_t> released_{"released"};
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
-  SubsegmentNames names_;
+  systemc::SegmentNames names_;
   ModelHost host_;
   DisplayProcessor display_;
   ControlBus bus_;

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/instruction.h"
+#include "hw/systemc/field_bits.h"
 
 namespace csgsim::multi_processor {
 
@@ -15,7 +17,7 @@ class PixelMemory {
   PixelMemory() = default;
   /// All 0.
   PixelMemory(std::uint64_t pixels, std::uint32_t memory_bits)
-      : pixel_words_(quotient_up(memory_bits, word_bits)), memory_(pixels * pixel_words_), enable_(pixels) {}
+      : pixel_words_(quotient_up(memory_bits, 64U)), memory_(pixels * pixel_words_), enable_(pixels) {}
 
   [[nodiscard]] std::size_t pixels() const { return enable_.size(); }
 
@@ -24,12 +26,7 @@ class PixelMemory {
 
   /// 0 for a field without bits.
   [[nodiscard]] std::uint64_t read(std::size_t pixel, isa::Field field) const {
-    if (field.width == 0) return 0;
-    const std::size_t word = pixel * pixel_words_ + field.base / word_bits;
-    const unsigned shift = field.base % word_bits;
-    std::uint64_t value = memory_[word] >> shift;
-    if (shift + field.width > word_bits) value |= memory_[word + 1] << (word_bits - shift);
-    return value & mask(field);
+    return systemc::read_field(std::span(memory_).subspan(pixel * pixel_words_, pixel_words_), field);
   }
 
   /// One of them.
@@ -52,20 +49,10 @@ class PixelMemory {
 
   /// The low bits of the value.
   void write(std::size_t pixel, isa::Field field, std::uint64_t value) {
-    const std::size_t word = pixel * pixel_words_ + field.base / word_bits;
-    const unsigned shift = field.base % word_bits;
-    const std::uint64_t bits = value & mask(field);
-    memory_[word] = (memory_[word] & ~(mask(field) << shift)) | bits << shift;
-    if (shift + field.width <= word_bits) return;
-    const unsigned below = word_bits - shift;
-    memory_[word + 1] = (memory_[word + 1] & ~(mask(field) >> below)) | bits >> below;
+    systemc::write_field(std::span(memory_).subspan(pixel * pixel_words_, pixel_words_), field, value);
   }
 
  private:
-  static constexpr unsigned word_bits = 64;  ///< of the simulation
-
-  static std::uint64_t mask(isa::Field field) { return (std::uint64_t{1} << field.width) - 1; }
-
   std::size_t pixel_words_ = 0;
   std::vector<std::uint64_t> memory_;
   std::vector<std::uint8_t> enable_;

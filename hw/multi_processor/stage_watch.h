@@ -21,8 +21,13 @@ class StageWatch final : public sc_core::sc_module {
 
   void begin() { stages_ = {}; }
 
-  /// Of the second pruning, sharing, rendering and barriers; the others are the display processor's.
-  [[nodiscard]] const StageClocks& stages() const { return stages_; }
+  /// Tells of the second pruning, sharing, rendering and barriers; the others are the display processor's.
+  void tell(StageClocks& stages) const {
+    stages.second_pruning = stages_.second_pruning;
+    stages.sharing = stages_.sharing;
+    stages.rendering = stages_.rendering;
+    stages.barriers = stages_.barriers;
+  }
 
  private:
   void on_word();

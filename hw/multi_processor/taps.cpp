@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "hw/isa/instruction_numbers.h"
@@ -24,13 +25,8 @@ std::string place_of(const isa::Region& region) {
 }
 
 std::string_view kind_of(const BusLines& lines) {
-  if (lines.number == 0) return "";
-  switch (lines.sent.kind) {
-    case WordKind::command: return "command";
-    case WordKind::frame: return "frame";
-    case WordKind::segment: return "segment";
-  }
-  return "";
+  constexpr auto names = std::to_array<std::string_view>({"command", "frame", "segment"});
+  return lines.number == 0 ? "" : names.at(static_cast<std::size_t>(lines.sent.kind));
 }
 
 /// What becomes of a pixel while its node renders.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <systemc>
 
+#include "hw/machines/clock_tally.h"
 #include "hw/machines/machine.h"
 #include "hw/systemc/kernel.h"
 
@@ -39,7 +39,7 @@ class Stays {
 
   /// Does something else from the clock `now` on, which is not before the last change.
   void change(Activity next, std::uint64_t now) {
-    clocks_.at(static_cast<std::size_t>(activity_)) += now - since_;
+    clocks_.add(activity_, now - since_);
     activity_ = next;
     since_ = now;
   }
@@ -50,14 +50,14 @@ class Stays {
   [[nodiscard]] std::uint64_t since(std::uint64_t now) const { return now - since_; }
 
   /// Until `now`.
-  [[nodiscard]] std::array<std::uint64_t, activities> clocks(std::uint64_t now) const {
-    std::array<std::uint64_t, activities> all = clocks_;
-    all.at(static_cast<std::size_t>(activity_)) += now - since_;
+  [[nodiscard]] machines::ClockTally<Activity, activities> clocks(std::uint64_t now) const {
+    machines::ClockTally<Activity, activities> all = clocks_;
+    all.add(activity_, now - since_);
     return all;
   }
 
  private:
-  std::array<std::uint64_t, activities> clocks_{};
+  machines::ClockTally<Activity, activities> clocks_;
   Activity activity_{};
   std::uint64_t since_ = 0;
 };

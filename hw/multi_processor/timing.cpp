@@ -24,12 +24,6 @@ std::uint64_t division_clocks(const isa::Segment& part, const TestClocks& each) 
          counts.nodes * each.tree_node + part.instructions.size() * each.instruction;
 }
 
-std::uint64_t& at(NodeClocks& clocks, NodeActivity activity) { return clocks.at(static_cast<std::size_t>(activity)); }
-std::uint64_t& at(BusClocks& clocks, BusActivity activity) { return clocks.at(static_cast<std::size_t>(activity)); }
-std::uint64_t& at(DisplayClocks& clocks, DisplayActivity activity) {
-  return clocks.at(static_cast<std::size_t>(activity));
-}
-
 /// A frame, stage after stage.
 class FrameModel {
  public:
@@ -113,7 +107,7 @@ class FrameModel {
 
   void broadcast(std::uint64_t words) {
     counted_.broadcast_words += words;
-    for (NodeClocks& node : counted_.nodes) at(node, NodeActivity::receiving) += words * machine_.link.word_clocks;
+    for (NodeClocks& node : counted_.nodes) node.add(NodeActivity::receiving, words * machine_.link.word_clocks);
     const std::uint64_t clocks = message(words);
     counted_.stages.broadcasting += clocks;
     display_free_ = std::max(display_free_, nodes_free_) + clocks;
@@ -121,8 +115,8 @@ class FrameModel {
 
   /// Clocks of the bus.
   std::uint64_t message(std::uint64_t words) {
-    at(counted_.bus, BusActivity::busy) += words * machine_.link.word_clocks;
-    at(counted_.bus, BusActivity::granting) += machine_.link.latency;
+    counted_.bus.add(BusActivity::busy, words * machine_.link.word_clocks);
+    counted_.bus.add(BusActivity::granting, machine_.link.latency);
     return machine_.link.latency + words * machine_.link.word_clocks;
   }
 
@@ -135,7 +129,7 @@ class FrameModel {
       counted_.second_halfspace_tests += counts.halfspaces;
       counted_.second_cell_tests += counts.cells;
       counted_.second_tree_nodes += counts.nodes;
-      at(counted_.nodes[i], NodeActivity::pruning) += clocks;
+      counted_.nodes[i].add(NodeActivity::pruning, clocks);
       slowest = std::max(slowest, clocks);
     }
     counted_.stages.second_pruning += slowest;
@@ -154,7 +148,7 @@ class FrameModel {
       counted_.shared_words += words;
       clocks += message(words);
     }
-    for (NodeClocks& node : counted_.nodes) at(node, NodeActivity::sharing) += clocks;
+    for (NodeClocks& node : counted_.nodes) node.add(NodeActivity::sharing, clocks);
     counted_.stages.sharing += clocks;
     return clocks;
   }
@@ -164,7 +158,7 @@ class FrameModel {
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
       const NodePixels own = pixels_of(region, machine_.array, i / machine_.array.width, i % machine_.array.width);
       const std::uint64_t clocks = rendering_clocks(list, own, colour_, machine_);
-      at(counted_.nodes[i], NodeActivity::rendering) += clocks;
+      counted_.nodes[i].add(NodeActivity::rendering, clocks);
       slowest = std::max(slowest, clocks);
     }
     counted_.stages.rendering += slowest;
@@ -198,15 +192,11 @@ class FrameModel {
   }
 
   FrameAccount complete() {
-    const auto rest = [this](auto& clocks, auto waiting) {
-      std::uint64_t spent = 0;
-      for (const std::uint64_t one : clocks) spent += one;
-      at(clocks, waiting) += nodes_free_ - spent;
-    };
-    at(counted_.display, DisplayActivity::receiving) = counted_.stages.reception;
-    at(counted_.display, DisplayActivity::transforming) = counted_.stages.transformation;
-    at(counted_.display, DisplayActivity::dividing) = counted_.stages.first_pruning;
-    at(counted_.display, DisplayActivity::broadcasting) = counted_.stages.broadcasting;
+    const auto rest = [this](auto& clocks, auto waiting) { clocks.add(waiting, nodes_free_ - clocks.total()); };
+    counted_.display.add(DisplayActivity::receiving, counted_.stages.reception);
+    counted_.display.add(DisplayActivity::transforming, counted_.stages.transformation);
+    counted_.display.add(DisplayActivity::dividing, counted_.stages.first_pruning);
+    counted_.display.add(DisplayActivity::broadcasting, counted_.stages.broadcasting);
     rest(counted_.display, DisplayActivity::waiting_for_nodes);
     rest(counted_.bus, BusActivity::idle);
     for (NodeClocks& node : counted_.nodes) rest(node, NodeActivity::waiting);

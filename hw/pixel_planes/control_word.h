@@ -8,6 +8,7 @@
 #include "hw/array/linear_evaluator.h"
 #include "hw/array/sequencer.h"
 #include "hw/isa/program.h"
+#include "hw/systemc/wire.h"
 
 /// What travels on the wires between the modules, one value a clock.
 namespace csgsim::pixel_planes {
@@ -47,12 +48,12 @@ struct RefreshStep {
 
 /// Controller, through a delay line, to the pixels.
 struct ControlWord {
-  array::ArrayStep step;
+  array::ArrayStep step{};
   bool steps = false;   ///< `step` is one of an instruction of the host's
   bool clears = false;  ///< the pixels obey `clear` and not `step`
-  ClearStep clear;
+  ClearStep clear{};
   bool refreshes = false;  ///< the scan-out latches the bit that `refresh` names; the pixels do nothing
-  RefreshStep refresh;
+  RefreshStep refresh{};
   bool last = false;          ///< word of its command
   std::uint64_t ordinal = 0;  ///< of the instruction within the frame, those skipped included
 
@@ -81,17 +82,12 @@ struct Account {
   std::uint64_t skipped = 0;  ///< instructions after it that are not carried out
 };
 
-std::ostream& operator<<(std::ostream& stream, const RootWord& word);
-std::ostream& operator<<(std::ostream& stream, const TreeWord& word);
-std::ostream& operator<<(std::ostream& stream, const ControlWord& word);
-std::ostream& operator<<(std::ostream& stream, const Answer& answer);
-std::ostream& operator<<(std::ostream& stream, const RefreshStep& step);
-std::ostream& operator<<(std::ostream& stream, const FinishedPicture& picture);
-std::ostream& operator<<(std::ostream& stream, const Account& account);
-
-void sc_trace(sc_core::sc_trace_file* file, const RootWord& word, const std::string& name);
-void sc_trace(sc_core::sc_trace_file* file, const TreeWord& word, const std::string& name);
-void sc_trace(sc_core::sc_trace_file* file, const ControlWord& word, const std::string& name);
-void sc_trace(sc_core::sc_trace_file* file, const Answer& answer, const std::string& name);
+// Which nobody calls (hw/systemc/wire.h).
+template <systemc::OneOf<RootWord, TreeWord, ControlWord, Answer, RefreshStep, FinishedPicture, Account> Value>
+std::ostream& operator<<(std::ostream& stream, const Value& /*value*/) {
+  return stream;
+}
+template <systemc::OneOf<RootWord, TreeWord, ControlWord, Answer> Value>
+void sc_trace(sc_core::sc_trace_file* /*file*/, const Value& /*value*/, const std::string& /*name*/) {}
 
 }  // namespace csgsim::pixel_planes

@@ -1,6 +1,7 @@
 #include "hw/pixel_planes/controller.h"
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 #include "hw/isa/opcodes.h"
@@ -11,12 +12,7 @@ namespace csgsim::pixel_planes {
 
 Controller::Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer,
                        const ControllerFigures& figures)
-    : sc_core::sc_module(name), figures_(figures), sequencer_(sequencer), receiver_(figures.link_width) {
-  SC_HAS_PROCESS(Controller);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+    : systemc::ClockedModule(name), figures_(figures), sequencer_(sequencer), receiver_(figures.link_width) {}
 
 void Controller::resume(const isa::Instruction& instruction, std::uint64_t ordinal, std::uint64_t first_clock) {
   state_ = State::ready;
@@ -27,18 +23,9 @@ void Controller::resume(const isa::Instruction& instruction, std::uint64_t ordin
 }
 
 std::string_view Controller::state() const {
-  switch (state_) {
-    case State::idle: return "idle";
-    case State::asking: return "asking";
-    case State::ready: return "ready";
-    case State::issuing: return "issuing";
-    case State::clearing: return "clearing";
-    case State::waiting: return "waiting";
-    case State::holding: return "holding";
-    case State::copying: return "copying";
-    case State::draining: return "draining";
-  }
-  return "";
+  constexpr auto names = std::to_array<std::string_view>(
+      {"idle", "asking", "ready", "issuing", "clearing", "waiting", "holding", "copying", "draining"});
+  return names.at(static_cast<std::size_t>(state_));
 }
 
 void Controller::on_clock() {
@@ -71,11 +58,7 @@ bool Controller::has_control_wires() const {
 bool Controller::refresh() {
   RefreshStep step;
   if (!refreshes.nb_read(step)) return false;
-  root.write({});
-  ControlWord word;
-  word.refreshes = true;
-  word.refresh = step;
-  control.write(word);
+  put({.refreshes = true, .refresh = step});
   return true;
 }
 
@@ -84,7 +67,7 @@ void Controller::put_control_word() {
   if (!refreshed_ && refreshes.num_available() > 0) ++account_.refresh_waits;
   switch (state_) {
     case State::idle:
-      if (!refreshed_) rest();
+      if (!refreshed_) put({});
       return;
     case State::asking: ask(); [[fallthrough]];
     case State::ready:
@@ -119,7 +102,7 @@ void Controller::put_control_word() {
 
 /// A clock without a step of the controller's own.
 void Controller::await(std::uint64_t& waiting_for) {
-  if (!refreshed_) rest();
+  if (!refreshed_) put({});
   ++(refreshed_ ? account_.refreshing : waiting_for);
 }
 
@@ -164,13 +147,7 @@ void Controller::issue() {
   status_.bit = sequencer_.bit();
   status_.pass = sequencer_.pass();
   const array::BitStep step = sequencer_.issue();
-  root.write({step.root});
-  ControlWord word;
-  word.step = step.pixels;
-  word.steps = true;
-  word.last = step.last;
-  word.ordinal = status_.ordinal;
-  control.write(word);
+  put({.step = step.pixels, .steps = true, .last = step.last, .ordinal = status_.ordinal}, step.root);
   ++instruction_clocks_;
   if (step.pixels.function == array::AluFunction::answer) {
     state_ = State::waiting;
@@ -187,13 +164,7 @@ void Controller::clear() {
   const ClearStep step = clear_step(region_, figures_.memory_bits, cleared_, clocks, end);
   ++cleared_;
   const bool last = cleared_ == clocks;
-  root.write({});
-  ControlWord word;
-  word.clears = true;
-  word.clear = step;
-  word.last = last;
-  word.ordinal = next_ordinal_;
-  control.write(word);
+  put({.clears = true, .clear = step, .last = last, .ordinal = next_ordinal_});
   if (!last) return;
   accounts.nb_write({.cleared = true});
   state_ = State::ready;
@@ -208,11 +179,7 @@ void Controller::begin_copy() {
 
 void Controller::copy() {
   const array::BitStep step = sequencer_.issue();
-  root.write({});
-  ControlWord word;
-  word.step = step.pixels;
-  word.ordinal = next_ordinal_;
-  control.write(word);
+  put({.step = step.pixels, .ordinal = next_ordinal_});
   if (!step.last) return;
   if (sequencer_.instruction().opcode == isa::Opcode::copy) {
     state_ = State::draining;
@@ -223,7 +190,7 @@ void Controller::copy() {
 
 /// The frame's last step has been carried out.
 void Controller::finish() {
-  if (!refreshed_) rest();
+  if (!refreshed_) put({});
   state_ = State::idle;
   programs.write(++programs_done_);
   if (colour_.width == 0) return;
@@ -232,9 +199,9 @@ void Controller::finish() {
   pictures.nb_write({shown_});
 }
 
-void Controller::rest() {
-  root.write({});
-  control.write({});
+void Controller::put(const ControlWord& word, const array::RootBits& bits) {
+  root.write({bits});
+  control.write(word);
 }
 
 void Controller::take_answer() {

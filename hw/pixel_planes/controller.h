@@ -9,6 +9,7 @@
 #include "hw/link/receiver.h"
 #include "hw/pixel_planes/account.h"
 #include "hw/pixel_planes/control_word.h"
+#include "hw/systemc/clocked_module.h"
 
 namespace csgsim::pixel_planes {
 
@@ -39,9 +40,8 @@ struct ControllerFigures {
 /// clocks for the last step to reach the pixels, and tells the scan-out what to show. With two buffers it first copies
 /// the picture, as soon as the last row of the one before has been latched. The refresh words that the scan-out asks
 /// for go before the next command, and wherever the controller waits for something.
-class Controller final : public sc_core::sc_module {
+class Controller final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};    ///< the instructions that the host has to go on from
   sc_core::sc_fifo_in<bool> frames{"frames"};                  ///< for each frame that lies in the host's memory, one
@@ -70,7 +70,7 @@ class Controller final : public sc_core::sc_module {
  private:
   enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, holding, copying, draining };
 
-  void on_clock();
+  void on_clock() override;
   void begin_frame();
   void ask();
   void begin_command();
@@ -87,7 +87,7 @@ class Controller final : public sc_core::sc_module {
   void begin_copy();
   void copy();
   void finish();
-  void rest();
+  void put(const ControlWord& word, const array::RootBits& bits = {});
   void take_answer();
   void jump(std::uint64_t skipped);
   void receive();

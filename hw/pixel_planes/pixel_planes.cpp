@@ -11,7 +11,6 @@
 #include "hw/pixel_planes/make.h"
 #include "hw/pixel_planes/probed.h"
 #include "hw/pixel_planes/taps.h"
-#include "hw/systemc/fit.h"
 #include "hw/systemc/kernel.h"
 #include "hw/wave/instruction_taps.h"
 
@@ -35,6 +34,20 @@ ControllerFigures controller_figures(const machines::Machine& machine) {
 bool fills_array(const isa::Program& program, array::PlaneShape shape) {
   const isa::Region whole{0, 0, shape.width, shape.height};
   return program.segments.size() == 1 && program.segments.front().region == whole;
+}
+
+/// Throws InputError unless the machine has the pixels and memory bits that the Program is for.
+void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) {
+  if (program.width <= machine.width && program.height <= machine.height &&
+      program.memory_bits <= machine.memory_bits) {
+    return;
+  }
+  const auto text = [](const isa::ArrayShape& shape) {
+    return std::to_string(shape.width) + "x" + std::to_string(shape.height) + " pixels of " +
+           std::to_string(shape.memory_bits) + " bits";
+  };
+  throw InputError("the Program is for " + text(program) + ", the machine has " + text(machine) +
+                   "; compile it for this machine");
 }
 
 }  // namespace
@@ -144,7 +157,7 @@ void PixelPlanes::check(std::span<const isa::Program> programs) const {
   const array::PlaneShape shape = plane_shape(machine_);
   const isa::Field first = isa::frame_header(programs.front()).colour;
   for (const isa::Program& program : programs) {
-    systemc::check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
+    check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
     const isa::Field colour = isa::frame_header(program).colour;
     if (machines::own<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
     throw InputError("frames with colours of " + std::to_string(first.width) + " and " + std::to_string(colour.width) +
@@ -242,7 +255,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   }));
   add(scan_out_taps());
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
-    const array::Place place = place_of(request.pixels[i], program, machine_);
+    const array::Place place = place_of(request.pixels[i], program);
     const array::Place built = foretold_ ? array::Place{foretold_place(*foretold_, place), 0} : place;
     add(pixel_taps(request.pixels[i],
                    {processors_, evaluator_, control_at_pixels_, place, built, nullptr, machine_.evaluator_degree},

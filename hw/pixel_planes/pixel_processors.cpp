@@ -6,21 +6,17 @@ namespace csgsim::pixel_planes {
 
 PixelProcessors::PixelProcessors(sc_core::sc_module_name name, const isa::ArrayShape& shape, unsigned alu_bits,
                                  const systemc::Foretold* foretold)
-    : sc_core::sc_module(name),
+    : systemc::ClockedModule(name),
       pixels_(foretold == nullptr ? array::PixelArray(shape, alu_bits)
                                   : array::PixelArray(foretold->pixels, shape.memory_bits, alu_bits)),
       row_(pixels_.shape().row_words()) {
   if (foretold != nullptr) foretold_.emplace(array::PlaneShape{shape.width, shape.height}, foretold->picture);
-  SC_HAS_PROCESS(PixelProcessors);
   refresh.bind(*this);
   enable_lines.bind(*this);
-  SC_METHOD(step);
-  dont_initialize();
-  sensitive << clock.pos();
 }
 
 /// Sleeps while there is nothing to do.
-void PixelProcessors::step() {
+void PixelProcessors::on_clock() {
   if (!clock.posedge()) return;
   const ControlWord& word = control.read();
   if (word.clears) {

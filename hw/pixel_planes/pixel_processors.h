@@ -8,6 +8,7 @@
 
 #include "hw/array/pixel_array.h"
 #include "hw/pixel_planes/control_word.h"
+#include "hw/systemc/clocked_module.h"
 #include "hw/systemc/foretold.h"
 
 namespace csgsim::pixel_planes {
@@ -28,9 +29,8 @@ class EnableLines : virtual public sc_core::sc_interface {
 };
 
 /// The pixel processors and memories, which carry out one control word a clock.
-class PixelProcessors final : public sc_core::sc_module, public RefreshPort, public EnableLines {
+class PixelProcessors final : public systemc::ClockedModule, public RefreshPort, public EnableLines {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_in<ControlWord> control{"control"};
   sc_core::sc_in<TreeWord> tree{"tree"};              ///< at the pixels
   sc_core::sc_out<std::uint64_t> retired{"retired"};  ///< commands whose last word has been carried out
@@ -78,7 +78,7 @@ class PixelProcessors final : public sc_core::sc_module, public RefreshPort, pub
     mutable array::Words row_;  ///< that was asked for last
   };
 
-  void step();
+  void on_clock() override;
 
   array::PixelArray pixels_;
   mutable array::Words row_;  ///< that the refresh port was asked for last

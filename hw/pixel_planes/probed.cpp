@@ -4,13 +4,12 @@
 #include <iterator>
 #include <span>
 #include <stdexcept>
-#include <string>
 
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
+#include "hw/wave/segments.h"
 
 namespace csgsim::pixel_planes {
 
@@ -83,14 +82,9 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
   return quick.knows_registers() ? quick : replayed(false);
 }
 
-array::Place place_of(wave::Pixel pixel, const isa::Program& program, const machines::Machine& machine) {
-  for (const isa::Segment& segment : program.segments) {
-    const isa::Region& region = segment.region;
-    const array::Place place{pixel.x - region.x, pixel.y - region.y};
-    if (region.holds(pixel.x, pixel.y) && place.x < machine.array.width && place.y < machine.array.height) return place;
-  }
-  throw InputError("no segment of the Program holds pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
-                   "; choose another --pixel");
+array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
+  const isa::Region& region = program.segments[wave::segment_of(pixel, program)].region;
+  return {pixel.x - region.x, pixel.y - region.y};
 }
 
 std::uint32_t foretold_place(const systemc::Foretold& foretold, array::Place place) {

@@ -34,7 +34,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
                                 const array::PixelReplay& fresh);
 
 /// The place in the array of a pixel of the picture. Throws InputError if no segment holds it.
-array::Place place_of(wave::Pixel pixel, const isa::Program& program, const machines::Machine& machine);
+array::Place place_of(wave::Pixel pixel, const isa::Program& program);
 
 /// Which of the foretold pixels that is. Throws std::out_of_range if it is none.
 std::uint32_t foretold_place(const systemc::Foretold& foretold, array::Place place);

@@ -36,12 +36,7 @@ class Probe {
   }
 
   [[nodiscard]] std::uint64_t memory(isa::Field field) const {
-    std::uint64_t value = 0;
-    for (unsigned bit = 0; bit < field.width; ++bit) {
-      const bool is_set = point_.processors.pixels().memory_bit(field.base + bit, point_.built.x, point_.built.y);
-      value |= static_cast<std::uint64_t>(is_set) << bit;
-    }
-    return value;
+    return point_.processors.pixels().value(field, point_.built.x, point_.built.y);
   }
 
   /// On the first read port.

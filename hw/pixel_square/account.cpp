@@ -1,16 +1,14 @@
 #include "hw/pixel_square/account.h"
 
 #include <string>
+#include <utility>
 
 namespace csgsim::pixel_square {
 
 namespace {
 
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
-  machines::PartAccount account{std::move(name), {}};
-  for (std::size_t i = 0; i < square_activities.size(); ++i)
-    account.clocks.push_back({square_activities[i].name, clocks.clocks[i]});
-  return account;
+  return machines::part_of(std::move(name), clocks, square_activity_names);
 }
 
 /// Of the renderers' clocks those in which they draw.

@@ -5,12 +5,7 @@
 namespace csgsim::pixel_square {
 
 FrameBuffer::FrameBuffer(sc_core::sc_module_name name, std::uint32_t renderers, std::uint32_t port_bits)
-    : sc_core::sc_module(name), colours("colours", renderers), port_bits_(port_bits), incoming_(renderers + 1) {
-  SC_HAS_PROCESS(FrameBuffer);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+    : systemc::ClockedModule(name), colours("colours", renderers), port_bits_(port_bits), incoming_(renderers + 1) {}
 
 void FrameBuffer::begin(const FrameContents& contents) {
   if (contents.picture != contents_.picture) {

@@ -10,6 +10,7 @@
 #include "hw/machines/machine.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/port_word.h"
+#include "hw/systemc/clocked_module.h"
 
 namespace csgsim::pixel_square {
 
@@ -25,9 +26,8 @@ struct FrameContents {
 /// renderer and after them the sender's, take turns: the first that has a word, or a square to clear, gets its turn,
 /// counted from the one after the port that had the last. After the header of a square to clear come turns in which
 /// background is written, as many as the square's colours would be words.
-class FrameBuffer final : public sc_core::sc_module {
+class FrameBuffer final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> colours;  ///< one a renderer
   sc_core::sc_fifo_in<PortWord> clears{"clears"};
   sc_core::sc_out<std::uint64_t> frames{"frames"};  ///< that are whole
@@ -59,7 +59,7 @@ class FrameBuffer final : public sc_core::sc_module {
   };
 
   void end_of_elaboration() override;
-  void on_clock();
+  void on_clock() override;
   bool serve(std::size_t port);
   void take(std::size_t port, const PortWord& word);
   void take_header(Incoming& square, const PortWord& word) const;

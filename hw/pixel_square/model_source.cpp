@@ -3,12 +3,7 @@
 namespace csgsim::pixel_square {
 
 ModelSource::ModelSource(sc_core::sc_module_name name, const machines::Link& link)
-    : sc_core::sc_module(name), link_(link) {
-  SC_HAS_PROCESS(ModelSource);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+    : systemc::ClockedModule(name), link_(link) {}
 
 void ModelSource::begin(std::span<const std::uint8_t> model) {
   model_ = model;

@@ -9,14 +9,14 @@
 #include "hw/link/frame_words.h"
 #include "hw/machines/machine.h"
 #include "hw/pixel_square/account.h"
+#include "hw/systemc/clocked_module.h"
 
 namespace csgsim::pixel_square {
 
 /// The host's end of the link to a divider: sends the model, a word every `link.word_clocks`, in the last of these or
 /// in the first clock after it in which there is room; the first after `link.latency` clocks.
-class ModelSource final : public sc_core::sc_module {
+class ModelSource final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_out<isa::LinkWord> words{"words"};
 
   ModelSource(sc_core::sc_module_name name, const machines::Link& link);
@@ -34,7 +34,7 @@ class ModelSource final : public sc_core::sc_module {
   [[nodiscard]] std::string_view state() const { return state_; }
 
  private:
-  void on_clock();
+  void on_clock() override;
   [[nodiscard]] bool done() const { return sent_ >= 8 * std::uint64_t{model_.size()}; }
   SquareActivity act();
   [[nodiscard]] isa::LinkWord next_word() const;

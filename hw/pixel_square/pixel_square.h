@@ -14,10 +14,10 @@
 #include "hw/pixel_square/model_source.h"
 #include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/renderer.h"
-#include "hw/pixel_square/square_names.h"
 #include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
+#include "hw/systemc/segment_names.h"
 
 namespace csgsim::pixel_square {
 
@@ -76,7 +76,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
   Front front_;
   sc_core::sc_vector<Renderer> renderers_;
   FrameBuffer frame_buffer_;
-  SquareNames names_;
+  systemc::SegmentNames names_;
   systemc::Retirement retirement_{"retirement"};
 };
 

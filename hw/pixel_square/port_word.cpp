@@ -41,10 +41,4 @@ std::vector<std::uint64_t> slice_of(const std::vector<std::uint64_t>& bits, std:
   return slice;
 }
 
-std::ostream& operator<<(std::ostream& stream, const PortWord& word) {
-  const std::vector<std::uint64_t>& bits = word.bits;
-  std::for_each(bits.rbegin(), bits.rend(), [&](std::uint64_t part) { stream << std::hex << part << ' '; });
-  return stream << std::dec;
-}
-
 }  // namespace csgsim::pixel_square

@@ -60,7 +60,7 @@ Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machin
   completion_.retirement(retirement);
 }
 
-void Renderer::begin(isa::Field colour, const SquareNames& names) {
+void Renderer::begin(isa::Field colour, const systemc::SegmentNames& names) {
   controller_.begin(colour.width);
   output_.begin(colour);
   completion_.begin(names);

@@ -13,8 +13,8 @@
 #include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/square_completion.h"
 #include "hw/pixel_square/square_controller.h"
-#include "hw/pixel_square/square_names.h"
 #include "hw/systemc/retirement.h"
+#include "hw/systemc/segment_names.h"
 
 namespace csgsim::pixel_square {
 
@@ -50,7 +50,7 @@ class Renderer final : public sc_core::sc_module {
   Renderer(sc_core::sc_module_name name, const machines::Machine& machine);
 
   /// `colour`: what of a pixel's memory goes to the frame buffer. The names have to live until the frame is drawn.
-  void begin(isa::Field colour, const SquareNames& names);
+  void begin(isa::Field colour, const systemc::SegmentNames& names);
 
   /// Of the pixel processors, in a frame of so many clocks. Those after the last square are `done`.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const { return controller_.account(clocks); }

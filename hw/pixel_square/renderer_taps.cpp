@@ -36,7 +36,7 @@ bool has(const RendererParts& parts, std::uint32_t segment) {
 }
 
 std::vector<Tap> renderer_taps(const std::string& part, const RendererParts& parts, const isa::Program& program,
-                               const SquareNames& names) {
+                               const systemc::SegmentNames& names) {
   const auto segment = [parts, &names]() -> std::optional<std::uint32_t> {
     const std::optional<isa::Region> square = parts.controller.square();
     return square ? std::optional(names.segment_of(*square)) : std::nullopt;

@@ -7,7 +7,7 @@
 
 #include "hw/isa/program.h"
 #include "hw/pixel_square/renderer.h"
-#include "hw/pixel_square/square_names.h"
+#include "hw/systemc/segment_names.h"
 #include "hw/wave/request.h"
 #include "hw/wave/tap.h"
 
@@ -17,7 +17,7 @@ namespace csgsim::pixel_square {
 /// `PART.state`, `.square`; `.controller` with the instruction of the control word that it puts on the wires; `.root`
 /// of the trees; `.pixels` with the control word that has come to them. The names have to live as long as the taps.
 std::vector<wave::Tap> renderer_taps(const std::string& part, const RendererParts& parts, const isa::Program& program,
-                                     const SquareNames& names);
+                                     const systemc::SegmentNames& names);
 
 /// Of a pixel of that segment, while the renderer has it: its instruction, registers and fields. Throws InputError for
 /// a level that the trees have not.

@@ -7,17 +7,12 @@
 namespace csgsim::pixel_square {
 
 Sender::Sender(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t word_clocks)
-    : sc_core::sc_module(name),
+    : systemc::ClockedModule(name),
       links("links", machines::own<Figures>(machine).renderers),
       finished("finished", machines::own<Figures>(machine).renderers),
       word_clocks_(word_clocks),
       port_bits_(machines::own<Figures>(machine).port_bits),
-      handed_(machines::own<Figures>(machine).renderers) {
-  SC_HAS_PROCESS(Sender);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+      handed_(machines::own<Figures>(machine).renderers) {}
 
 void Sender::begin_frame(std::size_t squares) {
   squares_ = squares;

@@ -12,6 +12,7 @@
 #include "hw/machines/machine.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/port_word.h"
+#include "hw/systemc/clocked_module.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_square {
@@ -32,9 +33,8 @@ struct SenderStatus {
 /// Hands out the squares, one after another, a word every `word_clocks` clocks, as long as there is room. A square goes
 /// to the renderer with the fewest squares that it has not finished (the first of those); the header of one where
 /// nothing is seen goes to the frame buffer. What squares consist of is for those that derive from it to say.
-class Sender : public sc_core::sc_module {
+class Sender : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_vector<sc_core::sc_fifo_out<isa::LinkWord>> links;  ///< one a renderer
   sc_core::sc_vector<sc_core::sc_in<std::uint64_t>> finished;     ///< squares that each renderer has finished
   sc_core::sc_fifo_out<PortWord> clears{"clears"};
@@ -63,7 +63,7 @@ class Sender : public sc_core::sc_module {
   [[nodiscard]] virtual Square take(std::size_t square) = 0;
 
  private:
-  void on_clock();
+  void on_clock() override;
   SquareActivity act();
   SquareActivity as_told(SquareActivity activity);
   SquareActivity send();

@@ -6,8 +6,8 @@
 
 #include "hw/pixel_planes/pixel_processors.h"
 #include "hw/pixel_square/command_account.h"
-#include "hw/pixel_square/square_names.h"
 #include "hw/systemc/retirement.h"
+#include "hw/systemc/segment_names.h"
 
 namespace csgsim::pixel_square {
 
@@ -23,7 +23,7 @@ class SquareCompletion final : public sc_core::sc_module {
   explicit SquareCompletion(sc_core::sc_module_name name);
 
   /// The names have to live until the frame is drawn.
-  void begin(const SquareNames& names) {
+  void begin(const systemc::SegmentNames& names) {
     names_ = &names;
     segment_.reset();
   }
@@ -34,7 +34,7 @@ class SquareCompletion final : public sc_core::sc_module {
  private:
   void complete();
 
-  const SquareNames* names_ = nullptr;
+  const systemc::SegmentNames* names_ = nullptr;
   std::optional<std::uint32_t> segment_;  ///< that the square is
   std::uint32_t index_ = 0;               ///< of the instruction that comes next
   std::uint64_t enabled_ = 0;

@@ -1,6 +1,7 @@
 #include "hw/pixel_square/square_controller.h"
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 #include "hw/base/quotient.h"
@@ -38,16 +39,9 @@ void SquareController::begin(std::uint32_t colour_bits) {
 }
 
 std::string_view SquareController::state() const {
-  switch (state_) {
-    case State::idle: return "idle";
-    case State::clearing: return "clearing";
-    case State::drawing: return "drawing";
-    case State::draining: return "draining";
-    case State::drawn: return "drawn";
-    case State::moving: return "moving";
-    case State::leaving: return "leaving";
-  }
-  return "";
+  constexpr auto names =
+      std::to_array<std::string_view>({"idle", "clearing", "drawing", "draining", "drawn", "moving", "leaving"});
+  return names.at(static_cast<std::size_t>(state_));
 }
 
 /// Since the machine was built.
@@ -137,13 +131,10 @@ void SquareController::begin_square(const isa::Region& region) {
 }
 
 void SquareController::clear() {
-  ControlWord word;
-  word.clears = true;
-  word.clear =
-      pixel_planes::clear_step(region_, memory_bits_, clear_clocks_ - clocks_left_, clear_clocks_, memory_bits_);
-  --clocks_left_;
-  word.last = clocks_left_ == 0;
-  put(word);
+  const std::uint32_t elapsed = clear_clocks_ - clocks_left_--;
+  put({.clears = true,
+       .clear = pixel_planes::clear_step(region_, memory_bits_, elapsed, clear_clocks_, memory_bits_),
+       .last = clocks_left_ == 0});
   if (clocks_left_ > 0) return;
   accounts.nb_write({.kind = CommandAccount::Kind::start, .region = region_});
   state_ = State::drawing;
@@ -151,12 +142,7 @@ void SquareController::clear() {
 
 void SquareController::issue() {
   const array::BitStep step = sequencer_.issue();
-  ControlWord word;
-  word.step = step.pixels;
-  word.steps = true;
-  word.last = step.last;
-  word.ordinal = ordinal_;
-  put(word, step.root);
+  put({.step = step.pixels, .steps = true, .last = step.last, .ordinal = ordinal_}, step.root);
   ++instruction_clocks_;
   if (!step.last) return;
   accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_});
@@ -166,10 +152,7 @@ void SquareController::issue() {
 /// A word without a step goes behind the last one.
 void SquareController::drain() {
   if (clocks_left_ <= latency_) return rest();
-  ControlWord word;
-  word.last = true;
-  word.ordinal = ordinal_;
-  put(word);
+  put({.last = true, .ordinal = ordinal_});
   accounts.nb_write({.kind = CommandAccount::Kind::end});
 }
 

@@ -40,7 +40,8 @@ std::vector<Tap> sender_taps(const std::string& part, const Sender& sender, cons
           wave::number(part + ".renderer", renderer_bits, [&sender] { return Number(sender.status().renderer); })};
 }
 
-std::vector<Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program, const SquareNames& names) {
+std::vector<Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program,
+                                   const systemc::SegmentNames& names) {
   return {wave::number("frame_buffer.port", renderer_bits, [&buffer] { return Number(buffer.served()); }),
           wave::text("frame_buffer.square",
                      [&buffer, &program, &names] {

@@ -7,7 +7,7 @@
 #include "hw/isa/program.h"
 #include "hw/pixel_square/frame_buffer.h"
 #include "hw/pixel_square/sender.h"
-#include "hw/pixel_square/square_names.h"
+#include "hw/systemc/segment_names.h"
 #include "hw/wave/request.h"
 #include "hw/wave/tap.h"
 
@@ -20,7 +20,7 @@ std::vector<wave::Tap> sender_taps(const std::string& part, const Sender& sender
 /// `frame_buffer.port` that is served, a renderer's number or that of the clears; `.square` that comes through it;
 /// `.squares` that are whole.
 std::vector<wave::Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program,
-                                         const SquareNames& names);
+                                         const systemc::SegmentNames& names);
 
 /// The taps of the same pixel as each renderer has them, as one: of the first that shows something.
 std::vector<wave::Tap> of_whoever_shows(std::vector<std::vector<wave::Tap>> renderers);

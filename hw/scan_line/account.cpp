@@ -1,26 +1,16 @@
 #include "hw/scan_line/account.h"
 
 #include <initializer_list>
-#include <string>
-#include <utility>
 
 #include "hw/scan_line/figures.h"
 
 namespace csgsim::scan_line {
 
-namespace {
-
-machines::PartAccount part(std::string name, const LineClocks& clocks, std::initializer_list<LineActivity> activities) {
-  machines::PartAccount account{std::move(name), {}};
-  for (const LineActivity activity : activities)
-    account.clocks.push_back({line_activities.at(static_cast<std::size_t>(activity)).name, clocks.of(activity)});
-  return account;
-}
-
-}  // namespace
-
 machines::Account account(const LineAccount& counted, const machines::Machine& machine, std::uint64_t clocks) {
   using enum LineActivity;
+  const auto part = [](const char* name, const LineClocks& tally, std::initializer_list<LineActivity> told) {
+    return machines::part_of(name, tally, line_activity_names, told);
+  };
   const std::uint64_t cells = std::uint64_t{machine.array.width} * machines::own<Figures>(machine).chains;
   return {.counts = {{"lines", counted.lines},
                      {"packets", counted.packets},

@@ -10,41 +10,29 @@
 namespace csgsim::scan_line {
 
 /// Where a part of a scan-line array spends its clocks. Every clock of the frame is in one of these.
-#define CSGSIM_LINE_ACTIVITIES(A)                                                                        \
-  A(sorting, "the host puts primitives into the buckets of their first lines")                           \
-  A(updating, "the host goes through the active list for a line")                                        \
-  A(preparing, "the host prepares the instructions of a line")                                           \
-  A(starting, "the host hands a line over to a link")                                                    \
-  A(latency, "the frame's first word is on its way over the link")                                       \
-  A(sending, "a word is sent")                                                                           \
-  A(entering, "a packet enters the chain")                                                               \
-  A(showing, "a pixel is at the refresh port")                                                           \
-  A(waiting_for_host, "no line has been handed over")                                                    \
-  A(waiting_for_link, "the link has not begun with the chain's line before; no packet has come over it") \
-  A(waiting_for_entry, "the FIFO of the link is full")                                                   \
-  A(waiting_for_refresh, "a mark waits until the refresh path is free")                                  \
-  A(waiting_for_line, "no line is in the shift chain")                                                   \
-  A(done, "nothing is left to do")
-
 enum class LineActivity : std::uint8_t {
-#define CSGSIM_LINE_ACTIVITY_ENUMERATOR(name, meaning) name,
-  CSGSIM_LINE_ACTIVITIES(CSGSIM_LINE_ACTIVITY_ENUMERATOR)
-#undef CSGSIM_LINE_ACTIVITY_ENUMERATOR
+  sorting,              ///< the host puts primitives into the buckets of their first lines
+  updating,             ///< the host goes through the active list for a line
+  preparing,            ///< the host prepares the instructions of a line
+  starting,             ///< the host hands a line over to a link
+  latency,              ///< the frame's first word is on its way over the link
+  sending,              ///< a word is sent
+  entering,             ///< a packet enters the chain
+  showing,              ///< a pixel is at the refresh port
+  waiting_for_host,     ///< no line has been handed over
+  waiting_for_link,     ///< the link has not begun with the chain's line before; no packet has come over it
+  waiting_for_entry,    ///< the FIFO of the link is full
+  waiting_for_refresh,  ///< a mark waits until the refresh path is free
+  waiting_for_line,     ///< no line is in the shift chain
+  done,                 ///< nothing is left to do
 };
 
-struct LineActivityInfo {
-  std::string_view name;
-  std::string_view meaning;
-};
-
-inline constexpr auto line_activities = std::to_array<LineActivityInfo>({
-#define CSGSIM_LINE_ACTIVITY_ROW(name, meaning) LineActivityInfo{#name, meaning},
-    CSGSIM_LINE_ACTIVITIES(CSGSIM_LINE_ACTIVITY_ROW)
-#undef CSGSIM_LINE_ACTIVITY_ROW
-});
+inline constexpr auto line_activity_names = std::to_array<std::string_view>(
+    {"sorting", "updating", "preparing", "starting", "latency", "sending", "entering", "showing", "waiting_for_host",
+     "waiting_for_link", "waiting_for_entry", "waiting_for_refresh", "waiting_for_line", "done"});
 
 /// Clocks of one part by activity.
-using LineClocks = machines::ClockTally<LineActivity, line_activities.size()>;
+using LineClocks = machines::ClockTally<LineActivity, line_activity_names.size()>;
 
 /// Counts the clocks of a part. At each edge the part says what it does until the next.
 class ActivityCounter {
@@ -59,7 +47,7 @@ class ActivityCounter {
 
   /// What it does until the next edge, by name; nothing before the first.
   [[nodiscard]] std::string_view now() const {
-    return begun_ ? line_activities[static_cast<std::size_t>(now_)].name : std::string_view();
+    return begun_ ? line_activity_names.at(static_cast<std::size_t>(now_)) : std::string_view();
   }
 
  private:

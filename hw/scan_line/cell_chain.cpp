@@ -5,12 +5,7 @@
 namespace csgsim::scan_line {
 
 CellChain::CellChain(sc_core::sc_module_name name, const isa::ArrayShape& cells, const CellShape& shape)
-    : sc_core::sc_module(name), chain_(cells.width, cells.memory_bits, shape) {
-  SC_HAS_PROCESS(CellChain);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+    : systemc::ClockedModule(name), chain_(cells.width, cells.memory_bits, shape) {}
 
 void CellChain::begin(std::uint32_t pixels) {
   chain_.begin(pixels);

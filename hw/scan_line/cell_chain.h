@@ -7,15 +7,15 @@
 #include "hw/scan_line/chain.h"
 #include "hw/scan_line/packet_signals.h"
 #include "hw/scan_line/periods.h"
+#include "hw/systemc/clocked_module.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::scan_line {
 
 /// A whole chain as one module: a packet's beat enters cell 0 each clock, and a pixel leaves at the refresh port. What
 /// leaves the last cell of a line has been carried out.
-class CellChain final : public sc_core::sc_module {
+class CellChain final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_in<PacketWord> entry{"entry"};
   sc_core::sc_out<RefreshPixel> refresh{"refresh"};
   sc_core::sc_fifo_in<EntryAccount> accounts{"accounts"};
@@ -32,7 +32,7 @@ class CellChain final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t fill_clocks() const { return fill_clocks_; }
 
  private:
-  void on_clock();
+  void on_clock() override;
   void retire(const Departure& departure);
 
   Chain chain_;

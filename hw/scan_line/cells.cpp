@@ -1,10 +1,11 @@
 #include "hw/scan_line/cells.h"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 
 #include "hw/isa/opcodes.h"
-#include "hw/scan_line/snapshot.h"
+#include "hw/systemc/field_bits.h"
 
 namespace csgsim::scan_line {
 
@@ -92,16 +93,8 @@ void Cells::clear(std::uint32_t cell) {
   enable_[cell] = 0;
 }
 
-std::uint64_t Cells::read(std::uint32_t cell, isa::Field field) const { return read_field(memory(cell), field); }
-
-void Cells::write(std::uint32_t cell, isa::Field field, std::uint64_t value) {
-  const std::uint64_t mask = (std::uint64_t{1} << field.width) - 1;
-  const unsigned shift = field.base % storage_bits;
-  std::uint64_t* const word = &memory_[cell * cell_words_ + field.base / storage_bits];
-  value &= mask;
-  word[0] = (word[0] & ~(mask << shift)) | value << shift;
-  if (shift + field.width <= storage_bits) return;
-  word[1] = (word[1] & ~(mask >> (storage_bits - shift))) | value >> (storage_bits - shift);
+std::uint64_t Cells::read(std::uint32_t cell, isa::Field field) const {
+  return systemc::read_field(memory(cell), field);
 }
 
 /// The part of the field in one of its words.
@@ -150,7 +143,8 @@ void Cells::store(std::uint32_t cell, const PacketWord& beat) {
       shape_.ports == 0 ? target.count : std::min<std::uint32_t>(target.count, first + shape_.ports);
   for (std::uint32_t word = first; word < end; ++word) {
     const isa::Field part = part_in(target, word);
-    write(cell, part, result_[cell] >> (part.base - target.field.base));
+    systemc::write_field(std::span(memory_).subspan(cell * cell_words_, cell_words_), part,
+                         result_[cell] >> (part.base - target.field.base));
   }
 }
 

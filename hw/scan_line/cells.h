@@ -72,7 +72,6 @@ class Cells {
   /// Adds a word to another; `carry` goes in, and is the carry out then.
   [[nodiscard]] std::uint64_t add_words(std::uint64_t one, std::uint64_t other, std::uint8_t& carry) const;
   [[nodiscard]] Result result_of(std::uint32_t cell, const isa::Instruction& instruction) const;
-  void write(std::uint32_t cell, isa::Field field, std::uint64_t value);
   [[nodiscard]] isa::Field part_in(const FieldWords& words, std::uint32_t word) const;
 
   std::uint32_t memory_bits_;

@@ -2,12 +2,8 @@
 
 namespace csgsim::scan_line {
 
-ChainLink::ChainLink(sc_core::sc_module_name name, const machines::Link& link) : sc_core::sc_module(name), link_(link) {
-  SC_HAS_PROCESS(ChainLink);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+ChainLink::ChainLink(sc_core::sc_module_name name, const machines::Link& link)
+    : systemc::ClockedModule(name), link_(link) {}
 
 void ChainLink::begin(const PictureLines& frame, std::size_t lines_to_send) {
   frame_ = frame;

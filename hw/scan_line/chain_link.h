@@ -12,6 +12,7 @@
 #include "hw/machines/machine.h"
 #include "hw/scan_line/activity.h"
 #include "hw/scan_line/picture_lines.h"
+#include "hw/systemc/clocked_module.h"
 
 namespace csgsim::scan_line {
 
@@ -19,9 +20,8 @@ namespace csgsim::scan_line {
 /// its end. A word is on the link for Link::word_clocks clocks and goes into the FIFO at the end of the last, or at the
 /// first edge after that which finds room; then the next word follows, at once that of the next line if it is there.
 /// The frame's first word begins Link::latency clocks after its line was taken.
-class ChainLink final : public sc_core::sc_module {
+class ChainLink final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<std::uint32_t> lines{"lines"};
   sc_core::sc_fifo_out<isa::LinkWord> words{"words"};
 
@@ -43,7 +43,7 @@ class ChainLink final : public sc_core::sc_module {
  private:
   enum class State : std::uint8_t { waiting, latent, sending, blocked };
 
-  void on_clock();
+  void on_clock() override;
   void go_on();
   void store_word();
   void take_line();

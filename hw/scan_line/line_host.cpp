@@ -3,12 +3,7 @@
 namespace csgsim::scan_line {
 
 LineHost::LineHost(sc_core::sc_module_name name, const Figures& figures)
-    : sc_core::sc_module(name), lines("lines", figures.chains), figures_(figures) {
-  SC_HAS_PROCESS(LineHost);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+    : systemc::ClockedModule(name), lines("lines", figures.chains), figures_(figures) {}
 
 void LineHost::begin(const PictureLines& frame) {
   frame_ = frame;

@@ -10,15 +10,15 @@
 #include "hw/scan_line/activity.h"
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/picture_lines.h"
+#include "hw/systemc/clocked_module.h"
 
 namespace csgsim::scan_line {
 
 /// The host of a scan-line array. Sorts the picture's primitives into buckets, then goes from line to line: brings the
 /// active list up to date, prepares the line's instructions, and hands the line over to the link of its chain, as soon
 /// as that has begun with the line before. Handing over takes a clock. A line here is its number in the frame.
-class LineHost final : public sc_core::sc_module {
+class LineHost final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_vector<sc_core::sc_fifo_out<std::uint32_t>> lines;  ///< handed over, one a chain
 
   LineHost(sc_core::sc_module_name name, const Figures& figures);
@@ -33,7 +33,7 @@ class LineHost final : public sc_core::sc_module {
   [[nodiscard]] std::uint32_t line() const { return worked_on_; }  ///< as many as there are lines when all are done
 
  private:
-  void on_clock();
+  void on_clock() override;
   LineActivity act();
   void begin_line();
 

@@ -9,17 +9,12 @@
 namespace csgsim::scan_line {
 
 PacketQueue::PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain)
-    : sc_core::sc_module(name),
+    : systemc::ClockedModule(name),
       machine_(machine),
       figures_(machines::own<Figures>(machine)),
       cell_{.word_bits = figures_.word_bits, .ports = figures_.ports},
       chain_(chain),
-      receiver_(machine.link.width) {
-  SC_HAS_PROCESS(PacketQueue);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+      receiver_(machine.link.width) {}
 
 void PacketQueue::begin(const PictureLines& frame) {
   frame_ = frame;

@@ -12,6 +12,7 @@
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/packet_signals.h"
 #include "hw/scan_line/picture_lines.h"
+#include "hw/systemc/clocked_module.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::scan_line {
@@ -29,9 +30,8 @@ struct EntryCounts {
 /// first clock in which no packet is entering it takes the command, and the packet enters, a beat a clock. A mark waits
 /// there until the mark before it is so far ahead that the refresh path will be free (mark_spacing), and what is behind
 /// it waits with it.
-class PacketQueue final : public sc_core::sc_module {
+class PacketQueue final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_out<PacketWord> entry{"entry"};
   sc_core::sc_out<bool> busy{"busy"};  ///< there is a line whose mark has not entered
@@ -48,7 +48,7 @@ class PacketQueue final : public sc_core::sc_module {
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }  ///< for waves
 
  private:
-  void on_clock();
+  void on_clock() override;
   LineActivity act();
   void take(const isa::Command& command);
   void take_packet(PacketWord packet);

@@ -6,12 +6,7 @@
 namespace csgsim::scan_line {
 
 RefreshCollector::RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains)
-    : sc_core::sc_module(name), refresh("refresh", chains), entering("entering", chains), line_of_chain_(chains) {
-  SC_HAS_PROCESS(RefreshCollector);
-  SC_METHOD(on_clock);
-  dont_initialize();
-  sensitive << clock.pos();
-}
+    : systemc::ClockedModule(name), refresh("refresh", chains), entering("entering", chains), line_of_chain_(chains) {}
 
 void RefreshCollector::begin(const PictureLines& frame) {
   frame_ = frame;

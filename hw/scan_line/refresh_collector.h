@@ -9,13 +9,13 @@
 #include "hw/scan_line/packet_signals.h"
 #include "hw/scan_line/periods.h"
 #include "hw/scan_line/picture_lines.h"
+#include "hw/systemc/clocked_module.h"
 
 namespace csgsim::scan_line {
 
 /// The screen's end of all chains: puts together what comes out of their refresh ports, and counts the frame's clocks.
-class RefreshCollector final : public sc_core::sc_module {
+class RefreshCollector final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_vector<sc_core::sc_in<RefreshPixel>> refresh;  ///< one a chain
   sc_core::sc_vector<sc_core::sc_in<bool>> entering;         ///< a line of that chain has not entered whole
   sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< that have come whole
@@ -43,7 +43,7 @@ class RefreshCollector final : public sc_core::sc_module {
   [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& lines() const { return lines_; }
 
  private:
-  void on_clock();
+  void on_clock() override;
   void look_at(std::size_t chain);
   void collect(std::size_t chain, std::uint32_t colour);
   [[nodiscard]] bool any_enters() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "hw/scan_line/snapshot.h"
 #include "hw/systemc/run_listener.h"
@@ -12,7 +13,8 @@ namespace csgsim::scan_line {
 class SnapshotView final : public systemc::PixelView {
  public:
   /// Null where nothing was kept; has to live as long as the view.
-  explicit SnapshotView(const Snapshot* snapshot) : snapshot_(snapshot) {}
+  explicit SnapshotView(const Snapshot* snapshot) : snapshot_(std::shared_ptr<void>(), snapshot) {}
+  explicit SnapshotView(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(snapshot)) {}
 
   void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
                   std::span<std::uint32_t> values) const override;
@@ -20,7 +22,7 @@ class SnapshotView final : public systemc::PixelView {
   [[nodiscard]] std::unique_ptr<const systemc::PixelView> copy() const override;
 
  private:
-  const Snapshot* snapshot_;
+  std::shared_ptr<const Snapshot> snapshot_;
 };
 
 }  // namespace csgsim::scan_line

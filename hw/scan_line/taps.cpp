@@ -1,5 +1,6 @@
 #include "hw/scan_line/taps.h"
 
+#include <array>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -31,14 +32,8 @@ Tap activity_tap(const std::string& part, std::function<std::string_view()> read
 }
 
 std::string_view kind_of(const PacketWord* beat) {
-  if (beat == nullptr) return "";
-  switch (beat->kind) {
-    case WordKind::none: return "";
-    case WordKind::clear: return "clear";
-    case WordKind::instruction: return "instruction";
-    case WordKind::mark: return "mark";
-  }
-  return "";
+  constexpr auto names = std::to_array<std::string_view>({"", "clear", "instruction", "mark"});
+  return beat == nullptr ? "" : names.at(static_cast<std::size_t>(beat->kind));
 }
 
 /// Words of F and A come in with the beat.

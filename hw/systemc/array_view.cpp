@@ -4,37 +4,15 @@
 
 namespace csgsim::systemc {
 
-namespace {
-
-/// A view that has its pixels to itself.
-class OwnedArray final : public PixelView {
- public:
-  explicit OwnedArray(const array::PixelArray& pixels) : pixels_(pixels) {}
-
-  void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
-                  std::span<std::uint32_t> values) const override {
-    ArrayView(pixels_).read_field(field, width, height, values);
-  }
-  void read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const override {
-    ArrayView(pixels_).read_enable(width, height, words);
-  }
-  [[nodiscard]] std::unique_ptr<const PixelView> copy() const override { return ArrayView(pixels_).copy(); }
-
- private:
-  array::PixelArray pixels_;
-};
-
-}  // namespace
-
 void ArrayView::read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
                            std::span<std::uint32_t> values) const {
-  pixels_.read_field(field, width, height, values);
+  pixels_->read_field(field, width, height, values);
 }
 
 void ArrayView::read_enable(std::uint32_t width, std::uint32_t height, std::span<std::uint64_t> words) const {
-  const std::size_t array_row = pixels_.shape().row_words();
+  const std::size_t array_row = pixels_->shape().row_words();
   const std::size_t region_row = array::PlaneShape{width, height}.row_words();
-  const std::span<const std::uint64_t> enable = pixels_.enable();
+  const std::span<const std::uint64_t> enable = pixels_->enable();
   if (region_row == array_row) {
     std::copy_n(enable.begin(), region_row * height, words.begin());
     return;
@@ -44,6 +22,8 @@ void ArrayView::read_enable(std::uint32_t width, std::uint32_t height, std::span
   }
 }
 
-std::unique_ptr<const PixelView> ArrayView::copy() const { return std::make_unique<OwnedArray>(pixels_); }
+std::unique_ptr<const PixelView> ArrayView::copy() const {
+  return std::make_unique<ArrayView>(std::make_shared<const array::PixelArray>(*pixels_));
+}
 
 }  // namespace csgsim::systemc

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "hw/array/pixel_array.h"
 #include "hw/systemc/run_listener.h"
@@ -11,7 +12,8 @@ namespace csgsim::systemc {
 class ArrayView final : public PixelView {
  public:
   /// The pixels have to live as long as the view.
-  explicit ArrayView(const array::PixelArray& pixels) : pixels_(pixels) {}
+  explicit ArrayView(const array::PixelArray& pixels) : pixels_(std::shared_ptr<void>(), &pixels) {}
+  explicit ArrayView(std::shared_ptr<const array::PixelArray> pixels) : pixels_(std::move(pixels)) {}
 
   void read_field(isa::Field field, std::uint32_t width, std::uint32_t height,
                   std::span<std::uint32_t> values) const override;
@@ -19,7 +21,7 @@ class ArrayView final : public PixelView {
   [[nodiscard]] std::unique_ptr<const PixelView> copy() const override;
 
  private:
-  const array::PixelArray& pixels_;
+  std::shared_ptr<const array::PixelArray> pixels_;
 };
 
 }  // namespace csgsim::systemc

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -111,9 +110,7 @@ std::uint64_t clocks_of(const isa::Program& program, const Machine& machine) {
 
 std::uint64_t spent(const FrameAccount& account, NodeActivity activity) {
   return std::accumulate(account.nodes.begin(), account.nodes.end(), std::uint64_t{0},
-                         [activity](std::uint64_t sum, const NodeClocks& node) {
-                           return sum + node.at(static_cast<std::size_t>(activity));
-                         });
+                         [activity](std::uint64_t sum, const NodeClocks& node) { return sum + node.of(activity); });
 }
 
 Machine random_machine() {
@@ -141,10 +138,6 @@ isa::Program any_program(const Machine& machine) {
   for (isa::Segment& segment : program.segments)
     segment.division = {below(3), below(20), below(20), below(5), below(3), below(9), below(30)};
   return program;
-}
-
-std::uint64_t whole(std::span<const std::uint64_t> clocks) {
-  return std::accumulate(clocks.begin(), clocks.end(), std::uint64_t{0});
 }
 
 }  // namespace
@@ -206,12 +199,11 @@ TEST_CASE("all nodes wait for the one with the most pixels") {
   isa::Program program = program_for(machine);
   const FrameAccount account = account_of(program, machine);
   // Two subsegments, of two pixels and of one; nodes of the second row have none.
-  CHECK(account.nodes[2].at(static_cast<std::size_t>(NodeActivity::rendering)) == 0);
+  CHECK(account.nodes[2].of(NodeActivity::rendering) == 0);
   const NodeClocks& first = account.nodes[0];
   const NodeClocks& second = account.nodes[1];
-  const auto rendering = static_cast<std::size_t>(NodeActivity::rendering);
-  CHECK(first.at(rendering) == second.at(rendering) + 3 + 17 + 19);
-  CHECK(account.stages.rendering == first.at(rendering));
+  CHECK(first.of(NodeActivity::rendering) == second.of(NodeActivity::rendering) + 3 + 17 + 19);
+  CHECK(account.stages.rendering == first.of(NodeActivity::rendering));
 }
 
 TEST_CASE("no frame takes less than its shares of the work, nor more than all of it one after the other") {
@@ -232,9 +224,9 @@ TEST_CASE("no frame takes less than its shares of the work, nor more than all of
     const std::uint64_t alone = stages.reception + stages.transformation + stages.first_pruning + bus;
     RC_ASSERT(frame.clocks >= alone + at_pixels / account.nodes.size());
     RC_ASSERT(frame.clocks <= alone + spent(account, NodeActivity::pruning) + rendered + stages.barriers);
-    RC_ASSERT(whole(account.display) == frame.clocks);
-    RC_ASSERT(whole(account.bus) == frame.clocks);
-    for (const NodeClocks& node : account.nodes) RC_ASSERT(whole(node) == frame.clocks);
+    RC_ASSERT(account.display.total() == frame.clocks);
+    RC_ASSERT(account.bus.total() == frame.clocks);
+    for (const NodeClocks& node : account.nodes) RC_ASSERT(node.total() == frame.clocks);
     RC_ASSERT(bus >= (account.broadcast_words + account.shared_words) * machine.link.word_clocks);
   }));
 }

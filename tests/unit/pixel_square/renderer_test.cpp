@@ -90,7 +90,7 @@ struct Board {
   Bench bench;
   std::vector<isa::Segment> segments{{.region = {0, 0, 4, 2}, .instructions = {}},
                                      {.region = square, .instructions = {}}};
-  pixel_square::SquareNames names;
+  systemc::SegmentNames names;
   sc_core::sc_fifo<isa::LinkWord> link{"link", 100};
   sc_core::sc_fifo<PortWord> colours;
   sc_core::sc_signal<std::uint64_t> finished{"finished"};

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <systemc>
+
+namespace csgsim::systemc {
+
+/// A part that acts at each rising edge of the clock.
+class ClockedModule : public sc_core::sc_module {
+ public:
+  sc_core::sc_in<bool> clock{"clock"};
+
+ protected:
+  explicit ClockedModule(sc_core::sc_module_name name) : sc_core::sc_module(name) {
+    SC_HAS_PROCESS(ClockedModule);
+    SC_METHOD(on_clock);
+    dont_initialize();
+    sensitive << clock.pos();
+  }
+
+ private:
+  virtual void on_clock() = 0;
+};
+
+}  // namespace csgsim::systemc

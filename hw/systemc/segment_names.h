@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "hw/isa/program.h"
+
+namespace csgsim::systemc {
+
+/// Which segment of the Program a region is, for those who watch: no hardware reads it.
+class SegmentNames {
+ public:
+  void begin(std::span<const isa::Segment> segments) {
+    numbers_.clear();
+    for (std::uint32_t i = 0; i < segments.size(); ++i) numbers_[{segments[i].region.x, segments[i].region.y}] = i;
+  }
+
+  /// Throws std::out_of_range for a region that is no segment's.
+  [[nodiscard]] std::uint32_t segment_of(const isa::Region& region) const { return numbers_.at({region.x, region.y}); }
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;  ///< by the region's top left
+};
+
+}  // namespace csgsim::systemc
