@@ -113,8 +113,9 @@ FrameAccount MultiProcessor::counted() const {
   return counted;
 }
 
+/// None where the run has been stopped before the model came to the nodes.
 std::vector<std::uint32_t> MultiProcessor::picture_of(const isa::Program& program) const {
-  if (program.colour.width == 0) return {};
+  if (program.colour.width == 0 || !nodes_[0].has_image()) return {};
   std::vector<std::uint32_t> picture;
   for (std::uint32_t y = 0; y < program.shape.height; ++y) {
     for (std::uint32_t x = 0; x < program.shape.width; ++x) {

@@ -98,3 +98,11 @@ TEST_CASE("levels of trees are refused where there are no trees") {
   CHECK(outcome.code == 1);
   CHECK(outcome.err.find("this machine has no multiplier trees; leave tree levels out") != std::string::npos);
 }
+
+TEST_CASE("the wave of a multi-processor may end before the model has come") {
+  const Folder folder;
+  const Outcome outcome =
+      run("wave " + model("basics_csg") +
+          " --view-all --size 24x16 --machine multi-processor --pixel 12,8 --window 0:200 -o " + (folder / "w.vcd"));
+  CHECK_MESSAGE(outcome.code == 0, outcome.err);
+}
