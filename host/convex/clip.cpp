@@ -191,7 +191,7 @@ Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneT
   const facet::Plane plane = outward_plane(halfspace, planes);
   std::vector<double> distances;
   distances.reserve(polytope.vertices.size());
-  for (const glm::dvec3& vertex : polytope.vertices) distances.push_back(glm::dot(plane.normal, vertex) + plane.offset);
+  for (const glm::dvec3& vertex : polytope.vertices) distances.push_back(plane.height(vertex));
   if (distances.empty()) return {};
   const auto [deepest, farthest] = std::minmax_element(distances.begin(), distances.end());
   // Ends, since with a tolerance beyond all distances no vertex is in, and where one is not a number none is either.

@@ -20,10 +20,6 @@ namespace csgsim::convex {
 
 namespace {
 
-bool are_equal(const facet::Box& one, const facet::Box& other) {
-  return one.low == other.low && one.high == other.high;
-}
-
 facet::Box moved(const facet::Box& box, const glm::dvec3& by) {
   return box.empty() ? box : facet::Box{box.low + by, box.high + by};
 }
@@ -65,13 +61,13 @@ class BoxSearch {
   }
 
  private:
-  [[nodiscard]] bool is_found(const Rest& part) const { return are_equal(hull(found_, box_of(part.polytope)), found_); }
+  [[nodiscard]] bool is_found(const Rest& part) const { return hull(found_, box_of(part.polytope)) == found_; }
 
   /// Corners that are off everything that is taken away are corners of the model.
   void find_corners(const Rest& part) {
     for (const glm::dvec3& corner : part.polytope.vertices) {
       const facet::Box more = hull(found_, corner);
-      if (are_equal(more, found_)) continue;
+      if (more == found_) continue;
       work_.charge(part.taken_away.size(), searching);
       const bool stays = std::none_of(part.taken_away.begin(), part.taken_away.end(),
                                       [&](std::uint32_t primitive) { return touches(primitive, corner); });
@@ -83,8 +79,7 @@ class BoxSearch {
     const std::vector<facet::Halfspace>& halfspaces = scene_.solids[primitive].halfspaces;
     work_.charge(halfspaces.size(), searching);
     return std::all_of(halfspaces.begin(), halfspaces.end(), [&](facet::Halfspace halfspace) {
-      const facet::Plane plane = outward_plane(halfspace, scene_.planes);
-      return glm::dot(plane.normal, point) + plane.offset <= tolerance(scene_.planes);
+      return outward_plane(halfspace, scene_.planes).height(point) <= tolerance(scene_.planes);
     });
   }
 
@@ -187,8 +182,7 @@ class Corners {
       return Known::out;
     Known known = Known::in;
     for (const facet::Halfspace halfspace : solid.halfspaces) {
-      const facet::Plane plane = outward_plane(halfspace, scene_.planes);
-      const double height = glm::dot(plane.normal, point) + plane.offset;
+      const double height = outward_plane(halfspace, scene_.planes).height(point);
       if (height > near) return Known::out;
       if (height > -near) known = Known::maybe;
     }

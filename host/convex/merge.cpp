@@ -98,9 +98,8 @@ class Merging {
     return std::all_of(one.faces.begin(), one.faces.end(), [&](const Face& face) {
       if (face.halfspace.plane == plane) return true;
       const facet::Plane wall = outward_plane(face.halfspace, planes_);
-      return std::all_of(other.vertices.begin(), other.vertices.end(), [&](const glm::dvec3& vertex) {
-        return glm::dot(wall.normal, vertex) + wall.offset <= tolerance(planes_);
-      });
+      return std::all_of(other.vertices.begin(), other.vertices.end(),
+                         [&](const glm::dvec3& vertex) { return wall.height(vertex) <= tolerance(planes_); });
     });
   }
 

@@ -51,33 +51,6 @@ bool are_near(const facet::Plane& one, const facet::Plane& other, double sign, d
   return tilt <= near_normals && offset <= (is_parallel ? near_parallel_offsets : near_offsets);
 }
 
-/// The primitives that have a face in each plane.
-class Users {
- public:
-  explicit Users(const facet::Scene& scene) : first_(scene.planes.planes().size() + 1) {
-    for_each(scene, [&](std::uint32_t plane, std::uint32_t) { ++first_[plane + 1]; });
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    users_.resize(first_.back());
-    std::vector<std::size_t> next = first_;
-    for_each(scene, [&](std::uint32_t plane, std::uint32_t solid) { users_[next[plane]++] = solid; });
-  }
-
-  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t plane) const {
-    return std::span(users_).subspan(first_[plane], first_[plane + 1] - first_[plane]);
-  }
-
- private:
-  template <class Visit>
-  static void for_each(const facet::Scene& scene, const Visit& visit) {
-    for (std::uint32_t solid = 0; solid < scene.solids.size(); ++solid) {
-      for (const facet::Halfspace& halfspace : scene.solids[solid].halfspaces) visit(halfspace.plane, solid);
-    }
-  }
-
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> users_;
-};
-
 /// Of each primitive, the number of its node in the file.
 std::vector<std::uint32_t> nodes_of(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
@@ -116,7 +89,11 @@ bool overlap_across(const Outline& one, const Outline& other, double least) {
 class PairSearch {
  public:
   PairSearch(const model::Tree& tree, const facet::Scene& scene)
-      : tree_(tree), scene_(scene), users_(scene), nodes_(nodes_of(tree)) {}
+      : tree_(tree), scene_(scene), users_(scene.planes.planes().size()), nodes_(nodes_of(tree)) {
+    for (std::uint32_t solid = 0; solid < scene.solids.size(); ++solid) {
+      for (const facet::Halfspace& halfspace : scene.solids[solid].halfspaces) users_[halfspace.plane].push_back(solid);
+    }
+  }
 
   NearFaces find() {
     const std::vector<Oriented> planes = sorted(scene_.planes);
@@ -142,8 +119,8 @@ class PairSearch {
     if (one.plane == other.plane) return;
     const double sign = one.is_reversed == other.is_reversed ? 1.0 : -1.0;
     if (!are_near(planes[one.plane], planes[other.plane], sign, scene_.planes.diagonal())) return;
-    for (const std::uint32_t first : users_.of(one.plane)) {
-      for (const std::uint32_t second : users_.of(other.plane)) {
+    for (const std::uint32_t first : users_[one.plane]) {
+      for (const std::uint32_t second : users_[other.plane]) {
         if (++faces_looked_at_ > most_near_faces) found_.are_more = true;
         if (found_.are_more) return;
         const auto [low, high] = std::minmax(first, second);
@@ -190,7 +167,7 @@ class PairSearch {
 
   const model::Tree& tree_;
   const facet::Scene& scene_;
-  Users users_;
+  std::vector<std::vector<std::uint32_t>> users_;  ///< of each plane, the primitives that have a face in it
   std::vector<std::uint32_t> nodes_;
   std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> polygons_;  ///< of faces, by primitive and plane
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_;

@@ -18,9 +18,8 @@ bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& r
   const bool has_face =
       std::any_of(both.faces.begin(), both.faces.end(), [&](const Face& face) { return face.halfspace == halfspace; });
   const facet::Plane plane = outward_plane(halfspace, planes);
-  return has_face && std::any_of(rest.vertices.begin(), rest.vertices.end(), [&](const glm::dvec3& vertex) {
-           return glm::dot(plane.normal, vertex) + plane.offset > tolerance(planes);
-         });
+  return has_face && std::any_of(rest.vertices.begin(), rest.vertices.end(),
+                                 [&](const glm::dvec3& vertex) { return plane.height(vertex) > tolerance(planes); });
 }
 
 }  // namespace

@@ -52,11 +52,7 @@ std::vector<Edge> edges(const Polytope& polytope) {
   return found;
 }
 
-facet::Box box_of(const Polytope& polytope) {
-  facet::Box found;
-  for (const glm::dvec3& vertex : polytope.vertices) found = hull(found, vertex);
-  return found;
-}
+facet::Box box_of(const Polytope& polytope) { return facet::box_of(polytope.vertices); }
 
 double volume(const Polytope& polytope) {
   double six_times = 0;
@@ -76,7 +72,7 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
                       const facet::PlaneTable& planes, const Work& work) {
   if (box.empty()) return {};
   // Wide enough for none of the box's faces to be left.
-  const glm::dvec3 margin(0.1 * glm::length(box.high - box.low) + 10.0 * tolerance(planes));
+  const glm::dvec3 margin(0.1 * box.diagonal() + 10.0 * tolerance(planes));
   Polytope polytope = cuboid(box.low - margin, box.high + margin);
   for (const facet::Halfspace& halfspace : halfspaces) {
     work.charge(clip_steps(polytope), "intersecting half-spaces");
@@ -88,6 +84,17 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
                                      [](const Face& face) { return face.halfspace.plane == no_plane; });
   if (unbounded) return {};
   return polytope;
+}
+
+std::vector<facet::Halfspace> walls_of(const facet::Box& box, facet::PlaneTable& planes) {
+  std::vector<facet::Halfspace> walls;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 normal(0);
+    normal[axis] = 1;
+    walls.push_back(planes.add({normal, -box.high[axis]}));
+    walls.push_back(planes.add({-normal, box.low[axis]}));
+  }
+  return walls;
 }
 
 Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes, const Work& work) {

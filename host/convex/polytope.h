@@ -48,6 +48,9 @@ double volume(const Polytope& polytope);
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
                       const facet::PlaneTable& planes, const Work& work = {});
 
+/// The half-spaces of a box in model space.
+std::vector<facet::Halfspace> walls_of(const facet::Box& box, facet::PlaneTable& planes);
+
 /// A primitive, as the intersection of its half-spaces.
 Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes, const Work& work = {});
 

@@ -40,10 +40,7 @@ struct BoxIndex::Tree {
 };
 
 BoxIndex::BoxIndex(std::span<const Entry> entries)
-    : tree_(std::make_unique<Tree>(Tree{decltype(Tree::items)(items_of(entries))})) {}
-BoxIndex::~BoxIndex() = default;
-BoxIndex::BoxIndex(BoxIndex&&) noexcept = default;
-BoxIndex& BoxIndex::operator=(BoxIndex&&) noexcept = default;
+    : tree_(std::make_shared<const Tree>(Tree{decltype(Tree::items)(items_of(entries))})) {}
 
 void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) const {
   const auto append = [&](const Item& item) { numbers.push_back(item.second); };

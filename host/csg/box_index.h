@@ -26,9 +26,6 @@ class BoxIndex {
   };
 
   explicit BoxIndex(std::span<const Entry> entries);
-  ~BoxIndex();
-  BoxIndex(BoxIndex&&) noexcept;
-  BoxIndex& operator=(BoxIndex&&) noexcept;
 
   /// Appends the numbers of the entries that have a point in common with the box, in no order.
   void meeting(const Box& box, std::vector<std::uint32_t>& numbers) const;
@@ -40,7 +37,7 @@ class BoxIndex {
 
  private:
   struct Tree;
-  std::unique_ptr<Tree> tree_;
+  std::shared_ptr<const Tree> tree_;
 };
 
 /// Pixels, depths and numbers from the first to the last; an interval of depths may be given either way round.

@@ -35,10 +35,6 @@ view::Range depth_range(const view::ScreenPlane& plane, unsigned fraction_bits, 
   return {exact.low >> fraction_bits, exact.high >> fraction_bits};
 }
 
-view::Range edge_range(const view::ScreenPlane& plane, const view::PixelRect& pixels) {
-  return view::range_over(plane.linear, pixels);
-}
-
 Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block) {
   return locate(view, view.planes[halfspace.plane], halfspace.positive, block);
 }
@@ -46,7 +42,7 @@ Known locate(const view::View& view, facet::Halfspace halfspace, const Block& bl
 Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block) {
   const auto range = [&] {
     if (!plane.representable) return real_range(view, plane.real, block.pixels);
-    return plane.kind == view::PlaneKind::edge ? edge_range(plane, block.pixels)
+    return plane.kind == view::PlaneKind::edge ? view::range_over(plane.linear, block.pixels)
                                                : depth_range(plane, view.sampling.fraction_bits, block.pixels);
   }();
   switch (view::side_of(plane, positive)) {
@@ -92,16 +88,13 @@ Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t pr
   if (extent.empty() || shared.empty() || extent.z_low > block.z_high || extent.z_high < block.z_low) return Known::out;
   bool inside = shared == block.pixels;
   const Block part{shared, block.z_low, block.z_high};
-  for (const facet::Halfspace& halfspace : scene.solids[primitive].halfspaces) {
-    const Known known = locate(view, halfspace, part);
-    if (known == Known::out) return Known::out;
+  const auto is_out = [&](const auto& bound) {
+    const Known known = locate(view, bound, part);
     inside = inside && known == Known::in;
-  }
-  for (const facet::QuadricSide side : scene.solids[primitive].quadrics) {
-    const Known known = locate(view, side, part);
-    if (known == Known::out) return Known::out;
-    inside = inside && known == Known::in;
-  }
+    return known == Known::out;
+  };
+  const facet::Convex& solid = scene.solids[primitive];
+  if (std::ranges::any_of(solid.halfspaces, is_out) || std::ranges::any_of(solid.quadrics, is_out)) return Known::out;
   return inside ? Known::in : Known::depends;
 }
 
@@ -110,13 +103,10 @@ bool holds(const view::View& view, const facet::Scene& scene, std::uint32_t prim
   const bool is_inside = !block.pixels.empty() && !extent.empty() &&
                          common(extent.pixels, block.pixels) == block.pixels && extent.z_low <= block.z_high &&
                          extent.z_high >= block.z_low;
-  const std::vector<facet::QuadricSide>& quadrics = scene.solids[primitive].quadrics;
-  const std::vector<facet::Halfspace>& halfspaces = scene.solids[primitive].halfspaces;
-  return is_inside &&
-         std::all_of(halfspaces.begin(), halfspaces.end(),
-                     [&](const facet::Halfspace& halfspace) { return locate(view, halfspace, block) == Known::in; }) &&
-         std::all_of(quadrics.begin(), quadrics.end(),
-                     [&](facet::QuadricSide side) { return locate(view, side, block) == Known::in; });
+  const auto holds_block = [&](const auto& bound) { return locate(view, bound, block) == Known::in; };
+  const facet::Convex& solid = scene.solids[primitive];
+  return is_inside && std::ranges::all_of(solid.halfspaces, holds_block) &&
+         std::ranges::all_of(solid.quadrics, holds_block);
 }
 
 }  // namespace csgsim::csg

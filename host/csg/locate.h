@@ -20,9 +20,6 @@ struct Block {
 /// Least and greatest F = floor of the surface plane over the pixels.
 view::Range depth_range(const view::ScreenPlane& plane, unsigned fraction_bits, const view::PixelRect& pixels);
 
-/// Least and greatest value of an edge line over the pixels.
-view::Range edge_range(const view::ScreenPlane& plane, const view::PixelRect& pixels);
-
 /// Whether every point of the block, or none, is in the half-space, by the integers the machine will use. The extremes
 /// of a plane over a rectangle are at its corners.
 Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block);

@@ -33,41 +33,6 @@ std::vector<std::uint64_t> count_products(const std::vector<ActiveNode>& nodes) 
   return counts;
 }
 
-std::vector<std::uint32_t> product_leaves(const std::vector<ActiveNode>& nodes,
-                                          const std::vector<std::uint64_t>& counts, std::uint32_t root,
-                                          std::uint64_t index) {
-  struct Part {
-    std::uint32_t node;
-    std::uint64_t index;
-  };
-  std::vector<Part> open{{root, index}};
-  std::vector<std::uint32_t> leaves;
-  while (!open.empty()) {
-    Part part = open.back();
-    open.pop_back();
-    const ActiveNode& node = nodes[part.node];
-    if (node.is_leaf) {
-      leaves.push_back(part.node);
-    } else if (node.op == PositiveOperator::unite) {
-      for (const std::uint32_t child : node.children) {
-        if (part.index < counts[child]) {
-          open.push_back({child, part.index});
-          break;
-        }
-        part.index -= counts[child];
-      }
-    } else {
-      // The last operand varies fastest, and is pushed first so that it comes out last.
-      for (std::size_t i = node.children.size(); i-- > 0;) {
-        const std::uint32_t child = node.children[i];
-        open.push_back({child, part.index % counts[child]});
-        part.index /= counts[child];
-      }
-    }
-  }
-  return leaves;
-}
-
 ProductTraversal::ProductTraversal(const std::vector<ActiveNode>& nodes, std::uint32_t root)
     : nodes_(nodes), root_(root), chosen_(nodes.size(), 0) {
   visit();

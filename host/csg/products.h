@@ -23,14 +23,9 @@ RootedTree with_root(const ActiveTree& active);
 /// `countless` where the number does not fit.
 std::vector<std::uint64_t> count_products(const std::vector<ActiveNode>& nodes);
 
-/// Products by restructuring (thesis 6.3): the leaves of product number `index` of a node, from left to right, found by
-/// dividing the number up, so that no product but the one asked for is ever held. The rightmost union varies fastest.
-std::vector<std::uint32_t> product_leaves(const std::vector<ActiveNode>& nodes,
-                                          const std::vector<std::uint64_t>& counts, std::uint32_t root,
-                                          std::uint64_t index);
-
 /// Products by repeated traversal (thesis 6.4): at a union one operand at a time is visited, at an intersection all.
-/// The products come in the same order, and with the same leaves, as by restructuring. Refers to the nodes.
+/// They come in the order, and with the leaves, that restructuring the tree gives (6.3), the rightmost union varying
+/// fastest, but no product is ever held except the one that is visited. Refers to the nodes.
 class ProductTraversal {
  public:
   ProductTraversal(const std::vector<ActiveNode>& nodes, std::uint32_t root);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host/emit/fields.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -13,14 +14,6 @@ namespace {
 
 /// An instruction appended, in steps of work.
 constexpr std::uint64_t instruction_steps = 40;
-
-/// Bits of the shortest two's complement number that holds every value of the range.
-unsigned signed_width(const view::Range& range) {
-  const auto width = [](std::int64_t value) {
-    return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value))) + 1;
-  };
-  return std::max(width(range.low), width(range.high));
-}
 
 /// Low zero bits that A and B share, at most `limit`. Dropping them, and as many of C with floor, changes no floor of
 /// the sum and no sign of it.
@@ -103,6 +96,13 @@ isa::Field equal_after(const isa::Instruction& instruction, isa::Field equal) {
 
 }  // namespace
 
+unsigned signed_width(const view::Range& range) {
+  const auto width = [](std::int64_t value) {
+    return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value))) + 1;
+  };
+  return std::max(width(range.low), width(range.high));
+}
+
 Broadcast::Broadcast(isa::Segment& segment, const view::Sampling& sampling, Work work)
     : segment_(segment), fraction_bits_(sampling.fraction_bits), work_(std::move(work)) {}
 
@@ -112,6 +112,24 @@ void Broadcast::plain(isa::Opcode opcode, isa::Field first, isa::Field second, s
 
 void Broadcast::bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right) {
   append({opcode, {target, left, right}, {}, 0, origin});
+}
+
+void Broadcast::constant(isa::Field field, std::uint64_t value) {
+  for (unsigned first = 0; first < field.width; first += isa::max_field_width) {
+    const unsigned width = std::min<unsigned>(field.width - first, isa::max_field_width);
+    plain(isa::Opcode::set_constant, part_of(field, first, width), {},
+          value >> first & ((std::uint64_t{1} << width) - 1));
+  }
+}
+
+void Broadcast::shifted(isa::Field source, isa::Field target, unsigned up) {
+  const unsigned low = std::min<unsigned>(up, target.width);
+  const unsigned width = std::min<unsigned>(source.width, target.width - low);
+  constant(part_of(target, 0, low), 0);
+  const isa::Field to = part_of(target, low, width);
+  const isa::Field from = part_of(source, 0, width);
+  if (width > 0 && to != from) plain(isa::Opcode::copy, to, from);
+  constant(part_of(target, low + width, target.width - low - width), 0);
 }
 
 void Broadcast::nowhere() { append({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin}); }

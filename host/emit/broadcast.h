@@ -20,6 +20,9 @@ struct ScanConversions {
   std::uint64_t depth_tests = 0;  ///< Z1 compared with Z2
 };
 
+/// Bits of the shortest two's complement number that holds every value of the range.
+unsigned signed_width(const view::Range& range);
+
 /// Appends instructions to a segment. `origin`, but for its effect, goes with every instruction appended. What would
 /// change nothing is left out: to load the bit that E is known to be equal to, or to store E there.
 class Broadcast {
@@ -36,6 +39,13 @@ class Broadcast {
 
   /// An instruction on three fields, element by element.
   void bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right);
+
+  /// Where E is 1: field := constant. The field may have any width.
+  void constant(isa::Field field, std::uint64_t value);
+
+  /// Where E is 1: target := source * 2^up, as much of it as fits the target, which may have any width. They may be the
+  /// same bits where nothing is shifted.
+  void shifted(isa::Field source, isa::Field target, unsigned up);
 
   /// E := 0.
   void nowhere();

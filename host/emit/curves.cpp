@@ -3,21 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "host/emit/effect.h"
 #include "hw/machines/regions.h"
 
 namespace csgsim::emit {
 
-std::string_view name_of(Curves curves) {
-  switch (curves) {
-    case Curves::facets: return "facets";
-    case Curves::fast: return "fast";
-    case Curves::exact: return "exact";
-    case Curves::automatic: break;
-  }
-  return "auto";
-}
+namespace {
+
+constexpr std::array<std::string_view, curve_choices.size()> curve_names{"facets", "fast", "exact", "auto"};
+
+}  // namespace
+
+std::string_view name_of(Curves curves) { return curve_names.at(static_cast<std::size_t>(curves)); }
 
 std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look) {
   if (machine.evaluator_degree < 2)

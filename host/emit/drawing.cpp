@@ -135,6 +135,10 @@ Context with_layout(const Context& context, const Layout& layout) {
   return other;
 }
 
+void enable_drawing(const Context& context, Broadcast& out) {
+  context.base.width > 0 ? out.plain(isa::Opcode::enable_load, context.base) : out.plain(isa::Opcode::enable_all);
+}
+
 void emit_setup(const Context& context, Broadcast& out) {
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
   enable_drawing(context, out);

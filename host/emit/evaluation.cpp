@@ -106,23 +106,14 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
   return false;
 }
 
-/// Thesis 6.3: the products of the restructured tree, one after another.
+/// The products of one traversal after another: those of thesis 6.3 without the empty ones, or those of 6.4 with three
+/// bits.
 void emit_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
-  const std::vector<std::uint64_t> products = csg::count_products(rooted.nodes);
-  for (std::uint64_t product = 0; product < products[rooted.root]; ++product) {
-    std::vector<std::uint32_t> leaves = csg::product_leaves(rooted.nodes, products, rooted.root, product);
-    if (!is_empty(context, rooted.nodes, leaves)) {
-      emit_product(context, out, planned, sides, rooted.nodes, std::move(leaves));
-    }
-  }
-}
-
-/// Thesis 6.4 with three bits: the products of one traversal after another.
-void emit_traversals(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
-  const csg::RootedTree rooted = csg::with_root(planned.active);
+  const bool leaves_out_empty = context.options.strategy == Strategy::products;
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
   do {
+    if (leaves_out_empty && is_empty(context, rooted.nodes, traversal.leaves())) continue;
     emit_product(context, out, planned, sides, rooted.nodes, traversal.leaves());
   } while (traversal.next());
 }
@@ -154,9 +145,7 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
 void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const Options& options = context.options;
   if (renders_each_product(options) && !planned.active.operands.empty()) {
-    options.strategy == Strategy::products ? emit_products(context, out, planned, sides)
-                                           : emit_traversals(context, out, planned, sides);
-    return;
+    return emit_products(context, out, planned, sides);
   }
   const Surface surface = emit_surface(context, out, planned, sides);
   if (surface.nothing) return;

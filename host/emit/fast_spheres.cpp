@@ -5,7 +5,6 @@
 #include <bit>
 
 #include "host/emit/fields.h"
-#include "host/emit/wide_fields.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -72,8 +71,7 @@ void emit_squares(const Context& context, Broadcast& out) {
   const isa::Field squares = context.layout.squares;
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
   out.plain(Opcode::enable_all);
-  emit_constant(out, squares,
-                static_cast<std::uint64_t>(depth_of_valley(region.width) + depth_of_valley(region.height)));
+  out.constant(squares, static_cast<std::uint64_t>(depth_of_valley(region.width) + depth_of_valley(region.height)));
   for (const Axis& axis : axes_of(region)) add_squares(out, axis, squares, context.plan.pixels());
 }
 
@@ -90,7 +88,7 @@ void emit_paraboloid(const Context& context, Broadcast& out, const view::ScreenQ
   const std::int64_t middle = (sphere.middle.c >> context.view.sampling.fraction_bits) + (is_near ? 0 : 1);
   const auto scaled_middle = static_cast<std::int64_t>(static_cast<std::uint64_t>(middle) << fraction);
   if (factor.is_zero) {
-    emit_constant(out, sum_field, static_cast<std::uint64_t>(scaled_middle));
+    out.constant(sum_field, static_cast<std::uint64_t>(scaled_middle));
     return;
   }
   const std::int64_t times = is_near ? -factor.scaled() : factor.scaled();
@@ -107,13 +105,13 @@ void emit_paraboloid(const Context& context, Broadcast& out, const view::ScreenQ
   const bool greater_is_taken = !is_near;
   const bool smaller_is_taken = factor.signs < 0 ? is_near : !is_near;
   if (factor.signs == 0 || greater_is_taken == smaller_is_taken) {
-    emit_shifted(out, context.layout.squares, sum_field, up(factor.first));
+    out.shifted(context.layout.squares, sum_field, up(factor.first));
     if (factor.signs != 0) add(up(factor.second));
     out.expression(greater_is_taken ? Opcode::linear_minus : Opcode::linear_plus, sum_field, linear,
                    sphere.discriminant_shift, pixels);
     return;
   }
-  emit_shifted(out, context.layout.squares, sum_field, up(greater_is_taken ? factor.first : factor.second));
+  out.shifted(context.layout.squares, sum_field, up(greater_is_taken ? factor.first : factor.second));
   out.expression(Opcode::linear_minus, sum_field, linear, sphere.discriminant_shift, pixels);
   add(up(greater_is_taken ? factor.second : factor.first));
 }

@@ -1,26 +1,19 @@
 #include "host/emit/options.h"
 
+#include <array>
+#include <cstddef>
+
 namespace csgsim::emit {
 
-std::string_view name_of(Strategy strategy) {
-  switch (strategy) {
-    case Strategy::stack: return "stack";
-    case Strategy::list: return "list";
-    case Strategy::bits: return "bits";
-    case Strategy::products: return "products";
-    case Strategy::parallel: return "parallel";
-    case Strategy::automatic: return "auto";
-  }
-  return {};
-}
+namespace {
 
-std::string_view name_of(Colouring colouring) {
-  switch (colouring) {
-    case Colouring::rebroadcast: return "rebroadcast";
-    case Colouring::field: return "field";
-    case Colouring::automatic: return "auto";
-  }
-  return {};
-}
+constexpr std::array<std::string_view, strategies.size()> strategy_names{"stack",    "list",     "bits",
+                                                                         "products", "parallel", "auto"};
+constexpr std::array<std::string_view, colourings.size()> colouring_names{"rebroadcast", "field", "auto"};
+
+}  // namespace
+
+std::string_view name_of(Strategy strategy) { return strategy_names.at(static_cast<std::size_t>(strategy)); }
+std::string_view name_of(Colouring colouring) { return colouring_names.at(static_cast<std::size_t>(colouring)); }
 
 }  // namespace csgsim::emit

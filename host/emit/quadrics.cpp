@@ -9,7 +9,6 @@
 #include "host/emit/curved_light.h"
 #include "host/emit/fast_spheres.h"
 #include "host/emit/fields.h"
-#include "host/emit/wide_fields.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 
@@ -42,10 +41,7 @@ bool is_depth(const view::Range& range, std::int64_t farthest) { return range.lo
 /// Bits of a sum with these values: as many as a depth has if all are depths, else of a two's complement number.
 unsigned sum_bits(const view::Range& range, unsigned z_bits) {
   if (is_depth(range, (std::int64_t{1} << z_bits) - 1)) return z_bits;
-  const auto width = [](std::int64_t value) {
-    return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value))) + 1;
-  };
-  return std::max({z_bits + 1, width(range.low), width(range.high)});
+  return std::max(z_bits + 1, signed_width(range));
 }
 
 /// Makes a depth of a two's complement number: 0 of one below, the farthest of one beyond. E is kept.
@@ -57,7 +53,7 @@ void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const vi
   out.plain(Opcode::enable_store, context.layout.kept);
   if (range.low < 0) {
     out.plain(Opcode::enable_and, sign);
-    emit_constant(out, depth, 0);
+    out.constant(depth, 0);
     out.plain(Opcode::enable_load, context.layout.kept);
   }
   if (range.high <= farthest) return;
@@ -67,7 +63,7 @@ void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const vi
     out.bitwise(Opcode::bit_or, beyond, beyond, part_of(sum, bit, 1));
   out.plain(Opcode::enable_and, beyond);
   if (range.low < 0) out.plain(Opcode::enable_and_not, sign);
-  emit_constant(out, depth, static_cast<std::uint64_t>(farthest));
+  out.constant(depth, static_cast<std::uint64_t>(farthest));
   out.plain(Opcode::enable_load, context.layout.kept);
 }
 
@@ -257,7 +253,7 @@ isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound
   if (is_paraboloid(quadric)) {
     emit_paraboloid(context, out, quadric, is_near, all, pixels);
   } else {
-    emit_shifted(out, part_of(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
+    out.shifted(part_of(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
     view::FixedLinear middle = quadric.middle;
     if (!is_near) middle.c += std::int64_t{1} << (context.view.sampling.fraction_bits + quadric.unit);
     out.surface(is_near ? Opcode::linear_minus : Opcode::linear_plus, sum, middle, pixels);
@@ -265,7 +261,7 @@ isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound
   if (may_miss(bound, ranges)) {
     // Where the ray does not meet the quadric, all of it is inside.
     out.plain(Opcode::enable_xor, context.layout.kept);
-    emit_constant(out, sum, static_cast<std::uint64_t>(context.farthest()));
+    out.constant(sum, static_cast<std::uint64_t>(context.farthest()));
     out.plain(Opcode::enable_load, context.layout.kept);
   }
   emit_clamp(context, out, sum, range);

@@ -90,17 +90,9 @@ CurvedSurface surface_of(const model::Cylinder& cylinder, const glm::dmat4& tran
   return surface;
 }
 
-/// A hull's ring about the z axis, of one vertex if the radius is 0: numbers of its vertices.
+/// Of a hull.
 std::vector<std::uint32_t> add_ring(Solid& solid, double radius, double z, std::uint32_t sides) {
-  std::vector<std::uint32_t> ring;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    if (i == 0 || radius > 0.0) {
-      const double around = 360.0 * (i + 0.5) / sides;
-      solid.vertices.emplace_back(radius * model::cos_degrees(around), radius * model::sin_degrees(around), z);
-    }
-    ring.push_back(static_cast<std::uint32_t>(solid.vertices.size() - 1));
-  }
-  return ring;
+  return add_ring(solid, {radius, z}, sides, 0.5);
 }
 
 void add_edges(Solid& solid, const std::vector<std::uint32_t>& ring) {
@@ -111,6 +103,19 @@ void add_edges(Solid& solid, const std::vector<std::uint32_t>& ring) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::uint32_t sides, double turn) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    if (i == 0 || ring.radius > 0.0) {
+      const double around = 360.0 * (i + turn) / sides;
+      solid.vertices.emplace_back(ring.radius * model::cos_degrees(around), ring.radius * model::sin_degrees(around),
+                                  ring.z);
+    }
+    numbers.push_back(static_cast<std::uint32_t>(solid.vertices.size() - 1));
+  }
+  return numbers;
+}
 
 bool keeps_balls(const glm::dmat4& transform) {
   const std::array<glm::dvec3, 3> columns{glm::dvec3(transform[0]), glm::dvec3(transform[1]), glm::dvec3(transform[2])};

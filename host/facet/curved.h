@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "host/facet/faceting.h"
 #include "host/facet/quadrics.h"
 #include "host/facet/solid.h"
@@ -20,6 +23,15 @@ bool keeps_balls(const glm::dmat4& transform);
 
 /// Whether that stays a curved surface.
 bool stays_curved(const model::Primitive& primitive, const Faceting& faceting);
+
+/// A horizontal ring of vertices about the z axis. A radius of 0 makes it a single point.
+struct Ring {
+  double radius = 0;
+  double z = 0;
+};
+
+/// Adds its vertices, the first of them `turn` parts of a side on from the x axis. Returns their numbers, one a side.
+std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::uint32_t sides, double turn = 0);
 
 /// The planes and a hull of a curved solid in its own space: the faces are its flat ends, and of a cone that ends in
 /// its tip a plane through that, which parts it from the other nappe. Vertices and edges are those of a polytope around

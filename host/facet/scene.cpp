@@ -28,14 +28,8 @@ std::vector<std::array<std::uint32_t, 2>> edges_of(const Solid& solid) {
   return edges;
 }
 
-Box box_of(const std::vector<glm::dvec3>& points) {
-  Box box;
-  for (const glm::dvec3& point : points) box = hull(box, point);
-  return box;
-}
-
 Box box_of(const Solid& solid) {
-  return solid.curved ? Box{solid.curved->low, solid.curved->high} : box_of(solid.vertices);
+  return solid.curved ? Box{solid.curved->low, solid.curved->high} : facet::box_of(solid.vertices);
 }
 
 /// Turns solids into convexes one after another.
@@ -109,6 +103,12 @@ Box common(const Box& a, const Box& b) {
   return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
 }
 
+Box box_of(std::span<const glm::dvec3> points) {
+  Box box;
+  for (const glm::dvec3& point : points) box = hull(box, point);
+  return box;
+}
+
 Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes) {
   if (tree.root == model::no_index) return {};
   std::vector<Box> folded(tree.nodes.size());
@@ -148,10 +148,7 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
     boxes.push_back(box_of(solids.back()));
     all = hull(all, boxes.back());
   }
-  Scene scene{
-      {},
-      PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : glm::length(all.high - all.low)),
-      {}};
+  Scene scene{{}, PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : all.diagonal()), {}};
   scene.quadrics = QuadricTable(scene.planes.centre(), scene.planes.diagonal());
   scene.fast_spheres = faceting.exact_curves && faceting.fast_spheres;
   SceneMaker maker(scene.planes, scene.quadrics);

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "host/facet/planes.h"
@@ -19,11 +21,14 @@ struct Box {
 
   [[nodiscard]] bool empty() const { return low.x > high.x || low.y > high.y || low.z > high.z; }
   [[nodiscard]] glm::dvec3 centre() const { return low + (high - low) / 2.0; }
+  [[nodiscard]] double diagonal() const { return glm::length(high - low); }
+  bool operator==(const Box&) const = default;
 };
 
 Box hull(const Box& a, const Box& b);
 Box hull(const Box& box, const glm::dvec3& point);
 Box common(const Box& a, const Box& b);
+Box box_of(std::span<const glm::dvec3> points);
 
 /// A primitive as an intersection of canonical half-spaces, and of a quadric if it is curved.
 struct Convex {

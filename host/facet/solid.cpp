@@ -37,12 +37,6 @@ Solid box(const model::Cube& cube) {
   return solid;
 }
 
-/// A horizontal ring of vertices about the z axis. A radius of 0 makes it a single point.
-struct Ring {
-  double radius = 0;
-  double z = 0;
-};
-
 /// Lateral face `index` between two rings of regular polygons: the plane through the chords, in the meridian half-plane
 /// at the middle of the facet, where a polygon of n corners has radius r cos(180/n).
 Plane lateral_plane(const Ring& low, const Ring& high, std::uint32_t index, std::uint32_t count) {
@@ -67,18 +61,7 @@ Solid lathe(std::span<const Ring> stack, std::uint32_t count) {
   }
   Solid solid;
   std::vector<Corners> rings;
-  for (const Ring& ring : stack) {
-    Corners corners;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (i == 0 || ring.radius > 0.0) {
-        const double angle = 360.0 * i / count;
-        solid.vertices.emplace_back(ring.radius * model::cos_degrees(angle), ring.radius * model::sin_degrees(angle),
-                                    ring.z);
-      }
-      corners.push_back(static_cast<std::uint32_t>(solid.vertices.size() - 1));
-    }
-    rings.push_back(std::move(corners));
-  }
+  for (const Ring& ring : stack) rings.push_back(add_ring(solid, ring, count));
   if (stack.front().radius > 0.0) solid.faces.push_back({{{0, 0, -1}, stack.front().z}, rings.front()});
   for (std::size_t level = 0; level + 1 < stack.size(); ++level) {
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -16,6 +17,9 @@ namespace csgsim::facet {
 struct Plane {
   glm::dvec3 normal{0, 0, 1};
   double offset = 0;
+
+  /// How far a point is in front of the plane; below 0 behind it.
+  [[nodiscard]] double height(const glm::dvec3& point) const { return glm::dot(normal, point) + offset; }
 };
 
 /// A face of a convex solid: its plane, and its corners counter-clockwise or clockwise as seen from outside.

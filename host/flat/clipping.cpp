@@ -36,7 +36,7 @@ bool is_empty(ClipperLib::Clipper& clipper) {
 
 Area united(const ClipperLib::Paths& paths, ClipperLib::PolyFillType rule, const Work& work) {
   Clipping clipping;
-  clipping.add(paths, ClipperLib::ptSubject);
+  clipping.add(paths);
   ClipperLib::PolyTree tree;
   clipping.execute(ClipperLib::ctUnion, rule, tree, work);
   return area_of(tree);
@@ -58,8 +58,8 @@ ClipperLib::Paths paths_of(const Area& area) {
   return paths;
 }
 
-void Clipping::add(ClipperLib::Paths paths, ClipperLib::PolyType type) {
-  clipper_.AddPaths(paths, type, true);
+void Clipping::add(ClipperLib::Paths paths) {
+  clipper_.AddPaths(paths, std::exchange(type_, ClipperLib::ptClip), true);
   std::move(paths.begin(), paths.end(), std::back_inserter(paths_));
 }
 
@@ -85,6 +85,14 @@ Area area_of(const ClipperLib::PolyTree& tree) {
     if (cleaned.size() >= 3) area.outlines.push_back(outline_of(cleaned));
   }
   return area;
+}
+
+Area combined(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work) {
+  Clipping clipping;
+  for (const Area& area : areas) clipping.add(paths_of(area));
+  ClipperLib::PolyTree result;
+  clipping.execute(operation, ClipperLib::pftNonZero, result, work);
+  return area_of(result);
 }
 
 Area even_odd(const ClipperLib::Paths& paths, const Work& work) { return united(paths, ClipperLib::pftEvenOdd, work); }

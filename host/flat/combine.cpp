@@ -17,27 +17,16 @@ ClipperLib::Paths contours(const ClipperLib::PolyTree& tree) {
   return paths;
 }
 
-/// The first as subject, all others as clips.
-Area clip_at_once(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work) {
-  Clipping clipping;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    clipping.add(paths_of(areas[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip);
-  }
-  ClipperLib::PolyTree result;
-  clipping.execute(operation, ClipperLib::pftNonZero, result, work);
-  return area_of(result);
-}
-
 }  // namespace
 
 Area unite(std::span<const Area> areas, const Work& work) {
   if (areas.empty()) return {};
-  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctUnion, work);
+  return areas.size() == 1 ? areas.front() : combined(areas, ClipperLib::ctUnion, work);
 }
 
 Area subtract(std::span<const Area> areas, const Work& work) {
   if (areas.empty()) return {};
-  return areas.size() == 1 ? areas.front() : clip_at_once(areas, ClipperLib::ctDifference, work);
+  return areas.size() == 1 ? areas.front() : combined(areas, ClipperLib::ctDifference, work);
 }
 
 Area intersect(std::span<const Area> areas, const Work& work) {
@@ -47,8 +36,8 @@ Area intersect(std::span<const Area> areas, const Work& work) {
   ClipperLib::PolyTree result;
   for (const Area& area : areas.subspan(1)) {
     Clipping clipping;
-    clipping.add(common, ClipperLib::ptSubject);
-    clipping.add(paths_of(area), ClipperLib::ptClip);
+    clipping.add(common);
+    clipping.add(paths_of(area));
     clipping.execute(ClipperLib::ctIntersection, ClipperLib::pftNonZero, result, work);
     common = contours(result);
   }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "host/flat/clipping.h"
@@ -11,7 +10,6 @@
 #include "host/flat/dxf/tags.h"
 #include "host/model/degrees.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::flat {
 
@@ -19,17 +17,11 @@ namespace {
 
 enum class Section { other, blocks, entities };
 
-/// Entities that are no shapes of their own.
-const std::set<std::string, std::less<>>& bare_entities() {
-  static const std::set<std::string, std::less<>> names{"", "ENDSEC", "EOF", "SEQEND", "VERTEX"};
-  return names;
-}
-
 class DxfReader {
  public:
   explicit DxfReader(const DxfOptions& options) : options_(options) {}
 
-  Imported read(std::string_view bytes);
+  Area read(std::string_view bytes);
 
  private:
   void begin(const dxf::Tag& tag);
@@ -38,7 +30,6 @@ class DxfReader {
   void finish_entity();
   void insert();
   void add(const dxf::Segment& segment);
-  void leave_out(const std::string& what) { left_out_.insert(what); }
   [[nodiscard]] bool is_asked_for() const {
     return section_ != Section::entities || options_.layer.empty() || options_.layer == entity_.layer;
   }
@@ -46,12 +37,10 @@ class DxfReader {
   DxfOptions options_;
   Section section_ = Section::other;
   dxf::Entity entity_;
-  bool bulges_ = false;
   std::string block_;  ///< the one that is being defined
   std::map<std::string, std::vector<dxf::Segment>> blocks_;
   std::size_t block_segments_ = 0;
   dxf::Segments segments_;
-  std::set<std::string> left_out_;
 };
 
 void DxfReader::begin(const dxf::Tag& tag) {
@@ -59,7 +48,6 @@ void DxfReader::begin(const dxf::Tag& tag) {
   entity_.type = tag.value;
   entity_.line = tag.line;
   if (entity_.type == "INSERT") entity_.first = entity_.second = 1;
-  bulges_ = false;
 }
 
 /// Coordinates and lengths of blocks stay as they are until they are inserted.
@@ -75,10 +63,7 @@ void DxfReader::take(const dxf::Tag& tag) {
     case 21: entity_.ys.push_back(raw ? real(tag) : (real(tag) - options_.origin.y) * options_.scale); break;
     case 40: entity_.size = raw ? real(tag) : real(tag) * options_.scale; break;
     case 41: entity_.first = real(tag); break;
-    case 42:
-      entity_.second = real(tag);
-      bulges_ = bulges_ || entity_.second != 0;
-      break;
+    case 42: entity_.second = real(tag); break;
     case 50: entity_.start = real(tag); break;
     case 51: entity_.stop = real(tag); break;
     case 70: entity_.flags = integer(tag); break;
@@ -99,10 +84,7 @@ void DxfReader::add(const dxf::Segment& segment) {
 
 void DxfReader::insert() {
   const auto found = blocks_.find(entity_.name);
-  if (found == blocks_.end()) {
-    leave_out("INSERT of " + printable(entity_.name) + ", a block of no lines");
-    return;
-  }
+  if (found == blocks_.end()) return;
   const glm::dvec2 place = dxf::point(entity_, 0);
   const double sine = model::sin_degrees(entity_.start);
   const double cosine = model::cos_degrees(entity_.start);
@@ -119,11 +101,8 @@ void DxfReader::finish_entity() {
   if (section_ == Section::other || !is_asked_for()) return;
   if (dxf::is_drawn(entity_.type)) {
     dxf::draw(entity_, options_.facets, [&](const dxf::Segment& segment) { add(segment); });
-    if (entity_.type == "LWPOLYLINE" && bulges_) leave_out("bulges of LWPOLYLINE");
   } else if (entity_.type == "INSERT") {
     insert();
-  } else if (!bare_entities().contains(entity_.type)) {
-    leave_out(printable(entity_.type));
   }
 }
 
@@ -145,7 +124,7 @@ void DxfReader::finish() {
   }
 }
 
-Imported DxfReader::read(std::string_view bytes) {
+Area DxfReader::read(std::string_view bytes) {
   dxf::Tags tags(bytes);
   bool any = false;
   while (const std::optional<dxf::Tag> tag = tags.next()) {
@@ -159,12 +138,12 @@ Imported DxfReader::read(std::string_view bytes) {
   }
   if (!any) throw InputError("line 1: this is not DXF: it has no section");
   if (entity_.type != "EOF") throw InputError("the DXF file is cut short: its last group is not 0, EOF");
-  return {even_odd(paths_of({segments_.outlines()}), options_.work), {left_out_.begin(), left_out_.end()}};
+  return even_odd(paths_of({segments_.outlines()}), options_.work);
 }
 
 }  // namespace
 
-Imported read_dxf(std::string_view bytes, const DxfOptions& options) {
+Area read_dxf(std::string_view bytes, const DxfOptions& options) {
   if (!(options.scale > 0) || !std::isfinite(options.scale) || !std::isfinite(options.origin.x) ||
       !std::isfinite(options.origin.y)) {
     throw InputError("scale of import() must be above 0, and its origin of finite numbers");

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/flat/imported.h"
+#include "host/flat/area.h"
 #include "host/model/tree.h"
 #include "hw/base/work.h"
 
@@ -22,6 +22,6 @@ struct DxfOptions {
 /// into segments whose ends are joined where they are within 1/1024, the outlines of which an odd number hold what is
 /// drawn. Open ones are closed; bulges of polylines are straight. Other entities are left out. Throws InputError, with
 /// the line in the file, for what is not DXF.
-Imported read_dxf(std::string_view bytes, const DxfOptions& options);
+Area read_dxf(std::string_view bytes, const DxfOptions& options);
 
 }  // namespace csgsim::flat

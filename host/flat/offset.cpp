@@ -1,6 +1,8 @@
 #include "host/flat/offset.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -23,14 +25,8 @@ constexpr double sharp_limit = 1e6;
 /// Sides that are drawn out stay within what Clipper's integers hold then.
 constexpr double largest_distance = 1e7;
 
-ClipperLib::JoinType join_type(Corner corner) {
-  switch (corner) {
-    case Corner::round: return ClipperLib::jtRound;
-    case Corner::sharp: return ClipperLib::jtMiter;
-    case Corner::cut: return ClipperLib::jtSquare;
-  }
-  return ClipperLib::jtRound;
-}
+/// By Corner.
+constexpr std::array join_types{ClipperLib::jtRound, ClipperLib::jtMiter, ClipperLib::jtSquare};
 
 /// How far arcs of that radius may be from their chords, for Clipper to make as many of them as OpenSCAD wants.
 double arc_tolerance(const Area& area, double radius, const model::FacetControl& facets) {
@@ -54,7 +50,7 @@ Area offset(const Area& area, double distance, Corner corner, const model::Facet
   ClipperLib::ClipperOffset clipper(sharp_limit, tolerance * clipper_scale);
   const ClipperLib::Paths paths = paths_of(area);
   charge_clipping(paths, work);
-  clipper.AddPaths(paths, join_type(corner), ClipperLib::etClosedPolygon);
+  clipper.AddPaths(paths, join_types.at(static_cast<std::size_t>(corner)), ClipperLib::etClosedPolygon);
   ClipperLib::PolyTree tree;
   clipper.Execute(tree, distance * clipper_scale);
   return area_of(tree);

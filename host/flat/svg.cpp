@@ -7,7 +7,6 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <pugixml.hpp>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +21,9 @@ namespace csgsim::flat {
 
 namespace {
 
+/// Corners of a drawing, at most.
+constexpr std::size_t max_drawing_corners = 1'000'000;
+
 /// Elements within elements, at most.
 constexpr std::size_t max_depth = 1'000;
 
@@ -35,7 +37,7 @@ class SvgReader {
  public:
   SvgReader(std::string_view bytes, const SvgOptions& options) : bytes_(bytes), options_(options) {}
 
-  Imported read();
+  Area read();
 
  private:
   void walk(pugi::xml_node root);
@@ -51,7 +53,6 @@ class SvgReader {
   std::size_t corners_ = 0;
   svg::Page page_;
   Box box_;  ///< of all shapes, scaled by the page
-  std::set<std::string> left_out_;
 };
 
 std::string SvgReader::place(std::ptrdiff_t offset) const {
@@ -79,8 +80,7 @@ void SvgReader::enter(pugi::xml_node element) {
   const bool outermost = matrices_.size() == 1;
   matrices_.push_back(matrices_.back());
   if (name == "svg") page_ = svg::read_page(element, options_.dpi);
-  if (name == "text" || name == "image" || name == "use") left_out_.emplace(name);
-  std::optional<std::vector<Outline>> shape = svg::read_shape(element, max_drawing_corners - corners_, left_out_);
+  std::optional<std::vector<Outline>> shape = svg::read_shape(element, max_drawing_corners - corners_);
   // Other elements than groups and shapes pass on what they are in.
   if ((shape || name == "g") && !outermost) {
     matrices_.back() = matrices_.back() * svg::read_transform(element.attribute("transform").value());
@@ -121,8 +121,7 @@ Area SvgReader::laid_out() const {
   const glm::dvec2 centre = (box_.low + box_.high) / 2.0;
   const double x = options_.center ? -centre.x : page_.margin.x;
   const double y = options_.center ? centre.y : page_.height - page_.margin.y;
-  Clipping clipping;
-  bool first = true;
+  std::vector<Area> areas;
   for (const std::vector<Outline>& shape : shapes_) {
     Area area;
     for (const Outline& outline : shape) {
@@ -132,15 +131,12 @@ Area SvgReader::laid_out() const {
                              -page_.scale.y * (corner.y + page_.origin.y) + y);
       }
     }
-    clipping.add(paths_of(even_odd(paths_of(area), options_.work)), first ? ClipperLib::ptSubject : ClipperLib::ptClip);
-    first = false;
+    areas.push_back(even_odd(paths_of(area), options_.work));
   }
-  ClipperLib::PolyTree tree;
-  clipping.execute(ClipperLib::ctUnion, ClipperLib::pftNonZero, tree, options_.work);
-  return area_of(tree);
+  return combined(areas, ClipperLib::ctUnion, options_.work);
 }
 
-Imported SvgReader::read() {
+Area SvgReader::read() {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(bytes_.data(), bytes_.size());
   if (!parsed) throw InputError(place(parsed.offset) + "this is not XML: " + parsed.description());
@@ -148,12 +144,12 @@ Imported SvgReader::read() {
   if (std::string_view(root.name()) != "svg")
     throw InputError(place(0) + "this is not SVG: its outermost element is no svg");
   walk(root);
-  return {laid_out(), {left_out_.begin(), left_out_.end()}};
+  return laid_out();
 }
 
 }  // namespace
 
-Imported read_svg(std::string_view bytes, const SvgOptions& options) {
+Area read_svg(std::string_view bytes, const SvgOptions& options) {
   if (!(options.dpi >= 0.001) || !std::isfinite(options.dpi)) {
     throw InputError("dpi of import() must be at least 0.001");
   }

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "host/flat/imported.h"
+#include "host/flat/area.h"
 #include "hw/base/work.h"
 
 namespace csgsim::flat {
@@ -18,6 +18,6 @@ struct SvgOptions {
 /// Text, images and uses of definitions are left out. Flags of arcs need no space after them, as SVG has it; OpenSCAD
 /// takes them for the beginnings of numbers. Throws InputError, with the line in the file, for what is not SVG, and
 /// WorkError past the limit on work.
-Imported read_svg(std::string_view bytes, const SvgOptions& options);
+Area read_svg(std::string_view bytes, const SvgOptions& options);
 
 }  // namespace csgsim::flat

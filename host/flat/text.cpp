@@ -63,24 +63,14 @@ std::uint32_t sides_of_curves(const Text& text) {
   return std::max(model::fragments(text.size, text.facets) / 8 + 1, 2U);
 }
 
-/// What any of the letters covers; whatever way its outlines run.
-Area unite_letters(std::span<const Area> letters) {
-  Clipping clipping;
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    clipping.add(paths_of(letters[i]), i == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip);
-  }
-  ClipperLib::PolyTree tree;
-  clipping.execute(ClipperLib::ctUnion, ClipperLib::pftNonZero, tree);
-  return area_of(tree);
-}
-
 }  // namespace
 
 Area text(const Text& text) {
   check(text);
   const lettering::Lettering lettering = opened_module().draw(text, sides_of_curves(text), max_corners);
   if (!lettering.error.empty()) throw InputError(lettering.error);
-  return unite_letters(lettering.letters);
+  // What any of the letters covers, whatever way its outlines run.
+  return combined(lettering.letters, ClipperLib::ctUnion);
 }
 
 std::optional<std::string> replacement_font(const std::string& font) {

@@ -9,13 +9,6 @@
 
 namespace csgsim::model {
 
-namespace {
-
-/// Below this radius OpenSCAD draws triangles.
-constexpr double grid_fine = 0.00000095367431640625;
-
-}  // namespace
-
 std::uint32_t fragments(double radius, const FacetControl& control) {
   if (radius < grid_fine || !std::isfinite(control.fn)) return 3;
   const double count =

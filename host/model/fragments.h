@@ -6,6 +6,9 @@
 
 namespace csgsim::model {
 
+/// Lengths below this are none to OpenSCAD, which draws circles of such a radius as triangles.
+inline constexpr double grid_fine = 0.00000095367431640625;
+
 /// Corners of the polygon that stands for a circle of that radius, as OpenSCAD counts them. Throws InputError past
 /// `max_fragments`.
 std::uint32_t fragments(double radius, const FacetControl& control);

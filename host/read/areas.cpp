@@ -1,5 +1,3 @@
-#include "host/read/areas.h"
-
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -9,9 +7,8 @@
 #include "host/flat/made.h"
 #include "host/flat/offset.h"
 #include "host/flat/text.h"
-#include "host/read/indices.h"
-#include "host/read/measures.h"
-#include "host/read/only.h"
+#include "host/read/node_readers.h"
+#include "host/read/shared_arguments.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 
@@ -73,21 +70,9 @@ Maker read_circle(const Arguments& arguments) {
 
 Maker read_polygon(const Arguments& arguments) {
   if (arguments.is_undefined("points")) return leaf({});
-  const ValueView list = arguments.required("points", "points = [[x, y], ...]");
-  if (!list.is(ValueKind::vector)) arguments.fail(list, "points of polygon() must be a vector of [x, y]");
-  std::vector<glm::dvec2> points;
-  std::optional<ValueView> bad;
-  list.for_each([&](ValueView value) {
-    const auto point = finite_numbers<2>(value);
-    if (point) points.emplace_back((*point)[0], (*point)[1]);
-    if (!point && !bad) bad = value;
-  });
-  if (bad) {
-    arguments.tell(*bad, "warning: a point of polygon() is no [x, y] of finite numbers; it is empty, as in OpenSCAD");
-    return leaf({});
-  }
-  const std::vector<std::vector<std::uint32_t>> paths = read_paths(arguments, points.size());
-  return [points = std::move(points), paths](const Operands& operands) {
+  const std::optional<std::vector<glm::dvec2>> points = read_points<2>(arguments, "polygon", "it is empty");
+  if (!points) return leaf({});
+  return [points = *points, paths = read_paths(arguments, points->size())](const Operands& operands) {
     return Made{{}, flat::polygon(points, paths, operands.work), {}, 2};
   };
 }

@@ -42,21 +42,6 @@ class ValueView {
   std::uint32_t index_;
 };
 
-/// The numbers of a vector of N; none where it is something else, or one of them is not finite.
-template <std::size_t N>
-std::optional<std::array<double, N>> finite_numbers(ValueView vector) {
-  if (!vector.is(ValueKind::vector) || vector.size() != N) return std::nullopt;
-  std::array<double, N> numbers{};
-  auto out = numbers.begin();
-  bool all_finite = true;
-  vector.for_each([&](ValueView element) {
-    const double number = element.value().number;
-    all_finite = all_finite && element.is(ValueKind::number) && std::isfinite(number);
-    *out++ = number;
-  });
-  return all_finite ? std::optional(numbers) : std::nullopt;
-}
-
 /// The arguments of a statement by name. Every reader throws InputError at the place of a value of the wrong kind; an
 /// argument that is `undef` counts as absent.
 class Arguments {

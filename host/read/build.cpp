@@ -65,11 +65,6 @@ TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
 }
 
 void TreeBuilder::begin(const Statement& statement) {
-  has_statements_ = true;
-  if (left_out_ > 0 || statement.modifiers.disable || statement.modifiers.background) {
-    ++left_out_;
-    return;
-  }
   const NodeType& node = usable_node(source_, statement);
   if (!open_.back().takes_children) {
     source_.fail(statement.offset,
@@ -152,14 +147,6 @@ void TreeBuilder::add_leaf(const OpenNode& open, model::Shape shape, const glm::
   if (!open.colour) return;
   primitive.colour = open.colour->rgb;
   primitive.opacity = open.colour->opacity;
-}
-
-void TreeBuilder::end() {
-  if (left_out_ > 0) {
-    --left_out_;
-  } else {
-    close_innermost();
-  }
 }
 
 /// The operands of a node, each as a tree of its own.
@@ -313,9 +300,6 @@ bool TreeBuilder::goes_with(const OpenNode& open, const Result& result) {
 }
 
 model::Tree TreeBuilder::finish() {
-  if (!has_statements_) {
-    throw InputError(fmt::format("{}: there is no model in it; export one from OpenSCAD", source_.name()));
-  }
   close_innermost();
   tell_restored();
   if (!children_.empty()) tree_.root = children_.back();

@@ -19,15 +19,15 @@
 
 namespace csgsim::read {
 
-/// Makes the tree of the statements it is told of, without empty parts. Statements under `%` and `*` are passed over.
+/// Makes the tree of the statements it is told of, without empty parts.
 class TreeBuilder : public StatementVisitor {
  public:
   TreeBuilder(Source& source, const Options& options, Meetings meetings);
 
   void begin(const Statement& statement) override;
-  void end() override;
+  void end() override { close_innermost(); }
 
-  /// The tree, after the last statement has ended. Throws InputError if there was none.
+  /// The tree, after the last statement has ended.
   model::Tree finish();
 
  private:
@@ -88,8 +88,6 @@ class TreeBuilder : public StatementVisitor {
   model::Tree tree_;
   std::vector<OpenNode> open_;
   std::vector<std::uint32_t> children_;  ///< finished operands of the open frames
-  std::size_t left_out_ = 0;             ///< open statements from a `%` or `*` on
-  bool has_statements_ = false;
 };
 
 }  // namespace csgsim::read

@@ -1,20 +1,18 @@
-#include "host/read/hulls.h"
-
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
+#include "host/facet/scene.h"
 #include "host/flat/hull.h"
 #include "host/flat/minkowski.h"
 #include "host/flat/place.h"
-#include "host/read/only.h"
+#include "host/read/node_readers.h"
 #include "host/solids/evaluate.h"
 #include "host/solids/hull.h"
 #include "host/solids/minkowski.h"
 #include "host/solids/projection.h"
-#include "host/solids/resize.h"
 
 namespace csgsim::read {
 
@@ -50,17 +48,36 @@ model::Polyhedron scaled(model::Polyhedron piece, const glm::dvec3& scale) {
   return piece;
 }
 
+/// What resize() is given.
 struct NewSize {
   glm::dvec3 size{0};
   std::array<bool, 3> automatic{};
 };
+
+/// How resize() of OpenSCAD 2021.01 scales a solid of that size about the origin: to each new size that is not 0; other
+/// axes not at all, or, if they are automatic, as much as the axis of the largest new size. Not at all if the solid is
+/// flat along an axis that has a new size.
+glm::dvec3 scale_to(const NewSize& to, const glm::dvec3& size) {
+  glm::dvec3 scale(1);
+  int largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (to.size[axis] == 0) continue;
+    if (size[axis] == 0) return glm::dvec3(1);
+    scale[axis] = to.size[axis] / size[axis];
+    if (to.size[axis] > to.size[largest]) largest = axis;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (to.automatic[static_cast<std::size_t>(axis)] && to.size[axis] == 0) scale[axis] = scale[largest];
+  }
+  return scale;
+}
 
 /// Whether no Boolean has made it.
 bool is_one(const model::Tree& solid) {
   return std::ranges::all_of(solid.nodes, [](const model::Node& node) { return node.is_leaf || node.of_pieces; });
 }
 
-Made resized(Operands operands, const NewSize& to) {
+Made resized(Operands operands, NewSize to) {
   if (operands.dimensions == 2) {
     const flat::Area area = only_area(operands);
     return {{},
@@ -73,16 +90,11 @@ Made resized(Operands operands, const NewSize& to) {
   const model::Tree solid = only_solid(std::move(operands));
   std::vector<model::Polyhedron> pieces = solids::pieces_of(solid, work);
   if (pieces.empty()) return {};
-  glm::dvec3 low = pieces.front().points.front();
-  glm::dvec3 high = low;
-  for (const model::Polyhedron& piece : pieces) {
-    for (const glm::dvec3& point : piece.points) {
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-  }
-  const glm::dvec3 scale = solids::resize_scale(high - low, to.size, to.automatic,
-                                                is_one(solid) ? solids::Resized::one : solids::Resized::combined);
+  facet::Box box;
+  for (const model::Polyhedron& piece : pieces) box = facet::hull(box, facet::box_of(piece.points));
+  // Of a solid by itself new sizes that are not positive count as 0; what a Boolean has made is mirrored by them.
+  if (is_one(solid)) to.size = glm::max(to.size, glm::dvec3(0));
+  const glm::dvec3 scale = scale_to(to, box.high - box.low);
   for (model::Polyhedron& piece : pieces) piece = scaled(std::move(piece), scale);
   return {std::move(pieces), {}};
 }

@@ -1,5 +1,3 @@
-#include "host/read/imports.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,9 @@
 
 #include "host/flat/dxf.h"
 #include "host/flat/svg.h"
-#include "host/read/measures.h"
 #include "host/read/mesh_pieces.h"
+#include "host/read/node_readers.h"
+#include "host/read/shared_arguments.h"
 #include "host/solids/read_mesh.h"
 #include "host/solids/surface.h"
 #include "hw/base/error.h"
@@ -25,20 +24,12 @@ namespace fs = std::filesystem;
 
 constexpr InputKind mesh_or_drawing{"a mesh or a drawing", solids::most_mesh_bytes, "make it coarser"};
 
-/// The ending of its name in small letters, as `.stl`.
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return ending;
-}
-
 flat::Area svg_area(const Arguments& arguments, const std::string& bytes) {
   flat::SvgOptions options;
   options.dpi = arguments.number("dpi").value_or(options.dpi);
   options.center = arguments.boolean("center").value_or(options.center);
   options.work = arguments.work();
-  return flat::read_svg(bytes, options).area;
+  return flat::read_svg(bytes, options);
 }
 
 }  // namespace
@@ -54,7 +45,7 @@ flat::Area dxf_area(const Arguments& arguments, std::string_view bytes, double s
   options.scale = scale;
   options.work = arguments.work();
   options.facets = read_facets(arguments);
-  return flat::read_dxf(bytes, options).area;
+  return flat::read_dxf(bytes, options);
 }
 
 namespace {
@@ -77,7 +68,7 @@ Made mesh_made(const Arguments& arguments, const ImportedFile& file, const std::
 
 Made made_of(const Arguments& arguments) {
   const std::optional<ImportedFile> file = arguments.file(mesh_or_drawing);
-  const std::string kind = ending_of(file ? file->path : fs::path(arguments.text("file").value_or("")));
+  const std::string kind = solids::ending_of(file ? file->path : fs::path(arguments.text("file").value_or("")));
   const bool is_drawing = kind == ".svg" || kind == ".dxf";
   if (!file) return {{}, {}, {}, is_drawing ? 2U : 3U};
   try {

@@ -5,10 +5,6 @@
 namespace csgsim::read {
 
 void MeetingFinder::begin(const Statement& statement) {
-  if (left_out_ > 0 || statement.modifiers.disable || statement.modifiers.background) {
-    ++left_out_;
-    return;
-  }
   const NodeType* const node = find_node(statement.name);
   const bool is_shape =
       node != nullptr && (node->kind == NodeKind::solid || (node->kind == NodeKind::made && !node->has_children));
@@ -16,10 +12,6 @@ void MeetingFinder::begin(const Statement& statement) {
 }
 
 void MeetingFinder::end() {
-  if (left_out_ > 0) {
-    --left_out_;
-    return;
-  }
   const Open ended = open_.back();
   open_.pop_back();
   if (ended.shapes > 1) meetings_.statements.insert(ended.offset);

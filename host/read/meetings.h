@@ -14,7 +14,7 @@ struct Meetings {
   bool on_top = false;
 };
 
-/// Finds them. Statements under `%` and `*` are passed over.
+/// Finds them.
 class MeetingFinder : public StatementVisitor {
  public:
   void begin(const Statement& statement) override;
@@ -32,7 +32,6 @@ class MeetingFinder : public StatementVisitor {
 
   std::vector<Open> open_;
   std::uint32_t on_top_ = 0;
-  std::size_t left_out_ = 0;  ///< open statements from a `%` or `*` on
   Meetings meetings_;
 };
 

@@ -6,13 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "host/read/areas.h"
-#include "host/read/hulls.h"
-#include "host/read/imports.h"
-#include "host/read/polyhedron.h"
-#include "host/read/solids.h"
+#include "host/read/node_readers.h"
 #include "host/read/source.h"
-#include "host/read/sweeps.h"
 #include "hw/base/nearest.h"
 
 namespace csgsim::read {
@@ -127,13 +122,7 @@ constexpr std::array all_names = [] {
   return names;
 }();
 
-}  // namespace
-
-const NodeType* find_node(std::string_view name) {
-  const auto* const found = std::ranges::find(node_types, name, &NodeType::name);
-  return found == node_types.end() ? nullptr : found;
-}
-
+/// The candidate that is the fewest edits away, or an empty name if none is near.
 std::string_view near_name(std::string_view name, Names candidates) {
   std::string_view best;
   std::size_t best_edits = std::max<std::size_t>(2, name.size() / 2) + 1;
@@ -146,6 +135,13 @@ std::string_view near_name(std::string_view name, Names candidates) {
     }
   }
   return best;
+}
+
+}  // namespace
+
+const NodeType* find_node(std::string_view name) {
+  const auto* const found = std::ranges::find(node_types, name, &NodeType::name);
+  return found == node_types.end() ? nullptr : found;
 }
 
 std::string unknown_node(std::string_view name) {

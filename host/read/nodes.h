@@ -56,7 +56,4 @@ std::string unknown_argument(const NodeType& node, std::string_view name);
 /// Why a node of kind `unsupported` or `source` cannot be used, and what to do.
 std::string unusable_node(const NodeType& node);
 
-/// The candidate that is the fewest edits away, or an empty name if none is near.
-std::string_view near_name(std::string_view name, std::span<const std::string_view> candidates);
-
 }  // namespace csgsim::read

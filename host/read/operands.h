@@ -27,6 +27,15 @@ struct Made {
       0;  ///< that it has though it is empty; 0 if it is nothing then, as a group() of nothing is
 };
 
+/// The union of children that are areas.
+flat::Area only_area(const Operands& operands);
+
+/// Whether that union is an area, if an empty one. As in OpenSCAD a single child that is empty is nothing at all.
+bool has_area(const Operands& operands);
+
+/// The union of children that are solids, of no nodes if there are none.
+model::Tree only_solid(Operands operands);
+
 /// Makes it when the node has ended. Throws InputError without a place.
 using Maker = std::function<Made(Operands)>;
 

@@ -1,35 +1,15 @@
-#include "host/read/polyhedron.h"
-
 #include <optional>
 #include <utility>
 
-#include "host/read/indices.h"
 #include "host/read/mesh_pieces.h"
+#include "host/read/node_readers.h"
+#include "host/read/shared_arguments.h"
 #include "host/solids/convex_faces.h"
 #include "hw/base/error.h"
 
 namespace csgsim::read {
 
 namespace {
-
-using Points = std::vector<glm::dvec3>;
-
-/// None if one is no point: that is told.
-std::optional<Points> read_points(const Arguments& arguments, ValueView list) {
-  if (!list.is(ValueKind::vector)) arguments.fail(list, "points of polyhedron() must be a vector of [x, y, z]");
-  Points points;
-  std::optional<ValueView> bad;
-  list.for_each([&](ValueView value) {
-    const auto point = finite_numbers<3>(value);
-    if (point) points.emplace_back((*point)[0], (*point)[1], (*point)[2]);
-    if (!point && !bad) bad = value;
-  });
-  if (!bad) return points;
-  arguments.tell(*bad,
-                 "warning: a point of polyhedron() is no [x, y, z] of finite numbers; it is left out, as in "
-                 "OpenSCAD");
-  return std::nullopt;
-}
 
 struct Faces {
   std::vector<std::vector<std::uint32_t>> corners;
@@ -58,8 +38,7 @@ ValueView find_faces(const Arguments& arguments) {
 Made made_of(const Arguments& arguments) {
   // So OpenSCAD prints a polyhedron that was given none.
   if (arguments.is_undefined("points") || arguments.is_undefined("faces")) return {};
-  const std::optional<Points> points =
-      read_points(arguments, arguments.required("points", "points = [[x, y, z], ...]"));
+  const std::optional<std::vector<glm::dvec3>> points = read_points<3>(arguments, "polyhedron", "it is left out");
   if (!points) return {};
   const Faces faces = read_faces(arguments, find_faces(arguments), points->size());
   const solids::Mesh mesh{*points, faces.corners};

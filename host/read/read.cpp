@@ -1,20 +1,25 @@
 #include "host/read/read.h"
 
+#include <fmt/format.h>
+
 #include "host/read/build.h"
 #include "host/read/meetings.h"
 #include "host/read/root.h"
 #include "host/read/source.h"
 #include "host/read/syntax.h"
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
 
 namespace csgsim::read {
 
 namespace {
 
-/// Has a visitor told of the statements that are drawn: those of the file, or the one under `!`.
+/// Has a visitor told of the statements that are drawn. Throws InputError if there is no statement at all.
 void visit_drawn(Source& source, std::optional<std::uint32_t> root, StatementVisitor& visitor) {
-  if (!root) return visit_statements(source, visitor);
-  RootFilter filter(visitor, *root);
+  DrawnFilter filter(visitor, root);
   visit_statements(source, filter);
+  if (!filter.has_statements())
+    throw InputError(fmt::format("{}: there is no model in it; export one from OpenSCAD", source.name()));
 }
 
 /// Only meshes ask where solids meet.
@@ -38,9 +43,7 @@ model::Tree read_csg_text(std::string_view text, std::string_view name, const Op
 }
 
 model::Tree read_csg_file(const std::filesystem::path& path, const Options& options) {
-  const std::string name = path.string();
-  const std::string text = load(name);
-  return read_csg_text(text, name, options);
+  return read_csg_text(read_file(path, model_file), path.string(), options);
 }
 
 }  // namespace csgsim::read

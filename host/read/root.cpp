@@ -36,25 +36,27 @@ std::optional<std::uint32_t> find_root(Source& source) {
   return finder.root();
 }
 
-void RootFilter::begin(const Statement& statement) {
-  if (depth_ > 0) {
-    ++depth_;
+void DrawnFilter::begin(const Statement& statement) {
+  const bool is_root = depth_ == 0 && root_ == count_;
+  ++count_;
+  if (root_ && depth_ == 0 && !is_root) return;
+  ++depth_;
+  const bool is_left_out = !is_root && (statement.modifiers.disable || statement.modifiers.background);
+  if (left_out_ > 0 || is_left_out) {
+    ++left_out_;
+  } else {
     visitor_.begin(statement);
-  } else if (!is_past_ && until_root_ == 0) {
-    is_past_ = true;
-    depth_ = 1;
-    Statement root = statement;
-    root.modifiers = {};
-    visitor_.begin(root);
-  } else if (!is_past_) {
-    --until_root_;
   }
 }
 
-void RootFilter::end() {
+void DrawnFilter::end() {
   if (depth_ == 0) return;
   --depth_;
-  visitor_.end();
+  if (left_out_ > 0) {
+    --left_out_;
+  } else {
+    visitor_.end();
+  }
 }
 
 }  // namespace csgsim::read

@@ -11,19 +11,24 @@ namespace csgsim::read {
 /// under a `*`. Throws InputError as visit_statements does.
 std::optional<std::uint32_t> find_root(Source& source);
 
-/// Passes on the statements of one subtree, and its root without modifiers.
-class RootFilter : public StatementVisitor {
+/// Passes on the statements that are drawn: of the file, or of the subtree of its root, those that are under no `%` or
+/// `*`; of the root itself modifiers do not count.
+class DrawnFilter : public StatementVisitor {
  public:
-  RootFilter(StatementVisitor& visitor, std::uint32_t root) : visitor_(visitor), until_root_(root) {}
+  DrawnFilter(StatementVisitor& visitor, std::optional<std::uint32_t> root) : visitor_(visitor), root_(root) {}
 
   void begin(const Statement& statement) override;
   void end() override;
 
+  /// Whether there was any statement, drawn or not.
+  [[nodiscard]] bool has_statements() const { return count_ > 0; }
+
  private:
   StatementVisitor& visitor_;
-  std::uint32_t until_root_;  ///< statements that come before it
-  std::uint32_t depth_ = 0;   ///< open statements from the root on
-  bool is_past_ = false;
+  std::optional<std::uint32_t> root_;
+  std::uint32_t count_ = 0;     ///< statements so far
+  std::uint32_t depth_ = 0;     ///< open statements from the root on
+  std::uint32_t left_out_ = 0;  ///< open statements from a `%` or `*` on
 };
 
 }  // namespace csgsim::read

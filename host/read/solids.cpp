@@ -1,9 +1,8 @@
-#include "host/read/solids.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "host/read/measures.h"
+#include "host/read/node_readers.h"
+#include "host/read/shared_arguments.h"
 
 namespace csgsim::read {
 

@@ -89,6 +89,4 @@ std::string shown(std::string_view name) {
   return std::string(name.substr(0, longest)) + "...";
 }
 
-std::string load(const std::string& path) { return read_file(path, model_file); }
-
 }  // namespace csgsim::read

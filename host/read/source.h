@@ -76,7 +76,4 @@ class Source {
 /// A name from the file as a message may show it: cut short if it is long.
 std::string shown(std::string_view name);
 
-/// All of a file. Throws InputError if it cannot be read or is longer than `max_file_bytes`.
-std::string load(const std::string& path);
-
 }  // namespace csgsim::read

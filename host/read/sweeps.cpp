@@ -1,5 +1,3 @@
-#include "host/read/sweeps.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,9 +5,8 @@
 #include <utility>
 
 #include "host/flat/combine.h"
-#include "host/read/imports.h"
-#include "host/read/measures.h"
-#include "host/read/only.h"
+#include "host/read/node_readers.h"
+#include "host/read/shared_arguments.h"
 #include "host/solids/sweep.h"
 #include "hw/base/error.h"
 

@@ -15,9 +15,9 @@
 #include "host/flat/parts.h"
 #include "host/model/degrees.h"
 #include "host/solids/enclosed.h"
-#include "host/solids/height.h"
 #include "host/solids/limits.h"
 #include "host/solids/partition.h"
+#include "host/solids/polyhedra.h"
 #include "host/solids/side_lines.h"
 #include "host/solids/slice_count.h"
 #include "hw/base/error.h"
@@ -130,7 +130,7 @@ class SliceSides {
     return box;
   }
 
-  [[nodiscard]] double size() const { return glm::length(box_.high - box_.low); }
+  [[nodiscard]] double size() const { return box_.diagonal(); }
 
   /// Nothing if sides cross each other: they leave holes then, or enclose space twice or from the wrong side.
   [[nodiscard]] std::optional<std::vector<convex::Polytope>> uncrossed(const convex::Polytope& space) const {
@@ -152,12 +152,9 @@ class SliceSides {
   [[nodiscard]] double volume() const {
     double six_times = 0;
     for (const Fragment& fragment : soup_.fragments) {
-      const glm::dvec3& a = soup_.points[soup_.corners[fragment.begin].point];
-      for (std::uint32_t i = fragment.begin + 1; i + 1 < fragment.end; ++i) {
-        const glm::dvec3& b = soup_.points[soup_.corners[i].point];
-        const glm::dvec3& c = soup_.points[soup_.corners[i + 1].point];
+      for_triangles(soup_, fragment, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         six_times += glm::dot(a, glm::cross(b, c));
-      }
+      });
     }
     return six_times / 6.0;
   }
@@ -165,14 +162,7 @@ class SliceSides {
   /// The slice's space, with room around it.
   convex::Polytope around() {
     const double margin = 0.1 * size();
-    std::vector<facet::Halfspace> walls;
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 normal(0);
-      normal[axis] = 1;
-      walls.push_back(planes_.add({normal, -(box_.high[axis] + margin)}));
-      walls.push_back(planes_.add({-normal, box_.low[axis] - margin}));
-    }
-    return convex::intersection(box_, walls, planes_);
+    return convex::intersection(box_, convex::walls_of({box_.low - margin, box_.high + margin}, planes_), planes_);
   }
 
   void add(const flat::Outline& outline) {
@@ -234,7 +224,7 @@ class SliceSides {
     const std::uint32_t beyond = made.rises ? from + 1 : to + 1;
     const facet::Plane& plane = made.rises ? made.second.plane : made.first.plane;
     const bool both = !made.first.is_flat && !made.second.is_flat;
-    if (both && std::abs(height(plane, soup_.points[beyond])) <= relative_tolerance * size()) {
+    if (both && std::abs(plane.height(soup_.points[beyond])) <= relative_tolerance * size()) {
       made.first.plane = made.second.plane = plane;
     }
     return made;
@@ -253,7 +243,7 @@ class SliceSides {
     if (first.is_flat || second.is_flat) return true;
     const double near = convex::tolerance(planes_);
     return std::any_of(second.corners.begin(), second.corners.end(),
-                       [&](std::uint32_t corner) { return height(first.plane, soup_.points[corner]) > near; });
+                       [&](std::uint32_t corner) { return first.plane.height(soup_.points[corner]) > near; });
   }
 
   void emit(const Pair& before, const Pair& here, const Pair& after) {
@@ -295,23 +285,10 @@ class SliceSides {
   Soup soup_;
 };
 
-model::Polyhedron polyhedron(const convex::Polytope& polytope, const facet::PlaneTable& planes) {
-  model::Polyhedron piece;
-  piece.points = polytope.vertices;
-  for (const convex::Face& face : polytope.faces) {
-    const facet::Plane plane = convex::outward_plane(face.halfspace, planes);
-    piece.faces.push_back(face.corners);
-    piece.planes.emplace_back(plane.normal, plane.offset);
-  }
-  return piece;
-}
-
 std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice, const Work& work) {
   SliceSides sides(area, slice, work);
   std::vector<model::Polyhedron> pieces;
-  for (const convex::Polytope& polytope : sides.pieces()) {
-    pieces.push_back(polyhedron(polytope, sides.planes()));
-  }
+  for (const convex::Polytope& polytope : sides.pieces()) pieces.push_back(polyhedron_of(polytope, sides.planes()));
   return pieces;
 }
 

@@ -42,27 +42,6 @@ void drop_repeats(Face& face) {
   while (face.size() > 1 && face.front() == face.back()) face.pop_back();
 }
 
-struct DirectedEdge {
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t face;
-
-  [[nodiscard]] auto key() const { return std::tuple(std::min(from, to), std::max(from, to), from > to, face); }
-  [[nodiscard]] bool along(const DirectedEdge& other) const {
-    return std::minmax(from, to) == std::minmax(other.from, other.to);
-  }
-};
-
-std::vector<DirectedEdge> sorted_edges(const Mesh& mesh) {
-  std::vector<DirectedEdge> edges;
-  for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
-    const Face& face = mesh.faces[i];
-    for (std::size_t k = 0; k < face.size(); ++k) edges.push_back({face[k], face[(k + 1) % face.size()], i});
-  }
-  std::ranges::sort(edges, {}, &DirectedEdge::key);
-  return edges;
-}
-
 /// From its least corner on.
 Face rotated(Face face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
@@ -109,22 +88,17 @@ double median_edge(const Mesh& mesh) {
   return *middle;
 }
 
-double diagonal(const Mesh& mesh) {
-  facet::Box box;
-  for (const glm::dvec3& point : mesh.points) box = facet::hull(box, point);
-  return mesh.points.empty() ? 0 : glm::length(box.high - box.low);
-}
-
-std::string open_edge(const Numbered& numbered, const DirectedEdge& edge) {
+std::string open_edge(const Numbered& numbered, const EdgeSide& side) {
+  const auto [from, to] = side.forward ? std::pair(side.low, side.high) : std::pair(side.high, side.low);
   return fmt::format("the mesh is open: no face joins faces[{}] from points[{}] to points[{}]; add one",
-                     numbered.face_numbers[edge.face], numbered.point_numbers[edge.from],
-                     numbered.point_numbers[edge.to]);
+                     numbered.face_numbers[side.face], numbered.point_numbers[from], numbered.point_numbers[to]);
 }
 
-std::string same_way(const Numbered& numbered, const DirectedEdge& one, const DirectedEdge& other) {
+std::string same_way(const Numbered& numbered, const EdgeSide& one, const EdgeSide& other) {
+  const auto [from, to] = one.forward ? std::pair(one.low, one.high) : std::pair(one.high, one.low);
   return fmt::format("faces[{}] and faces[{}] both run from points[{}] to points[{}]; reverse one",
-                     numbered.face_numbers[one.face], numbered.face_numbers[other.face],
-                     numbered.point_numbers[one.from], numbered.point_numbers[one.to]);
+                     numbered.face_numbers[one.face], numbered.face_numbers[other.face], numbered.point_numbers[from],
+                     numbered.point_numbers[to]);
 }
 
 }  // namespace
@@ -172,23 +146,18 @@ std::optional<Defect> find_far_point(const Numbered& numbered) {
 }
 
 std::optional<Defect> find_open_edge(const Numbered& numbered) {
-  const std::vector<DirectedEdge> edges = sorted_edges(numbered.mesh);
-  for (auto begin = edges.begin(); begin != edges.end();) {
-    const auto end = std::find_if(begin, edges.end(), [&](const DirectedEdge& edge) { return !edge.along(*begin); });
-    const auto middle = std::find_if(begin, end, [](const DirectedEdge& edge) { return edge.from > edge.to; });
-    const auto forward = middle - begin;
-    const auto backward = end - middle;
-    if (forward != backward) {
-      const auto most = forward > backward ? begin : middle;
-      const std::uint32_t face = numbered.face_numbers[most->face];
-      if (forward + backward == 1) return Defect{face, open_edge(numbered, *most)};
-      if (std::max(forward, backward) > 1) {
-        return Defect{numbered.face_numbers[most[1].face], same_way(numbered, most[0], most[1])};
-      }
-    }
-    begin = end;
-  }
-  return std::nullopt;
+  std::optional<Defect> found;
+  for_edges(sorted_sides(numbered.mesh), [&](auto begin, auto end) {
+    const auto forward = std::count_if(begin, end, [](const EdgeSide& side) { return side.forward; });
+    const auto backward = end - begin - forward;
+    if (found || forward == backward) return;
+    std::vector<EdgeSide> most;
+    std::copy_if(begin, end, std::back_inserter(most),
+                 [&](const EdgeSide& side) { return side.forward == (forward > backward); });
+    if (end - begin == 1) found = Defect{numbered.face_numbers[most[0].face], open_edge(numbered, most[0])};
+    if (most.size() > 1) found = Defect{numbered.face_numbers[most[1].face], same_way(numbered, most[0], most[1])};
+  });
+  return found;
 }
 
 void turn_shells(Mesh& mesh) {
@@ -206,7 +175,8 @@ Checked check(const Mesh& mesh, double tolerance, const Standing& standing) {
   if (std::optional<Defect> defect = find_far_point(numbered)) return {std::move(numbered.mesh), std::move(defect)};
   Checked checked;
   const double rounding = tolerance * largest_coordinate(numbered.mesh);
-  checked.bent = cut_bent_faces(numbered, std::min(rounding, largest_tolerance * diagonal(numbered.mesh)), standing);
+  checked.bent = cut_bent_faces(
+      numbered, std::min(rounding, largest_tolerance * facet::box_of(numbered.mesh.points).diagonal()), standing);
   const double distance = std::min(rounding, largest_part_of_edge * median_edge(numbered.mesh));
   join_near_points(numbered, distance);
   join_edges(numbered, distance);

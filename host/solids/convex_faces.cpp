@@ -39,13 +39,10 @@ struct Planes {
 Mesh scaled(const Mesh& mesh, double& size) {
   Mesh made = mesh;
   const double scale = largest_coordinate(mesh);
-  facet::Box box;
-  for (glm::dvec3& point : made.points) {
-    point /= scale;
-    box = facet::hull(box, point);
-  }
+  for (glm::dvec3& point : made.points) point /= scale;
+  const facet::Box box = facet::box_of(made.points);
   for (glm::dvec3& point : made.points) point -= box.centre();
-  size = glm::length(box.high - box.low);
+  size = box.diagonal();
   return made;
 }
 

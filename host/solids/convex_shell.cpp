@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "host/solids/height.h"
-
 namespace csgsim::solids {
 
 namespace {
@@ -29,7 +27,7 @@ class Shell {
     }
     middle /= count;
     const bool is_locally = std::all_of(faces_.begin(), faces_.end(), [&](std::uint32_t face) {
-      return height(plane_of(face), middle) < -near_ && holds_neighbours(face);
+      return plane_of(face).height(middle) < -near_ && holds_neighbours(face);
     });
     return is_locally && std::abs(winding(mesh_, faces_, middle) - 1.0) < 0.5;
   }
@@ -60,7 +58,7 @@ class Shell {
       const std::uint32_t beyond = neighbours_.face[side];
       if (beyond == none) return false;
       for (const std::uint32_t corner : mesh_.faces[beyond]) {
-        if (height(plane_of(face), mesh_.points[corner]) > near_) return false;
+        if (plane_of(face).height(mesh_.points[corner]) > near_) return false;
       }
     }
     return true;

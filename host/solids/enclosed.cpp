@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "host/convex/clip.h"
-#include "host/solids/height.h"
+#include "host/convex/face_polygon.h"
 #include "host/solids/shells.h"
 #include "hw/base/error.h"
 
@@ -33,25 +33,6 @@ struct SheetCell {
   convex::Polytope space;
   std::vector<Sheet> sheets;
 };
-
-/// What of a sheet is behind a plane by more than `near`; no corners if nothing.
-std::vector<glm::dvec3> behind(const std::vector<glm::dvec3>& corners, const facet::Plane& plane, double near) {
-  std::vector<glm::dvec3> kept;
-  bool has_area = false;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec3& here = corners[i];
-    const glm::dvec3& next = corners[(i + 1) % corners.size()];
-    const double at_here = height(plane, here);
-    const double at_next = height(plane, next);
-    has_area = has_area || at_here < -near;
-    if (at_here <= near) kept.push_back(here);
-    if ((at_here < -near && at_next > near) || (at_here > near && at_next < -near)) {
-      kept.push_back(here + at_here / (at_here - at_next) * (next - here));
-    }
-  }
-  if (!has_area || kept.size() < 3) return {};
-  return kept;
-}
 
 class Enclosing {
  public:
@@ -110,7 +91,7 @@ class Enclosing {
     std::vector<Sheet> result;
     for (const Sheet& sheet : sheets) {
       if (sheet.halfspace.plane == wall.plane) continue;
-      std::vector<glm::dvec3> kept = behind(sheet.corners, plane, near_);
+      std::vector<glm::dvec3> kept = convex::clipped(sheet.corners, plane, near_);
       if (!kept.empty()) result.push_back({sheet.halfspace, std::move(kept)});
     }
     return result;
@@ -126,8 +107,8 @@ class Enclosing {
       limits_.work.charge(2 * sheet_steps * sheets.size(), dividing);
       const facet::Plane plane = convex::outward_plane(sheets[i].halfspace, planes_);
       const auto cut = static_cast<std::size_t>(std::count_if(sheets.begin(), sheets.end(), [&](const Sheet& sheet) {
-        return !behind(sheet.corners, plane, near_).empty() &&
-               !behind(sheet.corners, {-plane.normal, -plane.offset}, near_).empty();
+        return !convex::clipped(sheet.corners, plane, near_).empty() &&
+               !convex::clipped(sheet.corners, {-plane.normal, -plane.offset}, near_).empty();
       }));
       if (cut >= fewest) continue;
       fewest = cut;
@@ -152,10 +133,9 @@ class Enclosing {
   [[nodiscard]] double winding(const glm::dvec3& from) const {
     double angle = 0;
     for (const Fragment& fragment : soup_.fragments) {
-      const glm::dvec3 first = point(fragment.begin) - from;
-      for (std::uint32_t i = fragment.begin + 1; i + 1 < fragment.end; ++i) {
-        angle += solid_angle(first, point(i) - from, point(i + 1) - from);
-      }
+      for_triangles(soup_, fragment, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        angle += solid_angle(a - from, b - from, c - from);
+      });
     }
     return angle / (4.0 * std::numbers::pi);
   }

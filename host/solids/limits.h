@@ -31,7 +31,7 @@ inline constexpr double most_coordinate = model::most_coordinate;
 /// How a solid is cut into convex pieces.
 struct Limits {
   double tolerance = printed_tolerance;  ///< how far points may be off a flat face, in units of the largest coordinate
-  bool watches_cover = true;             ///< pieces that have grown past the surface are a hole (covered.h)
+  bool watches_cover = true;             ///< pieces that have grown past the surface are a hole
   std::size_t most_pieces = 100'000;
   std::size_t most_fragments = 4'000'000;  ///< parts of faces that cuts have made
   Work work{};

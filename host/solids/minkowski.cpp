@@ -22,12 +22,6 @@ std::size_t corners_of(const Pieces& pieces) {
   return count;
 }
 
-facet::Box box_of(const model::Polyhedron& piece) {
-  facet::Box box;
-  for (const glm::dvec3& point : piece.points) box = facet::hull(box, point);
-  return box;
-}
-
 /// Whether a piece's planes have all of another's points behind them, but for rounding.
 bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, double near) {
   return std::all_of(piece.planes.begin(), piece.planes.end(), [&](const glm::dvec4& plane) {
@@ -41,10 +35,10 @@ Pieces without_covered(Pieces pieces, const Work& work) {
   std::vector<facet::Box> boxes;
   facet::Box whole;
   for (const model::Polyhedron& piece : pieces) {
-    boxes.push_back(box_of(piece));
+    boxes.push_back(facet::box_of(piece.points));
     whole = facet::hull(whole, boxes.back());
   }
-  const double near = double_precision_tolerance * glm::length(whole.high - whole.low);
+  const double near = double_precision_tolerance * whole.diagonal();
   const auto box_holds = [&](const facet::Box& outer, const facet::Box& inner) {
     return glm::all(glm::lessThanEqual(outer.low - near, inner.low)) &&
            glm::all(glm::lessThanEqual(inner.high, outer.high + near));

@@ -8,15 +8,12 @@ namespace csgsim::solids {
 
 namespace {
 
-struct EdgeSide {
-  std::uint32_t low;
-  std::uint32_t high;
-  std::uint32_t number;
-  std::uint32_t face;
-  bool forward;  ///< from the lower corner to the higher one
+std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t at) {
+  while (parents[at] != at) at = parents[at] = parents[parents[at]];
+  return at;
+}
 
-  [[nodiscard]] bool along(const EdgeSide& other) const { return low == other.low && high == other.high; }
-};
+}  // namespace
 
 std::vector<EdgeSide> sorted_sides(const Mesh& mesh) {
   std::vector<EdgeSide> sides;
@@ -34,23 +31,6 @@ std::vector<EdgeSide> sorted_sides(const Mesh& mesh) {
   });
   return sides;
 }
-
-/// Calls visit(begin, end) for the sides along each edge.
-template <class Visit>
-void for_edges(const std::vector<EdgeSide>& sides, const Visit& visit) {
-  for (auto begin = sides.begin(); begin != sides.end();) {
-    const auto end = std::find_if(begin, sides.end(), [&](const EdgeSide& side) { return !side.along(*begin); });
-    visit(begin, end);
-    begin = end;
-  }
-}
-
-std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t at) {
-  while (parents[at] != at) at = parents[at] = parents[parents[at]];
-  return at;
-}
-
-}  // namespace
 
 std::vector<Joint> find_joints(const Mesh& mesh) {
   std::vector<Joint> joints;

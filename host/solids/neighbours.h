@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,29 @@ struct Neighbours {
   std::vector<std::uint32_t> first_side;  ///< of each face, and one past the last
   std::vector<std::uint32_t> face;        ///< of each side the face beyond it; `none` if it is not just one other
 };
+
+/// A side of a face.
+struct EdgeSide {
+  std::uint32_t low;     ///< of its corners the lower one
+  std::uint32_t high;    ///< the higher one
+  std::uint32_t number;  ///< among the sides of all faces
+  std::uint32_t face;
+  bool forward;  ///< from the lower corner to the higher one
+};
+
+/// Sides along the same edge stand together, in the order of their numbers.
+std::vector<EdgeSide> sorted_sides(const Mesh& mesh);
+
+/// Calls visit(begin, end) for the sides along each edge.
+template <class Visit>
+void for_edges(const std::vector<EdgeSide>& sides, const Visit& visit) {
+  for (auto begin = sides.begin(); begin != sides.end();) {
+    const auto end = std::find_if(
+        begin, sides.end(), [&](const EdgeSide& side) { return side.low != begin->low || side.high != begin->high; });
+    visit(begin, end);
+    begin = end;
+  }
+}
 
 /// An edge that just two sides of faces run along.
 struct Joint {

@@ -10,8 +10,6 @@
 
 #include "host/convex/clip.h"
 #include "host/solids/choice.h"
-#include "host/solids/covered.h"
-#include "host/solids/height.h"
 #include "host/solids/neighbours.h"
 #include "hw/base/error.h"
 
@@ -38,6 +36,38 @@ struct Cell {
 
 Side side_of(double height, double near) {
   return height > near ? Side::front : height < -near ? Side::back : Side::on;
+}
+
+/// Of a convex polygon, of which `corner(i)` is a corner.
+template <class Corner>
+double area_of(std::size_t corners, const Corner& corner) {
+  glm::dvec3 sum(0);
+  for (std::size_t i = 1; i + 1 < corners; ++i) sum += glm::cross(corner(i) - corner(0), corner(i + 1) - corner(0));
+  return glm::length(sum) / 2;
+}
+
+double area_of(const Soup& soup, const Fragment& fragment) {
+  return area_of(fragment.end - fragment.begin,
+                 [&](std::size_t i) { return soup.points[soup.corners[fragment.begin + i].point]; });
+}
+
+/// Whether a surface covers those faces of a piece that lie in none of the walls. Their areas are compared as a whole,
+/// since planes that are hardly tilted to each other share what they cover by chance; what is missing may be slivers
+/// that are no wider than `near`, in model units, a few along each side. A piece that is not covered has grown past the
+/// surface, where a part of that was lost.
+bool is_covered(const convex::Polytope& piece, std::span<const facet::Halfspace> walls, const Soup& surface,
+                double near) {
+  constexpr double slivers = 8;  // along a side, that may be lost
+  double missing = 0;
+  for (const convex::Face& face : piece.faces) {
+    if (std::ranges::find(walls, face.halfspace) != walls.end()) continue;
+    const auto corner = [&](std::size_t i) { return piece.vertices[face.corners[i % face.corners.size()]]; };
+    double around = 0;
+    for (std::size_t i = 0; i < face.corners.size(); ++i) around += glm::distance(corner(i), corner(i + 1));
+    missing += area_of(face.corners.size(), corner) - slivers * near * around;
+  }
+  for (const Fragment& fragment : surface.fragments) missing -= area_of(surface, fragment);
+  return missing <= 0;
 }
 
 /// One side of a cut, with only the points that it needs.
@@ -77,7 +107,7 @@ class Cut {
         back(soup_.points),
         front(soup_.points) {
     for (const glm::dvec3& point : soup_.points) {
-      heights_.push_back(height(plane_, point));
+      heights_.push_back(plane_.height(point));
       sides_.push_back(side_of(heights_.back(), near));
     }
   }
@@ -107,13 +137,8 @@ class Cut {
 
   /// The area of faces in the plane says which of its sides is solid.
   void weigh(const Fragment& fragment) {
-    glm::dvec3 sum(0);
-    const glm::dvec3& origin = soup_.points[soup_.corners[fragment.begin].point];
-    for (std::uint32_t i = fragment.begin + 1; i + 1 < fragment.end; ++i) {
-      sum +=
-          glm::cross(soup_.points[soup_.corners[i].point] - origin, soup_.points[soup_.corners[i + 1].point] - origin);
-    }
-    facing += glm::length(sum) * glm::dot(convex::outward_plane(fragment.halfspace, planes_).normal, plane_.normal);
+    facing +=
+        area_of(soup_, fragment) * glm::dot(convex::outward_plane(fragment.halfspace, planes_).normal, plane_.normal);
   }
 
   /// What of a fragment is on one side.

@@ -34,6 +34,14 @@ struct Soup {
   std::vector<Fragment> fragments;
 };
 
+/// Calls visit(a, b, c) for the triangles that fan out from the first corner of a fragment.
+template <class Visit>
+void for_triangles(const Soup& soup, const Fragment& fragment, const Visit& visit) {
+  const auto point = [&](std::uint32_t i) -> const glm::dvec3& { return soup.points[soup.corners[i].point]; };
+  for (std::uint32_t i = fragment.begin + 1; i + 1 < fragment.end; ++i)
+    visit(point(fragment.begin), point(i), point(i + 1));
+}
+
 /// A plane across an axis that many reflex edges are in, as between the slices of a twist: faces end there, so that it
 /// cuts few of them.
 struct Level {

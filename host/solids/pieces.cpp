@@ -27,14 +27,8 @@ namespace {
 /// Sides of faces, of which an edge has two.
 constexpr std::ptrdiff_t fewest_edges_in_level = 8;
 
-facet::Box box_of(const Mesh& mesh) {
-  facet::Box box;
-  for (const glm::dvec3& point : mesh.points) box = facet::hull(box, point);
-  return box;
-}
-
 double tolerance_of(const Mesh& mesh, const facet::Box& box, const Limits& limits) {
-  return std::min(limits.tolerance * largest_coordinate(mesh), largest_tolerance * glm::length(box.high - box.low));
+  return std::min(limits.tolerance * largest_coordinate(mesh), largest_tolerance * box.diagonal());
 }
 
 class Division {
@@ -44,7 +38,7 @@ class Division {
         limits_(limits),
         neighbours_(find_neighbours(mesh_)),
         regions_(find_regions(mesh_, neighbours_, tolerance_of(mesh, box, limits), limits.work)),
-        planes_(box.centre(), glm::length(box.high - box.low)),
+        planes_(box.centre(), box.diagonal()),
         near_(2.0 * std::max(regions_.deviation, convex::tolerance(planes_))) {
     for (const facet::Plane& plane : regions_.planes) halfspaces_.push_back(planes_.add(plane));
   }
@@ -116,9 +110,8 @@ class Division {
     const std::uint32_t region = regions_.of_face[face];
     if (regions_.of_face[beyond] == region || regions_.of_face[beyond] == none) return false;
     const facet::Plane& plane = regions_.planes[region];
-    return std::any_of(mesh_.faces[beyond].begin(), mesh_.faces[beyond].end(), [&](std::uint32_t corner) {
-      return glm::dot(plane.normal, mesh_.points[corner]) + plane.offset > near_;
-    });
+    return std::ranges::any_of(mesh_.faces[beyond],
+                               [&](std::uint32_t corner) { return plane.height(mesh_.points[corner]) > near_; });
   }
 
   /// In order of axis and place.
@@ -156,21 +149,11 @@ class Division {
 
   /// A box with room around the solid.
   convex::Polytope cell_around(const FaceList& solid) {
-    facet::Box box;
-    for (const std::uint32_t face : solid) {
-      for (const std::uint32_t corner : mesh_.faces[face]) box = facet::hull(box, mesh_.points[corner]);
-    }
-    const glm::dvec3 margin(0.1 * planes_.diagonal());
-    const glm::dvec3 low = box.low - margin;
-    const glm::dvec3 high = box.high + margin;
-    std::vector<facet::Halfspace> walls;
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 normal(0);
-      normal[axis] = 1;
-      walls.push_back(planes_.add({normal, -high[axis]}));
-      walls.push_back(planes_.add({-normal, low[axis]}));
-    }
-    return convex::intersection({low - planes_.centre(), high - planes_.centre()}, walls, planes_);
+    facet::Box box = box_of(mesh_, solid);
+    const double margin = 0.1 * planes_.diagonal();
+    box = {box.low - margin, box.high + margin};
+    return convex::intersection({box.low - planes_.centre(), box.high - planes_.centre()},
+                                convex::walls_of(box, planes_), planes_);
   }
 
   Mesh mesh_;
@@ -199,7 +182,7 @@ std::vector<model::Polyhedron> exact_pieces(const Mesh& mesh, const facet::Box& 
 
 std::vector<model::Polyhedron> convex_pieces(const Mesh& mesh, const Limits& limits) {
   if (mesh.faces.empty()) return {};
-  const facet::Box box = box_of(mesh);
+  const facet::Box box = facet::box_of(mesh.points);
   try {
     Division division(mesh, box, limits);
     std::vector<model::Polyhedron> pieces = division();
@@ -212,7 +195,7 @@ std::vector<model::Polyhedron> convex_pieces(const Mesh& mesh, const Limits& lim
 
 std::vector<model::Polyhedron> enclosed_pieces(const Mesh& mesh, const Limits& limits) {
   if (mesh.faces.empty()) return {};
-  return Division(mesh, box_of(mesh), limits).enclosed_pieces();
+  return Division(mesh, facet::box_of(mesh.points), limits).enclosed_pieces();
 }
 
 }  // namespace csgsim::solids

@@ -1,7 +1,9 @@
 #include "host/solids/projection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <polyclipping/clipper.hpp>
 #include <span>
@@ -11,6 +13,7 @@
 
 #include "host/facet/scene.h"
 #include "host/flat/clip_steps.h"
+#include "host/flat/hull.h"
 #include "host/solids/limits.h"
 
 namespace csgsim::solids {
@@ -42,29 +45,6 @@ std::vector<glm::dvec2> section_of(const facet::Convex& solid, double near) {
   return points;
 }
 
-ClipperLib::cInt turn(const IntPoint& a, const IntPoint& b, const IntPoint& c) {
-  return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
-}
-
-/// The hull of points, counter-clockwise: A. M. Andrew's monotone chains.
-Path hull(Path points) {
-  const auto less = [](const IntPoint& a, const IntPoint& b) { return std::tie(a.X, a.Y) < std::tie(b.X, b.Y); };
-  std::sort(points.begin(), points.end(), less);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return {};
-  Path chain;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t begin = chain.size();
-    for (const IntPoint& point : points) {
-      while (chain.size() >= begin + 2 && turn(chain[chain.size() - 2], chain.back(), point) <= 0) chain.pop_back();
-      chain.push_back(point);
-    }
-    chain.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return chain;
-}
-
 double largest_of(std::span<const glm::dvec3> points) {
   double largest = 0;
   for (const glm::dvec3& point : points) {
@@ -77,10 +57,14 @@ double largest_of(std::span<const glm::dvec3> points) {
 double scale_for(double largest) { return std::ldexp(1.0, coordinate_bits - 1 - std::ilogb(largest)); }
 
 Path hull_of(const std::vector<glm::dvec2>& points, double scale) {
+  flat::Outline rounded;
+  for (const glm::dvec2& point : points) rounded.push_back(glm::round(point * scale));
   Path path;
-  for (const glm::dvec2& point : points)
-    path.emplace_back(std::llround(point.x * scale), std::llround(point.y * scale));
-  return hull(std::move(path));
+  for (const flat::Outline& outline : flat::hull(std::array{flat::Area{{rounded}}}).outlines) {
+    for (const glm::dvec2& corner : outline)
+      path.emplace_back(static_cast<ClipperLib::cInt>(corner.x), static_cast<ClipperLib::cInt>(corner.y));
+  }
+  return path;
 }
 
 Paths combine(ClipperLib::ClipType how, const Paths& first, const Paths& others, const Work& work) {

@@ -11,19 +11,16 @@
 
 namespace csgsim::solids {
 
-namespace {
-
-std::string lower(std::string text) {
-  for (char& letter : text) {
+std::string ending_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& letter : ending) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + ('a' - 'A'));
   }
-  return text;
+  return ending;
 }
 
-}  // namespace
-
 std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path) {
-  const std::string ending = lower(path.extension().string());
+  const std::string ending = ending_of(path);
   if (ending == ".stl") return {parse_stl(text, path.native())};
   if (ending == ".off") return {parse_off(text, path.native())};
   if (ending == ".obj") return {parse_obj(text, path.native())};
@@ -31,10 +28,6 @@ std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::pat
   if (ending == ".3mf") return parse_3mf(text, path.native());
   throw InputError(fmt::format("{}: meshes are read from .stl, .off, .obj, .amf and .3mf files; convert it",
                                printable(path.native())));
-}
-
-std::vector<Mesh> read_meshes(const std::filesystem::path& path) {
-  return parse_meshes(read_file(path, {"a mesh file", most_mesh_bytes, "make the mesh coarser"}), path);
 }
 
 }  // namespace csgsim::solids

@@ -12,12 +12,13 @@ namespace csgsim::solids {
 inline constexpr std::size_t most_mesh_bytes = std::size_t{1} << 30U;  ///< of a file
 inline constexpr std::size_t most_mesh_faces = 4'000'000;
 
+/// The ending of a file's name in small letters, as `.stl`.
+std::string ending_of(const std::filesystem::path& path);
+
 /// The meshes of a file, by what its name ends with: .stl, .off, .obj, .amf or .3mf. An STL, OFF or OBJ file has one.
 /// They are as the file has them: points may repeat, and nothing is checked but that numbers are finite and corners are
-/// there. Throws InputError that names the file, and the place in it where there is one.
-std::vector<Mesh> read_meshes(const std::filesystem::path& path);
-
-/// The parts of it: first by the name's ending, then each kind. The text is the file's, and the name is for messages.
+/// there. The text is the file's, and the name is for messages. Throws InputError that names the file, and the place in
+/// it where there is one.
 std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path);
 
 /// STL, both kinds. Normals are not looked at, as in OpenSCAD. A text has triangles only.

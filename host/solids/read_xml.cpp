@@ -77,10 +77,18 @@ class Document {
   pugi::xml_document document_;
 };
 
-void add_triangle(Mesh& mesh, const Document& document, const pugi::xml_node& node,
-                  const std::array<std::string_view, 3>& corners) {
+/// `text(name)`: what the node says of a coordinate.
+template <class Text>
+void add_point(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
+  const auto coordinate = [&](const char* name) { return document.coordinate(node, text(name)); };
+  mesh.points.push_back({coordinate("x"), coordinate("y"), coordinate("z")});
+}
+
+/// `text(name)`: what the node says of a corner.
+template <class Text>
+void add_triangle(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   auto& face = mesh.faces.emplace_back();
-  for (const std::string_view corner : corners) face.push_back(document.corner(node, corner, mesh.points.size()));
+  for (const char* name : {"v1", "v2", "v3"}) face.push_back(document.corner(node, text(name), mesh.points.size()));
   document.require_few(node, mesh.faces.size());
 }
 
@@ -89,14 +97,11 @@ Mesh read_amf_object(const Document& document, const pugi::xml_node& object) {
   const pugi::xml_node source = object.child("mesh");
   for (const pugi::xml_node vertex : source.child("vertices").children("vertex")) {
     const pugi::xml_node at = vertex.child("coordinates");
-    mesh.points.push_back({document.coordinate(vertex, at.child_value("x")),
-                           document.coordinate(vertex, at.child_value("y")),
-                           document.coordinate(vertex, at.child_value("z"))});
+    add_point(mesh, document, vertex, [&](const char* name) { return at.child_value(name); });
   }
   for (const pugi::xml_node volume : source.children("volume")) {
     for (const pugi::xml_node triangle : volume.children("triangle")) {
-      add_triangle(mesh, document, triangle,
-                   {triangle.child_value("v1"), triangle.child_value("v2"), triangle.child_value("v3")});
+      add_triangle(mesh, document, triangle, [&](const char* name) { return triangle.child_value(name); });
     }
   }
   return mesh;
@@ -105,14 +110,10 @@ Mesh read_amf_object(const Document& document, const pugi::xml_node& object) {
 Mesh read_3mf_object(const Document& document, const pugi::xml_node& source) {
   Mesh mesh;
   for (const pugi::xml_node vertex : source.child("vertices").children("vertex")) {
-    mesh.points.push_back({document.coordinate(vertex, vertex.attribute("x").value()),
-                           document.coordinate(vertex, vertex.attribute("y").value()),
-                           document.coordinate(vertex, vertex.attribute("z").value())});
+    add_point(mesh, document, vertex, [&](const char* name) { return vertex.attribute(name).value(); });
   }
   for (const pugi::xml_node triangle : source.child("triangles").children("triangle")) {
-    add_triangle(
-        mesh, document, triangle,
-        {triangle.attribute("v1").value(), triangle.attribute("v2").value(), triangle.attribute("v3").value()});
+    add_triangle(mesh, document, triangle, [&](const char* name) { return triangle.attribute(name).value(); });
   }
   return mesh;
 }

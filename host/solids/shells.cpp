@@ -6,7 +6,6 @@
 #include <numbers>
 #include <string_view>
 
-#include "host/facet/scene.h"
 #include "host/solids/neighbours.h"
 #include "hw/base/error.h"
 
@@ -23,14 +22,6 @@ void for_triangles(const Mesh& mesh, std::span<const std::uint32_t> faces, const
       visit(mesh.points[face[0]], mesh.points[face[k]], mesh.points[face[k + 1]]);
     }
   }
-}
-
-facet::Box box_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
-  facet::Box box;
-  for (const std::uint32_t face : faces) {
-    for (const std::uint32_t corner : mesh.faces[face]) box = facet::hull(box, mesh.points[corner]);
-  }
-  return box;
 }
 
 bool holds(const facet::Box& outer, const facet::Box& inner) {
@@ -59,6 +50,14 @@ bool is_within(const Mesh& mesh, const FaceList& inner, const FaceList& outer, c
 }
 
 }  // namespace
+
+facet::Box box_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
+  facet::Box box;
+  for (const std::uint32_t face : faces) {
+    for (const std::uint32_t corner : mesh.faces[face]) box = facet::hull(box, mesh.points[corner]);
+  }
+  return box;
+}
 
 double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   if (faces.empty()) return 0;

@@ -5,12 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "host/facet/scene.h"
 #include "host/solids/mesh.h"
 #include "hw/base/work.h"
 
 namespace csgsim::solids {
 
 using FaceList = std::vector<std::uint32_t>;
+
+facet::Box box_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
 /// Six times what the faces enclose, seen from the first of their points: negative if they face inwards.
 double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces);

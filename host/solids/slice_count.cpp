@@ -2,19 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 
-#include "host/solids/sweep_limits.h"
+#include "host/model/fragments.h"
 #include "hw/base/error.h"
 
 namespace csgsim::solids {
 
 namespace {
 
-/// Lengths below this are none to OpenSCAD.
-constexpr double grid_fine = 0.00000095367431640625;
+/// Faces that an extrusion may make, before its pieces are cut.
+constexpr std::size_t most_swept_faces = 4'000'000;
 
 constexpr double degrees_a_slice = 120.0;  ///< at most
 
@@ -51,7 +52,7 @@ double twisted_count(const flat::Area& area, const LinearExtrude& sweep) {
   const double fewest = std::max(std::ceil(twist / degrees_a_slice), 1.0);
   const double squared_radius = greatest(area, [](const glm::dvec2& corner) { return glm::dot(corner, corner); });
   const model::FacetControl& facets = sweep.facets;
-  if (std::sqrt(squared_radius) < grid_fine || !std::isfinite(facets.fn)) return fewest;
+  if (std::sqrt(squared_radius) < model::grid_fine || !std::isfinite(facets.fn)) return fewest;
   if (facets.fn > 0.0) return std::max(std::ceil(twist / 360.0 * facets.fn), fewest);
   const double turn = twist * std::numbers::pi / 180.0;
   const double by_length = std::ceil(way_length(squared_radius, turn, sweep) / facets.fs);
@@ -64,7 +65,7 @@ double straight_count(const flat::Area& area, const LinearExtrude& sweep) {
     return glm::dot(shift, shift);
   });
   const model::FacetControl& facets = sweep.facets;
-  if (std::sqrt(squared_shift) < grid_fine || !std::isfinite(facets.fn)) return 1.0;
+  if (std::sqrt(squared_shift) < model::grid_fine || !std::isfinite(facets.fn)) return 1.0;
   if (facets.fn > 0.0) return std::max(std::floor(facets.fn), 1.0);
   return std::max(std::ceil(std::sqrt(squared_shift + sweep.height * sweep.height) / facets.fs), 1.0);
 }

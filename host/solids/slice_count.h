@@ -10,7 +10,7 @@ namespace csgsim::solids {
 /// Slices of an extrusion whose sides bend, as OpenSCAD 2021.01 counts them. As many as the sweep says; else with a
 /// twist by the length of the helix, or conical helix, that the outermost corner runs along, against $fs, and by the
 /// twist against $fa or $fn; else, if x and y scale differently, by the longest way of a corner against $fs, or $fn.
-/// Throws InputError past most_swept_faces.
+/// Throws InputError if the slices would have more than 4,000,000 faces.
 std::uint32_t slice_count(const flat::Area& area, const LinearExtrude& sweep);
 
 }  // namespace csgsim::solids

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/solids/height_picture.h"
+#include "host/solids/read_mesh.h"
 #include "host/solids/words.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
@@ -168,16 +169,8 @@ Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool cente
 }
 
 Mesh parse_surface_file(std::string_view bytes, const std::filesystem::path& path, bool center, bool invert) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + ('a' - 'A')) : letter;
-  });
-  return ending == ".png" ? parse_surface_png(bytes, path.native(), center, invert)
-                          : parse_surface(bytes, path.native(), center);
-}
-
-Mesh read_surface(const std::filesystem::path& path, bool center, bool invert) {
-  return parse_surface_file(read_file(path, surface_file), path, center, invert);
+  return ending_of(path) == ".png" ? parse_surface_png(bytes, path.native(), center, invert)
+                                   : parse_surface(bytes, path.native(), center);
 }
 
 }  // namespace csgsim::solids

@@ -17,10 +17,8 @@ inline constexpr InputKind surface_file{"a surface file", std::size_t{1} << 26U,
 /// What OpenSCAD's surface() makes of a file: heights above a grid of unit cells, each cell of four triangles that meet
 /// in its middle, at the mean of its corners; walls, and a floor one below the least height or one below 1. A file
 /// whose name ends with .png has pixels, any other numbers. Heights of which there are not two rows and columns are an
-/// empty mesh. Throws InputError that names the file, and the place in it where there is one.
-Mesh read_surface(const std::filesystem::path& path, bool center, bool invert);
-
-/// The parts of it: first by the name's ending, then each kind. The text is the file's, and the name is for messages.
+/// empty mesh. The bytes are the file's, and the name is for messages. Throws InputError that names the file, and the
+/// place in it where there is one.
 Mesh parse_surface_file(std::string_view bytes, const std::filesystem::path& path, bool center, bool invert);
 
 /// Numbers between blanks, a row a line, the first along y = 0; lines that begin with # are left out. Rows that are too

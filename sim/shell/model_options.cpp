@@ -348,7 +348,7 @@ ModelFile read_model_file(const ModelOptions& options) {
     throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
   return with_memory_for("the model " + options.model, [&] {
     const bool is_source = subject_in(options.model) == Subject::scad;
-    const std::string text = is_source ? csg_of_scad(options.model) : read::load(options.model);
+    const std::string text = is_source ? csg_of_scad(options.model) : read_file(options.model, read::model_file);
     const std::string name = shown_name(options.model);
     Hash hash;
     hash.add(text);

@@ -8,7 +8,6 @@
 #include "host/flat/svg/path.h"
 #include "host/flat/svg/stroke.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::flat::svg {
 
@@ -20,20 +19,11 @@ constexpr double thinnest_stroke = 0.01;
 /// Radii of corners that are smaller are none.
 constexpr double smallest_radius = 1e-8;
 
-/// An element, and what is told of it.
 struct Element {
   pugi::xml_node node;
-  std::size_t max_corners = 0;
-  std::set<std::string>& left_out;
 
-  [[nodiscard]] double number(const char* name) const {
-    const std::string_view text = node.attribute(name).value();
-    const std::optional<double> value = whole_number(text);
-    if (!value && !text.empty()) {
-      left_out.insert(std::string(name) + "=\"" + printable(text) + "\" of a " + node.name() + ", which counts as 0");
-    }
-    return value.value_or(0);
-  }
+  /// 0 for what is no number.
+  [[nodiscard]] double number(const char* name) const { return whole_number(node.attribute(name).value()).value_or(0); }
 
   [[nodiscard]] glm::dvec2 point(const char* x, const char* y) const { return {number(x), number(y)}; }
 };
@@ -99,11 +89,10 @@ Outline rectangle(const Element& element) {
 
 }  // namespace
 
-std::optional<std::vector<Outline>> read_shape(pugi::xml_node element, std::size_t max_corners,
-                                               std::set<std::string>& left_out) {
+std::optional<std::vector<Outline>> read_shape(pugi::xml_node element, std::size_t max_corners) {
   using Outlines = std::vector<Outline>;
   const std::string_view name = element.name();
-  const Element here{element, max_corners, left_out};
+  const Element here{element};
   if (name == "path") return read_path(element.attribute("d").value(), stroke(element), max_corners);
   if (name == "rect") return Outlines{rectangle(here)};
   if (name == "circle") return Outlines{ellipse(here.point("cx", "cy"), glm::dvec2(here.number("r")))};

@@ -1,6 +1,8 @@
 #include "host/flat/svg/stroke.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <polyclipping/clipper.hpp>
 
@@ -19,23 +21,9 @@ constexpr double largest = 1e15;
 /// How far Clipper lets arcs be from their chords, in its units, if it is not told.
 constexpr double arc_tolerance = 0.25;
 
-ClipperLib::EndType end_type(Cap cap) {
-  switch (cap) {
-    case Cap::butt: return ClipperLib::etOpenButt;
-    case Cap::round: return ClipperLib::etOpenRound;
-    case Cap::square: return ClipperLib::etOpenSquare;
-  }
-  return ClipperLib::etOpenSquare;
-}
-
-ClipperLib::JoinType join_type(Join join) {
-  switch (join) {
-    case Join::bevel: return ClipperLib::jtSquare;
-    case Join::round: return ClipperLib::jtRound;
-    case Join::miter: return ClipperLib::jtMiter;
-  }
-  return ClipperLib::jtMiter;
-}
+// By Cap and Join.
+constexpr std::array end_types{ClipperLib::etOpenButt, ClipperLib::etOpenRound, ClipperLib::etOpenSquare};
+constexpr std::array join_kinds{ClipperLib::jtSquare, ClipperLib::jtRound, ClipperLib::jtMiter};
 
 ClipperLib::cInt units(double coordinate) {
   if (!(std::abs(coordinate) * scale <= largest)) throw InputError("a line of the drawing goes too far out");
@@ -59,7 +47,8 @@ std::vector<Outline> stroked(const Outline& line, const Stroke& stroke, std::siz
   ClipperLib::Path path;
   for (const glm::dvec2& corner : line) path.emplace_back(units(corner.x), units(corner.y));
   ClipperLib::ClipperOffset offset;
-  offset.AddPath(path, join_type(stroke.join), end_type(stroke.cap));
+  offset.AddPath(path, join_kinds.at(static_cast<std::size_t>(stroke.join)),
+                 end_types.at(static_cast<std::size_t>(stroke.cap)));
   ClipperLib::Paths around;
   offset.Execute(around, radius);
   std::vector<Outline> result;

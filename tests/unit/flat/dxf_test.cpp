@@ -13,9 +13,7 @@ using flat::check_as_openscad;
 
 namespace {
 
-using Strings = std::vector<std::string>;
-
-flat::Imported drawing(const std::string& name, const flat::DxfOptions& options = {}) {
+flat::Area drawing(const std::string& name, const flat::DxfOptions& options = {}) {
   return flat::read_dxf(flat::drawing(name + ".dxf"), options);
 }
 
@@ -33,36 +31,30 @@ std::string message(const std::string& text, const flat::DxfOptions& options = {
 }  // namespace
 
 TEST_CASE("DXF's lines, polylines, circles, arcs and ellipses are OpenSCAD's") {
-  check_as_openscad(drawing("entities").area, "dxf_entities");
-  check_as_openscad(drawing("entities", {.facets = {.fn = 24}}).area, "dxf_fine");
-  check_as_openscad(drawing("exported").area, "dxf_exported");
+  check_as_openscad(drawing("entities"), "dxf_entities");
+  check_as_openscad(drawing("entities", {.facets = {.fn = 24}}), "dxf_fine");
+  check_as_openscad(drawing("exported"), "dxf_exported");
 }
 
 TEST_CASE("DXF's lines are chained as OpenSCAD chains them where several meet") {
-  check_as_openscad(drawing("meeting").area, "dxf_meeting");
+  check_as_openscad(drawing("meeting"), "dxf_meeting");
 }
 
 TEST_CASE("DXF's blocks are inserted as OpenSCAD does it") {
-  check_as_openscad(drawing("blocks").area, "dxf_blocks");
-  check_as_openscad(drawing("blocks", {.layer = "b", .scale = 0.5}).area, "dxf_layer_b");
+  check_as_openscad(drawing("blocks"), "dxf_blocks");
+  check_as_openscad(drawing("blocks", {.layer = "b", .scale = 0.5}), "dxf_layer_b");
 }
 
 TEST_CASE("DXF's drawings are moved and scaled as OpenSCAD does it") {
-  check_as_openscad(drawing("blocks", {.origin = {5, -3}, .scale = 2.5}).area, "dxf_moved");
-  check_as_openscad(drawing("entities", {.origin = {3, 4}, .scale = 1.5, .facets = {.fn = 30}}).area,
-                    "dxf_scaled_ellipses");
+  check_as_openscad(drawing("blocks", {.origin = {5, -3}, .scale = 2.5}), "dxf_moved");
+  check_as_openscad(drawing("entities", {.origin = {3, 4}, .scale = 1.5, .facets = {.fn = 30}}), "dxf_scaled_ellipses");
 }
 
-TEST_CASE("a layer of DXF is drawn alone, and what is left out of it is told") {
-  const flat::Imported all = drawing("layers");
-  check_as_openscad(all.area, "dxf_layers");
-  CHECK(all.left_out == Strings{"INSERT of nowhere, a block of no lines", "POLYLINE", "TEXT", "bulges of LWPOLYLINE"});
-  const flat::Imported plate = drawing("layers", {.layer = "plate"});
-  check_as_openscad(plate.area, "dxf_plate");
-  CHECK(plate.left_out == Strings{"POLYLINE"});
-  check_as_openscad(drawing("layers", {.layer = "holes"}).area, "dxf_holes");
-  CHECK(drawing("layers", {.layer = "none"}).area.empty());
-  CHECK(drawing("layers", {.layer = "none"}).left_out.empty());
+TEST_CASE("a layer of DXF is drawn alone") {
+  check_as_openscad(drawing("layers"), "dxf_layers");
+  check_as_openscad(drawing("layers", {.layer = "plate"}), "dxf_plate");
+  check_as_openscad(drawing("layers", {.layer = "holes"}), "dxf_holes");
+  CHECK(drawing("layers", {.layer = "none"}).empty());
 }
 
 TEST_CASE("DXF that cannot be read is an error, with its line") {
@@ -85,8 +77,8 @@ TEST_CASE("DXF that cannot be read is an error, with its line") {
 
 TEST_CASE("angles far apart take no more time than others") {
   const std::string arc = "0\nARC\n10\n0\n20\n0\n40\n1\n51\n90\n50\n";
-  CHECK(flat::area_of(flat::read_dxf(entities(arc + "360000\n"), {}).area) ==
-        doctest::Approx(flat::area_of(flat::read_dxf(entities(arc + "0\n"), {}).area)));
+  CHECK(flat::area_of(flat::read_dxf(entities(arc + "360000\n"), {})) ==
+        doctest::Approx(flat::area_of(flat::read_dxf(entities(arc + "0\n"), {}))));
   CHECK(message(entities(arc + "1e300\n")) ==
         "line 6: an arc goes around more than twice, or begins at more than a million degrees");
 }

@@ -1,10 +1,9 @@
-#include "host/read/solids.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "host/read/node_readers.h"
 #include "tests/unit/read/support.h"
 
 using csgsim::model::Cube;

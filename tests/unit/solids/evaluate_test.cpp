@@ -13,7 +13,6 @@
 #include "host/solids/hull.h"
 #include "host/solids/minkowski.h"
 #include "host/solids/projection.h"
-#include "host/solids/resize.h"
 #include "places.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/solids/support.h"

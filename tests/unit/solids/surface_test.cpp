@@ -41,7 +41,9 @@ TEST_CASE("surfaces of numbers and of all kinds of pixels are OpenSCAD's") {
     CAPTURE(name);
     const std::string file = "heights_" + std::string(name);
     const Mesh expected = testing::load_off(file.substr(0, file.rfind('.')));
-    const auto made = solids::check(solids::read_surface(folder() + file, true, file == "heights_inverted.png"),
+    const std::string path = folder() + file;
+    const std::string bytes = read_file(path, solids::surface_file);
+    const auto made = solids::check(solids::parse_surface_file(bytes, path, true, file == "heights_inverted.png"),
                                     solids::printed_tolerance);
     CHECK(!made.defect);
     CHECK(volume_of(made.mesh) == doctest::Approx(volume_of(expected)).epsilon(1e-5));

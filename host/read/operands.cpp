@@ -1,4 +1,4 @@
-#include "host/read/only.h"
+#include "host/read/operands.h"
 
 #include <utility>
 

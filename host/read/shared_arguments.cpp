@@ -1,10 +1,16 @@
-#include "host/read/indices.h"
+#include "host/read/shared_arguments.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace csgsim::read {
 
 namespace {
+
+/// OpenSCAD raises $fa and $fs to this.
+constexpr double least_facet_control = 0.01;
 
 std::uint32_t read_index(const Arguments& arguments, ValueView value, std::size_t points) {
   const double number = arguments.read_number(value, "the index of a point");
@@ -17,6 +23,21 @@ std::uint32_t read_index(const Arguments& arguments, ValueView value, std::size_
 }
 
 }  // namespace
+
+model::FacetControl read_facets(const Arguments& arguments) {
+  model::FacetControl facets;
+  facets.fn = arguments.number("$fn").value_or(facets.fn);
+  facets.fa = std::max(arguments.number("$fa").value_or(facets.fa), least_facet_control);
+  facets.fs = std::max(arguments.number("$fs").value_or(facets.fs), least_facet_control);
+  return facets;
+}
+
+std::optional<double> read_radius(const Arguments& arguments, std::string_view radius, std::string_view diameter) {
+  const std::optional<double> r = arguments.number(radius);
+  const std::optional<double> d = arguments.number(diameter);
+  if (r && d) arguments.fail("{} and {} are both given; take one out", radius, diameter);
+  return d ? *d / 2 : r;
+}
 
 std::vector<std::uint32_t> read_indices(const Arguments& arguments, ValueView list, std::size_t points) {
   if (!list.is(ValueKind::vector)) arguments.fail(list, "expected a vector of indices of points");

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "host/model/tree.h"
+#include "host/read/arguments.h"
+
+// Arguments that several nodes have.
+
+namespace csgsim::read {
+
+/// $fn, $fa and $fs, as OpenSCAD bounds them.
+model::FacetControl read_facets(const Arguments& arguments);
+
+/// A radius that the file may give as a diameter.
+std::optional<double> read_radius(const Arguments& arguments, std::string_view radius, std::string_view diameter);
+
+/// A vector of whole numbers below `points`.
+std::vector<std::uint32_t> read_indices(const Arguments& arguments, ValueView list, std::size_t points);
+
+/// The numbers of a vector of N; none where it is something else, or one of them is not finite.
+template <int N>
+std::optional<glm::vec<N, double>> finite_numbers(ValueView vector) {
+  if (!vector.is(ValueKind::vector) || vector.size() != N) return std::nullopt;
+  glm::vec<N, double> numbers(0);
+  int next = 0;
+  bool all_finite = true;
+  vector.for_each([&](ValueView element) {
+    const double number = element.value().number;
+    all_finite = all_finite && element.is(ValueKind::number) && std::isfinite(number);
+    numbers[next++] = number;
+  });
+  return all_finite ? std::optional(numbers) : std::nullopt;
+}
+
+/// The points of a node. None if one is no point: then `outcome` is told of the node.
+template <int N>
+std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arguments, std::string_view node,
+                                                            std::string_view outcome) {
+  constexpr std::string_view form = N == 2 ? "[x, y]" : "[x, y, z]";
+  const ValueView list = arguments.required("points", fmt::format("points = [{}, ...]", form));
+  if (!list.is(ValueKind::vector)) arguments.fail(list, "points of {}() must be a vector of {}", node, form);
+  std::vector<glm::vec<N, double>> points;
+  std::optional<ValueView> bad;
+  list.for_each([&](ValueView value) {
+    const auto point = finite_numbers<N>(value);
+    if (point) points.push_back(*point);
+    if (!point && !bad) bad = value;
+  });
+  if (!bad) return points;
+  arguments.tell(*bad, fmt::format("warning: a point of {}() is no {} of finite numbers; {}, as in OpenSCAD", node,
+                                   form, outcome));
+  return std::nullopt;
+}
+
+}  // namespace csgsim::read
