@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
 #include "sim/judges/dyadic.h"
 
 namespace csgsim::judges {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A pixel centre: twice its distance from the middle of the picture, in pixels, to the right and down. Integers.
 struct Place {

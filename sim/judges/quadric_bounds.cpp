@@ -35,7 +35,7 @@ double section_drift(const SightQuadric& quadric, double from, double to) {
   const double determinant = 4.0 * q.xx * q.yy - q.xy * q.xy;
   // Where it is nearly a parabola or a pair of lines, rounding decides on the sign, and it is far longer than the
   // picture.
-  if (!(determinant > 0x1p-46 * std::abs(4.0 * q.xx * q.yy))) return std::numeric_limits<double>::infinity();
+  if (!(determinant > 0x1p-46 * std::abs(4.0 * q.xx * q.yy))) return infinity;
   struct Section {
     double x, y, value;
   };
@@ -86,7 +86,7 @@ double QuadricBounds::drift(std::uint32_t index) const {
   if (kind == facet::QuadricKind::cone && sight_.perspective()) {
     return apex_shift(table_, index, sight_.camera()) * 2.0 * line_.q_half_range;
   }
-  if (kind == facet::QuadricKind::ellipsoid || sight_.perspective()) return std::numeric_limits<double>::infinity();
+  if (kind == facet::QuadricKind::ellipsoid || sight_.perspective()) return infinity;
   return section_drift(quadric, line_.q_middle - line_.q_half_range, line_.q_middle + line_.q_half_range);
 }
 

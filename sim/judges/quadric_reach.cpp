@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "sim/judges/infinity.h"
-
 namespace csgsim::judges {
 
 namespace {
@@ -18,10 +16,6 @@ constexpr PlaceRect no_places{infinity, infinity, -infinity, -infinity};
 constexpr double margin = 4.0;
 
 glm::dvec3 approximately(const Vector& v) { return {v[0].approximately(), v[1].approximately(), v[2].approximately()}; }
-
-void grow(PlaceRect& rect, double x, double y) {
-  rect = {std::min(rect.x0, x), std::min(rect.y0, y), std::max(rect.x1, x), std::max(rect.y1, y)};
-}
 
 PlaceRect hull(const PlaceRect& a, const PlaceRect& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
@@ -71,7 +65,9 @@ class Projector {
   void add(PlaceRect& rect, const glm::dvec3& point) const {
     const glm::dvec3 d = point - eye_;
     const double over = perspective_ ? depth(point) : 1.0;
-    grow(rect, glm::dot(d, right_) / over, glm::dot(d, down_) / over);
+    const double x = glm::dot(d, right_) / over;
+    const double y = glm::dot(d, down_) / over;
+    rect = hull(rect, {x, y, x, y});
   }
 
   void add_cut(PlaceRect& rect, const glm::dvec3& a, const glm::dvec3& b) const {

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/judges/infinity.h"
-
 namespace csgsim::judges {
 
 namespace {
@@ -109,9 +107,9 @@ QuadricSight::Exact QuadricSight::make_exact(std::uint32_t index) const {
 }
 
 const QuadricSight::Exact& QuadricSight::exact(std::uint32_t index) const {
-  const auto found = kept_.find(index);
-  if (found != kept_.end()) return found->second;
-  return kept_.emplace(index, make_exact(index)).first->second;
+  const auto [kept, is_new] = kept_.try_emplace(index);
+  if (is_new) kept->second = make_exact(index);
+  return kept->second;
 }
 
 double QuadricSight::size_over_picture(const FilterQuadratic& of) const {

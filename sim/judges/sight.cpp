@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/judges/infinity.h"
-
 namespace csgsim::judges {
 
 namespace {
@@ -45,9 +43,9 @@ Sight::Exact Sight::make_exact(std::uint32_t index) const {
 }
 
 const Sight::Exact& Sight::exact(std::uint32_t index) const {
-  const auto found = kept_.find(index);
-  if (found != kept_.end()) return found->second;
-  return kept_.emplace(index, make_exact(index)).first->second;
+  const auto [kept, is_new] = kept_.try_emplace(index);
+  if (is_new) kept->second = make_exact(index);
+  return kept->second;
 }
 
 /// Sum of the sizes of the terms that the denominator k of a plane is summed from.

@@ -43,27 +43,6 @@ Interval below_zero(long double a, long double b, long double c, const Interval&
   return before.high - before.low > behind.high - behind.low ? before : behind;
 }
 
-Interval ball(long double radius, const Line& line) {
-  const LongVector& o = line.origin;
-  const LongVector& d = line.direction;
-  return below_zero(glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - radius * radius, everywhere);
-}
-
-/// x^2 + y^2 <= r(z)^2 between the ends, where r is linear and not negative.
-Interval frustum(const model::Cylinder& shape, const Line& line) {
-  const LongVector& o = line.origin;
-  const LongVector& d = line.direction;
-  const long double height = shape.height;
-  const long double foot = shape.center ? -height / 2 : 0;
-  const Interval between = slab(foot, foot + height, o.z, d.z);
-  if (between.empty()) return nowhere;
-  const long double taper = (static_cast<long double>(shape.r2) - shape.r1) / height;
-  const long double radius = shape.r1 + taper * (o.z - foot);  // at the line's origin
-  const long double slope = taper * d.z;
-  return below_zero(d.x * d.x + d.y * d.y - slope * slope, o.x * d.x + o.y * d.y - radius * slope,
-                    o.x * o.x + o.y * o.y - radius * radius, between);
-}
-
 struct Extent {
   LongVector low;
   LongVector high;
@@ -147,9 +126,27 @@ Interval TrueSolid::within(const model::Cube& /*shape*/, const Line& line) const
   return in;
 }
 
-Interval TrueSolid::within(const model::Sphere& shape, const Line& line) { return ball(shape.radius, line); }
+Interval TrueSolid::within(const model::Sphere& shape, const Line& line) {
+  const long double radius = shape.radius;
+  const LongVector& o = line.origin;
+  const LongVector& d = line.direction;
+  return below_zero(glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - radius * radius, everywhere);
+}
 
-Interval TrueSolid::within(const model::Cylinder& shape, const Line& line) { return frustum(shape, line); }
+/// x^2 + y^2 <= r(z)^2 between the ends, where r is linear and not negative.
+Interval TrueSolid::within(const model::Cylinder& shape, const Line& line) {
+  const LongVector& o = line.origin;
+  const LongVector& d = line.direction;
+  const long double height = shape.height;
+  const long double foot = shape.center ? -height / 2 : 0;
+  const Interval between = slab(foot, foot + height, o.z, d.z);
+  if (between.empty()) return nowhere;
+  const long double taper = (static_cast<long double>(shape.r2) - shape.r1) / height;
+  const long double radius = shape.r1 + taper * (o.z - foot);  // at the line's origin
+  const long double slope = taper * d.z;
+  return below_zero(d.x * d.x + d.y * d.y - slope * slope, o.x * d.x + o.y * d.y - radius * slope,
+                    o.x * o.x + o.y * o.y - radius * radius, between);
+}
 
 Interval TrueSolid::within(const model::Polyhedron& /*shape*/, const Line& line) const {
   Interval in = everywhere;

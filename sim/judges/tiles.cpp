@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/judges/infinity.h"
-
 namespace csgsim::judges {
 
 namespace {
