@@ -93,40 +93,32 @@ std::optional<ModelQuadric> HalfspaceFinder::find_in(std::uint32_t primitive, co
   return std::nullopt;
 }
 
-namespace {
-
-/// The primitive that an instruction is to be of, and whether it is compared.
-std::pair<std::uint32_t, bool> subject_of(const isa::Origin& origin) {
+/// What `find_in` finds of the primitive that an instruction is to be of, or of one that makes one convex solid with
+/// it; of one that is compared, of that alone.
+template <class FindIn>
+auto HalfspaceFinder::find_of(const isa::Origin& origin, const FindIn& find_in) const {
   const bool compares = origin.purpose == isa::Purpose::classify && origin.node != isa::no_node;
-  return {compares ? origin.node : origin.primitive, compares};
-}
-
-}  // namespace
-
-std::optional<ModelHalfspace> HalfspaceFinder::find(const isa::Instruction& instruction,
-                                                    const isa::Region& region) const {
-  const auto [primitive, compares] = subject_of(instruction.origin);
-  if (instruction.linear.width == 0 || primitive >= set_of_.size()) return std::nullopt;
-  std::optional<ModelHalfspace> found = find_in(primitive, instruction, region);
+  const std::uint32_t primitive = compares ? origin.node : origin.primitive;
+  auto found = decltype(find_in(primitive))();
+  if (primitive >= set_of_.size()) return found;
+  found = find_in(primitive);
   if (compares) return found;
   for (const std::uint32_t other : set_of(primitive)) {
     if (found) break;
-    found = find_in(other, instruction, region);
+    found = find_in(other);
   }
   return found;
+}
+
+std::optional<ModelHalfspace> HalfspaceFinder::find(const isa::Instruction& instruction,
+                                                    const isa::Region& region) const {
+  if (instruction.linear.width == 0) return std::nullopt;
+  return find_of(instruction.origin, [&](std::uint32_t primitive) { return find_in(primitive, instruction, region); });
 }
 
 std::optional<ModelQuadric> HalfspaceFinder::find(const isa::Instruction& squares, const isa::Instruction& linear,
                                                   const isa::Region& region) const {
-  const auto [primitive, compares] = subject_of(linear.origin);
-  if (primitive >= set_of_.size()) return std::nullopt;
-  std::optional<ModelQuadric> found = find_in(primitive, squares, linear, region);
-  if (compares) return found;
-  for (const std::uint32_t other : set_of(primitive)) {
-    if (found) break;
-    found = find_in(other, squares, linear, region);
-  }
-  return found;
+  return find_of(linear.origin, [&](std::uint32_t primitive) { return find_in(primitive, squares, linear, region); });
 }
 
 }  // namespace csgsim::story

@@ -58,6 +58,9 @@ class HalfspaceFinder {
   }
 
  private:
+  template <class FindIn>
+  [[nodiscard]] auto find_of(const isa::Origin& origin, const FindIn& find_in) const;
+
   [[nodiscard]] std::optional<ModelHalfspace> find_in(std::uint32_t primitive, const isa::Instruction& instruction,
                                                       const isa::Region& region) const;
 

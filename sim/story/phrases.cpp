@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 9> what_names{"setup", "surface", "depth_
                                                      "merge", "shade",   "effect",     "skip"};
 constexpr std::array<std::string_view, 8> fate_names{"outside",    "no_depth", "refused", "behind",
                                                      "classified", "covered",  "blended", "seen"};
+constexpr std::array<std::string_view, 3> quadric_names{"ellipsoid", "cylinder", "cone"};
 
 const isa::NamedField* find(const isa::Program& program, isa::Field field) {
   const auto& fields = program.facts.fields;
@@ -33,6 +34,7 @@ const isa::NamedField* find(const isa::Program& program, isa::Field field) {
 
 std::string_view name_of(What what) { return what_names.at(static_cast<std::size_t>(what)); }
 std::string_view name_of(Fate fate) { return fate_names.at(static_cast<std::size_t>(fate)); }
+std::string_view name_of(facet::QuadricKind kind) { return quadric_names.at(static_cast<std::size_t>(kind)); }
 
 std::string primitive_text(const isa::Program& program, std::uint32_t primitive) {
   if (primitive == observe::no_owner) return "nothing";
@@ -109,15 +111,6 @@ std::optional<ModelQuadric> quadric_of(const Subject& subject, const Decision& d
   if (decision.squares) return subject.model->find(*decision.squares, decision.instruction, region);
   if (decision.quadric) return subject.model->find(decision.quadric->squares, decision.quadric->load, region);
   return std::nullopt;
-}
-
-std::string_view name_of(facet::QuadricKind kind) {
-  switch (kind) {
-    case facet::QuadricKind::ellipsoid: return "ellipsoid";
-    case facet::QuadricKind::cylinder: return "cylinder";
-    case facet::QuadricKind::cone: return "cone";
-  }
-  return "";
 }
 
 namespace {

@@ -18,6 +18,7 @@ struct Subject {
 
 std::string_view name_of(What what);
 std::string_view name_of(Fate fate);
+std::string_view name_of(facet::QuadricKind kind);
 
 /// `p3 cylinder@9:9` or `p3.2 text@9:9`, of a piece (hw/isa/pieces.h); `nothing` for observe::no_owner.
 std::string primitive_text(const isa::Program& program, std::uint32_t primitive);
@@ -50,7 +51,5 @@ std::optional<ModelHalfspace> halfspace_of(const Subject& subject, const Decisio
 
 /// The quadric that decided, by its discriminant or by a depth, if the model is known.
 std::optional<ModelQuadric> quadric_of(const Subject& subject, const Decision& decision);
-
-std::string_view name_of(facet::QuadricKind kind);
 
 }  // namespace csgsim::story

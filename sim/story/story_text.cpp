@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -49,20 +50,9 @@ std::string indented(std::string_view text, std::size_t indent) {
   return out;
 }
 
-std::string title(What what) {
-  switch (what) {
-    case What::setup: return "setup";
-    case What::surface: return "surface";
-    case What::depth_test: return "depth test";
-    case What::comparison: return "classify";
-    case What::bits: return "bits";
-    case What::merge: return "merge";
-    case What::shade: return "shade";
-    case What::effect: return "effect";
-    case What::skip: return "skipped";
-  }
-  return "";
-}
+/// Of events, by What.
+constexpr std::array<std::string_view, 9> titles{"setup", "surface", "depth test", "classify", "bits",
+                                                 "merge", "shade",   "effect",     "skipped"};
 
 class Writer {
  public:
@@ -257,8 +247,8 @@ class Writer {
     for (std::size_t i = 0; i < story_.events.size(); ++i) {
       if (!is_told[i] || story_.events[i].segment != part.segment) continue;
       const Event& event = story_.events[i];
-      line("  {:<{}}  {:<{}}  {:<{}}{}{}", numbers_text(event), numbers, clocks_text(event), clocks, title(event.what),
-           title_width, effect_text(event),
+      line("  {:<{}}  {:<{}}  {:<{}}{}{}", numbers_text(event), numbers, clocks_text(event), clocks,
+           titles.at(static_cast<std::size_t>(event.what)), title_width, effect_text(event),
            indented(text_of_event(event) + misfit_text(event), numbers + clocks + title_width + 6));
       write_verdict(i, numbers + clocks + 6);
     }
