@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "host/csg/disjoint.h"
 #include "host/csg/separation.h"
 
 namespace csgsim::csg {

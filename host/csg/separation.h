@@ -3,6 +3,10 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "host/csg/pruning.h"
+#include "host/facet/scene.h"
+#include "host/view/projection.h"
+
 namespace csgsim::csg {
 
 /// Whether a plane is found that strictly separates the hulls of two sets of points. Coordinates may have different
@@ -12,5 +16,10 @@ namespace csgsim::csg {
 /// Gilbert's algorithm (1966) walks towards the point of the Minkowski difference that is nearest to the origin; a
 /// support plane that leaves the origin out proves separation.
 bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second);
+
+bool disjoint(const facet::Box& a, const facet::Box& b);
+
+/// Whether two primitives surely have no point of the picture and depth range in common, by the prunings asked for.
+bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning);
 
 }  // namespace csgsim::csg

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/csg/disjoint.h"
 #include "host/csg/products.h"
+#include "host/csg/separation.h"
 #include "host/emit/early_out.h"
 #include "host/emit/labels.h"
 #include "host/emit/levels.h"

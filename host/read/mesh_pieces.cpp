@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "host/solids/convex_faces.h"
 #include "host/solids/hull.h"
-#include "host/solids/nearly_convex.h"
 
 namespace csgsim::read {
 

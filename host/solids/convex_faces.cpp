@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <vector>
 
 #include "host/facet/scene.h"
@@ -18,6 +19,9 @@ constexpr std::uint64_t most_points_times_faces = std::uint64_t{1} << 30U;
 
 /// What is left by the rounding of doubles, in units of the size.
 constexpr double rounding = 1e-12;
+
+/// Degrees.
+constexpr double most_dent = 0.1;
 
 /// Planes of the faces of a mesh whose points are scaled to [-1, 1] and moved to the origin.
 struct Planes {
@@ -105,6 +109,10 @@ bool is_dented(const Planes& planes) {
   return false;
 }
 
+double angle_between(const glm::dvec3& one, const glm::dvec3& other) {
+  return std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other));
+}
+
 }  // namespace
 
 std::optional<model::Polyhedron> as_convex_faces(Mesh mesh) {
@@ -117,6 +125,24 @@ std::optional<model::Polyhedron> as_convex_faces(Mesh mesh) {
   turn_outwards(mesh, planes);
   if (!are_flat(mesh.faces, planes) || is_dented(planes)) return std::nullopt;
   return model::Polyhedron{std::move(mesh.points), std::move(mesh.faces)};
+}
+
+bool is_nearly_convex(const Mesh& mesh) {
+  const std::vector<std::uint32_t> shells = find_shells(mesh);
+  if (std::ranges::any_of(shells, [](std::uint32_t shell) { return shell > 0; })) return false;
+  const Neighbours neighbours = find_neighbours(mesh);
+  for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+    const std::vector<std::uint32_t>& face = mesh.faces[i];
+    const glm::dvec3 here = area_vector(mesh, face);
+    for (std::uint32_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t beyond = neighbours.face[neighbours.first_side[i] + k];
+      if (beyond == none) return false;
+      const glm::dvec3 there = area_vector(mesh, mesh.faces[beyond]);
+      const glm::dvec3 across = mesh.points[face[(k + 2) % face.size()]] - mesh.points[face[k]];
+      if (glm::dot(there, across) > 0 && angle_between(here, there) > glm::radians(most_dent)) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace csgsim::solids

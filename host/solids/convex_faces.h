@@ -13,4 +13,8 @@ namespace csgsim::solids {
 /// faces, which is what this takes, are more than 2^30.
 std::optional<model::Polyhedron> as_convex_faces(Mesh mesh);
 
+/// Whether no two faces that join at an edge are dented there by more than 0.1 degrees, all hang together and all edges
+/// are between two: what OpenSCAD 2021.01 takes for its convex hull where it meets others.
+bool is_nearly_convex(const Mesh& mesh);
+
 }  // namespace csgsim::solids

@@ -8,7 +8,6 @@
 
 #include "host/csg/active_tree.h"
 #include "host/csg/box_index.h"
-#include "host/csg/disjoint.h"
 #include "host/csg/separation.h"
 #include "host/csg/tree_paths.h"
 #include "host/facet/scene.h"

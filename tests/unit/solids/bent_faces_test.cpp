@@ -5,8 +5,8 @@
 #include <set>
 
 #include "host/solids/check.h"
+#include "host/solids/convex_faces.h"
 #include "host/solids/limits.h"
-#include "host/solids/nearly_convex.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;
