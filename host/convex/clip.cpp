@@ -23,7 +23,7 @@ constexpr double next_tolerance(double times) {
 using FaceCorners = std::vector<std::uint32_t>;
 using DirectedEdge = std::array<std::uint32_t, 2>;
 
-/// What is left of a face that is not wholly in; no corners if nothing.
+/// What is left of a face that is not wholly in; without corners if that is nothing.
 struct CutFace {
   std::size_t face = 0;
   FaceCorners corners;
@@ -194,7 +194,7 @@ Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneT
   for (const glm::dvec3& vertex : polytope.vertices) distances.push_back(plane.height(vertex));
   if (distances.empty()) return {};
   const auto [deepest, farthest] = std::minmax_element(distances.begin(), distances.end());
-  // Ends, since with a tolerance beyond all distances no vertex is in, and where one is not a number none is either.
+  // The loop ends: no vertex is in once the tolerance is beyond all distances, or where a distance is not a number.
   for (double times = 1.0;; times = next_tolerance(times)) {
     const double near = times * tolerance(planes);
     if (!(*deepest < -near)) return {};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view merging = "merging convex pieces";
 
-/// Of two polytopes whose boxes are looked at.
+/// The cost of two polytopes whose boxes are compared.
 constexpr std::uint64_t pair_steps = 4;
 
 /// A polytope's place in the list by one of its planes.
@@ -39,7 +39,7 @@ class Merging {
   }
 
  private:
-  /// Looks at every plane once; whether anything was joined.
+  /// Looks at every plane once. Returns whether anything was joined.
   bool pass() {
     boxes_.clear();
     std::vector<Entry> entries;
@@ -93,7 +93,7 @@ class Merging {
                        [&](const Face& face) { return face.halfspace == halfspace; });
   }
 
-  /// Whether the half-spaces of one, but for those of the plane, hold the other.
+  /// Whether the half-spaces of one, except those of the plane, hold the other.
   [[nodiscard]] bool holds(const Polytope& one, const Polytope& other, std::uint32_t plane) const {
     return std::all_of(one.faces.begin(), one.faces.end(), [&](const Face& face) {
       if (face.halfspace.plane == plane) return true;

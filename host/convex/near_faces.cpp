@@ -20,7 +20,7 @@ namespace {
 constexpr glm::dvec3 sorting{0.4142, 0.5918, 0.6914};
 constexpr double sorting_offset = 0.7321;
 
-/// By how much the places of near planes differ at most.
+/// How much the places of near planes differ at most.
 constexpr double window = near_normals * (sorting.x + sorting.y + sorting.z) + near_offsets * sorting_offset;
 
 /// A plane in one of its two orientations.
@@ -51,7 +51,7 @@ bool are_near(const facet::Plane& one, const facet::Plane& other, double sign, d
   return tilt <= near_normals && offset <= (is_parallel ? near_parallel_offsets : near_offsets);
 }
 
-/// Of each primitive, the number of its node in the file.
+/// The number of each primitive's node in the file.
 std::vector<std::uint32_t> nodes_of(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
   std::uint32_t node = 0;
@@ -155,7 +155,7 @@ class PairSearch {
     return overlap_across(a, b, slack()) && overlap_across(b, a, slack());
   }
 
-  /// Of a primitive's face in a plane; of no corners if it only touches the plane.
+  /// The outline of a primitive's face in a plane; it has no corners if the primitive only touches the plane.
   Outline outline(std::uint32_t primitive, std::uint32_t plane, const glm::dvec3& right, const glm::dvec3& up) {
     const auto [found, is_new] = polygons_.try_emplace(std::uint64_t{primitive} << 32U | plane);
     if (is_new) found->second = face_polygon(scene_.solids[primitive], plane, scene_.planes);

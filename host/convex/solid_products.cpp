@@ -20,7 +20,7 @@ using csg::PositiveTree;
 
 constexpr std::string_view multiplying_out = "multiplying the model out to products";
 
-/// Of a node that is looked at.
+/// The cost of a node that is looked at.
 constexpr std::uint64_t visit_steps = 16;
 
 /// Outside its box a subtree is all or nothing.
@@ -29,7 +29,7 @@ struct Reach {
   facet::Box box;  ///< relative to PlaneTable::centre()
 };
 
-/// Where one operand decides alone, outside of its box, only what such operands' boxes have in common is undecided.
+/// Where one operand decides alone outside its box, only the common part of such operands' boxes is undecided.
 Reach reach_of(const PositiveNode& node, const std::vector<Reach>& below) {
   const bool decisive = node.op == PositiveOperator::unite;
   std::optional<facet::Box> decided;
@@ -114,7 +114,7 @@ class Enumeration {
     return !partial.whole->empty();
   }
 
-  /// Intersects with a subtree, but for unions, which are put off; false if nothing is left.
+  /// Intersects with a subtree, and puts off its unions; false if nothing is left.
   bool absorb(Partial& partial, std::uint32_t root) const {
     std::vector<std::uint32_t> open{root};
     while (!open.empty()) {

@@ -79,8 +79,8 @@ namespace {
 /// Primitives of an I-tree that are looked at one after another rather than found by the index.
 constexpr std::uint32_t few_primitives = 32;
 
-/// Intersections above a primitive whose other operands are looked for each by itself; those of the others together,
-/// with what is between them.
+/// Intersections above a primitive whose other operands are each looked for alone; those of further intersections are
+/// looked for together, with what is between them.
 constexpr unsigned few_intersections = 8;
 
 BoxIndex index_of(const view::View& view) {
@@ -185,7 +185,7 @@ Known Pruner::known(const PositiveNode& leaf, const Place& place) const {
   return in_set ? Known::in : leaf_known(leaf, place);
 }
 
-/// The leading ones of some primitives that are below a node; the first is.
+/// Those of the primitives, from the first one on, that are below a node; the first is.
 Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
   return from.first(
       static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));

@@ -47,8 +47,8 @@ struct ActiveTree {
 
 /// Prunes I-trees for regions of the picture. Keeps references to its arguments.
 ///
-/// Of an I-tree only what has a primitive that may meet the block is visited; such primitives are found by an index of
-/// boxes, and the rest of the tree is what it is where none of its primitives is.
+/// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that have some of these
+/// are visited; the other parts are known, as they are the same wherever none of their primitives is.
 class Pruner {
  public:
   Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {});

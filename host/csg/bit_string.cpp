@@ -49,7 +49,7 @@ class Development {
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
  private:
-  /// Of the shallowest binary tree over nodes of known depths: ceil(log2(sum of 2^depth)).
+  /// The depth of the shallowest binary tree over nodes of known depths: ceil(log2(sum of 2^depth)).
   [[nodiscard]] std::uint32_t least_depth(const std::vector<std::uint32_t>& children) const {
     std::vector<std::uint32_t> depths;
     for (const std::uint32_t child : children) depths.push_back(depths_[child]);
@@ -78,7 +78,7 @@ class Development {
   [[nodiscard]] std::pair<Part, Part> halves(const Part& part) const {
     Part first{part.op, {}};
     Part second{part.op, {}};
-    // Of the first half, in weights of the item at hand, and no more than the items left can make up.
+    // How far the first half is ahead, in weights of the item at hand: no more than the items left can make up.
     std::uint64_t lead = 0;
     std::uint32_t depth = depths_[part.items.front()];
     for (const std::uint32_t item : part.items) {

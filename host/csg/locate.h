@@ -27,7 +27,7 @@ Known locate(const view::View& view, facet::Halfspace halfspace, const Block& bl
 /// The same for one side of any plane.
 Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block);
 
-/// The same for what is on that side of a quadric; of one that is unfit nothing is known.
+/// The same for what is on that side of a quadric; nothing is known if it is unfit.
 Known locate(const view::View& view, facet::QuadricSide side, const Block& block);
 
 /// The same for a convex primitive: out if one half-space or quadric is out, in if all are in and the block is inside

@@ -30,7 +30,7 @@ const glm::dvec3& support(std::span<const glm::dvec3> points, const glm::dvec3& 
   return points[best];
 }
 
-/// As glm::min() and glm::max(), of which compilers make several times as many instructions.
+/// Like glm::min() and glm::max(), which take several times as many instructions.
 void widen(glm::dvec3& low, glm::dvec3& high, const glm::dvec3& point) {
   for (int axis = 0; axis < 3; ++axis) {
     low[axis] = point[axis] < low[axis] ? point[axis] : low[axis];

@@ -17,6 +17,7 @@ namespace csgsim::csg {
 /// support plane that leaves the origin out proves separation.
 bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second);
 
+/// Whether the boxes have no point in common.
 bool disjoint(const facet::Box& a, const facet::Box& b);
 
 /// Whether two primitives surely have no point of the picture and depth range in common, by the prunings asked for.

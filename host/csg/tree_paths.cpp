@@ -55,7 +55,7 @@ void TreePaths::note_above(std::uint32_t index, bool is_heavy) {
 }
 
 std::uint32_t TreePaths::above(std::uint32_t one, std::uint32_t other) const {
-  // Of two paths, the one whose top has the lower index has no node above the other, as children precede parents.
+  // Children precede parents, so the path whose top has the lower index has no node above the other path.
   while (notes_[one].path != notes_[other].path) {
     std::uint32_t& lower = notes_[one].path < notes_[other].path ? one : other;
     lower = tree_.nodes[notes_[lower].path].parent;

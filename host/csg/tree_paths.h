@@ -33,8 +33,8 @@ class TreePaths {
   /// How many children decide the node by what they are elsewhere.
   [[nodiscard]] std::uint32_t deciding_children(std::uint32_t node) const { return notes_[node].deciding_children; }
 
-  /// Of the nodes from `node` up to, but without, one at or above it: whether a sibling of one decides its parent by
-  /// what it is elsewhere.
+  /// Whether, on the way from `node` up to `top`, without that, a node has a sibling that decides their parent by what
+  /// it is elsewhere.
   [[nodiscard]] bool is_decided_between(std::uint32_t node, std::uint32_t top) const {
     return notes_[node].decided_above != notes_[top].decided_above;
   }

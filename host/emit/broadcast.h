@@ -53,7 +53,7 @@ class Broadcast {
   /// Instructions in the segment so far.
   [[nodiscard]] std::size_t size() const { return segment_.instructions.size(); }
 
-  /// Those from that one on.
+  /// The instructions from that one on.
   [[nodiscard]] std::span<const isa::Instruction> from(std::size_t begin) const {
     return std::span<const isa::Instruction>(segment_.instructions).subspan(begin);
   }

@@ -45,7 +45,7 @@ std::string name_of(const model::Primitive& primitive) {
   return fmt::format("{}@{}:{}", shape, primitive.location.line, primitive.location.column);
 }
 
-/// Of the drawing that has the most: an effect's drawings may have some more behind those of the model.
+/// Names the primitives of the drawing that has the most: an effect's drawings may have some more, after the model's.
 void name_primitives(const std::vector<const Drawing*>& drawings, isa::Facts& facts) {
   std::vector<std::uint32_t> pieces;
   std::size_t named = 0;
@@ -76,7 +76,7 @@ std::vector<std::string> effect_names(std::span<const CalledEffect> called) {
   return names;
 }
 
-/// Everything that is compiled from.
+/// All that a Program is compiled from.
 struct Input {
   const model::Tree& tree;
   const facet::Scene& scene;
@@ -90,7 +90,7 @@ struct Input {
 /// takes no memory until it is written, and saves the copies of a vector that grows.
 constexpr std::size_t room_for_halfspace = 8;
 
-/// From so many on; below, growing costs nothing that counts.
+/// Room is made ahead for this many or more; below, growing costs nothing that counts.
 constexpr std::size_t many_halfspaces = 10'000;
 
 std::size_t halfspaces_drawn(const Context& context) {
@@ -242,7 +242,7 @@ isa::Program compile_for_machine(const Input& input, const Options& chosen) {
   return program;
 }
 
-/// Of what lives longer than the pointer.
+/// A pointer to an object that outlives it.
 template <class Object>
 std::shared_ptr<const Object> borrowed(const Object& object) {
   return {std::shared_ptr<const Object>(), &object};
@@ -261,7 +261,7 @@ void refuse_effects(std::span<const CalledEffect> called, const machines::Machin
   }
 }
 
-/// What there is to choose from.
+/// The strategies and colourings to choose from.
 std::vector<Options> candidates(const Options& options, const Plan& plan) {
   std::vector<Options> with_strategy;
   const auto add = [&](Strategy strategy, unsigned stack_bits) {

@@ -29,8 +29,8 @@ constexpr unsigned fraction_bits = 8;
 /// Fraction bits of the sum, if it is not too bright for them.
 constexpr unsigned most_sum_fraction = 2;
 
-/// By which a fitted cosine may be more than what it comes to at the places that it was fitted to, and by how many
-/// steps the depth that it meets may be off.
+/// How much a fitted cosine may exceed its greatest value at the places that it was fitted to, and how many steps the
+/// depth that it meets may be off.
 constexpr double slack = 0.1;
 constexpr double slack_steps = 2;
 
@@ -193,7 +193,7 @@ class Painter {
     }
   }
 
-  /// Of the cosine, in units of the sum.
+  /// A multiple of the cosine, in units of the sum.
   struct Multiple {
     Digits digits;
     double lost = 0;  ///< comes back: half of what the digits leave at the greatest cosine, and of what they cut off

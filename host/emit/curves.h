@@ -28,7 +28,7 @@ std::string_view name_of(Curves curves);
 /// Why the machine cannot draw quadrics, or the scene's effects not on them, and what to do; nothing if they can.
 std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look);
 
-/// The same but for the machine's evaluator: why there can be no surfaces but facets.
+/// The same without the question of the machine's evaluator: why only facets can be drawn.
 std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look);
 
 }  // namespace csgsim::emit

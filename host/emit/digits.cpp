@@ -7,7 +7,7 @@ namespace csgsim::emit {
 
 namespace {
 
-/// More than this many are never fewer: those of plus alone halve the rest each time.
+/// More digits than this are never the fewest: positive ones alone halve the rest each time.
 constexpr std::size_t most_digits = 12;
 
 bool is_better(const Digits& a, const Digits& b) {

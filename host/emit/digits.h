@@ -16,7 +16,7 @@ struct Digits {
 /// subtracts too.
 std::size_t additions(const Digits& digits);
 
-/// Of the digits whose rest is between -error and error those of the fewest additions, and of these those of the least
+/// The digits of the number, to within `error`, that take the fewest additions; where several do, those with the least
 /// rest. The number must not be negative, nor the error 0.
 Digits fewest_digits(double number, double error);
 

@@ -219,7 +219,7 @@ class Counter {
                             quarters);
   }
 
-  /// Those of a side that are listed and do not hold the whole block.
+  /// The cells of a side that are listed and do not hold the whole block.
   [[nodiscard]] std::uint64_t cells(const Context& context, std::span<const std::uint32_t> set, view::Side side,
                                     const csg::Block& block, const Listed& listed) const {
     Deciding left = undecided(context, set, side, block);

@@ -18,7 +18,7 @@ namespace {
 /// What reaches less far behind a mirror, relative to its size, is not behind it.
 constexpr double behind_mirror = 1e-9;
 
-/// By primitive; empty where all hide what is behind them.
+/// Opacities by primitive; empty where all hide what is behind them.
 std::vector<double> opacities(const Look& look, std::span<const CalledEffect> called) {
   const bool any =
       std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.effect->sees_through; });

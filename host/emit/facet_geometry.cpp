@@ -13,7 +13,7 @@ namespace {
 /// Vertices of a facet are this close to its plane, relative to their distance from the middle of the model.
 constexpr double on_plane = 1e-6;
 
-/// The cosine to the axis from which on a facet of a cylinder is one of its ends.
+/// A facet of a cylinder whose normal has this cosine to the axis, or a greater one, is an end.
 constexpr double end_cosine = 1 - 1e-9;
 
 /// A normal in the primitive's own axes, of length 1.

@@ -13,7 +13,7 @@ namespace {
 
 using isa::Opcode;
 
-/// So much below 0 is the least of t (t - (side - 1)).
+/// How far below 0 the least of t (t - (side - 1)) is.
 std::int64_t depth_of_valley(std::int64_t side) { return (side - 1) * (side - 1) / 4; }
 
 /// The pixels of a region along one axis.

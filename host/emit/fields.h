@@ -8,7 +8,7 @@
 
 namespace csgsim::emit {
 
-/// So many bits of a field, from that one on.
+/// That many bits of a field, from that one on.
 constexpr isa::Field part_of(isa::Field field, unsigned from, unsigned width) {
   return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
 }

@@ -31,7 +31,7 @@ struct Facet {
 /// The origin of what belongs to a facet of a surface.
 isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet);
 
-/// What is seen of a quadric where nothing else is before it: of a solid, or of one that is taken away.
+/// The facet that is seen of a quadric where nothing is before it; `complemented`: where its solid is taken away.
 std::optional<Facet> seen_of(const QuadricBound& bound, bool complemented);
 
 /// Where the facet, which is not curved, is: the plane of its half-space, or depth 0.

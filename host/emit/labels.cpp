@@ -34,7 +34,7 @@ class ListEmitter {
   }
 
  private:
-  /// Where E: those that wait for the leaf.
+  /// Where E is 1: the pixels that wait for the leaf.
   void emit(const csg::ListLeaf& leaf) {
     classified_ += emit_comparison(context_, out_, planned_.active.nodes[leaf.node], planned_);
     if (!stays(leaf, leaf.if_in)) {
@@ -67,7 +67,7 @@ class ListEmitter {
     if (label_.width > 0) emit_stack(out_, Opcode::set_constant, label_, label);
   }
 
-  /// Where E.
+  /// Where E is 1.
   void go(const csg::Target& target) {
     if (target.to == csg::Destination::hidden) {
       emit_stack(out_, Opcode::set_constant, context_.layout.mask, 0);

@@ -17,14 +17,14 @@ constexpr std::string_view fewer_bits = "work with fewer bits by --strategy list
 constexpr std::string_view no_quadrics = "draw curved surfaces as facets by --curves facets";
 constexpr std::string_view one_buffer = "take a machine whose scan_out.buffers is 1";
 
-// Of quadrics.
+// Fields of quadrics.
 constexpr std::string_view sum_name = "sum";
 constexpr std::string_view root_name = "root";
 constexpr std::string_view squares_name = "squares";
 constexpr std::string_view kept_name = "kept";
 
-/// All that is asked for but the second buffer, which has its place. What a strategy, a colouring or an effect adds is
-/// told here and nowhere else.
+/// All that is asked for, except the second buffer, which has its place. What a strategy, a colouring or an effect adds
+/// is listed here and nowhere else.
 std::vector<FieldRequest> requests_of(const Needs& needs) {
   using isa::FieldRole;
   std::vector<FieldRequest> all{{"Z2", FieldRole::depth, needs.z_bits, "depth"},

@@ -25,7 +25,7 @@ namespace {
 constexpr int around = 48;
 constexpr int along = 13;
 
-/// A pivot that is smaller than this part of the greatest is none: the places lie in a plane.
+/// A pivot below this part of the greatest counts as 0: the places lie in a plane.
 constexpr double least_pivot = 1e-12;
 
 /// A place of a surface and its normal, of length 1, in the primitive's own axes.
@@ -87,8 +87,8 @@ double drawn_depth(const view::View& view, const Facet& facet, const glm::dvec3&
   return isa::depth_of(view.depth, view.sampling.z_bits, place.z);
 }
 
-/// By which the floors of a depth take it behind drawn_depth, in steps, on average (host/view/quadrics.h). Those of a
-/// middle and a root cancel, but for a middle that is the same at all pixels.
+/// How far the floors of a depth take it behind drawn_depth on average, in steps (host/view/quadrics.h). The floors of
+/// middle and root cancel, unless the middle is the same at all pixels.
 double off_steps(const view::View& view, const Facet& facet) {
   const view::ScreenQuadric& quadric = view.quadrics[facet.quadric.quadric];
   if (quadric.kind == view::ScreenQuadricKind::paraboloid) return facet.at == At::quadric_near ? -0.5 : 0.5;

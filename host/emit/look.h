@@ -15,7 +15,7 @@ struct Look {
   std::vector<lighting::Finish> finishes;  ///< one a primitive
 };
 
-/// A colour, red, green, blue in [0, 1], as a field of so many bits holds it.
+/// A colour, red, green, blue in [0, 1], as a field of `colour_bits` bits holds it.
 std::uint32_t packed(const glm::dvec3& colour, unsigned colour_bits);
 
 /// Where nothing is seen, as a field of so many bits holds it.

@@ -9,7 +9,7 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Pixels by which places in double precision may be off.
+/// Pixels that places in double precision may be off.
 constexpr double integer_slack = 1e-6;
 
 using Polygon = std::vector<glm::dvec2>;

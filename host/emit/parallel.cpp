@@ -23,7 +23,7 @@ struct Piece {
   std::uint64_t pattern = 0;
 };
 
-/// Pieces that hold all the positions, which ascend, and take as few clocks as can be: bits between that stay as they
+/// Pieces that hold all the positions, which ascend, in as few clocks as can be: bits between them that stay as they
 /// are cost nothing where the ALU is wide enough to take them along.
 std::vector<Piece> pieces_of(std::span<const std::uint32_t> positions, unsigned alu_bits) {
   std::vector<Piece> pieces;

@@ -89,8 +89,8 @@ std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, con
   return result;
 }
 
-/// Of comparing a surface with others, each of which is kept for it: so much for each half-space, and for each solid as
-/// for some half-spaces.
+/// The cost of comparing a surface with others, each of which is kept for it: that of each half-space, and for each
+/// solid that of some more half-spaces.
 std::uint64_t comparison_steps(const csg::ActiveTree& active, const facet::Scene& scene) {
   constexpr std::uint64_t of_halfspace = 100;
   constexpr std::uint64_t of_solid = 20;

@@ -123,8 +123,8 @@ bool is_out(const QuadricBound& bound, const RootRanges& ranges, const csg::Bloc
 
 void refuse_unfit(const Context& context, std::uint32_t primitive) {
   throw InputError(fmt::format(
-      "{}: the surface of this primitive is seen so that its depths do not fit the machine's numbers (along a "
-      "straight line in it, or from a point on it); move the camera, or draw it in facets by --curves auto",
+      "{}: the depths of this primitive's surface do not fit the machine's numbers, as it is seen along a straight "
+      "line in it, or from a point on it; move the camera, or draw it in facets by --curves auto",
       model::place_of(context.tree, primitive)));
 }
 

@@ -16,7 +16,7 @@ struct QuadricBound {
   view::QuadricRole role = view::QuadricRole::between;
 };
 
-/// Those of a primitive. Throws InputError, naming the primitive, where one does not fit the machine.
+/// The bounds of a primitive. Throws InputError, naming the primitive, where one does not fit the machine.
 std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t primitive);
 
 /// Whether every point of the block, or none, is within the bound, if such pruning is asked for.

@@ -40,7 +40,7 @@ std::vector<isa::Instruction> colour_under(const Context& context, const Facet& 
   return std::move(segment.instructions);
 }
 
-/// Those that fall on the facet and change its colour.
+/// The shadows that fall on the facet and change its colour.
 ShadowBits that_matter(const Context& context, const Facet& facet, const view::PixelRect& pixels,
                        const std::vector<ShadowBit>& bits) {
   ShadowBits matter;
@@ -57,8 +57,8 @@ ShadowBits that_matter(const Context& context, const Facet& facet, const view::P
   return matter;
 }
 
-/// The facet's colour, and over it that without each set of lights where all of these are in shadow: sets after those
-/// that they hold.
+/// The facet's colour; over it, for each set of lights, the colour without them where all of them are in shadow. A set
+/// comes after those that it holds.
 void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
                           const view::PixelRect& pixels, const ShadowBits& bits, isa::Field spare) {
   if (!bits.empty()) out.plain(Opcode::enable_store, spare);

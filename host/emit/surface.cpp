@@ -236,7 +236,7 @@ Surface surface_of(const Context& context, const PlannedSurface& planned, const 
   Surface surface{false, complemented ? sides.backs.facets : sides.fronts.facets, block, 0};
   for (const QuadricBound& bound : sides.quadrics)
     if (const std::optional<Facet> facet = seen_of(bound, complemented)) surface.facets.push_back(*facet);
-  // Of facets at the same depth the first is seen: the first primitive's.
+  // Where facets are at the same depth, the first one is seen: the first primitive's.
   std::stable_sort(surface.facets.begin(), surface.facets.end(),
                    [](const Facet& a, const Facet& b) { return a.primitive < b.primitive; });
   surface.nothing =

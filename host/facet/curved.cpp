@@ -17,7 +17,7 @@ namespace {
 using Real = long double;
 using Vec = glm::vec<3, Real>;
 
-/// Of the hulls: sides of the prism around a cylinder, and meridians and parallels of the mesh around a ball.
+/// Sizes of the hulls: sides of the prism around a cylinder, and meridians and parallels of the mesh around a ball.
 constexpr std::uint32_t hull_sides = 24;
 constexpr std::uint32_t hull_meridians = 16;
 constexpr std::uint32_t hull_parallels = 8;
@@ -42,7 +42,7 @@ struct Inverse {
   }
 };
 
-/// Half the size along each axis of the image of a ball or disc that so many columns span, of that radius.
+/// Half the size, along each axis, of the image of a disc (two columns) or ball (three) of that radius.
 glm::dvec3 half_size(const Inverse& matrix, std::size_t columns, double radius) {
   Vec squares(0);
   for (std::size_t i = 0; i < columns; ++i) squares += matrix.columns[i] * matrix.columns[i];
@@ -90,7 +90,7 @@ CurvedSurface surface_of(const model::Cylinder& cylinder, const glm::dmat4& tran
   return surface;
 }
 
-/// Of a hull.
+/// Adds a ring of a hull.
 std::vector<std::uint32_t> add_ring(Solid& solid, double radius, double z, std::uint32_t sides) {
   return add_ring(solid, {radius, z}, sides, 0.5);
 }

@@ -14,14 +14,14 @@ namespace csgsim::facet {
 /// part of it away at most: its apex, as a place in double precision, would be known no better.
 inline constexpr double least_taper = 0x1p-26;
 
-/// By which part of its size a ball may become longer or askew and still count as one: what is left of a rotation in
-/// the six digits that OpenSCAD writes.
+/// How much longer or more askew a ball may become, as a part of its size, and still count as one: what the six digits
+/// that OpenSCAD writes leave of a rotation.
 inline constexpr double ball_tolerance = 1e-5;
 
 /// Whether a matrix is a rotation or reflection, a uniform scale and a shift.
 bool keeps_balls(const glm::dmat4& transform);
 
-/// Whether that stays a curved surface.
+/// Whether the shape stays a curved surface.
 bool stays_curved(const model::Primitive& primitive, const Faceting& faceting);
 
 /// A horizontal ring of vertices about the z axis. A radius of 0 makes it a single point.
@@ -33,9 +33,8 @@ struct Ring {
 /// Adds its vertices, the first of them `turn` parts of a side on from the x axis. Returns their numbers, one a side.
 std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::uint32_t sides, double turn = 0);
 
-/// The planes and a hull of a curved solid in its own space: the faces are its flat ends, and of a cone that ends in
-/// its tip a plane through that, which parts it from the other nappe. Vertices and edges are those of a polytope around
-/// it.
+/// The planes and a hull of a curved solid in its own space. The faces are its flat ends; a cone that ends in its tip
+/// has a plane through that, which parts it from the other nappe. Vertices and edges are those of a polytope around it.
 Solid curved_hull(const model::Sphere& sphere);
 Solid curved_hull(const model::Cylinder& cylinder);
 

@@ -14,7 +14,7 @@ struct Faceting {
   std::optional<double> fragments{};
   /// Spheres and cylinders stay curved surfaces: quadrics. The other two hold for what is faceted still.
   bool exact_curves = false;
-  /// With exact curves: of all these only spheres that are seen as circles, which are drawn as fast spheres
+  /// With exact curves: only spheres that are seen as circles stay curved, and are drawn as fast spheres
   /// (host/view/fast_sphere.h); the rest is faceted.
   bool fast_spheres = false;
   /// With exact curves: solids whose own $fn is above 0 and less than this are meant as polygons, and are faceted.

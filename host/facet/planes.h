@@ -41,7 +41,7 @@ class PlaneTable {
   glm::dvec3 centre_;
   double diagonal_;
   std::vector<Plane> planes_;
-  /// A hash table of planes by the cell of a grid in which they are, with open addressing: of a size that is a power of
+  /// A hash table of planes by the cell of a grid that they are in, with open addressing: its size is a power of
   /// two, and half empty at least.
   std::vector<std::uint32_t> slots_;
 };

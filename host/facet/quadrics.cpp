@@ -51,7 +51,7 @@ void add_to(Symmetric& sum, const Symmetric& other) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += other[i];
 }
 
-/// The matrix whose eigenvectors are the rows' directions, of which `of` gives the eigenvalues from their lengths.
+/// The matrix whose eigenvectors are the rows' directions; `of` gives the eigenvalues from their lengths.
 template <class Of>
 Symmetric with_lengths(const std::array<Vec, 3>& rows, const Of& of) {
   Symmetric sum{};

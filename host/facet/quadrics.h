@@ -18,14 +18,14 @@ enum class QuadricKind : std::uint8_t {
 };
 
 /// The quadric u.x^2 + u.y^2 + signs()[2] u.z^2 + level() <= 0 of u = to_unit (p - origin): the unit ball, the unit
-/// cylinder or the unit cone. As one symmetric matrix, whose entries may lose what is thin against what is long, it is
-/// (p - origin)^T form (p - origin) + level() <= 0.
+/// cylinder or the unit cone. As one symmetric matrix it is (p - origin)^T form (p - origin) + level() <= 0; the matrix
+/// is less exact where a quadric is thin against its length.
 struct Quadric {
   QuadricKind kind = QuadricKind::ellipsoid;
   glm::dvec3 origin{0};      ///< centre; the point of the axis nearest to QuadricTable::centre(); apex. Relative to
                              ///< QuadricTable::centre()
   glm::dvec3 axis{0, 0, 1};  ///< of cylinders and cones, of length 1; its first component that is not 0 is positive.
-                             ///< Of cones: the principal axis in them, whatever they were made from
+                             ///< In a cone it is the principal axis, whatever the cone was made from
   std::array<double, 6> form{};  ///< xx, yy, zz, xy, xz, yz of a symmetric matrix; of a cone the greatest has size 1
   std::array<glm::dvec3, 3> to_unit{};  ///< rows of a matrix; the last is 0 of a cylinder
 

@@ -48,7 +48,7 @@ struct Scene {
   bool fast_spheres = false;  ///< the quadrics are spheres, to be drawn as fast spheres (host/view/fast_sphere.h)
 };
 
-/// Facets every primitive, but for those that stay curved. Throws InputError, naming the primitive's place in the file,
+/// Facets every primitive that does not stay curved. Throws InputError, naming the primitive's place in the file,
 /// where one cannot be faceted.
 Scene make_scene(const model::Tree& tree, const Faceting& faceting = {});
 

@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::string_view combining = "combining 2-D shapes";
 
-/// Of a side at a height, and of a place where sides cross.
+/// The cost of a side at a height, and of a place where sides cross.
 constexpr std::uint64_t height_steps = 20;
 constexpr std::uint64_t crossing_steps = 400;
 
-/// A side, from its lower end to its upper one. As doubles: it is counted how many there are, not which.
+/// A side, from its lower end to its upper one. Doubles will do: sides are counted, not told apart.
 struct Side {
   double low_x = 0;
   double low_y = 0;

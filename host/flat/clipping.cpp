@@ -28,7 +28,7 @@ Outline outline_of(const ClipperLib::Path& path) {
   return outline;
 }
 
-/// Whether it has been given no path with an area, which it would call a failure.
+/// Whether Clipper was given no path with an area, which it would call a failure.
 bool is_empty(ClipperLib::Clipper& clipper) {
   const ClipperLib::IntRect box = clipper.GetBounds();
   return box.left == box.right && box.top == box.bottom;

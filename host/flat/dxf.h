@@ -19,8 +19,8 @@ struct DxfOptions {
 };
 
 /// What OpenSCAD 2021.01 makes of an ASCII DXF file: lines, polylines, circles, arcs, ellipses and inserted blocks, cut
-/// into segments whose ends are joined where they are within 1/1024, the outlines of which an odd number hold what is
-/// drawn. Open ones are closed; bulges of polylines are straight. Other entities are left out. Throws InputError, with
+/// into segments whose ends are joined where they are within 1/1024. What an odd number of the outlines hold is drawn.
+/// Open ones are closed; bulges of polylines are straight. Other entities are left out. Throws InputError, with
 /// the line in the file, for what is not DXF.
 Area read_dxf(std::string_view bytes, const DxfOptions& options);
 

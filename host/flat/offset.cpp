@@ -25,7 +25,7 @@ constexpr double sharp_limit = 1e6;
 /// Sides that are drawn out stay within what Clipper's integers hold then.
 constexpr double largest_distance = 1e7;
 
-/// By Corner.
+/// Indexed by Corner.
 constexpr std::array join_types{ClipperLib::jtRound, ClipperLib::jtMiter, ClipperLib::jtSquare};
 
 /// How far arcs of that radius may be from their chords, for Clipper to make as many of them as OpenSCAD wants.

@@ -146,7 +146,7 @@ void remove(Partition& partition, std::uint32_t diagonal) {
   partition.edges[one.twin].next = none;
 }
 
-/// Of each point whether the border of the area turns clockwise there, and only cuts can make it convex.
+/// Whether, by point, the border of the area turns clockwise there, so that only cuts make it convex.
 std::vector<bool> reflex_points(const Partition& partition) {
   std::vector<bool> reflex(partition.points.size(), false);
   for (std::uint32_t out = 0; out < partition.edges.size(); ++out) {
@@ -161,7 +161,7 @@ std::vector<bool> reflex_points(const Partition& partition) {
   return reflex;
 }
 
-/// In which diagonals are looked at; which is best depends on the area.
+/// The order in which diagonals are looked at; which is best depends on the area.
 enum class Order {
   longest_first,
   loose_first,          ///< those with fewer reflex ends first, of them the longest

@@ -17,8 +17,8 @@ struct ColourScheme {
   glm::dvec3 cut_face;  ///< where a solid was taken away
 };
 
-/// Those of OpenSCAD 2021.01, from its folder color-schemes/render: background, opencsg-face-front, opencsg-face-back.
-/// The first is its usual one and ours.
+/// The schemes of OpenSCAD 2021.01, from its folder color-schemes/render: background, opencsg-face-front,
+/// opencsg-face-back. The first is the default, there and here.
 std::span<const ColourScheme> colour_schemes();
 
 /// Puts its colours in the place of the scene's background and of the usual ones.

@@ -27,7 +27,7 @@ struct Lighting {
   std::vector<SeenLight> lights;
   bool is_perspective = false;
 
-  /// Whether what is lit depends on more than its normal: whether lit() reads `place`.
+  /// Whether light depends on more than the normal: whether lit() reads `place`.
   [[nodiscard]] bool is_local(const scene::Material& material) const;
 };
 
@@ -44,7 +44,7 @@ struct SurfacePoint {
 glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
                const SurfacePoint& at);
 
-/// Whether what the scene says of these primitives holds for that one.
+/// Whether the scene's finish for these primitives holds for that one.
 bool is_chosen(const scene::Chosen& chosen, const model::Primitive& primitive);
 
 /// How a primitive looks: what the scene says of it, else the model, else the usual.

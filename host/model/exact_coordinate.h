@@ -2,7 +2,7 @@
 
 namespace csgsim::model {
 
-/// A coordinate as CGAL's exact arithmetic takes it: whatever is nearer to 0 than this is 0, and so is -0. CGAL 5.5
+/// A coordinate as CGAL's exact arithmetic takes it: whatever is nearer to 0 than this, and -0, becomes 0. CGAL 5.5
 /// makes a fraction of a double by doubling it until it is whole, and the denominator of one below 2^-1023 is infinite.
 inline constexpr double least_exact_coordinate = 0x1p-500;
 

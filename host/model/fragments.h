@@ -6,7 +6,7 @@
 
 namespace csgsim::model {
 
-/// Lengths below this are none to OpenSCAD, which draws circles of such a radius as triangles.
+/// OpenSCAD takes lengths below this for 0: circles of such a radius are triangles.
 inline constexpr double grid_fine = 0.00000095367431640625;
 
 /// Corners of the polygon that stands for a circle of that radius, as OpenSCAD counts them. Throws InputError past

@@ -46,8 +46,8 @@ struct Cylinder {
 struct Polyhedron {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> faces;
-  /// Of each face: its outward normal, of length 1, and its distance from the origin along it, negated. Pieces of one
-  /// solid say the same plane in the same numbers. None: the planes of the corners.
+  /// Each face's outward normal, of length 1, and its distance from the origin along that, negated. Pieces of one solid
+  /// give the same plane by the same numbers. Empty: the planes through the corners.
   std::vector<glm::dvec4> planes{};
 };
 
@@ -95,7 +95,7 @@ struct Tree {
   std::uint32_t root = no_index;
 };
 
-/// Of the nodes of the file. Numbers of binary operators: an operator over k children counts k - 1.
+/// Counts the nodes of the file. Operators count as binary ones: one over k children is k - 1.
 struct Counts {
   std::uint64_t primitives = 0;  ///< each once, whatever its pieces
   std::uint64_t unions = 0;

@@ -45,7 +45,7 @@ void tell_replacement(const Arguments& arguments, const flat::Text& text) {
           printable(shown(text.font)), printable(*family));
     }
   } catch (const InputError&) {
-    // There is no module to ask; making the text tells so.
+    // There is no module to ask; making the text says so.
   }
 }
 

@@ -26,7 +26,7 @@ const NodeType& usable_node(Source& source, const Statement& statement) {
   return *node;
 }
 
-/// What is below a node, of which these are the first node and the first primitive.
+/// What is below a node, by its first node and its first primitive.
 model::Tree subtree(const model::Tree& tree, std::uint32_t root, std::uint32_t node, std::uint32_t primitive) {
   model::Tree part;
   part.file = tree.file;

@@ -19,7 +19,7 @@
 
 namespace csgsim::read {
 
-/// Makes the tree of the statements it is told of, without empty parts.
+/// Makes the tree of the statements that it visits, without empty parts.
 class TreeBuilder : public StatementVisitor {
  public:
   TreeBuilder(Source& source, const Options& options, Meetings meetings);

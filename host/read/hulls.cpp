@@ -92,7 +92,7 @@ Made resized(Operands operands, NewSize to) {
   if (pieces.empty()) return {};
   facet::Box box;
   for (const model::Polyhedron& piece : pieces) box = facet::hull(box, facet::box_of(piece.points));
-  // Of a solid by itself new sizes that are not positive count as 0; what a Boolean has made is mirrored by them.
+  // New sizes below 0 count as 0 for a solid by itself; what a Boolean has made is mirrored by them.
   if (is_one(solid)) to.size = glm::max(to.size, glm::dvec3(0));
   const glm::dvec3 scale = scale_to(to, box.high - box.low);
   for (model::Polyhedron& piece : pieces) piece = scaled(std::move(piece), scale);

@@ -8,7 +8,7 @@
 
 namespace csgsim::read {
 
-/// Where solids meet: in statements, and on top of the file, of which two children or more have a shape.
+/// Where solids meet: in statements that have two children or more with a shape, or at the top of the file if it has.
 struct Meetings {
   std::unordered_set<std::uint32_t> statements;  ///< by where their names are in the text
   bool on_top = false;

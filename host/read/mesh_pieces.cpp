@@ -13,7 +13,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Of a face: its edges are sorted and joined, and faces that cross are looked for.
+/// The cost of a face: its edges are sorted and joined, and faces that cross are looked for.
 constexpr std::uint64_t check_steps = 3'000;
 
 Remark bent_faces(const solids::BentFaces& bent, bool is_hull) {
@@ -31,7 +31,7 @@ Remark bent_faces(const solids::BentFaces& bent, bool is_hull) {
 }
 
 constexpr std::string_view what_is_wound =
-    "drawn is what the faces wind around, as OpenSCAD shows it alone; its Booleans leave it out";
+    "what the faces wind around is drawn, as OpenSCAD shows it alone; its Booleans leave it out";
 
 Remark crossing_faces(const solids::Crossing& crossing) {
   const std::string more = crossing.count > 1 ? fmt::format(", and so do {} more pairs", crossing.count - 1) : "";
@@ -42,10 +42,9 @@ Remark crossing_faces(const solids::Crossing& crossing) {
 Remark crossing_edges() { return {0, fmt::format("the faces cross along their edges: {}", what_is_wound)}; }
 
 Remark turned_faces(const solids::TurnedFaces& turned) {
-  const std::string which = turned.count == 1
-                                ? fmt::format("faces[{}] runs the other way than those around it", turned.first)
-                                : fmt::format("faces[{}] and {} more run the other way than those around them",
-                                              turned.first, turned.count - 1);
+  const std::string which = turned.count == 1 ? fmt::format("faces[{}] runs against those around it", turned.first)
+                                              : fmt::format("faces[{}] and {} more run against those around them",
+                                                            turned.first, turned.count - 1);
   return {turned.first, which + "; turned, as OpenSCAD shows it alone; its Booleans leave the solid out"};
 }
 

@@ -22,7 +22,7 @@ std::optional<model::Shape> read_cylinder(const Arguments& arguments);
 /// no volume or a point that is not finite. Throws InputError at the face that keeps it from bounding a solid.
 Maker read_polyhedron(const Arguments& arguments);
 
-// Nodes that are areas, and that make areas of areas.
+// Nodes that are areas, or make an area of others.
 Maker read_square(const Arguments& arguments);
 Maker read_circle(const Arguments& arguments);
 Maker read_polygon(const Arguments& arguments);

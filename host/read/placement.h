@@ -9,7 +9,7 @@
 namespace csgsim::read {
 
 /// The matrix of a `multmatrix` node, scaled so that its last row is 0 0 0 1. Not finite if an entry is not or if the
-/// last row is 0 0 0 0. A projection is left out, as OpenSCAD does, and told of.
+/// last row is 0 0 0 0. A projection is left out, as OpenSCAD does, with a warning.
 glm::dmat4 read_matrix(const Arguments& arguments);
 
 /// Whether nothing solid is left of a solid under the matrix: it is singular or not finite.

@@ -14,7 +14,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Has a visitor told of the statements that are drawn. Throws InputError if there is no statement at all.
+/// Visits the statements that are drawn. Throws InputError if there is no statement at all.
 void visit_drawn(Source& source, std::optional<std::uint32_t> root, StatementVisitor& visitor) {
   DrawnFilter filter(visitor, root);
   visit_statements(source, filter);

@@ -11,8 +11,8 @@
 namespace csgsim::read {
 
 struct Options {
-  /// Rotations of multmatrix() nodes are restored from the six digits that OpenSCAD writes (restore.h), and how many
-  /// are is told.
+  /// Rotations of multmatrix() nodes are restored from the six digits that OpenSCAD writes (restore.h), and a
+  /// note says how many.
   bool restores_rotations = false;
   /// Files that the model imports have to be, when links are followed, in the model's folder, in this one, or below
   /// them, and are looked for in both; empty: in the model's alone.

@@ -14,7 +14,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Doubles that are 0 but for the rounding of sines and of their products, which files write as 6.12323e-17.
+/// What the rounding of sines and of their products may leave of 0: files write it as 6.12323e-17.
 constexpr double noise = 1e-15;
 
 constexpr double steps_per_degree = 100.0;
@@ -34,15 +34,15 @@ bool is_written_as(const glm::dmat3& matrix, const glm::dmat3& written) {
   return true;
 }
 
-/// In steps of hundredths. Two entries that only rounding keeps from 0 give no angle: 0.
+/// Degrees, to a hundredth. 0 where only rounding keeps both entries from 0.
 double angle(double sine, double cosine) {
   if (std::abs(sine) <= noise && std::abs(cosine) <= noise) return 0.0;
   const double degrees = std::atan2(sine, cosine) * (180.0 / std::numbers::pi);
   return std::round(degrees * steps_per_degree) / steps_per_degree;
 }
 
-/// The nearest ones of a matrix that is nearly a rotation. Where y is a right angle, x and z turn about one axis: x is
-/// 0.
+/// The angles nearest to a matrix that is nearly a rotation. Where y is a right angle, x and z turn about one axis, and
+/// x is 0.
 glm::dvec3 euler_angles(const glm::dmat3& matrix) {
   const double y = angle(-matrix[0][2], std::hypot(matrix[0][0], matrix[0][1]));
   if (std::abs(y) == 90.0) return {0.0, y, angle(-matrix[1][0], matrix[1][1])};
@@ -55,10 +55,10 @@ glm::dmat3 diagonal(const glm::dvec3& entries) {
   return matrix;
 }
 
-/// Which comes first.
+/// Whether scaling or turning comes first.
 enum class Order : std::uint8_t { scale_turn, turn_scale };
 
-/// What the axes are scaled by; that all of them are mirrored stands for that one is.
+/// The factors of the axes. If the matrix mirrors one of them, all three are negative instead.
 glm::dvec3 scale_of(const glm::dmat3& written, Order order) {
   const glm::dmat3 lines = order == Order::scale_turn ? written : glm::transpose(written);
   const double sign = glm::determinant(written) < 0.0 ? -1.0 : 1.0;

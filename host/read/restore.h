@@ -21,7 +21,7 @@ bool is_along_axes(const glm::dmat4& matrix);
 /// than half a unit of its sixth digit. The column of the translation stays as written.
 std::optional<glm::dmat4> restored(const glm::dmat4& written);
 
-/// Of the matrices of a file that are not along the axes.
+/// Counts the matrices of a file that are not along the axes.
 struct RestoredCount {
   std::uint32_t restored = 0;
   std::uint32_t as_written = 0;

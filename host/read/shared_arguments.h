@@ -42,7 +42,7 @@ std::optional<glm::vec<N, double>> finite_numbers(ValueView vector) {
   return all_finite ? std::optional(numbers) : std::nullopt;
 }
 
-/// The points of a node. None if one is no point: then `outcome` is told of the node.
+/// The points of a node. None if one is no point: the user is told so, and of the `outcome`.
 template <int N>
 std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arguments, std::string_view node,
                                                             std::string_view outcome) {

@@ -37,12 +37,12 @@ class Source {
   [[nodiscard]] std::string_view text() const { return text_; }
   [[nodiscard]] std::string_view name() const { return name_; }
 
-  /// A file that the model names. None if there is none of the name, which is told, as of `node`, at a byte. Throws
-  /// InputError, at the byte, if it may not or cannot be read.
+  /// A file that the model names. None, with a warning at the byte that `node` is empty, if there is none of the name.
+  /// Throws InputError, at the byte, if it may not or cannot be read.
   std::optional<ImportedFile> import(std::string_view file, const InputKind& kind, std::string_view node,
                                      std::size_t offset);
 
-  /// Those that were read, in order.
+  /// The files that were read, in order.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
   /// Whatever is made of the text is charged to it; see read::Options. Without a limit before.
@@ -55,7 +55,7 @@ class Source {
   /// Tells `name:line:column: message` on standard error.
   void tell(std::size_t offset, std::string_view message);
 
-  /// The same, unless that message has been told of another place.
+  /// The same, unless that message has been told at another place.
   void tell_once(std::size_t offset, const std::string& message);
 
   /// Throws InputError: `name:line:column: message`.

@@ -34,7 +34,7 @@ glm::dvec2 read_scale(const Arguments& arguments) {
   return {both[0], both[1]};
 }
 
-/// What the argument `file` draws: so files of old say what is extruded.
+/// The area that the argument `file` draws, which old files extrude.
 std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
   if (!arguments.has("file")) return std::nullopt;
   const std::optional<ImportedFile> file = arguments.file(drawing_file);
@@ -46,8 +46,8 @@ std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
   }
 }
 
-/// What is swept: what the file draws, beside which children do not count; else their union. Nothing as has_area()
-/// says.
+/// The area that is extruded: the file's if there is one, whatever the children are, else their union. None where
+/// has_area() says so.
 std::optional<flat::Area> swept(const std::optional<flat::Area>& drawn, const Operands& operands) {
   if (drawn) return drawn;
   if (!has_area(operands)) return std::nullopt;

@@ -97,7 +97,7 @@ class Sweep {
     open_ = std::move(grown);
   }
 
-  /// A trapezoid, on top of the stack that it is convex with, if there is one.
+  /// Puts a trapezoid on top of the stack that it is convex with, if there is one.
   Stack grow(const AreaSide& left, const AreaSide& right, double low, double high) {
     for (Stack& stack : open_) {
       if (stack.left.corners.empty() || left.at(low) == right.at(low)) continue;

@@ -14,7 +14,7 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-/// Of the point_grid that corners are moved to, towards 0, before solids meet.
+/// Before solids meet, corners are moved towards 0 to a grid of this step.
 constexpr double point_grid = 0x1p-20;
 
 class Cutting {

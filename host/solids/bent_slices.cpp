@@ -148,7 +148,7 @@ class SliceSides {
     return std::nullopt;
   }
 
-  /// By the divergence theorem.
+  /// The volume that the faces enclose, by the divergence theorem.
   [[nodiscard]] double volume() const {
     double six_times = 0;
     for (const Fragment& fragment : soup_.fragments) {
@@ -292,7 +292,7 @@ std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice, c
   return pieces;
 }
 
-/// A piece of one slice in the place that it has in another one, which is the same but for its turn.
+/// A piece of one slice, moved to its place in another slice, which differs by its height and turn alone.
 model::Polyhedron moved(const model::Polyhedron& piece, const Slice& from, const Slice& to) {
   const SliceEnd turned{0, to.low.turn - from.low.turn, glm::dvec2(1)};
   const double shift = to.low.z - from.low.z;

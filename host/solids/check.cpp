@@ -75,7 +75,7 @@ std::vector<bool> cancelled(const std::vector<Face>& faces) {
   return gone;
 }
 
-/// Of the edges of faces, counted for each face; 0 if there are none.
+/// The median length of the faces' edges, counted once for each face; 0 if there are none.
 double median_edge(const Mesh& mesh) {
   std::vector<double> lengths;
   for (const Face& face : mesh.faces) {

@@ -23,7 +23,7 @@ std::uint64_t key_of(facet::Halfspace halfspace) {
   return std::uint64_t{halfspace.plane} << 1U | (halfspace.positive ? 1U : 0U);
 }
 
-/// A step that visits all of so many, and the first few of them far apart.
+/// A step that visits all of `count` places in turn, the first few of them far apart.
 std::size_t stride_of(std::size_t count) {
   std::size_t stride = static_cast<std::size_t>(static_cast<double>(count) * 0.381966) | 1U;
   const auto divides = [&](std::size_t a, std::size_t b) {
@@ -65,14 +65,14 @@ class Choice {
     double cost = 0;
   };
 
-  /// Of a corner of a fragment, its point.
+  /// The point of a corner of a fragment.
   [[nodiscard]] std::uint32_t corner(std::uint32_t i) const { return soup_.corners[i].point; }
 
   static std::uint32_t next(const Fragment& fragment, std::uint32_t corner) {
     return corner + 1 < fragment.end ? corner + 1 : fragment.begin;
   }
 
-  /// Of each axis those next to the middle, which have something of the surface on both sides.
+  /// The levels next to the middle of each axis that have something of the surface on both sides.
   [[nodiscard]] std::vector<facet::Halfspace> levels_inside() const {
     constexpr std::ptrdiff_t each_way = 4;
     const std::span<const Level> levels = from_.levels;

@@ -22,7 +22,7 @@ struct Choices {
 /// many reflex edges. None if the surface in the cell is convex. Throws WorkError past the limit on work.
 std::optional<facet::Halfspace> choose_plane(const Soup& soup, const Choices& choices);
 
-/// By plane and side, each once.
+/// Sorts by plane and side, and keeps each once.
 void sort_unique(std::vector<facet::Halfspace>& halfspaces);
 
 }  // namespace csgsim::solids

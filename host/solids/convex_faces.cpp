@@ -73,7 +73,7 @@ Planes fit_planes(const Mesh& mesh) {
   return planes;
 }
 
-/// Whether all points are in one plane, but for the rounding of doubles.
+/// Whether all points are in one plane, give or take the rounding of doubles.
 bool is_flat(const Planes& planes) {
   const auto largest = std::ranges::max_element(planes.areas) - planes.areas.begin();
   for (std::uint32_t i = 0; i < planes.points.size(); ++i) {

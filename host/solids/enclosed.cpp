@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view dividing = "dividing what a surface that crosses itself encloses";
 
-/// Of a part of the surface that is cut, or seen from a point.
+/// The cost of a part of the surface that is cut, or seen from a point.
 constexpr std::uint64_t sheet_steps = 50;
 
 /// A part of the surface.

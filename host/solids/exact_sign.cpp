@@ -29,7 +29,7 @@ Pair exact_product(double a, double b) {
   return {product, std::fma(a, b, -product)};
 }
 
-/// Up to so many components.
+/// A sum of up to `capacity` components.
 template <std::size_t capacity>
 struct Sum {
   std::array<double, capacity> parts;

@@ -26,7 +26,7 @@ int turn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c);
 /// Between two points, by their numbers.
 using Link = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Whether sides meet at their ends only, and at each point that is used two of them, of which one ends there.
+/// Whether sides meet at their ends alone, and at each point that is used one side ends and one begins.
 bool is_simple(std::span<const SeenPoint> points, std::span<const Link> sides);
 
 /// Diagonals that divide what is to the left of the sides, which have to be simple, into parts that a line across the

@@ -14,7 +14,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// What libpng takes from. It is C, so nothing may be thrown through it.
+/// The bytes that libpng reads. It is C, so nothing may be thrown through it.
 struct Stream {
   std::string_view bytes;
   char error[128] = "";  // NOLINT(modernize-avoid-c-arrays)

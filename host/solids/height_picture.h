@@ -14,7 +14,7 @@ struct Pixels {
   std::vector<unsigned char> bytes;
 };
 
-/// Throws InputError if it is damaged or has more than so many pixels.
+/// Throws InputError if the file is damaged or has more than `most` pixels.
 Pixels read_png(std::string_view bytes, std::string_view name, std::size_t most);
 
 }  // namespace csgsim::solids

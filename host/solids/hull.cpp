@@ -19,7 +19,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Of a point.
+/// The cost of a point.
 constexpr std::uint64_t hull_steps = 3'000;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -14,7 +14,7 @@ namespace csgsim::solids {
 /// order. Empty if all points are in one plane. Throws WorkError past the limit on work.
 Mesh hull(std::span<const glm::dvec3> points, const Work& work = {});
 
-/// The same with triangles in one plane, but for the rounding of doubles, as one face. Nothing if the hull is empty or
+/// The same, with triangles in one plane, give or take rounding, joined to one face. Nothing if the hull is empty or
 /// no thicker than that.
 std::optional<model::Polyhedron> hull_piece(std::span<const glm::dvec3> points, const Work& work = {});
 

@@ -27,7 +27,7 @@ bool are_in_one_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   return CGAL::coplanar(exact(a), exact(b), exact(c), exact(d));
 }
 
-/// Of each triangle the first one of its face, which is all that is in its plane.
+/// Finds, for each triangle, the first triangle of its face. A face is all that lies in one plane.
 class Grouping {
  public:
   explicit Grouping(const Mesh& hull) : hull_(hull), neighbours_(find_neighbours(hull)), parent_(hull.faces.size()) {
@@ -104,8 +104,8 @@ std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
   return loops;
 }
 
-/// Of each point its number by coordinates among those where three faces or more meet; `none` for the others, which are
-/// within a face or an edge.
+/// Numbers the points where three faces or more meet, in the order of their coordinates. Other points, which are within
+/// a face or an edge, get `none`.
 std::vector<std::uint32_t> numbers_of_corners(const Mesh& hull, const std::vector<Loop>& loops, Mesh& made) {
   std::vector<std::uint32_t> uses(hull.points.size());
   for (const Loop& loop : loops) {

@@ -34,7 +34,7 @@ std::set<Edge> unjoined_edges(const Mesh& mesh) {
   return found;
 }
 
-/// Of each point the first one that is near, or itself: of points that are to be joined.
+/// Finds, for each point that is to be joined, the first point near it, which may be itself.
 class Nearest {
  public:
   Nearest(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}

@@ -22,7 +22,7 @@ std::size_t corners_of(const Pieces& pieces) {
   return count;
 }
 
-/// Whether a piece's planes have all of another's points behind them, but for rounding.
+/// Whether a piece's planes have all of another's points behind them, give or take rounding.
 bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, double near) {
   return std::all_of(piece.planes.begin(), piece.planes.end(), [&](const glm::dvec4& plane) {
     return std::all_of(other.points.begin(), other.points.end(),
@@ -30,7 +30,7 @@ bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, doubl
   });
 }
 
-/// Of equal pieces the last stays.
+/// Leaves out pieces that another one holds; of equal pieces the last one stays.
 Pieces without_covered(Pieces pieces, const Work& work) {
   std::vector<facet::Box> boxes;
   facet::Box whole;

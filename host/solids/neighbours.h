@@ -52,7 +52,7 @@ std::vector<Joint> find_joints(const Mesh& mesh);
 /// Two faces join at an edge that both run along, in opposite directions, and no third does.
 Neighbours find_neighbours(const Mesh& mesh);
 
-/// Of each face the number of its shell. Faces that have an edge in common are of one shell; shells are numbered in the
+/// The number of each face's shell. Faces that have an edge in common are of one shell; shells are numbered in the
 /// order of their first faces.
 std::vector<std::uint32_t> find_shells(const Mesh& mesh);
 

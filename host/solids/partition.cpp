@@ -19,13 +19,13 @@ namespace {
 
 enum class Side : std::uint8_t { back, on, front };
 
-/// Of a model's diagonal: what is not as wide cannot be seen. Where two planes that are hardly tilted cross is not
-/// known much better.
+/// The width below which nothing is seen, as a part of the model's diagonal. The line where two hardly tilted planes
+/// cross is not known much better.
 constexpr double seen = 1e-6;
 
 constexpr std::string_view cutting = "cutting a solid into convex pieces";
 
-/// Of a corner of the surface when a plane cuts it.
+/// The cost of a corner of the surface when a plane cuts it.
 constexpr std::uint64_t cut_steps = 20;
 
 /// A part of space, and what of the surface is in it.
@@ -38,7 +38,7 @@ Side side_of(double height, double near) {
   return height > near ? Side::front : height < -near ? Side::back : Side::on;
 }
 
-/// Of a convex polygon, of which `corner(i)` is a corner.
+/// The area of a convex polygon whose corners are `corner(i)`.
 template <class Corner>
 double area_of(std::size_t corners, const Corner& corner) {
   glm::dvec3 sum(0);
@@ -70,7 +70,7 @@ bool is_covered(const convex::Polytope& piece, std::span<const facet::Halfspace>
   return missing <= 0;
 }
 
-/// One side of a cut, with only the points that it needs.
+/// One side of a cut, with the points that it needs alone.
 class Half {
  public:
   explicit Half(const std::vector<glm::dvec3>& points) : points_(points), places_(points.size(), none) {}
@@ -112,8 +112,8 @@ class Cut {
     }
   }
 
-  /// What is in the plane is so however far rounding has put its corners off it: on neither side is any of it left to
-  /// cut by that plane again.
+  /// Fragments in the plane count as in it however far rounding has put their corners off it: on neither side is one
+  /// left that this plane cuts again.
   void operator()() {
     for (const Fragment& fragment : soup_.fragments) {
       if (fragment.halfspace.plane == number_) {

@@ -24,7 +24,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Sides of faces, of which an edge has two.
+/// Counted as sides of faces: an edge has two.
 constexpr std::ptrdiff_t fewest_edges_in_level = 8;
 
 double tolerance_of(const Mesh& mesh, const facet::Box& box, const Limits& limits) {
@@ -58,8 +58,8 @@ class Division {
     return std::move(pieces_);
   }
 
-  /// Whether the pieces are as large as the solids that were cut, but for what corners that are off their planes may
-  /// make of that.
+  /// Whether the pieces are as large as the solids that were cut, to within what corners off their planes may add or
+  /// take.
   [[nodiscard]] bool keeps_volume() const { return std::abs(gain_) <= near_ * area_; }
 
  private:
@@ -103,7 +103,7 @@ class Division {
     return soup;
   }
 
-  /// Whether the face beyond a side rises in front of this one. What joins not just one face may be.
+  /// Whether the face beyond a side rises in front of this one. It may where not just one face joins there.
   [[nodiscard]] bool is_reflex(std::uint32_t face, std::uint32_t side) const {
     const std::uint32_t beyond = neighbours_.face[neighbours_.first_side[face] + side];
     if (beyond == none) return true;

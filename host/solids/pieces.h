@@ -9,8 +9,8 @@
 
 namespace csgsim::solids {
 
-/// The surface winds around a part of its solid more often than once, though no two of its faces cross (check.h): they
-/// do along their edges.
+/// The surface winds around a part of its solid more than once, though check.h finds no two faces that cross: they
+/// cross along their edges.
 class WindingError : public InputError {
  public:
   using InputError::InputError;

@@ -27,7 +27,7 @@ Mesh parse_stl(std::string_view text, std::string_view name);
 /// Object File Format in text. Colours and normals after a point's coordinates or a face's corners are not looked at.
 Mesh parse_off(std::string_view text, std::string_view name);
 
-/// Wavefront's OBJ, all of its objects. What is said of looks is not looked at; curves and surfaces are refused.
+/// Wavefront's OBJ, all of its objects. Its looks are passed over; curves and surfaces are refused.
 Mesh parse_obj(std::string_view text, std::string_view name);
 
 /// Additive Manufacturing File: a mesh an object, of all its volumes, which may be zipped. As in OpenSCAD, curved

@@ -12,7 +12,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Statements that say nothing of where faces are: normals, texture places, names, groups, materials, points and lines.
+/// Statements that do not say where faces are: normals, texture places, names, groups, materials, points and lines.
 constexpr std::array looks{"vn", "vt", "vp", "g", "o", "s", "l", "p", "mg", "usemtl", "mtllib", "usemap", "maplib"};
 
 /// A statement's next word. A backslash at the end of a line goes on in the next.
@@ -66,8 +66,8 @@ Mesh parse_obj(std::string_view text, std::string_view name) {
       read_face(words, mesh);
     } else if (std::find(looks.begin(), looks.end(), word) == looks.end()) {
       words.fail(
-          "points, faces and what they look like are read of an OBJ file, and this is something else; export it "
-          "as a mesh of flat faces");
+          "an OBJ file may hold points, faces and their looks, and this is something else; export it as a mesh of flat "
+          "faces");
     }
     words.skip_line();
     if (mesh.faces.size() > most_mesh_faces)

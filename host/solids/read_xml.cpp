@@ -77,14 +77,14 @@ class Document {
   pugi::xml_document document_;
 };
 
-/// `text(name)`: what the node says of a coordinate.
+/// `text(name)`: the node's text for a coordinate.
 template <class Text>
 void add_point(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   const auto coordinate = [&](const char* name) { return document.coordinate(node, text(name)); };
   mesh.points.push_back({coordinate("x"), coordinate("y"), coordinate("z")});
 }
 
-/// `text(name)`: what the node says of a corner.
+/// `text(name)`: the node's text for a corner.
 template <class Text>
 void add_triangle(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   auto& face = mesh.faces.emplace_back();

@@ -12,7 +12,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Of a face that is gathered, and of one that is held against its region's plane again.
+/// The cost of a face that is gathered, and of one that is held against its region's plane again.
 constexpr std::uint64_t gather_steps = 40;
 constexpr std::uint64_t settle_steps = 8;
 constexpr std::string_view gathering = "gathering the faces of a plane";
@@ -82,7 +82,7 @@ class Growing {
     const auto region = static_cast<std::uint32_t>(regions_.planes.size());
     std::vector<std::uint32_t> members = gather(seed, region);
     Sums sums = total(members);
-    // Those gathered first need not fit what has become of the plane.
+    // The plane changes as faces are gathered: the first ones may fit it no more.
     for (bool settled = false; !settled && members.size() > 1; sums = total(members)) {
       work_.charge(settle_steps * members.size(), gathering);
       const facet::Plane plane = sums.plane();

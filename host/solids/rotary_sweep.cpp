@@ -220,7 +220,7 @@ class Lathe {
   std::vector<glm::dvec2> directions_;
   std::vector<model::Polyhedron> pieces_;
 
-  // Of the piece that is being made.
+  // The piece that is being made.
   std::uint32_t first_ = 0;  ///< segment
   std::uint32_t count_ = 0;  ///< segments
   bool closed_ = false;

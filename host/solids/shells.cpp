@@ -30,7 +30,7 @@ bool holds(const facet::Box& outer, const facet::Box& inner) {
 
 constexpr std::string_view nesting = "finding which shells of a mesh are within which";
 
-/// Of a face that a solid angle is worked out of.
+/// The cost of a face whose solid angle is worked out.
 constexpr std::uint64_t angle_steps = 50;
 
 /// Whether one shell is within another: by the middle of a face that is clear of it.

@@ -8,7 +8,7 @@
 
 namespace csgsim::solids {
 
-/// Of a hole, which runs clockwise, below 0.
+/// Below 0 for a hole, which runs clockwise.
 double signed_area(const flat::Outline& outline);
 
 /// The lines of a profile's sides: sides on one line, on whichever side of it their parts are, say it in the same

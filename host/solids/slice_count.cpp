@@ -29,12 +29,12 @@ double greatest(const flat::Area& area, const Squared& squared) {
   return most;
 }
 
-/// Of the spiral of Archimedes r = step * angle from its start, angles in radians.
+/// The length of the spiral of Archimedes r = step * angle from its start, angles in radians.
 double spiral_length(double step, double angle) {
   return 0.5 * step * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
 }
 
-/// Of the way of a corner at that distance from the axis, turned by `turn` radians on its way up.
+/// The length of the way of a corner at that distance from the axis, which turns by `turn` radians on its way up.
 double way_length(double squared_radius, double turn, const LinearExtrude& sweep) {
   const double scale = sweep.scale.x;
   if (scale == 1.0 || scale != sweep.scale.y) {

@@ -15,7 +15,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// The first corner at the place of each.
+/// For each corner, the first corner at its place.
 std::vector<std::uint32_t> first_at_place(std::span<const glm::vec3> outline) {
   const auto order = [](const glm::vec3& a, const glm::vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> first_at_place(std::span<const glm::vec3> outline) {
   return first;
 }
 
-/// The sides of an outline but for those that it runs along both ways.
+/// The sides of an outline, except those that it runs along both ways.
 std::vector<Link> sides_of(const std::vector<std::uint32_t>& corners) {
   std::vector<Link> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -43,7 +43,7 @@ std::vector<Link> sides_of(const std::vector<std::uint32_t>& corners) {
   return sides;
 }
 
-/// Of an outline that crosses itself.
+/// The triangles of an outline that crosses itself.
 std::optional<std::vector<OutlineTriangle>> crossed(const std::vector<Link>& sides) {
   if (sides.size() != 4) return std::nullopt;
   return std::vector<OutlineTriangle>{{3, 0, 1}, {1, 2, 3}};

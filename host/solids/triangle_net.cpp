@@ -80,7 +80,8 @@ void TriangleNet::cut_parts() {
   for (auto part = parts_.begin(); part != parts_.end(); ++part) cut_part(part);
 }
 
-/// The edge that closes the triangle of two halves, of which the second comes after the first; it stays with the part.
+/// Cuts off the triangle of two halves, the second of which follows the first. Returns the edge that closes it, which
+/// stays with the part.
 TriangleNet::Half TriangleNet::cut_off(Half one, Half two, std::list<Half>::iterator part) {
   const Half before = previous(one);
   const Half after = next(two);
@@ -128,7 +129,7 @@ std::vector<TriangleNet::Half> TriangleNet::diagonals() {
   return found;
 }
 
-/// Of the corner that is opposite to a half in the triangle to its left.
+/// The angle at the corner opposite to a half in the triangle to its left.
 float TriangleNet::opposite_angle(Half half) const { return angle(to(half), from(previous(half)), from(half)); }
 
 void TriangleNet::turn_diagonal(Half half) {

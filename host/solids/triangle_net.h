@@ -10,8 +10,8 @@
 
 namespace csgsim::solids {
 
-/// What is to the left of the sides of a flat outline, in parts, of which triangles are made. An edge is two halves,
-/// one along each way, that have numbers next to each other.
+/// Makes triangles of what is to the left of the sides of a flat outline, part by part. An edge is two halves, one in
+/// each direction, with numbers next to each other.
 class TriangleNet {
  public:
   /// The sides have to be simple, and the diagonals to part what is inside into monotone parts (flat_outline.h).

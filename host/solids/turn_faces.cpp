@@ -17,7 +17,7 @@ struct Beyond {
   bool runs_same_way;  ///< both along the edge, as neighbours should not
 };
 
-/// Of each face, those that alone share an edge with it.
+/// The faces beyond each face's edges, where just two faces share the edge.
 std::vector<std::vector<Beyond>> faces_beyond(const Mesh& mesh) {
   std::vector<std::vector<Beyond>> beyond(mesh.faces.size());
   for (const Joint& joint : find_joints(mesh)) {
@@ -33,7 +33,7 @@ enum class Turn : std::uint8_t { unknown, stays, turns };
 Turn opposite(Turn turn) { return turn == Turn::stays ? Turn::turns : Turn::stays; }
 
 /// Says of each face that is reached from the first, from edge to edge, whether it is turned against it. Returns them;
-/// none if there is no saying, as on a band with one side.
+/// none where that is undecidable, as on a band with one side.
 std::vector<std::uint32_t> spread(std::uint32_t first, const std::vector<std::vector<Beyond>>& beyond,
                                   std::vector<Turn>& turns) {
   std::vector<std::uint32_t> reached{first};

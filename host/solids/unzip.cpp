@@ -84,7 +84,7 @@ class Archive {
     return number(end_64 + 48, 8);
   }
 
-  /// And moves on to the next one.
+  /// The entry there; moves `at` on to the next one.
   Entry entry_at(std::uint64_t& at) const {
     const std::uint64_t name_size = number(at + 28, 2);
     const std::uint64_t extra_size = number(at + 30, 2);
@@ -100,7 +100,7 @@ class Archive {
     return entry;
   }
 
-  /// Numbers of 64 bits, of those that did not fit, in this order.
+  /// The sizes and places that did not fit in 32 bits, as numbers of 64, in this order.
   void read_extra(Entry& entry, std::uint64_t at, std::uint64_t size) const {
     const std::uint64_t end = at + piece(at, size).size();
     while (at + 4 <= end) {
@@ -130,7 +130,7 @@ class Archive {
     } else if (entry.method == Z_DEFLATED) {
       part = inflated(packed);
     } else {
-      fail("it is packed in a way that is not known");
+      fail("it is packed by an unknown method");
     }
     const std::uint64_t crc = ::crc32_z(0, reinterpret_cast<const Bytef*>(part.data()), part.size());
     if (part.size() != entry.size || crc != entry.crc) fail("a part of it is damaged");

@@ -69,7 +69,7 @@ double Words::number_of(std::string_view word, std::string_view what) const {
   double value = 0;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool is_number = !digits.empty() && result.ptr == digits.data() + digits.size();
-  // Out of range is what is too small, too; no coordinate is so by intent.
+  // Numbers too small for a double are out of range too; no coordinate is so by intent.
   if (!is_number || result.ec != std::errc{} || !std::isfinite(value)) {
     fail(fmt::format("{} has to be a finite number, and is {}; correct it", what, shown(word)));
   }

@@ -17,7 +17,7 @@ constexpr double half_field_of_view = 11.25 * std::numbers::pi / 180.0;
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// About x, then y, then z.
+/// Turns about x, then y, then z.
 glm::dvec3 turned_about_axes(const glm::dvec3& v, const glm::dvec3& degrees) {
   const glm::dvec3 s(model::sin_degrees(degrees.x), model::sin_degrees(degrees.y), model::sin_degrees(degrees.z));
   const glm::dvec3 c(model::cos_degrees(degrees.x), model::cos_degrees(degrees.y), model::cos_degrees(degrees.z));

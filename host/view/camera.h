@@ -18,8 +18,8 @@ struct Camera {
   glm::dvec3 up{0, 0, 1};  ///< in the picture, as far as it is across the view
 };
 
-/// OpenSCAD's camera of seven numbers: it looks at a point, from above with +y upwards, after turns by so many degrees
-/// about x, y and z in that order.
+/// OpenSCAD's camera of seven numbers: it looks at a point from above, with +y upwards, and is then turned by the given
+/// degrees about x, y and z in that order.
 Camera gimbal_camera(const glm::dvec3& centre, const glm::dvec3& degrees, double distance);
 
 /// The camera turned counterclockwise about the vertical axis through its centre.
@@ -41,7 +41,7 @@ double half_height_per_distance();
 /// Model units that half the height of an orthographic picture shows.
 double half_height(const Camera& camera);
 
-/// Model units that a pixel of a picture so many pixels high covers at a distance along the view axis.
+/// Model units that a pixel covers, at a distance along the view axis, in a picture that many pixels high.
 double pixel_size(const Camera& camera, std::uint32_t height, double distance);
 
 /// The camera that looks from the same direction at the middle of the box, from where its bounding sphere just fits

@@ -15,7 +15,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 const facet::Box everywhere{glm::dvec3(-infinite), glm::dvec3(infinite)};
 
-/// What doubles may lose on the way into the picture and back, relative to a coordinate.
+/// Rounding of doubles on the way into the picture and back, relative to a coordinate.
 constexpr double noise = 1e-12;
 
 /// Corners of the part of a solid from the near plane on, in eye space.
@@ -41,12 +41,12 @@ double value_at(const Sampling& sampling, const RealLinear& linear, const glm::d
          linear.b * (place.y - (sampling.height - 1.0) / 2.0);
 }
 
-/// The most by which coefficients of that many fraction bits miss anywhere in the picture.
+/// The most that coefficients of that many fraction bits are off anywhere in the picture.
 double rounding(const Sampling& sampling, unsigned fraction_bits) {
   return (1.0 + sampling.width / 2.0 + sampling.height / 2.0) * std::ldexp(0.5, -static_cast<int>(fraction_bits));
 }
 
-/// By which part of its slack at a point a half-space may move outwards when its plane is rounded.
+/// How far a half-space may move outwards when its plane is rounded, as a part of its slack at a point.
 double relative_move(const View& view, facet::Halfspace halfspace, const glm::dvec3& inside) {
   const ScreenPlane& plane = view.planes[halfspace.plane];
   const double value = value_at(view.sampling, plane.real, inside);
@@ -79,7 +79,7 @@ PixelRect touched_pixels(const std::vector<glm::dvec3>& places, const Sampling& 
   const auto to_pixel = [](double value) {
     return static_cast<std::int32_t>(std::clamp(value, -1.0, static_cast<double>(isa::max_array_side) + 1.0));
   };
-  // Edge-on planes are met half their depth range away from where they are drawn at most; the rest is for rounding.
+  // Edge-on planes are met at most half their depth range away from where they are drawn; the rest is for rounding.
   const double margin = sampling.edge_on_fraction + 1.0 / 64;
   const PixelRect screen{0, 0, static_cast<std::int32_t>(sampling.width) - 1,
                          static_cast<std::int32_t>(sampling.height) - 1};
@@ -130,7 +130,7 @@ facet::Box box_around(const std::vector<glm::dvec3>& places, const EyeSpace& spa
   return {box.low - more, box.high + more};
 }
 
-/// Of the block of pixels and depths that the integers leave, which holds the solid whatever rounding does.
+/// The corners of the block of pixels and depths that the integers leave, which holds the solid whatever rounding does.
 std::vector<glm::dvec3> corners_of(const Extent& extent) {
   std::vector<glm::dvec3> corners;
   for (const std::int32_t x : {extent.pixels.x0, extent.pixels.x1}) {

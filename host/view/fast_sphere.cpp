@@ -12,7 +12,7 @@ namespace csgsim::view {
 
 namespace {
 
-/// Of r^2 - d^2, in pixels.
+/// Fraction bits of r^2 - d^2, in pixels.
 constexpr unsigned outline_fraction_bits = 8;
 
 /// The smaller power of two is 2 to the 4th part of the greater one at the least: more would cost more bits than they

@@ -8,13 +8,13 @@
 namespace csgsim::view {
 
 /// A canonical sphere in an orthographic picture, drawn as hardware for linear expressions can draw it (Fuchs,
-/// Goldfeather, Hultquist et al. 1985): a pixel that is d from its centre is in it where r^2 - d^2 is not negative,
-/// which but for x^2 + y^2, kept in pixel memory, is linear in x and y; and its depths are those of a paraboloid, c -/+
-/// k (r^2 - d^2), in place of the sphere's. Its discriminant is r^2 - d^2, in pixels.
+/// Goldfeather, Hultquist et al. 1985): a pixel that is d from its centre is in it where r^2 - d^2 is not negative.
+/// That is linear in x and y, except for x^2 + y^2, which is kept in pixel memory. The sphere's depths are replaced by
+/// those of a paraboloid, c -/+ k (r^2 - d^2). Its discriminant is r^2 - d^2, in pixels.
 ///
 /// A paraboloid that touches the sphere at the front and at the outline has k = R / r^2, R the radius in depth steps.
 /// Here k is the greatest number of two powers of two that keeps the paraboloid, floors included, within the sphere:
-/// k r^2 is p R with p from 5/6 to 1, but for what a few depth steps are of R. At the part u = sqrt(1 - d^2 / r^2) of
+/// k r^2 is p R with p from 5/6 to 1, give or take a few depth steps. At the part u = sqrt(1 - d^2 / r^2) of
 /// the half depth R the two are R (u - p u^2) apart: at most R / (4 p), that is 0.3 of the radius; 0.25 for p = 1.
 ///
 /// The outline is off by 1 / 256 of a pixel at most where r is a third of one or more. `unfit` in perspective, where a

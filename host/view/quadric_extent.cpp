@@ -57,8 +57,8 @@ bool is_concave(const FixedQuadratic& f) {
   return xx < 0.0 && yy < 0.0 && 4.0 * xx * yy > 1.000001 * xy * xy;
 }
 
-/// Of a paraboloid: z is off by 2 steps at most, for the floors of its middle and of the depth, and F = |z - M| - k D
-/// is convex.
+/// The growth of a paraboloid: the floors of its middle and of the depth take z off by 2 steps at most, and
+/// F = |z - M| - k D is convex.
 double growth_of_paraboloid(const ScreenQuadric& quadric, const Around& here) {
   const double k =
       std::ldexp(static_cast<double>(quadric.factor.scaled()), -static_cast<int>(quadric.factor.fraction()));
@@ -80,7 +80,7 @@ double growth_between(const ScreenQuadric& quadric, const Around& here, const Vi
   return (here.depth_error + std::sqrt(here.error) * here.unit) / (half_depth - here.from_middle);
 }
 
-/// Beyond one of two depths that every ray has.
+/// The growth of what is beyond one of two depths that every ray has.
 double growth_beyond(const ScreenQuadric& quadric, QuadricRole role, const glm::dvec3& inside, const Around& here,
                      const PixelRect& pixels) {
   if (range_over(quadric.discriminant, pixels).low <= 0 || !(here.d >= 0.0)) return unlimited;
@@ -121,12 +121,11 @@ void narrow_pixels(PixelRect& pixels, const ScreenQuadric& quadric) {
 /// - Where D is concave, F = (z - M)^2 - U^2 D is convex, B is F <= 0, and F(p) <= 2 e U sqrt(D) + e^2 + U^2 d. By
 ///   convexity F at the scaled point is at most (F(p) + g F(c)) / (1 + g), which is not above 0 if g >= F(p) / -F(c).
 /// - The outline of a cylinder or cone, seen from outside, is two lines: D = k l with linear k and l, here scaled so
-/// that
-///   they are equal at c. Where k + l > 0, D >= -d makes both >= -s, s = sqrt(d), and D <= (k + s)(l + s). At the
+///   that they are equal at c. Where k + l > 0, D >= -d makes both >= -s, s = sqrt(d), and D <= (k + s)(l + s). At the
 ///   scaled point they are at least (k(p) + s + n) / (1 + g) and (l(p) + s + n) / (1 + g), n = g sqrt(D(c)) - s; the
 ///   geometric mean is superadditive, so U sqrt(D) is at least (U sqrt((k(p) + s)(l(p) + s)) + U n) / (1 + g) there,
 ///   and |z - M| at most (U sqrt((k(p) + s)(l(p) + s)) + e + g |z(c) - M(c)|) / (1 + g). So g = (e + U s) / (U
-///   sqrt(D(c)) - |z(c) - M(c)|) suffices. k + l is, but for a positive factor, D's polar form D(c) + grad D(c) . (p -
+///   sqrt(D(c)) - |z(c) - M(c)|) suffices. Up to a positive factor, k + l is D's polar form D(c) + grad D(c) . (p -
 ///   c) / 2.
 /// - From within, z < near and z >= far are convex too, and move by e at the most.
 double growth_of(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside, const View& view,

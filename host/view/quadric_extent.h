@@ -7,8 +7,8 @@
 
 namespace csgsim::view {
 
-/// By which part a solid, which that side of a quadric bounds, has to be scaled about a point within it, in columns,
-/// rows and depth steps, to hold what rounding makes of the quadric over its pixels. Infinite where no bound is known.
+/// How much a solid that this side of a quadric bounds has to grow about a point within it, as a part of its size in
+/// columns, rows and depth steps, to hold the rounded quadric over its pixels. Infinite where no bound is known.
 double growth_of(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside, const View& view,
                  const PixelRect& pixels);
 

@@ -45,8 +45,8 @@ void include_turning_point(Range& range, const Side& side, const At& at) {
   include(range, at(static_cast<std::int32_t>(below)) + (side.a < 0 ? beyond : -beyond));
 }
 
-/// Half of the square of a gradient over the second derivatives of f, whose determinant that is: by so much the top or
-/// bottom is beyond the place that has the gradient. Not less than the exact number.
+/// How far the top or bottom is beyond the value at a place with that gradient: half of the gradient's square over the
+/// second derivatives of f, which have that determinant. Not less than the exact number.
 std::int64_t beyond_place(const FixedQuadratic& f, Wide determinant, Wide by_x, Wide by_y) {
   const auto dx = static_cast<long double>(by_x);
   const auto dy = static_cast<long double>(by_y);
@@ -75,7 +75,7 @@ void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect)
   }
 }
 
-/// Of a paraboloid.
+/// Sets the depths of a paraboloid.
 void set_depths(RootRanges& ranges, const ScreenQuadric& quadric, const Range& discriminant, unsigned fraction_bits) {
   const std::int64_t middle = quadric.middle.c >> fraction_bits;
   const Wide factor = quadric.factor.scaled();

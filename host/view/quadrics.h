@@ -18,9 +18,9 @@ struct FixedQuadratic {
 /// Its value at a pixel.
 std::int64_t value_at(const FixedQuadratic& quadratic, std::int32_t x, std::int32_t y);
 
-/// Bounds of a quadratic function over a rectangle of pixels, which is not empty: never narrower than its values there,
-/// and just those but for a top or bottom between pixels of the rectangle, and of its sides where f.xy is not 0, which
-/// counts too.
+/// Bounds of a quadratic function over a rectangle of pixels, which is not empty: never narrower than its values there.
+/// They are its least and greatest values there, except that a top or bottom between pixels counts too, and one between
+/// pixels of a side where f.xy is not 0.
 Range range_over(const FixedQuadratic& quadratic, const PixelRect& rect);
 
 enum class ScreenQuadricKind : std::uint8_t {
@@ -55,9 +55,9 @@ struct TwoPowers {
 ///
 ///     near = floor(c - k v),    far = floor(c + k v) + 1    (depth steps)
 ///
-/// Edge: the ray is in the quadric where the discriminant is not negative; D is of no unit then.
+/// Edge: the ray is in the quadric where the discriminant is not negative; D has no unit then.
 ///
-/// With unit > 0, D is of depth in units of 2^unit steps.
+/// With unit > 0, D is the square of a depth in units of 2^unit steps.
 struct ScreenQuadric {
   ScreenQuadricKind kind = ScreenQuadricKind::roots;
   FixedLinear middle;           ///< with Sampling::fraction_bits

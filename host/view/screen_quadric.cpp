@@ -16,7 +16,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// 113 bits: D is what is left of far greater products where the eye is far away or the surface steep.
+/// 113 bits: D is the small difference of far greater products where the eye is far away or the surface steep.
 using Real = boost::multiprecision::cpp_bin_float_quad;
 using Vec = std::array<Real, 3>;
 
@@ -256,8 +256,8 @@ bool set_discriminant(ScreenQuadric& screen, const Quadratic& f, double most, co
   return true;
 }
 
-/// By how many pixels the quadric moves sideways at most while a ray passes the whole depth range; infinite where whole
-/// rays cannot be in it.
+/// The most pixels that the quadric moves sideways while a ray passes the whole depth range; infinite where whole rays
+/// cannot be in it.
 double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampling& sampling, const OnRays& rays,
                 const facet::Quadric& quadric, const glm::dvec3& centre) {
   constexpr double never = std::numeric_limits<double>::infinity();
@@ -285,7 +285,7 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   const double xy = product(right, down);
   const double yy = product(down, down);
   const double determinant = xx * yy - xy * xy;
-  // Seen from the side its section is no ellipse, but for rounding.
+  // Its section is no ellipse where it is seen from the side: rounding alone makes it one.
   constexpr double least_part = 0x1p-46;
   if (!(xx > 0.0 && determinant > least_part * xx * yy)) return never;
   const double fx = product(forward, right);
@@ -325,7 +325,7 @@ ScreenQuadric make_edge(const EyeSpace& space, const View& view, const OnRays& r
   const Real near = view.depth.near;
   const Real far = view.depth.far;
   Quadratic inside = rays.depth_inside(space.perspective ? Real((1 / near + 1 / far) / 2) : Real((near + far) / 2));
-  // Of a size that leaves no bits of it below 1: it has no unit.
+  // It has no unit, so it is scaled to a size whose bits below 1 do not count.
   constexpr double wanted = 0x1p20;
   double most = most_over(plain(inside), middle);
   double greatest = std::abs(most);
@@ -357,7 +357,7 @@ ScreenQuadric make_screen_quadric(const EyeSpace& space, const View& view, const
   ScreenQuadric screen;
   screen.pixels = pixels;
   if (pixels.empty()) {
-    // In no pixel of the picture: nothing is in it.
+    // It touches no pixel of the picture: no ray is in it.
     screen.discriminant.linear.c = -1;
     return screen;
   }

@@ -44,7 +44,7 @@ struct Errors {
 /// and truth have to agree.
 Errors compare(const Truth& truth, const observe::Frame& frame, const isa::Program& program);
 
-/// The same, and says of every wrong pixel whether the bounds that the design states explain it. `truth` has to be
+/// The same, and says whether the bounds that the design states explain each wrong pixel. `truth` has to be
 /// exact_truth's, of the same tree, scene and camera.
 Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Explainer& explainer);
 

@@ -12,7 +12,7 @@ namespace {
 /// Fraction bits that edge tests have more than surfaces.
 constexpr int edge_bits = 8;
 
-/// Pixels that a primitive's rectangle is wider than its vertices are apart, but for edges' width.
+/// Pixels that a primitive's rectangle is wider than its vertices are apart, besides the width of edges.
 constexpr double rectangle_margin = 1.0 / 64;
 
 DepthLine depth_line(const isa::Program& program, double unit) {

@@ -17,9 +17,8 @@ namespace csgsim::judges {
 /// Says what a machine may draw at a pixel if every plane is off by no more than the design states (docs/numbers.md),
 /// dx columns and dy rows from the middle of the picture, with f fraction bits and n bits of depth:
 ///
-/// - A plane is F = floor(z + e), |e| <= (1 + dx + dy) 2^-(f+1) steps, plus what doubles do to z on the way, 2^-49 of
-/// the
-///   sum of its terms times SightPlane::condition. Half-spaces on the same plane have the same F.
+/// - A plane is F = floor(z + e), |e| <= (1 + dx + dy) 2^-(f+1) steps, plus the rounding of doubles on the way to z,
+///   2^-49 of the sum of its terms times SightPlane::condition. Half-spaces on the same plane have the same F.
 /// - A plane steeper than 2^n steps in `edge_on_fraction` of a pixel holds or does not hold the whole ray, by the true
 ///   side of it if all depths from near to far are on that side, more than (1 + dx + dy) 2^-(f+9) pixels from the
 ///   plane; else either, but the same for all half-spaces on the plane.

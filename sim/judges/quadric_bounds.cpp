@@ -52,7 +52,7 @@ double section_drift(const SightQuadric& quadric, double from, double to) {
   const double least = std::min(std::abs(q.xx), std::abs(q.yy));
   const double first_radius = std::sqrt(std::max(0.0, -first.value / least));
   const double last_radius = std::sqrt(std::max(0.0, -last.value / least));
-  // Of a parabola through three values: whether its top, the apex of a cone, is between the ends.
+  // Whether the top of the parabola through three values, the apex of a cone, is between the ends.
   const bool has_apex =
       std::abs(last.value - first.value) < 2.0 * std::abs(first.value + last.value - 2.0 * middle.value);
   const double radii = has_apex ? first_radius + last_radius : std::abs(last_radius - first_radius);

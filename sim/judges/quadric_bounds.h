@@ -28,8 +28,8 @@ struct DepthLine {
   /// How far rounded coefficients may take a linear function from what it is at the middle of the picture, in ulp().
   static double rounding(Place place);
 
-  /// Depth steps that a linear function q of the place may have that is rounded by so many ulp(); `condition` as that
-  /// of SightPlane.
+  /// Depth steps that a linear function q of the place may have when it is rounded by up to `ulps` of ulp();
+  /// `condition` as in SightPlane.
   [[nodiscard]] Steps steps(const FilterQuadratic& linear, double condition, double ulps, Place place) const;
 
   /// "Nothing", as a depth step.
@@ -51,11 +51,10 @@ struct QuadricMet {
 /// - The middle is M = floor(P + e), |e| <= (1 + w + h) 2^-(f+1) steps.
 /// - The discriminant is floor(D + e) in units of 4^unit steps squared, |e| <= 2^(9-f) sqrt(D_max) + 1, where D_max is
 ///   the greatest D there, and at least 1.
-/// - `unit` is 0, but for a cylinder in an orthographic view whose root has more bits than depth has and two: then up
-/// to
-///   so many more, and no more steps than its middle passes in `edge_on_fraction` of a pixel.
-/// - To this comes what doubles do, 2^-49 of the sizes of the terms times SightQuadric::condition; in D, of their
-///   geometric mean with D_max, twice: it is worked out from how far rays miss the quadric's middle by.
+/// - `unit` is 0, except for a cylinder in an orthographic view whose root has more bits than depth has and two: then
+///   it is at most that excess, and no more steps than its middle passes in `edge_on_fraction` of a pixel.
+/// - The rounding of doubles comes on top: 2^-49 of the sizes of the terms times SightQuadric::condition; in D, twice
+///   that part of their geometric mean with D_max, as D is worked out from how far rays miss the quadric's middle.
 /// - A cylinder (of an orthographic view) or cone that moves less than `edge_on_fraction` of a pixel sideways over the
 ///   depth range is an edge: its section where half of the range is passed, off by no more than as much again. Where
 ///   that is closer than a factor of 2, it may be either.

@@ -122,7 +122,7 @@ double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, cons
   const glm::dvec3 from_apex = approximately(from_centre - exactly(quadrics.quadrics()[index].origin));
   const Projector projector(camera);
   const glm::dvec3 places = projector.lengths(from_apex);
-  // Places are half pixels, of which the corners are as many away as the picture has pixels.
+  // Places are half pixels: the corners are as many of them away as the picture has pixels.
   return (std::hypot(places.x, places.y) + std::abs(places.z) * std::hypot(camera.width, camera.height)) / 2.0;
 }
 

@@ -29,7 +29,7 @@ std::vector<PlaceRect> solid_reaches(const facet::Scene& scene, const ExactCamer
 double greatest(const FilterQuadratic& of, const PlaceRect& over);
 double least(const FilterQuadratic& of, const PlaceRect& over);
 
-/// Pixels that a cone near whose apex the eye is moves sideways in the picture, at its corners at most, for each unit
+/// The most pixels that a cone whose apex is near the eye moves sideways in the picture, at its corners, for each unit
 /// of depth q (Sight).
 double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, const ExactCamera& camera);
 

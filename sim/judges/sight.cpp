@@ -48,7 +48,7 @@ const Sight::Exact& Sight::exact(std::uint32_t index) const {
   return kept->second;
 }
 
-/// Sum of the sizes of the terms that the denominator k of a plane is summed from.
+/// The sizes of the terms of a plane's denominator k, added up.
 double Sight::denominator_size(std::uint32_t index) const {
   if (index >= near_plane()) return std::abs(make_exact(index).k.approximately());
   const facet::Plane& plane = table_.planes()[index];

@@ -117,8 +117,8 @@ void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
   attempt.deciding_event = covering.value_or(*merge);
 }
 
-/// Of surfaces that nothing covers one is the nearest, the last that took the pixel: it is seen, and the others have a
-/// part in the colour.
+/// Several surfaces may end uncovered. The nearest, the last that took the pixel, is seen, and the others have a part
+/// in the colour.
 void tell_blended(Events events, std::span<Attempt> attempts, std::uint32_t owner) {
   const auto nearest = std::find_if(attempts.rbegin(), attempts.rend(), [&](const Attempt& one) {
     return one.fate == Fate::seen && events[one.deciding_event].takes_pixel;

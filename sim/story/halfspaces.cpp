@@ -37,7 +37,7 @@ std::pair<isa::Linear, isa::Linear> broadcast(const view::View& view, const view
   return {segment.instructions[0].linear, segment.instructions[1].linear};
 }
 
-/// But for the width, which depends on the pixels.
+/// The width is not compared: it depends on the pixels.
 bool same_plane(const isa::Linear& one, const isa::Linear& other) {
   return one.a == other.a && one.b == other.b && one.c == other.c && one.shift == other.shift;
 }
@@ -93,8 +93,8 @@ std::optional<ModelQuadric> HalfspaceFinder::find_in(std::uint32_t primitive, co
   return std::nullopt;
 }
 
-/// What `find_in` finds of the primitive that an instruction is to be of, or of one that makes one convex solid with
-/// it; of one that is compared, of that alone.
+/// What `find_in` finds for the primitive that an instruction belongs to, or for one that makes one convex solid with
+/// it. A primitive that is compared is looked at alone.
 template <class FindIn>
 auto HalfspaceFinder::find_of(const isa::Origin& origin, const FindIn& find_in) const {
   const bool compares = origin.purpose == isa::Purpose::classify && origin.node != isa::no_node;

@@ -45,7 +45,7 @@ class HalfspaceFinder {
   [[nodiscard]] std::optional<ModelHalfspace> find(const isa::Instruction& instruction,
                                                    const isa::Region& region) const;
 
-  /// The same of a discriminant, of which two instructions stream the coefficients.
+  /// The same for a discriminant, whose coefficients two instructions stream.
   [[nodiscard]] std::optional<ModelQuadric> find(const isa::Instruction& squares, const isa::Instruction& linear,
                                                  const isa::Region& region) const;
 

@@ -42,8 +42,8 @@ isa::FieldRole role_of(const isa::Program& program, isa::Field field);
 std::string decision_text(const isa::Program& program, const Decision& decision);
 
 /// `half-space 3 of 8 of p3 cylinder@9:9: normal (0, -1, 0), distance 4`; empty without a model, or if there is none.
-/// Of a quadric: `near depth of quadric 1 of 1 of p3 cylinder@9:9: cylinder about (0, 0, 2) along (0, 0, 1)`, and on a
-/// second line how that came about, which is told without a model too.
+/// For a quadric: `near depth of quadric 1 of 1 of p3 cylinder@9:9: cylinder about (0, 0, 2) along (0, 0, 1)`, and on a
+/// second line how that came about, which does not take a model.
 std::string geometry_text(const Subject& subject, const Decision& decision);
 
 /// The half-space that decided, if the model is known.

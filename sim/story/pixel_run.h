@@ -47,7 +47,7 @@ struct PixelRun {
 /// drawn several times, one over the other, has several segments that hold the pixel. Throws InputError where the
 /// picture has no such pixel.
 ///
-/// Where a target lies within a field that the Program names, the whole field is told (named_around).
+/// Where a target lies within a field that the Program names, the change is that of the whole field (named_around).
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,
                    std::uint32_t y);
 

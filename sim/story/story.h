@@ -86,7 +86,7 @@ struct Event {
   std::uint32_t owner_before = 0;  ///< primitive that owns the pixel; observe::no_owner if none does
   std::uint32_t owner_after = 0;   ///< the same
 
-  /// Of the first field of that role among the changes; null if none is.
+  /// The first change of a field of that role; null if there is none.
   [[nodiscard]] const Change* change_of(const isa::Program& program, isa::FieldRole role) const;
 };
 

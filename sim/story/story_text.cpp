@@ -50,7 +50,7 @@ std::string indented(std::string_view text, std::size_t indent) {
   return out;
 }
 
-/// Of events, by What.
+/// Titles of events, indexed by What.
 constexpr std::array<std::string_view, 9> titles{"setup", "surface", "depth test", "classify", "bits",
                                                  "merge", "shade",   "effect",     "skipped"};
 

@@ -80,7 +80,7 @@ std::string covered_text(const Subject& subject, const Event& by) {
                      by.first);
 }
 
-/// Of the primitive, not of a piece.
+/// Names the primitive, not a piece of it.
 std::string name_text(const Subject& subject, const WhyNot& answer) {
   const isa::Facts& facts = subject.program.facts;
   const std::uint32_t primitive = isa::primitive_of(facts, answer.pieces.first);

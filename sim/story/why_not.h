@@ -14,7 +14,7 @@ namespace csgsim::story {
 /// Why a primitive is not what a pixel shows.
 struct WhyNot {
   isa::PieceRange pieces;
-  /// Whose surface the first of them is part of: its own, or that of the first of those that make one convex solid
+  /// The primitive whose surface shows the first of them: itself, or the first of those that make one convex solid
   /// with it.
   std::uint32_t drawn_as = 0;
   bool is_seen = false;               ///< one of them is what the pixel shows

@@ -49,7 +49,7 @@ void draw_polyline(const Entity& entity, const model::FacetControl& /*facets*/, 
   if (closed && count > 0) draw_segment({point(entity, count - 1), point(entity, 0)});
 }
 
-/// The part of a circle from an angle on, in so many steps.
+/// The part of a circle from an angle on, in that many steps.
 void draw_part(const Entity& entity, double from, double degrees, std::uint32_t count, const Draw& draw_segment) {
   const glm::dvec2 centre = point(entity, 0);
   const auto corner = [&](std::uint32_t i) {

@@ -30,7 +30,7 @@ struct Entity {
 using Segment = std::array<glm::dvec2, 2>;
 using Draw = std::function<void(const Segment&)>;
 
-/// Whether it is an entity that is drawn, but for INSERT.
+/// Whether it is an entity that is drawn, other than INSERT.
 bool is_drawn(const std::string& type);
 
 /// Draws such an entity by segments. Throws InputError where it lacks points or takes too many segments.

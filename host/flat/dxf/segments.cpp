@@ -40,7 +40,7 @@ class Tracer {
     return chains;
   }
 
-  /// Those of what is left, from a vertex on that comes again at the end if no more than two segments meet anywhere.
+  /// The chains of what is left. Each ends where it began if no more than two segments meet anywhere.
   std::vector<std::vector<std::uint32_t>> closed() {
     std::vector<std::vector<std::uint32_t>> chains;
     for (std::uint32_t segment = 0; segment < segments_.size(); ++segment) {

@@ -47,7 +47,7 @@ std::optional<Tag> Tags::next() {
   if (rest_.find_first_not_of(" \t\r\n\x1a") == std::string_view::npos) return std::nullopt;
   const std::string_view text = take_line();
   const std::optional<int> code = parse<int>(text);
-  if (!code) fail(line_, text, "no group code of ASCII DXF, which stand on every other line");
+  if (!code) fail(line_, text, "no group code of ASCII DXF; every other line has to be one");
   const std::string_view value = take_line();
   return Tag{*code, value, line_};
 }

@@ -75,7 +75,7 @@ bool is_generic(const std::string& family) {
   return std::find(generic.begin(), generic.end(), plain(family)) != generic.end();
 }
 
-/// The first family of what was found, if it is none of those that were asked for.
+/// The first family of the font that was found, if it is not one that was asked for.
 std::string replacement(const Names& asked, const Names& found) {
   const auto is_found = [&](const std::string& one) {
     return std::any_of(found.begin(), found.end(),
@@ -132,7 +132,7 @@ void select_characters(FT_Face face) {
   for (const auto& [platform, encoding] : others) {
     if (select(face, platform, encoding)) return;
   }
-  throw std::runtime_error("font " + name_of(face) + " has no table of characters that is known");
+  throw std::runtime_error("font " + name_of(face) + " has no table of characters in a known encoding");
 }
 
 FT_Face open(const FontFile& file) {

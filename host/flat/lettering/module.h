@@ -19,7 +19,7 @@ struct Lettering {
 
 /// The module of text, whose libraries (HarfBuzz, FreeType, fontconfig and theirs) few runs need.
 struct Module {
-  /// Every curve becomes so many sides.
+  /// Every curve becomes `sides_of_curves` sides.
   Lettering (*draw)(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners);
 
   /// See flat::replacement_font(); empty also where there is no font to be had.
@@ -28,8 +28,8 @@ struct Module {
 
 inline constexpr const char* module_file = "csgsim_text.so";
 
-/// Of the only symbol of the module, a Module. It changes with this file and with Text, so that another version's is
-/// not taken.
+/// The name of the module's only symbol, a Module. It changes with this file and with Text, so that no other version's
+/// is taken.
 inline constexpr const char* module_symbol = "csgsim_text_2";
 
 }  // namespace csgsim::flat::lettering

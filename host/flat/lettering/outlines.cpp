@@ -8,7 +8,7 @@ namespace csgsim::flat::lettering {
 
 namespace {
 
-/// Draws what FreeType tells it.
+/// Draws the outlines that FreeType hands it.
 struct Pen {
   Area area;
   std::uint32_t sides_of_curves = 1;

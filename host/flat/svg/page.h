@@ -13,7 +13,7 @@ struct Page {
   double height = 0;
 };
 
-/// By width, height, viewBox and preserveAspectRatio. Throws InputError.
+/// The page that width, height, viewBox and preserveAspectRatio describe. Throws InputError.
 Page read_page(pugi::xml_node svg, double dpi);
 
 }  // namespace csgsim::flat::svg

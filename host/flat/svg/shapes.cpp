@@ -13,10 +13,10 @@ namespace csgsim::flat::svg {
 
 namespace {
 
-/// Strokes that are thinner, or of no number, are 1 wide.
+/// Strokes that are thinner, or whose width is no number, are 1 wide.
 constexpr double thinnest_stroke = 0.01;
 
-/// Radii of corners that are smaller are none.
+/// Smaller radii of corners count as none.
 constexpr double smallest_radius = 1e-8;
 
 struct Element {

@@ -18,10 +18,10 @@ constexpr double scale = 10'000;
 /// What Clipper takes of lines, in its units, without overflow of sums.
 constexpr double largest = 1e15;
 
-/// How far Clipper lets arcs be from their chords, in its units, if it is not told.
+/// How far Clipper lets arcs be from their chords by default, in its units.
 constexpr double arc_tolerance = 0.25;
 
-// By Cap and Join.
+// Indexed by Cap and Join.
 constexpr std::array end_types{ClipperLib::etOpenButt, ClipperLib::etOpenRound, ClipperLib::etOpenSquare};
 constexpr std::array join_kinds{ClipperLib::jtSquare, ClipperLib::jtRound, ClipperLib::jtMiter};
 

@@ -60,7 +60,7 @@ TEST_CASE("a layer of DXF is drawn alone") {
 TEST_CASE("DXF that cannot be read is an error, with its line") {
   CHECK(message("") == "line 1: this is not DXF: it has no section");
   CHECK(message("AutoCAD Binary DXF\r\n\x1a") ==
-        "line 1: \"AutoCAD Binary DXF\" is no group code of ASCII DXF, which stand on every other line");
+        "line 1: \"AutoCAD Binary DXF\" is no group code of ASCII DXF; every other line has to be one");
   CHECK(message("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n") ==
         "the DXF file is cut short: its last group is not 0, EOF");
   CHECK(message(entities("0\nLINE\n10\nx\n")) == "line 8: \"x\" is no number, but group 10 is one");

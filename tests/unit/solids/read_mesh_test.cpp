@@ -161,10 +161,9 @@ TEST_CASE("what is wrong with an OBJ file is said, with its place") {
     CHECK(error(points + "f 1 2 " + corner + "\n") ==
           "m.obj:4:7: a corner has to be one of the 3 points before it, counted from 1 or back from -1; correct it");
   }
-  CHECK(
-      error(points + "curv 0 1 1 2\n") ==
-      "m.obj:4:1: points, faces and what they look like are read of an OBJ file, and this is something else; export it "
-      "as a mesh of flat faces");
+  CHECK(error(points + "curv 0 1 1 2\n") ==
+        "m.obj:4:1: an OBJ file may hold points, faces and their looks, and this is something else; export it "
+        "as a mesh of flat faces");
   CHECK(error("").empty());
 }
 
