@@ -35,8 +35,9 @@ struct Rest {
 /// Boxes are relative to PlaneTable::centre().
 class BoxSearch {
  public:
-  BoxSearch(const facet::Scene& scene, std::size_t most, const Work& work) : scene_(scene), most_(most), work_(work) {
-    for (const facet::Convex& solid : scene.solids) boxes_.push_back(moved(solid.box, -scene.planes.centre()));
+  BoxSearch(const facet::Geometry& geometry, std::size_t most, const Work& work)
+      : geometry_(geometry), most_(most), work_(work) {
+    for (const facet::Convex& solid : geometry.solids) boxes_.push_back(moved(solid.box, -geometry.planes.centre()));
   }
 
   void add(SolidProduct product) {
@@ -76,17 +77,17 @@ class BoxSearch {
   }
 
   [[nodiscard]] bool touches(std::uint32_t primitive, const glm::dvec3& point) const {
-    const std::vector<facet::Halfspace>& halfspaces = scene_.solids[primitive].halfspaces;
+    const std::vector<facet::Halfspace>& halfspaces = geometry_.solids[primitive].halfspaces;
     work_.charge(halfspaces.size(), searching);
     return std::all_of(halfspaces.begin(), halfspaces.end(), [&](facet::Halfspace halfspace) {
-      return outward_plane(halfspace, scene_.planes).height(point) <= tolerance(scene_.planes);
+      return outward_plane(halfspace, geometry_.planes).height(point) <= tolerance(geometry_.planes);
     });
   }
 
   void cut(const Rest& part) {
     ++cuts_;
     const std::uint32_t taken = part.taken_away.back();
-    for (Polytope& polytope : outside(part.polytope, scene_.solids[taken], scene_.planes, work_)) {
+    for (Polytope& polytope : outside(part.polytope, geometry_.solids[taken], geometry_.planes, work_)) {
       work_.charge(polytope.vertices.size() + part.taken_away.size(), searching);
       const facet::Box box = box_of(polytope);
       Rest rest{std::move(polytope), {}};
@@ -97,7 +98,7 @@ class BoxSearch {
     }
   }
 
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   std::size_t most_;
   const Work& work_;
   std::size_t cuts_ = 0;
@@ -119,13 +120,13 @@ enum class Known : std::uint8_t { out, maybe, in };
 /// Whether corners of primitives are corners of the model. Points are relative to PlaneTable::centre().
 class Corners {
  public:
-  Corners(const facet::Scene& scene, const csg::PositiveTree& tree)
-      : scene_(scene), tree_(tree), known_(tree.nodes.size()) {}
+  Corners(const facet::Geometry& geometry, const csg::PositiveTree& tree)
+      : geometry_(geometry), tree_(tree), known_(tree.nodes.size()) {}
 
-  /// Whether a corner on each side of scene.box is one.
+  /// Whether a corner on each side of geometry.box is one.
   bool reach_all_sides() {
     for (int axis = 0; axis < 3; ++axis) {
-      if (!reach(axis, -1.0, scene_.box.low[axis]) || !reach(axis, 1.0, scene_.box.high[axis])) return false;
+      if (!reach(axis, -1.0, geometry_.box.low[axis]) || !reach(axis, 1.0, geometry_.box.high[axis])) return false;
     }
     return true;
   }
@@ -136,14 +137,14 @@ class Corners {
 
   bool reach(int axis, double sign, double side) {
     int looked_at = 0;
-    for (std::uint32_t i = 0; i < scene_.solids.size(); ++i) {
-      const facet::Box& box = scene_.solids[i].box;
+    for (std::uint32_t i = 0; i < geometry_.solids.size(); ++i) {
+      const facet::Box& box = geometry_.solids[i].box;
       const double farthest = sign > 0.0 ? box.high[axis] : box.low[axis];
-      const bool is_short = box.empty() || sign * farthest < sign * side - tolerance(scene_.planes);
+      const bool is_short = box.empty() || sign * farthest < sign * side - tolerance(geometry_.planes);
       if (is_short || tree_.nodes[tree_.leaf_of[i]].complemented) continue;
-      for (const glm::dvec3& corner : scene_.solids[i].vertices) {
-        if (sign * corner[axis] < sign * side - tolerance(scene_.planes)) continue;
-        if (is_corner(i, corner - scene_.planes.centre())) return true;
+      for (const glm::dvec3& corner : geometry_.solids[i].vertices) {
+        if (sign * corner[axis] < sign * side - tolerance(geometry_.planes)) continue;
+        if (is_corner(i, corner - geometry_.planes.centre())) return true;
         if (++looked_at == most_corners) return false;
       }
     }
@@ -174,48 +175,48 @@ class Corners {
   }
 
   [[nodiscard]] Known of_primitive(std::uint32_t primitive, const glm::dvec3& point) const {
-    const double near = tolerance(scene_.planes);
-    const facet::Convex& solid = scene_.solids[primitive];
-    const glm::dvec3 place = point + scene_.planes.centre();
+    const double near = tolerance(geometry_.planes);
+    const facet::Convex& solid = geometry_.solids[primitive];
+    const glm::dvec3 place = point + geometry_.planes.centre();
     if (solid.box.empty() || glm::any(glm::lessThan(place, solid.box.low - near)) ||
         glm::any(glm::greaterThan(place, solid.box.high + near)))
       return Known::out;
     Known known = Known::in;
     for (const facet::Halfspace halfspace : solid.halfspaces) {
-      const double height = outward_plane(halfspace, scene_.planes).height(point);
+      const double height = outward_plane(halfspace, geometry_.planes).height(point);
       if (height > near) return Known::out;
       if (height > -near) known = Known::maybe;
     }
     return known;
   }
 
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   const csg::PositiveTree& tree_;
   std::vector<Known> known_;  ///< of each node
 };
 
-facet::Box searched(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most,
+facet::Box searched(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t most,
                     std::uint64_t most_steps) {
   const Work work(most_steps);
-  BoxSearch search(scene, most, work);
+  BoxSearch search(geometry, most, work);
   try {
     for_each_product(
-        scene, tree, [&](SolidProduct product) { search.add(std::move(product)); }, most, work);
-    return moved(search.find(), scene.planes.centre());
+        geometry, tree, [&](SolidProduct product) { search.add(std::move(product)); }, most, work);
+    return moved(search.find(), geometry.planes.centre());
   } catch (const InputError&) {
-    return scene.box;  // more choices or steps than that
+    return geometry.box;  // more choices or steps than that
   }
 }
 
 }  // namespace
 
-facet::Box extent(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most,
+facet::Box extent(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t most,
                   std::uint64_t most_steps) {
-  if (scene.box.empty() || is_union(tree) || Corners(scene, tree).reach_all_sides()) return scene.box;
-  const facet::Box found = common(scene.box, searched(scene, tree, most, most_steps));
-  if (found.empty()) return scene.box;
-  const double near = tolerance(scene.planes);
-  facet::Box box = scene.box;
+  if (geometry.box.empty() || is_union(tree) || Corners(geometry, tree).reach_all_sides()) return geometry.box;
+  const facet::Box found = common(geometry.box, searched(geometry, tree, most, most_steps));
+  if (found.empty()) return geometry.box;
+  const double near = tolerance(geometry.planes);
+  facet::Box box = geometry.box;
   for (int axis = 0; axis < 3; ++axis) {
     if (found.low[axis] > box.low[axis] + near) box.low[axis] = found.low[axis];
     if (found.high[axis] < box.high[axis] - near) box.high[axis] = found.high[axis];

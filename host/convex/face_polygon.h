@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "host/facet/geometry.h"
 #include "host/facet/planes.h"
-#include "host/facet/scene.h"
 
 namespace csgsim::convex {
 

@@ -88,15 +88,16 @@ bool overlap_across(const Outline& one, const Outline& other, double least) {
 
 class PairSearch {
  public:
-  PairSearch(const model::Tree& tree, const facet::Scene& scene)
-      : tree_(tree), scene_(scene), users_(scene.planes.planes().size()), nodes_(nodes_of(tree)) {
-    for (std::uint32_t solid = 0; solid < scene.solids.size(); ++solid) {
-      for (const facet::Halfspace& halfspace : scene.solids[solid].halfspaces) users_[halfspace.plane].push_back(solid);
+  PairSearch(const model::Tree& tree, const facet::Geometry& geometry)
+      : tree_(tree), geometry_(geometry), users_(geometry.planes.planes().size()), nodes_(nodes_of(tree)) {
+    for (std::uint32_t solid = 0; solid < geometry.solids.size(); ++solid) {
+      for (const facet::Halfspace& halfspace : geometry.solids[solid].halfspaces)
+        users_[halfspace.plane].push_back(solid);
     }
   }
 
   NearFaces find() {
-    const std::vector<Oriented> planes = sorted(scene_.planes);
+    const std::vector<Oriented> planes = sorted(geometry_.planes);
     for (std::size_t i = 0; i < planes.size(); ++i) {
       for (std::size_t j = i + 1; j < planes.size() && planes[j].place - planes[i].place <= window; ++j) {
         if (++planes_looked_at_ > most_near_faces + 16 * planes.size()) found_.are_more = true;
@@ -115,10 +116,10 @@ class PairSearch {
   }
 
   void look_at(const Oriented& one, const Oriented& other) {
-    const std::vector<facet::Plane>& planes = scene_.planes.planes();
+    const std::vector<facet::Plane>& planes = geometry_.planes.planes();
     if (one.plane == other.plane) return;
     const double sign = one.is_reversed == other.is_reversed ? 1.0 : -1.0;
-    if (!are_near(planes[one.plane], planes[other.plane], sign, scene_.planes.diagonal())) return;
+    if (!are_near(planes[one.plane], planes[other.plane], sign, geometry_.planes.diagonal())) return;
     for (const std::uint32_t first : users_[one.plane]) {
       for (const std::uint32_t second : users_[other.plane]) {
         if (++faces_looked_at_ > most_near_faces) found_.are_more = true;
@@ -136,18 +137,18 @@ class PairSearch {
     pairs_.insert({nodes_[low], nodes_[high]});
   }
 
-  [[nodiscard]] double slack() const { return 2.0 * near_offsets * scene_.planes.diagonal(); }
+  [[nodiscard]] double slack() const { return 2.0 * near_offsets * geometry_.planes.diagonal(); }
 
   /// Solids of the file whose boxes are not apart.
   [[nodiscard]] bool may_meet(std::uint32_t one, std::uint32_t other) const {
-    const facet::Box& box = scene_.solids[one].box;
+    const facet::Box& box = geometry_.solids[one].box;
     const bool are_of_file = tree_.primitives[one].section == model::no_index &&  //
                              tree_.primitives[other].section == model::no_index;
-    return are_of_file && !common({box.low - slack(), box.high + slack()}, scene_.solids[other].box).empty();
+    return are_of_file && !common({box.low - slack(), box.high + slack()}, geometry_.solids[other].box).empty();
   }
 
   bool faces_overlap(std::uint32_t one, std::uint32_t in, std::uint32_t other, std::uint32_t in_other) {
-    const auto [right, up] = axes_in(scene_.planes.planes()[in].normal);
+    const auto [right, up] = axes_in(geometry_.planes.planes()[in].normal);
     const Outline a = outline(one, in, right, up);
     const Outline b = outline(other, in_other, right, up);
     if (a.empty() || b.empty()) return false;
@@ -158,7 +159,7 @@ class PairSearch {
   /// The outline of a primitive's face in a plane; it has no corners if the primitive only touches the plane.
   Outline outline(std::uint32_t primitive, std::uint32_t plane, const glm::dvec3& right, const glm::dvec3& up) {
     const auto [found, is_new] = polygons_.try_emplace(std::uint64_t{primitive} << 32U | plane);
-    if (is_new) found->second = face_polygon(scene_.solids[primitive], plane, scene_.planes);
+    if (is_new) found->second = face_polygon(geometry_.solids[primitive], plane, geometry_.planes);
     Outline outline;
     outline.reserve(found->second.size());
     for (const glm::dvec3& point : found->second) outline.emplace_back(glm::dot(right, point), glm::dot(up, point));
@@ -166,7 +167,7 @@ class PairSearch {
   }
 
   const model::Tree& tree_;
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   std::vector<std::vector<std::uint32_t>> users_;  ///< of each plane, the primitives that have a face in it
   std::vector<std::uint32_t> nodes_;
   std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> polygons_;  ///< of faces, by primitive and plane
@@ -178,6 +179,8 @@ class PairSearch {
 
 }  // namespace
 
-NearFaces near_faces(const model::Tree& tree, const facet::Scene& scene) { return PairSearch(tree, scene).find(); }
+NearFaces near_faces(const model::Tree& tree, const facet::Geometry& geometry) {
+  return PairSearch(tree, geometry).find();
+}
 
 }  // namespace csgsim::convex

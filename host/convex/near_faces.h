@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 
 namespace csgsim::convex {
@@ -28,6 +28,6 @@ struct NearFaces {
 inline constexpr std::uint64_t most_near_faces = 1'000'000;
 
 /// Takes n log n of the planes, and the pairs of faces in near planes, of each at most most_near_faces.
-NearFaces near_faces(const model::Tree& tree, const facet::Scene& scene);
+NearFaces near_faces(const model::Tree& tree, const facet::Geometry& geometry);
 
 }  // namespace csgsim::convex

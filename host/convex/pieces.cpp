@@ -22,9 +22,10 @@ struct Part {
 
 class Division {
  public:
-  Division(const facet::Scene& scene, std::size_t most, const Work& work) : scene_(scene), most_(most), work_(work) {
-    for (const facet::Convex& solid : scene.solids) {
-      boxes_.push_back({solid.box.low - scene.planes.centre(), solid.box.high - scene.planes.centre()});
+  Division(const facet::Geometry& geometry, std::size_t most, const Work& work)
+      : geometry_(geometry), most_(most), work_(work) {
+    for (const facet::Convex& solid : geometry.solids) {
+      boxes_.push_back({solid.box.low - geometry.planes.centre(), solid.box.high - geometry.planes.centre()});
     }
   }
 
@@ -43,7 +44,7 @@ class Division {
       }
       require_few(pieces_.size() + done.size() + open_.size());
     }
-    merge(done, scene_.planes, work_);
+    merge(done, geometry_.planes, work_);
     for (Polytope& polytope : done) pieces_.push_back({std::move(polytope), product.primitive, product_});
     if (!done.empty()) ++product_;
   }
@@ -60,9 +61,9 @@ class Division {
 
   /// Takes the last of its primitives away from a part.
   void take_away(Part part) {
-    const facet::Convex& solid = scene_.solids[part.taken_away.back()];
+    const facet::Convex& solid = geometry_.solids[part.taken_away.back()];
     part.taken_away.pop_back();
-    for (Polytope& polytope : outside(std::move(part.polytope), solid, scene_.planes, work_))
+    for (Polytope& polytope : outside(std::move(part.polytope), solid, geometry_.planes, work_))
       open(std::move(polytope), part.taken_away);
   }
 
@@ -75,7 +76,7 @@ class Division {
     open_.push_back(std::move(part));
   }
 
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   std::size_t most_;
   const Work& work_;
   std::vector<facet::Box> boxes_;  ///< of the primitives, relative to PlaneTable::centre()
@@ -86,11 +87,11 @@ class Division {
 
 }  // namespace
 
-std::vector<Piece> pieces(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most,
+std::vector<Piece> pieces(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t most,
                           const Work& work) {
-  Division division(scene, most, work);
+  Division division(geometry, most, work);
   for_each_product(
-      scene, tree, [&](SolidProduct product) { division.add(std::move(product)); }, most_operands, work);
+      geometry, tree, [&](SolidProduct product) { division.add(std::move(product)); }, most_operands, work);
   return division.take();
 }
 

@@ -6,7 +6,7 @@
 
 #include "host/convex/polytope.h"
 #include "host/csg/positive_tree.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "hw/base/work.h"
 
 namespace csgsim::convex {
@@ -25,7 +25,7 @@ inline constexpr std::size_t most_pieces = 100'000;
 /// half-spaces that the common part of A and B has a face on take part. What of a product is left in the end is merged
 /// where it can be. Each cut may lose what clip() loses. Throws InputError if there are more than `most` before that,
 /// and WorkError past the limit on work.
-std::vector<Piece> pieces(const facet::Scene& scene, const csg::PositiveTree& tree, std::size_t most = most_pieces,
-                          const Work& work = {});
+std::vector<Piece> pieces(const facet::Geometry& geometry, const csg::PositiveTree& tree,
+                          std::size_t most = most_pieces, const Work& work = {});
 
 }  // namespace csgsim::convex

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "host/facet/geometry.h"
 #include "host/facet/planes.h"
-#include "host/facet/scene.h"
 #include "hw/base/work.h"
 
 namespace csgsim::convex {

@@ -42,7 +42,7 @@ Reach reach_of(const PositiveNode& node, const std::vector<Reach>& below) {
   return decided ? Reach{decisive, *decided} : Reach{!decisive, all};
 }
 
-std::vector<Reach> reaches(const facet::Scene& scene, const PositiveTree& tree) {
+std::vector<Reach> reaches(const facet::Geometry& geometry, const PositiveTree& tree) {
   std::vector<Reach> found(tree.nodes.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const PositiveNode& node = tree.nodes[i];
@@ -50,9 +50,9 @@ std::vector<Reach> reaches(const facet::Scene& scene, const PositiveTree& tree) 
       found[i] = reach_of(node, found);
       continue;
     }
-    const facet::Box& box = scene.solids[node.primitive].box;
+    const facet::Box& box = geometry.solids[node.primitive].box;
     found[i] = {node.complemented, box};
-    if (!box.empty()) found[i].box = {box.low - scene.planes.centre(), box.high - scene.planes.centre()};
+    if (!box.empty()) found[i].box = {box.low - geometry.planes.centre(), box.high - geometry.planes.centre()};
   }
   return found;
 }
@@ -74,9 +74,9 @@ struct Branch {
 
 class Enumeration {
  public:
-  Enumeration(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
+  Enumeration(const facet::Geometry& geometry, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
               std::uint64_t most, const Work& work)
-      : scene_(scene), tree_(tree), use_(use), most_(most), work_(work), reaches_(reaches(scene, tree)) {}
+      : geometry_(geometry), tree_(tree), use_(use), most_(most), work_(work), reaches_(reaches(geometry, tree)) {}
 
   void operator()() {
     branches_.push_back({std::make_shared<const Partial>(), tree_.root});
@@ -101,13 +101,13 @@ class Enumeration {
 
   /// Intersects with a primitive; false if nothing is left.
   bool narrow(Partial& partial, std::uint32_t primitive) const {
-    const facet::Convex& solid = scene_.solids[primitive];
+    const facet::Convex& solid = geometry_.solids[primitive];
     if (!partial.whole) {
-      partial.whole = make_polytope(solid, scene_.planes, work_);
+      partial.whole = make_polytope(solid, geometry_.planes, work_);
     } else {
       for (const facet::Halfspace& halfspace : solid.halfspaces) {
         work_.charge(clip_steps(*partial.whole), multiplying_out);
-        partial.whole = clip(std::move(*partial.whole), halfspace, scene_.planes);
+        partial.whole = clip(std::move(*partial.whole), halfspace, geometry_.planes);
       }
     }
     partial.box = box_of(*partial.whole);
@@ -195,7 +195,7 @@ class Enumeration {
     use_({std::move(*partial.whole), std::move(partial.taken_away), partial.primitive});
   }
 
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   const PositiveTree& tree_;
   const std::function<void(SolidProduct)>& use_;
   std::uint64_t most_;
@@ -207,9 +207,9 @@ class Enumeration {
 
 }  // namespace
 
-void for_each_product(const facet::Scene& scene, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
-                      std::uint64_t most, const Work& work) {
-  if (tree.root != model::no_index) Enumeration(scene, tree, use, most, work)();
+void for_each_product(const facet::Geometry& geometry, const PositiveTree& tree,
+                      const std::function<void(SolidProduct)>& use, std::uint64_t most, const Work& work) {
+  if (tree.root != model::no_index) Enumeration(geometry, tree, use, most, work)();
 }
 
 }  // namespace csgsim::convex

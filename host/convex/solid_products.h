@@ -6,7 +6,7 @@
 
 #include "host/convex/polytope.h"
 #include "host/csg/positive_tree.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "hw/base/work.h"
 
 namespace csgsim::convex {
@@ -28,7 +28,7 @@ inline constexpr std::uint64_t most_operands = 1'000'000;
 /// A union of complements, from A - (B * C), is worked out without overlap, A - B and A * B - C: intersections of many
 /// of them then have many empty products. Other unions overlap as their operands do. Throws InputError past
 /// `most` operands chosen, and WorkError past the limit on work.
-void for_each_product(const facet::Scene& scene, const csg::PositiveTree& tree,
+void for_each_product(const facet::Geometry& geometry, const csg::PositiveTree& tree,
                       const std::function<void(SolidProduct)>& use, std::uint64_t most = most_operands,
                       const Work& work = {});
 

@@ -94,8 +94,9 @@ BoxIndex index_of(const view::View& view) {
 
 }  // namespace
 
-Pruner::Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning)
-    : scene_(scene), view_(view), tree_(tree), pruning_(pruning), paths_(tree) {
+Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
+               const Pruning& pruning)
+    : geometry_(geometry), view_(view), tree_(tree), pruning_(pruning), paths_(tree) {
   if (pruning.picture && view.extents.size() > few_primitives) boxes_ = index_of(view);
 }
 
@@ -110,7 +111,7 @@ Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect
   }
   if (block.pixels.empty() || block.z_low > block.z_high) return {};
   if (pruning_.halfspaces) {
-    for (const std::uint32_t primitive : set) tighten(block, view_, scene_.solids[primitive]);
+    for (const std::uint32_t primitive : set) tighten(block, view_, geometry_.solids[primitive]);
   }
   return block.z_low > block.z_high ? Block{} : block;
 }
@@ -173,7 +174,7 @@ Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
       return separated(view_.extents[leaf.primitive].corners, view_.extents[primitive].corners);
     };
     if (pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_separate)) return Known::out;
-    return pruning_.halfspaces ? locate(view_, scene_, leaf.primitive, place.block) : Known::depends;
+    return pruning_.halfspaces ? locate(view_, geometry_, leaf.primitive, place.block) : Known::depends;
   }();
   if (known == Known::depends || !leaf.complemented) return known;
   return known == Known::in ? Known::out : Known::in;

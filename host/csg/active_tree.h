@@ -11,7 +11,7 @@
 #include "host/csg/positive_tree.h"
 #include "host/csg/pruning.h"
 #include "host/csg/tree_paths.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/projection.h"
 
 namespace csgsim::csg {
@@ -51,7 +51,8 @@ struct ActiveTree {
 /// are visited; the other parts are known, as they are the same wherever none of their primitives is.
 class Pruner {
  public:
-  Pruner(const facet::Scene& scene, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {});
+  Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
+         const Pruning& pruning = {});
 
   /// The part of the region and the depths that the surface of a set can be in; its pixels are empty if there are none.
   [[nodiscard]] Block block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
@@ -81,7 +82,7 @@ class Pruner {
   void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;
   void find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const;
 
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   const view::View& view_;
   const PositiveTree& tree_;
   Pruning pruning_;

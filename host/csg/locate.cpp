@@ -82,7 +82,7 @@ Known locate(const view::View& view, facet::QuadricSide side, const Block& block
   return Known::depends;
 }
 
-Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block) {
+Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block) {
   const view::Extent& extent = view.extents[primitive];
   const view::PixelRect shared = common(extent.pixels, block.pixels);
   if (extent.empty() || shared.empty() || extent.z_low > block.z_high || extent.z_high < block.z_low) return Known::out;
@@ -93,18 +93,18 @@ Known locate(const view::View& view, const facet::Scene& scene, std::uint32_t pr
     inside = inside && known == Known::in;
     return known == Known::out;
   };
-  const facet::Convex& solid = scene.solids[primitive];
+  const facet::Convex& solid = geometry.solids[primitive];
   if (std::ranges::any_of(solid.halfspaces, is_out) || std::ranges::any_of(solid.quadrics, is_out)) return Known::out;
   return inside ? Known::in : Known::depends;
 }
 
-bool holds(const view::View& view, const facet::Scene& scene, std::uint32_t primitive, const Block& block) {
+bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block) {
   const view::Extent& extent = view.extents[primitive];
   const bool is_inside = !block.pixels.empty() && !extent.empty() &&
                          common(extent.pixels, block.pixels) == block.pixels && extent.z_low <= block.z_high &&
                          extent.z_high >= block.z_low;
   const auto holds_block = [&](const auto& bound) { return locate(view, bound, block) == Known::in; };
-  const facet::Convex& solid = scene.solids[primitive];
+  const facet::Convex& solid = geometry.solids[primitive];
   return is_inside && std::ranges::all_of(solid.halfspaces, holds_block) &&
          std::ranges::all_of(solid.quadrics, holds_block);
 }

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "host/csg/pruning.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/projection.h"
 
 namespace csgsim::csg {

@@ -57,8 +57,8 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
     view::Sampling sampling = drawing.view.sampling;
     sampling.offset = offset;
     state.drawings.push_back(emit::make_drawing(
-        drawing.tree, drawing.scene, view::make_view(*drawing.scene, *drawing.tree, drawing.view.camera, sampling),
-        drawing.nesting, workshop));
+        drawing.tree, drawing.geometry,
+        view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling), drawing.nesting, workshop));
   }
   return state;
 }

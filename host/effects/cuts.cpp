@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "host/emit/facet_colour.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 
@@ -73,7 +73,7 @@ model::Primitive kept_side(const Cut& cut, std::uint32_t number, double reach) {
 model::Tree reshape(const std::any& settings, model::Tree&& tree) {
   const auto& cuts = std::any_cast<const Cuts&>(settings);
   if (tree.root == model::no_index) return std::move(tree);
-  const facet::Box box = facet::make_scene(tree).box;
+  const facet::Box box = facet::make_geometry(tree).box;
   if (box.empty()) return std::move(tree);
   model::Node all;
   all.op = model::Operator::intersect;

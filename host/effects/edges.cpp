@@ -65,7 +65,7 @@ std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Conv
 }
 
 /// 0 is for where nothing is seen.
-Numbers number(const model::Tree& tree, const facet::Scene& scene, const EdgeSettings& settings) {
+Numbers number(const model::Tree& tree, const facet::Geometry& scene, const EdgeSettings& settings) {
   Numbers numbers;
   for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
     const facet::Convex& solid = scene.solids[i];
@@ -89,14 +89,15 @@ emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing
   emit::EffectState state;
   // Lines are drawn in the finished picture, not in what is drawn within it.
   if (drawing.nesting > 0) return state;
-  state.own = number(*drawing.tree, *drawing.scene, std::any_cast<const EdgeSettings&>(settings));
+  state.own = number(*drawing.tree, *drawing.geometry, std::any_cast<const EdgeSettings&>(settings));
   for (const glm::dvec2& place : places) {
     view::Sampling sampling = drawing.view.sampling;
     sampling.offset += place;
     // Numbers have no part in any effect.
-    state.drawings.push_back(emit::make_drawing(
-        drawing.tree, drawing.scene, view::make_view(*drawing.scene, *drawing.tree, drawing.view.camera, sampling),
-        drawing.nesting + 1, {workshop.machine, workshop.options, {}}));
+    state.drawings.push_back(
+        emit::make_drawing(drawing.tree, drawing.geometry,
+                           view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling),
+                           drawing.nesting + 1, {workshop.machine, workshop.options, {}}));
   }
   return state;
 }
@@ -124,7 +125,7 @@ void draw_numbers(const emit::EffectCall& call, emit::Broadcast& out, const emit
   const auto& numbers = std::any_cast<const Numbers&>(call.state.own);
   const emit::Paint paint = [&](const emit::Facet& facet) {
     if (facet.at == emit::At::cap) return numbers.of_primitives[facet.primitive];
-    const std::vector<facet::Halfspace>& all = drawing.scene->solids[facet.primitive].halfspaces;
+    const std::vector<facet::Halfspace>& all = drawing.geometry->solids[facet.primitive].halfspaces;
     const auto found = std::find_if(all.begin(), all.end(), [&](const facet::Halfspace& one) {
       return one.plane == facet.halfspace.plane && one.positive == facet.halfspace.positive;
     });

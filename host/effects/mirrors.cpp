@@ -61,7 +61,7 @@ struct PreparedMirrors {
 
 bool is_flat(const emit::Drawing& drawing, const Face& face) {
   return emit::is_flat(drawing.tree->primitives[face.primitive],
-                       drawing.scene->planes.planes()[face.halfspace.plane].normal);
+                       drawing.geometry->planes.planes()[face.halfspace.plane].normal);
 }
 
 /// In 1/256.
@@ -81,7 +81,7 @@ bool is_seen(const emit::Drawing& drawing, const Face& face) {
 
 std::vector<Face> mirroring_faces(const emit::Drawing& drawing, std::uint32_t primitive) {
   std::vector<Face> faces;
-  for (const facet::Halfspace& halfspace : drawing.scene->solids[primitive].halfspaces) {
+  for (const facet::Halfspace& halfspace : drawing.geometry->solids[primitive].halfspaces) {
     const Face face{primitive, halfspace};
     if (is_seen(drawing, face) && is_flat(drawing, face)) faces.push_back(face);
   }
@@ -127,18 +127,18 @@ std::vector<Mirror> mirrors_of(const emit::Drawing& drawing) {
 /// Has the mirror show something. False if it is seen so nearly edge-on that nothing is to be seen in it.
 bool look_into(Mirror& mirror, const emit::Drawing& drawing, const emit::Workshop& workshop) {
   const std::uint32_t plane = mirror.faces.front().halfspace.plane;
-  const Reflected reflected_model = reflected(*drawing.tree, *drawing.scene, plane);
+  const Reflected reflected_model = reflected(*drawing.tree, *drawing.geometry, plane);
   const std::uint32_t image = reflected_model.of_planes[plane].plane;
   view::View view =
-      view::make_view(*reflected_model.scene, *reflected_model.tree, drawing.view.camera, drawing.view.sampling);
+      view::make_view(*reflected_model.geometry, *reflected_model.tree, drawing.view.camera, drawing.view.sampling);
   const view::ScreenPlane seen = view.planes[image];
   if (seen.kind != view::PlaneKind::surface || !seen.representable) return false;
   const unsigned count = drawing.reflection ? drawing.reflection->count + 1 : 1;
   mirror.plane = seen.linear;
   mirror.drawing = emit::make_drawing(
-      reflected_model.tree, reflected_model.scene, std::move(view), drawing.nesting + 1, workshop,
+      reflected_model.tree, reflected_model.geometry, std::move(view), drawing.nesting + 1, workshop,
       emit::Reflection{count, image, pixels_of(drawing, mirror.faces),
-                       reflected(drawing.look.lighting, *drawing.scene, plane, drawing.view.camera)});
+                       reflected(drawing.look.lighting, *drawing.geometry, plane, drawing.view.camera)});
   return true;
 }
 

@@ -57,7 +57,7 @@ std::vector<std::vector<std::uint32_t>> touching_pieces(const emit::Drawing& dra
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     const bool has_others = (i > 0 && nodes[i - 1] == nodes[i]) || (i + 1 < nodes.size() && nodes[i + 1] == nodes[i]);
     const bool is_piece = has_others && drawn[i] && !positive.nodes[positive.leaf_of[i]].complemented;
-    if (is_piece) entries.push_back({box_of(drawing.scene->solids[i].box, nodes[i]), i});
+    if (is_piece) entries.push_back({box_of(drawing.geometry->solids[i].box, nodes[i]), i});
   }
   std::vector<std::vector<std::uint32_t>> touching(nodes.size());
   const csg::BoxIndex index(entries);

@@ -36,8 +36,8 @@ facet::Plane absolute(const facet::Plane& plane, const glm::dvec3& centre) {
   return {plane.normal, plane.offset - glm::dot(plane.normal, centre)};
 }
 
-Mirroring mirroring_of(const facet::Scene& scene, std::uint32_t plane) {
-  const facet::Plane mirror = absolute(scene.planes.planes()[plane], scene.planes.centre());
+Mirroring mirroring_of(const facet::Geometry& geometry, std::uint32_t plane) {
+  const facet::Plane mirror = absolute(geometry.planes.planes()[plane], geometry.planes.centre());
   return {mirror.normal, mirror.offset};
 }
 
@@ -58,31 +58,31 @@ facet::Convex reflected(const facet::Convex& solid, const Mirroring& mirroring,
 
 }  // namespace
 
-Reflected reflected(const model::Tree& tree, const facet::Scene& scene, std::uint32_t plane) {
-  const Mirroring mirroring = mirroring_of(scene, plane);
-  const glm::dvec3& centre = scene.planes.centre();
+Reflected reflected(const model::Tree& tree, const facet::Geometry& geometry, std::uint32_t plane) {
+  const Mirroring mirroring = mirroring_of(geometry, plane);
+  const glm::dvec3& centre = geometry.planes.centre();
   facet::Box all;
-  for (const facet::Convex& solid : scene.solids) all = facet::hull(all, solid.box);
+  for (const facet::Convex& solid : geometry.solids) all = facet::hull(all, solid.box);
   Reflected result;
-  facet::Scene other{{}, facet::PlaneTable(mirroring.place(centre), glm::length(all.high - all.low)), {}};
-  for (const facet::Plane& one : scene.planes.planes())
+  facet::Geometry other{{}, facet::PlaneTable(mirroring.place(centre), glm::length(all.high - all.low)), {}};
+  for (const facet::Plane& one : geometry.planes.planes())
     result.of_planes.push_back(other.planes.add(mirroring.plane(absolute(one, centre))));
   auto other_tree = std::make_shared<model::Tree>(tree);
   for (model::Primitive& one : other_tree->primitives) one.transform = mirroring.matrix() * one.transform;
   std::vector<facet::Box> boxes;
-  for (const facet::Convex& solid : scene.solids) {
+  for (const facet::Convex& solid : geometry.solids) {
     other.solids.push_back(reflected(solid, mirroring, result.of_planes));
     boxes.push_back(other.solids.back().box);
   }
   other.box = facet::fold_boxes(tree, boxes);
   result.tree = std::move(other_tree);
-  result.scene = std::make_shared<facet::Scene>(std::move(other));
+  result.geometry = std::make_shared<facet::Geometry>(std::move(other));
   return result;
 }
 
-lighting::Lighting reflected(const lighting::Lighting& lighting, const facet::Scene& scene, std::uint32_t plane,
+lighting::Lighting reflected(const lighting::Lighting& lighting, const facet::Geometry& geometry, std::uint32_t plane,
                              const view::Camera& camera) {
-  const facet::Plane mirror = absolute(scene.planes.planes()[plane], scene.planes.centre());
+  const facet::Plane mirror = absolute(geometry.planes.planes()[plane], geometry.planes.centre());
   const view::Basis axes = view::basis(camera);
   const auto turned = [&](const glm::dvec3& v) {
     return glm::dvec3(glm::dot(v, axes.right), glm::dot(v, axes.up), glm::dot(v, axes.forward));

@@ -37,7 +37,7 @@ Outline outline_of(const emit::Context& context, const emit::PlannedSurface& pla
     keep(complemented ? compared.out({Side::front, true, half.linear}) : compared.in(half));
   }
   for (const std::uint32_t primitive : planned.set) {
-    for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+    for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
       const view::ScreenPlane& edge = context.view.planes[halfspace.plane];
       if (edge.kind == view::PlaneKind::edge && edge.representable)
         keep(compared.in({view::side_of(edge, halfspace), false, edge.linear}));

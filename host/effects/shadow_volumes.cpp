@@ -69,7 +69,7 @@ std::optional<SeenVolume> seen(const emit::Drawing& drawing, const convex::Shado
   const view::View& view = drawing.view;
   Volume result(drawing, primitive);
   for (const facet::Plane& plane : volume.silhouette)
-    result.add(view::screen_plane(view, plane, drawing.scene->planes.centre()), true, false);
+    result.add(view::screen_plane(view, plane, drawing.geometry->planes.centre()), true, false);
   for (const facet::Halfspace& one : volume.edge_on) result.add(view.planes[one.plane], one.positive, false);
   for (const facet::Halfspace& one : volume.facing) result.add(view.planes[one.plane], one.positive, true);
   return result.take();
@@ -85,7 +85,7 @@ bool is_caster(const model::Primitive& primitive, const Casters& casters) {
 std::vector<ShadowLight> shadow_lights(const emit::Drawing& drawing, const std::vector<std::size_t>& lights,
                                        const Casters& casters, const Work& work) {
   const std::vector<convex::Piece> pieces =
-      convex::pieces(*drawing.scene, drawing.plan.positive, convex::most_pieces, work);
+      convex::pieces(*drawing.geometry, drawing.plan.positive, convex::most_pieces, work);
   std::vector<ShadowLight> result;
   for (const std::size_t light : lights) {
     ShadowLight one{light, {}};
@@ -93,7 +93,7 @@ std::vector<ShadowLight> shadow_lights(const emit::Drawing& drawing, const std::
     for (const convex::Piece& piece : pieces) {
       if (!is_caster(drawing.tree->primitives[piece.primitive], casters)) continue;
       work.charge(convex::clip_steps(piece.polytope), "finding what is in the shadow");
-      const convex::ShadowVolume volume = convex::shadow_volume(piece.polytope, from, drawing.scene->planes);
+      const convex::ShadowVolume volume = convex::shadow_volume(piece.polytope, from, drawing.geometry->planes);
       if (auto found = seen(drawing, volume, piece.primitive)) one.volumes.push_back(*std::move(found));
     }
     result.push_back(std::move(one));

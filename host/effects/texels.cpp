@@ -95,8 +95,8 @@ double first_number(const TexelCoordinate& coordinate) { return std::floor(coord
 }  // namespace
 
 TexelCoordinates texel_coordinates(const emit::Context& context, const emit::Facet& facet, const TexelGrid& grid) {
-  const facet::Plane& plane = context.scene.planes.planes()[facet.halfspace.plane];
-  const glm::dvec3 place = context.scene.planes.centre() - plane.normal * plane.offset;
+  const facet::Plane& plane = context.geometry.planes.planes()[facet.halfspace.plane];
+  const glm::dvec3 place = context.geometry.planes.centre() - plane.normal * plane.offset;
   const PlanePoint point = plane_point(view::eye_space(context.view.camera, context.view.sampling),
                                        context.view.sampling, plane.normal, place);
   const std::vector<glm::dvec3> vertices = emit::vertices_of(context, facet);

@@ -7,7 +7,7 @@
 
 #include "host/view/fixed_point.h"
 #include "host/view/projection.h"
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 #include "hw/base/work.h"
 #include "hw/isa/program.h"
 

@@ -17,7 +17,7 @@
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/fast_spheres.h"
-#include "host/emit/quadrics.h"
+#include "host/emit/quadric_depths.h"
 #include "hw/base/error.h"
 #include "hw/isa/extents.h"
 #include "hw/isa/opcodes.h"
@@ -63,10 +63,11 @@ void name_primitives(const std::vector<const Drawing*>& drawings, isa::Facts& fa
   isa::set_piece_counts(pieces, facts);
 }
 
-isa::ModelFacts model_facts(const model::Tree& tree, const facet::Scene& scene) {
+isa::ModelFacts model_facts(const model::Tree& tree, const facet::Geometry& geometry) {
   const model::Counts counts = model::count(tree);
   isa::ModelFacts facts{tree.file, counts.primitives, counts.unions, counts.differences, counts.intersections, 0};
-  for (const facet::Convex& solid : scene.solids) facts.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
+  for (const facet::Convex& solid : geometry.solids)
+    facts.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
   return facts;
 }
 
@@ -79,7 +80,7 @@ std::vector<std::string> effect_names(std::span<const CalledEffect> called) {
 /// All that a Program is compiled from.
 struct Input {
   const model::Tree& tree;
-  const facet::Scene& scene;
+  const facet::Geometry& geometry;
   const Drawing& drawing;
   const machines::Machine& machine;
   std::optional<machines::Division> division;  ///< of the machine
@@ -96,7 +97,7 @@ constexpr std::size_t many_halfspaces = 10'000;
 std::size_t halfspaces_drawn(const Context& context) {
   std::size_t count = 0;
   for (const PlannedSurface& one : context.plan.surfaces)
-    for (const std::uint32_t primitive : one.set) count += context.scene.solids[primitive].halfspaces.size();
+    for (const std::uint32_t primitive : one.set) count += context.geometry.solids[primitive].halfspaces.size();
   return count;
 }
 
@@ -153,7 +154,7 @@ ClassificationBits bits_of(const std::vector<const Drawing*>& drawings, const Op
 /// Bits of the squares that fast spheres of a drawing need; 0 where it has none.
 unsigned bits_of_squares(const Drawing& drawing) {
   unsigned bits = 0;
-  if (!drawing.scene->fast_spheres || drawing.scene->quadrics.quadrics().empty()) return bits;
+  if (!drawing.geometry->fast_spheres || drawing.geometry->quadrics.quadrics().empty()) return bits;
   for (const SegmentPlan& segment : drawing.plan.segments) bits = std::max(bits, squares_bits(segment.region));
   return bits;
 }
@@ -162,7 +163,7 @@ unsigned bits_of_squares(const Drawing& drawing) {
 QuadricBits bits_of_quadrics(const std::vector<const Drawing*>& drawings, unsigned colour_bits) {
   QuadricBits most;
   for (const Drawing* const one : drawings) {
-    const QuadricBits bits = quadric_bits(*one->scene, one->view, colour_bits);
+    const QuadricBits bits = quadric_bits(*one->geometry, one->view, colour_bits);
     most = {std::max(most.root, bits.root), std::max(most.squares, bits_of_squares(*one)),
             std::max(most.sum, bits.sum)};
   }
@@ -189,11 +190,11 @@ isa::Program compile_as(const Input& input, const Options& options) {
   const Workshop workshop{input.machine, options, input.called};
   QuadricBits quadrics = bits_of_quadrics(drawings, options.colour_bits);
   const bool is_plain = !second_colour && input.called.size() == 1;
-  quadrics.in_place =
-      is_plain && quadrics.squares > 0 && draws_in_place(input.scene, drawing.view, drawing.plan, options.colour_bits);
+  quadrics.in_place = is_plain && quadrics.squares > 0 &&
+                      draws_in_place(input.geometry, drawing.view, drawing.plan, options.colour_bits);
   if (quadrics.in_place) quadrics.sum = 0;
   quadrics.root_in_candidate =
-      is_plain && quadrics.root > 0 && takes_roots_in_candidate(input.scene, drawing.view, drawing.plan);
+      is_plain && quadrics.root > 0 && takes_roots_in_candidate(input.geometry, drawing.view, drawing.plan);
   const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
                                      machines::second_buffer(options.colour_bits, input.machine),
                                      has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), quadrics},
@@ -204,14 +205,14 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.colour = layout.colour;
   name_primitives(drawings, program.facts);
   program.facts.depth_scale = drawing.view.depth;
-  program.facts.model = model_facts(input.tree, input.scene);
+  program.facts.model = model_facts(input.tree, input.geometry);
   program.facts.fields = named_fields(layout);
   program.background = packed_background(options.scene, options.colour_bits);
 
   ScanConversions counts;
   for (std::size_t i = 0; i < drawing.plan.segments.size(); ++i) {
-    Context context{input.tree, input.scene, drawing.view,  drawing.plan.positive, drawing.plan.segments[i],
-                    layout,     options,     input.machine, drawing.look};
+    Context context{input.tree, input.geometry, drawing.view,  drawing.plan.positive, drawing.plan.segments[i],
+                    layout,     options,        input.machine, drawing.look};
     context.segment = i;
     context.called = input.called;
     context.states = &drawing.states;
@@ -238,7 +239,7 @@ isa::Program compile_for_machine(const Input& input, const Options& chosen) {
   options.work = chosen.work.afresh();
   isa::Program program = compile_as(input, options);
   if (input.division)
-    add_division(program, *input.division, input.tree, input.scene, input.drawing.view, input.machine, options);
+    add_division(program, *input.division, input.tree, input.geometry, input.drawing.view, input.machine, options);
   return program;
 }
 
@@ -290,7 +291,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   return all;
 }
 
-isa::Program compile_within(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                             const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
   const std::optional<machines::Division> division = machines::division(machine);
   Options options = division ? options_for(*division, wanted) : wanted;
@@ -298,8 +299,8 @@ isa::Program compile_within(const model::Tree& tree, const facet::Scene& scene, 
   const std::vector<CalledEffect> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
-  const auto drawing = make_drawing(borrowed(tree), borrowed(scene), view, 0, {machine, options, called});
-  const Input input{tree, scene, *drawing, machine, division, called};
+  const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), view, 0, {machine, options, called});
+  const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());
   std::optional<isa::Program> best;
@@ -324,10 +325,10 @@ isa::Program compile_within(const model::Tree& tree, const facet::Scene& scene, 
 
 }  // namespace
 
-isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                      const machines::Machine& machine, const Options& options, const ClockCounter& count) {
   try {
-    return compile_within(tree, scene, view, machine, options, count);
+    return compile_within(tree, geometry, view, machine, options, count);
   } catch (const WorkError& error) {
     throw InputError(fmt::format("{}: {}", tree.file, error.what()));
   }

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
@@ -15,11 +15,11 @@ namespace csgsim::emit {
 /// Tells the clocks that a Program takes.
 using ClockCounter = std::function<std::uint64_t(const isa::Program&)>;
 
-/// Compiles a scene, as a view sees it, into a Program with a segment for each region that the machine works on. The
+/// Compiles a model, as a view sees it, into a Program with a segment for each region that the machine works on. The
 /// machine says how many memory bits there are, and whether it can be asked if any pixel is enabled; its picture is as
 /// large as the view's. Where something is left to be chosen, `count` says what takes the fewest clocks; without it,
 /// they are those if nothing is skipped. Throws InputError where the model does not fit the machine.
-isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                      const machines::Machine& machine, const Options& options = {}, const ClockCounter& count = {});
 
 }  // namespace csgsim::emit

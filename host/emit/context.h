@@ -55,7 +55,7 @@ using Paint = std::function<std::uint32_t(const Facet& facet)>;
 /// What every part of the emitter reads while it works on one segment.
 struct Context {
   const model::Tree& tree;
-  const facet::Scene& scene;
+  const facet::Geometry& geometry;
   const view::View& view;
   const csg::PositiveTree& positive;
   const SegmentPlan& plan;

@@ -60,7 +60,7 @@ std::vector<division::Halfspace> halfspaces_of(const Context& context, std::uint
   std::vector<division::Halfspace> sent;
   const view::Extent& extent = context.view.extents[primitive];
   if (extent.empty()) return sent;
-  for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+  for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
     const view::ScreenPlane& plane = context.view.planes[halfspace.plane];
     if (!plane.representable) {
       const csg::Block anywhere{extent.pixels, 0, context.farthest()};
@@ -135,8 +135,8 @@ Options divider_options(Options options) {
   return options;
 }
 
-division::DisplayModel make_display_model(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                                          const Options& options, std::uint32_t memory_bits) {
+division::DisplayModel make_display_model(const model::Tree& tree, const facet::Geometry& geometry,
+                                          const view::View& view, const Options& options, std::uint32_t memory_bits) {
   if (options.colouring == Colouring::automatic)
     throw InputError("the divider has to be told how colours are found; take --colouring rebroadcast or field");
   const view::Sampling& sampling = view.sampling;
@@ -146,7 +146,7 @@ division::DisplayModel make_display_model(const model::Tree& tree, const facet::
   const SegmentPlan segment;
   const machines::Machine machine;
   const Look look = make_look(options.scene, tree, positive, view.camera);
-  const Context context{tree, scene, view, positive, segment, layout, options, machine, look};
+  const Context context{tree, geometry, view, positive, segment, layout, options, machine, look};
   SentPlanes planes(view);
   division::DisplayModel made{sampling.width,
                               sampling.height,

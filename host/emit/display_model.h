@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/division/display_model.h"
@@ -16,7 +16,7 @@ Options divider_options(Options options);
 /// bits that other fields leave are for the stack. Throws InputError if the other fields do not fit, if the colouring
 /// is left to be chosen, or, naming the primitive, where coefficients of a face do not fit and the face may matter
 /// somewhere in the primitive's rectangle of pixels.
-division::DisplayModel make_display_model(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                                          const Options& options, std::uint32_t memory_bits);
+division::DisplayModel make_display_model(const model::Tree& tree, const facet::Geometry& geometry,
+                                          const view::View& view, const Options& options, std::uint32_t memory_bits);
 
 }  // namespace csgsim::emit

@@ -72,13 +72,13 @@ Options options_for(const machines::Division& /*division*/, const Options& optio
 }
 
 void add_division(isa::Program& program, const machines::Division& division, const model::Tree& tree,
-                  const facet::Scene& scene, const view::View& view, const machines::Machine& machine,
+                  const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options) {
   program.display_model =
-      bytes_of(division::encode(make_display_model(tree, scene, view, options, program.shape.memory_bits)));
+      bytes_of(division::encode(make_display_model(tree, geometry, view, options, program.shape.memory_bits)));
   const std::span<isa::Segment> segments = program.segments;
   if (division.group_side == 0 && division.groups.empty()) {
-    const auto counts = count_division(tree, scene, view, options, regions_of(segments));
+    const auto counts = count_division(tree, geometry, view, options, regions_of(segments));
     for (std::size_t i = 0; i < segments.size(); ++i) put(counts[i], segments[i]);
     return;
   }
@@ -94,9 +94,9 @@ void add_division(isa::Program& program, const machines::Division& division, con
     next = static_cast<std::size_t>(end - segments.begin());
     const std::span<isa::Segment> squares = segments.subspan(first, next - first);
     const std::vector<isa::Region> regions = regions_of(squares);
-    const GroupCounts counts = count_group(tree, scene, view, options, group, regions);
+    const GroupCounts counts = count_group(tree, geometry, view, options, group, regions);
     const bool fits = counts.entries <= division.list_entries;
-    const auto of_squares = fits ? counts.squares : count_division(tree, scene, view, options, regions);
+    const auto of_squares = fits ? counts.squares : count_division(tree, geometry, view, options, regions);
     for (std::size_t i = 0; i < squares.size(); ++i) put(of_squares[i], squares[i]);
     isa::DivisionCounts& of_group = squares.front().division;
     of_group.group_boxes = counts.group.boxes;

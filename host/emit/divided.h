@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
@@ -17,7 +17,7 @@ Options options_for(const machines::Division& division, const Options& options);
 /// Adds to a Program that was compiled with such options, and with a colouring chosen, what the machine is sent in
 /// place of the segments, and the tests that each takes there. Throws as make_display_model does.
 void add_division(isa::Program& program, const machines::Division& division, const model::Tree& tree,
-                  const facet::Scene& scene, const view::View& view, const machines::Machine& machine,
+                  const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options);
 
 }  // namespace csgsim::emit

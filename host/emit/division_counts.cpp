@@ -34,9 +34,9 @@ struct Listed {
 
 class Counter {
  public:
-  Counter(const model::Tree& tree, const facet::Scene& scene, const view::View& view, const Options& options)
+  Counter(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view, const Options& options)
       : tree_(tree),
-        scene_(scene),
+        geometry_(geometry),
         view_(view),
         options_(divider_options(options)),
         positive_(csg::make_positive(tree)) {
@@ -48,8 +48,8 @@ class Counter {
 
   [[nodiscard]] Listed everything() const {
     Listed listed;
-    listed.primitives.assign(scene_.solids.size(), true);
-    for (std::uint32_t i = 0; i < scene_.solids.size(); ++i) listed.halfspaces.push_back(sent(i));
+    listed.primitives.assign(geometry_.solids.size(), true);
+    for (std::uint32_t i = 0; i < geometry_.solids.size(); ++i) listed.halfspaces.push_back(sent(i));
     listed.sort();
     return listed;
   }
@@ -57,13 +57,13 @@ class Counter {
   /// What a group of squares leaves.
   Listed left_by(const isa::Region& group, division::Counts& counts) const {
     Listed listed;
-    listed.primitives.assign(scene_.solids.size(), false);
-    listed.halfspaces.resize(scene_.solids.size());
-    counts.boxes += scene_.solids.size();
+    listed.primitives.assign(geometry_.solids.size(), false);
+    listed.halfspaces.resize(geometry_.solids.size());
+    counts.boxes += geometry_.solids.size();
     SegmentPlan segment;
     segment.region = group;
     const Context context = context_of(segment);
-    for (std::uint32_t i = 0; i < scene_.solids.size(); ++i) {
+    for (std::uint32_t i = 0; i < geometry_.solids.size(); ++i) {
       const view::PixelRect pixels = common(view_.extents[i].pixels, segment.pixels());
       if (view_.extents[i].empty() || pixels.empty()) continue;
       counts.halfspaces += sent(i).size();
@@ -89,9 +89,9 @@ class Counter {
 
   std::vector<SquareCounts> squares(std::span<const isa::Region> squares, const Listed& listed) const {
     const Plan plan =
-        make_plan(tree_, scene_, view_, {squares.begin(), squares.end()}, options_.pruning, {}, options_.work);
+        make_plan(tree_, geometry_, view_, {squares.begin(), squares.end()}, options_.pruning, {}, options_.work);
     std::vector<SquareCounts> counts;
-    const csg::Pruner pruner(scene_, view_, positive_, options_.pruning);
+    const csg::Pruner pruner(geometry_, view_, positive_, options_.pruning);
     const std::vector<csg::ConvexSet> sets = csg::convex_sets(positive_, true);
     const std::vector<std::vector<std::uint32_t>> active = sets_in(squares, sets, view_);
     const auto boxes = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
@@ -130,14 +130,14 @@ class Counter {
   [[nodiscard]] std::vector<facet::Halfspace> sent(std::uint32_t primitive) const {
     std::vector<facet::Halfspace> halfspaces;
     if (view_.extents[primitive].empty()) return halfspaces;
-    for (const facet::Halfspace& halfspace : scene_.solids[primitive].halfspaces) {
+    for (const facet::Halfspace& halfspace : geometry_.solids[primitive].halfspaces) {
       if (view_.planes[halfspace.plane].representable) halfspaces.push_back(halfspace);
     }
     return halfspaces;
   }
 
   [[nodiscard]] Context context_of(const SegmentPlan& segment) const {
-    return {tree_, scene_, view_, positive_, segment, layout_, options_, machine_, look_};
+    return {tree_, geometry_, view_, positive_, segment, layout_, options_, machine_, look_};
   }
 
   /// Whether the boxes of a set's primitives, and the square, have pixels and depths in common.
@@ -254,7 +254,7 @@ class Counter {
   }
 
   const model::Tree& tree_;
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   const view::View& view_;
   Options options_;
   csg::PositiveTree positive_;
@@ -266,15 +266,16 @@ class Counter {
 
 }  // namespace
 
-std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                                         const Options& options, std::span<const isa::Region> squares) {
-  const Counter counter(tree, scene, view, options);
+std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Geometry& geometry,
+                                         const view::View& view, const Options& options,
+                                         std::span<const isa::Region> squares) {
+  const Counter counter(tree, geometry, view, options);
   return counter.squares(squares, counter.everything());
 }
 
-GroupCounts count_group(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+GroupCounts count_group(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                         const Options& options, const isa::Region& group, std::span<const isa::Region> squares) {
-  const Counter counter(tree, scene, view, options);
+  const Counter counter(tree, geometry, view, options);
   GroupCounts counts;
   const Listed listed = counter.left_by(group, counts.group);
   counts.entries = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));

@@ -6,7 +6,7 @@
 
 #include "host/emit/options.h"
 #include "host/emit/plan.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/division/counts.h"
@@ -23,8 +23,9 @@ struct SquareCounts {
 };
 
 /// For each square from the whole model.
-std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
-                                         const Options& options, std::span<const isa::Region> squares);
+std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Geometry& geometry,
+                                         const view::View& view, const Options& options,
+                                         std::span<const isa::Region> squares);
 
 /// The same for the squares of one group, from what the group leaves.
 struct GroupCounts {
@@ -33,7 +34,7 @@ struct GroupCounts {
   std::vector<SquareCounts> squares;
 };
 
-GroupCounts count_group(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+GroupCounts count_group(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                         const Options& options, const isa::Region& group, std::span<const isa::Region> squares);
 
 }  // namespace csgsim::emit

@@ -30,14 +30,14 @@ std::vector<double> opacities(const Look& look, std::span<const CalledEffect> ca
 
 /// Whether nothing of the primitive is behind the mirror.
 bool is_before(const Drawing& drawing, std::uint32_t primitive) {
-  const facet::Scene& scene = *drawing.scene;
-  const facet::Plane& plane = scene.planes.planes()[drawing.reflection->plane];
+  const facet::Geometry& geometry = *drawing.geometry;
+  const facet::Plane& plane = geometry.planes.planes()[drawing.reflection->plane];
   const auto value = [&](const glm::dvec3& place) {
-    return glm::dot(plane.normal, place - scene.planes.centre()) + plane.offset;
+    return glm::dot(plane.normal, place - geometry.planes.centre()) + plane.offset;
   };
   const view::EyeSpace space = view::eye_space(drawing.view.camera, drawing.view.sampling);
   const double eye = space.perspective ? value(space.eye) : -glm::dot(plane.normal, space.axes.forward);
-  const facet::Convex& solid = scene.solids[primitive];
+  const facet::Convex& solid = geometry.solids[primitive];
   const double slack = behind_mirror * glm::length(solid.box.high - solid.box.low);
   return std::all_of(solid.vertices.begin(), solid.vertices.end(),
                      [&](const glm::dvec3& vertex) { return value(vertex) * (eye < 0 ? -1 : 1) > -slack; });
@@ -46,7 +46,7 @@ bool is_before(const Drawing& drawing, std::uint32_t primitive) {
 /// Drops surfaces that are outside the mirror or before it.
 void drop_unseen(Drawing& drawing) {
   std::vector<bool> before;
-  for (std::uint32_t i = 0; i < drawing.scene->solids.size(); ++i) before.push_back(is_before(drawing, i));
+  for (std::uint32_t i = 0; i < drawing.geometry->solids.size(); ++i) before.push_back(is_before(drawing, i));
   for (SegmentPlan& segment : drawing.plan.segments) {
     std::erase_if(segment.surfaces, [&](const PlannedSurface& one) {
       return common(one.block.pixels, drawing.reflection->pixels).empty() ||
@@ -67,7 +67,7 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
 }
 
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
-                                            std::shared_ptr<const facet::Scene> scene, view::View view,
+                                            std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,
                                             std::optional<Reflection> reflection) {
   auto drawing = std::make_shared<Drawing>();
@@ -76,7 +76,7 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
   // Chapter 6 multiplies the tree of primitives out as it is.
   if (options.strategy == Strategy::products) pruning.sets = false;
   drawing->tree = std::move(tree);
-  drawing->scene = std::move(scene);
+  drawing->geometry = std::move(geometry);
   drawing->view = std::move(view);
   drawing->nesting = nesting;
   drawing->look = make_look(options.scene, *drawing->tree, csg::make_positive(*drawing->tree), drawing->view.camera);
@@ -86,7 +86,7 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
     // What hides others may itself be before the mirror.
     pruning.hidden = false;
   }
-  drawing->plan = make_plan(*drawing->tree, *drawing->scene, drawing->view, machines::regions(workshop.machine),
+  drawing->plan = make_plan(*drawing->tree, *drawing->geometry, drawing->view, machines::regions(workshop.machine),
                             pruning, opacities(drawing->look, workshop.called), options.work);
   if (drawing->reflection) drop_unseen(*drawing);
   for (const CalledEffect& one : workshop.called) {
@@ -107,8 +107,8 @@ std::vector<const Drawing*> with_inner(const Drawing& drawing) {
 
 Context context_of(const Drawing& drawing, const Context& outer) {
   Context inner{
-      *drawing.tree, *drawing.scene, drawing.view,  drawing.plan.positive, drawing.plan.segments[outer.segment],
-      outer.layout,  outer.options,  outer.machine, drawing.look};
+      *drawing.tree, *drawing.geometry, drawing.view,  drawing.plan.positive, drawing.plan.segments[outer.segment],
+      outer.layout,  outer.options,     outer.machine, drawing.look};
   inner.segment = outer.segment;
   inner.called = outer.called;
   inner.states = &drawing.states;
@@ -119,8 +119,8 @@ Context context_of(const Drawing& drawing, const Context& outer) {
 }
 
 Context with_layout(const Context& context, const Layout& layout) {
-  Context other{context.tree, context.scene,   context.view,    context.positive, context.plan,
-                layout,       context.options, context.machine, context.look};
+  Context other{context.tree, context.geometry, context.view,    context.positive, context.plan,
+                layout,       context.options,  context.machine, context.look};
   other.segment = context.segment;
   other.called = context.called;
   other.states = context.states;

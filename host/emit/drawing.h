@@ -26,7 +26,7 @@ struct Reflection {
 /// one; effects prepare others, as of what a mirror shows.
 struct Drawing {
   std::shared_ptr<const model::Tree> tree;
-  std::shared_ptr<const facet::Scene> scene;
+  std::shared_ptr<const facet::Geometry> geometry;
   view::View view;
   Look look;
   Plan plan;
@@ -44,7 +44,7 @@ struct Workshop {
 
 /// Plans a drawing, and has each called effect prepare it. Throws InputError where an effect cannot.
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
-                                            std::shared_ptr<const facet::Scene> scene, view::View view,
+                                            std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,
                                             std::optional<Reflection> reflection = {});
 

@@ -11,7 +11,7 @@ glm::dvec3 middle(const Context& context, const Facet& facet) {
   const std::vector<glm::dvec3> vertices = vertices_of(context, facet);
   glm::dvec3 sum{0};
   for (const glm::dvec3& vertex : vertices) sum += vertex;
-  const glm::dvec3 place = vertices.empty() ? context.scene.solids[facet.primitive].box.centre()
+  const glm::dvec3 place = vertices.empty() ? context.geometry.solids[facet.primitive].box.centre()
                                             : sum / static_cast<double>(vertices.size());
   return in_camera_axes(context.view.camera, place - context.view.camera.eye);
 }

@@ -29,7 +29,7 @@ glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v) {
 }
 
 glm::dvec3 outward(const Context& context, const Facet& facet) {
-  const glm::dvec3& normal = context.scene.planes.planes()[facet.halfspace.plane].normal;
+  const glm::dvec3& normal = context.geometry.planes.planes()[facet.halfspace.plane].normal;
   return (facet.halfspace.positive != context.complemented(facet.primitive) ? 1.0 : -1.0) * normal;
 }
 
@@ -44,12 +44,12 @@ bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal) {
 }
 
 std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet) {
-  const std::vector<glm::dvec3>& all = context.scene.solids[facet.primitive].vertices;
+  const std::vector<glm::dvec3>& all = context.geometry.solids[facet.primitive].vertices;
   if (facet.at == At::cap) return all;
-  const facet::Plane& plane = context.scene.planes.planes()[facet.halfspace.plane];
+  const facet::Plane& plane = context.geometry.planes.planes()[facet.halfspace.plane];
   std::vector<glm::dvec3> vertices;
   for (const glm::dvec3& vertex : all) {
-    const glm::dvec3 from_centre = vertex - context.scene.planes.centre();
+    const glm::dvec3 from_centre = vertex - context.geometry.planes.centre();
     const double distance = std::abs(glm::dot(plane.normal, from_centre) + plane.offset);
     if (distance <= on_plane * glm::length(from_centre)) vertices.push_back(vertex);
   }

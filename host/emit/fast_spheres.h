@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/emit/context.h"
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 
 namespace csgsim::emit {
 

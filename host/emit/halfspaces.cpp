@@ -121,7 +121,7 @@ void drop_dominated(const Context& context, std::vector<Facet>& facets, Side sid
 Deciding undecided(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
   Deciding result;
   for (const std::uint32_t primitive : set) {
-    for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+    for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
       if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
       const csg::Known known = known_of(context, halfspace, block);
       if (known == csg::Known::in) continue;
@@ -160,7 +160,7 @@ Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
   Sides sides{column, deciding(context, planned.set, Side::front, column),
               deciding(context, planned.set, Side::back, column)};
   for (const std::uint32_t primitive : planned.set) {
-    const std::vector<facet::Halfspace>& halfspaces = context.scene.solids[primitive].halfspaces;
+    const std::vector<facet::Halfspace>& halfspaces = context.geometry.solids[primitive].halfspaces;
     sides.edges += static_cast<std::uint32_t>(
         std::count_if(halfspaces.begin(), halfspaces.end(),
                       [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, column); }));
@@ -199,7 +199,7 @@ view::FixedLinear plane_of(const Context& context, const Facet& facet) {
 }
 
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block) {
-  for (const facet::Halfspace& halfspace : context.scene.solids[primitive].halfspaces) {
+  for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
     if (!is_edge_test(context, halfspace, block)) continue;
     const view::ScreenPlane& plane = context.view.planes[halfspace.plane];
     require_representable(context, primitive, halfspace);

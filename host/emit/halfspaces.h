@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/emit/context.h"
-#include "host/emit/quadrics.h"
+#include "host/emit/quadric_depths.h"
 
 namespace csgsim::emit {
 

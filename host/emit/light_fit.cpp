@@ -87,8 +87,8 @@ double drawn_depth(const view::View& view, const Facet& facet, const glm::dvec3&
   return isa::depth_of(view.depth, view.sampling.z_bits, place.z);
 }
 
-/// How far the floors of a depth take it behind drawn_depth on average, in steps (host/view/quadrics.h). The floors of
-/// middle and root cancel, unless the middle is the same at all pixels.
+/// How far the floors of a depth take it behind drawn_depth on average, in steps (host/view/screen_quadric.h). The
+/// floors of middle and root cancel, unless the middle is the same at all pixels.
 double off_steps(const view::View& view, const Facet& facet) {
   const view::ScreenQuadric& quadric = view.quadrics[facet.quadric.quadric];
   if (quadric.kind == view::ScreenQuadricKind::paraboloid) return facet.at == At::quadric_near ? -0.5 : 0.5;

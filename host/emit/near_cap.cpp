@@ -68,7 +68,7 @@ bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, co
 namespace {
 
 std::optional<facet::Halfspace> first_front(const Context& context, std::uint32_t primitive) {
-  const std::vector<facet::Halfspace>& halfspaces = context.scene.solids[primitive].halfspaces;
+  const std::vector<facet::Halfspace>& halfspaces = context.geometry.solids[primitive].halfspaces;
   const auto front = std::find_if(halfspaces.begin(), halfspaces.end(), [&](const facet::Halfspace& halfspace) {
     return view::side_of(context.view.planes[halfspace.plane], halfspace) == view::Side::front;
   });

@@ -19,9 +19,9 @@ constexpr std::size_t most_hiders = 256;
 /// Solids that nothing is taken from, as what hides surfaces behind them.
 class Hiders {
  public:
-  Hiders(const std::vector<PlannedSurface>& surfaces, const csg::PositiveTree& positive, const facet::Scene& scene,
-         const view::View& view, const std::vector<double>& opacity)
-      : surfaces_(surfaces), scene_(scene), view_(view), index_(entries(surfaces, positive, view, opacity)) {}
+  Hiders(const std::vector<PlannedSurface>& surfaces, const csg::PositiveTree& positive,
+         const facet::Geometry& geometry, const view::View& view, const std::vector<double>& opacity)
+      : surfaces_(surfaces), geometry_(geometry), view_(view), index_(entries(surfaces, positive, view, opacity)) {}
 
   /// Whether one of them fills the block's pixels one depth step before the block, so that no surface in it is seen. It
   /// may be hidden itself: what hides it hides the other too.
@@ -32,7 +32,7 @@ class Hiders {
       const PlannedSurface& front = surfaces_[number];
       return front.block.z_low < block.z_low &&
              std::all_of(front.set.begin(), front.set.end(), [&](std::uint32_t primitive) {
-               return csg::holds(view_, scene_, primitive, {block.pixels, before, before});
+               return csg::holds(view_, geometry_, primitive, {block.pixels, before, before});
              });
     });
   }
@@ -59,15 +59,15 @@ class Hiders {
   }
 
   const std::vector<PlannedSurface>& surfaces_;
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   const view::View& view_;
   csg::BoxIndex index_;
 };
 
-void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Scene& scene,
+void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Geometry& geometry,
                  const view::View& view, const std::vector<double>& opacity) {
   if (plan.surfaces.size() < 2) return;
-  const Hiders hiders(plan.surfaces, positive, scene, view, opacity);
+  const Hiders hiders(plan.surfaces, positive, geometry, view, opacity);
   std::vector<bool> drop;
   for (const PlannedSurface& one : plan.surfaces) drop.push_back(hiders.hide(one.block));
   std::size_t index = 0;
@@ -91,22 +91,22 @@ std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, con
 
 /// The cost of comparing a surface with others, each of which is kept for it: that of each half-space, and for each
 /// solid that of some more half-spaces.
-std::uint64_t comparison_steps(const csg::ActiveTree& active, const facet::Scene& scene) {
+std::uint64_t comparison_steps(const csg::ActiveTree& active, const facet::Geometry& geometry) {
   constexpr std::uint64_t of_halfspace = 100;
   constexpr std::uint64_t of_solid = 20;
   std::uint64_t count = 0;
   for (const csg::ActiveNode& node : active.nodes) {
     if (!node.is_leaf) continue;
-    count += of_solid + scene.solids[node.primitive].halfspaces.size();
-    for (const std::uint32_t other : node.others) count += scene.solids[other].halfspaces.size();
+    count += of_solid + geometry.solids[node.primitive].halfspaces.size();
+    for (const std::uint32_t other : node.others) count += geometry.solids[other].halfspaces.size();
   }
   return of_halfspace * count;
 }
 
-void charge_comparisons(const csg::ActiveTree& active, const facet::Scene& scene, const model::Tree& tree,
+void charge_comparisons(const csg::ActiveTree& active, const facet::Geometry& geometry, const model::Tree& tree,
                         std::uint32_t primitive, const Work& work) {
   try {
-    work.charge(comparison_steps(active, scene), "comparing primitives with others");
+    work.charge(comparison_steps(active, geometry), "comparing primitives with others");
   } catch (const WorkError& error) {
     throw InputError(fmt::format("{}: from this primitive on, {}", model::place_of(tree, primitive), error.what()));
   }
@@ -114,15 +114,15 @@ void charge_comparisons(const csg::ActiveTree& active, const facet::Scene& scene
 
 /// Counts the primitives that have pixels in each region, pruned or not.
 void count_active(std::vector<SegmentPlan>& segments, const std::vector<isa::Region>& regions,
-                  const facet::Scene& scene, const view::View& view) {
+                  const facet::Geometry& geometry, const view::View& view) {
   RegionIndex index(regions);
-  for (std::size_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
+  for (std::size_t primitive = 0; primitive < geometry.solids.size(); ++primitive) {
     const view::Extent& extent = view.extents[primitive];
     if (extent.empty()) continue;
     index.for_each(extent.pixels, [&](std::uint32_t region) {
       ++segments[region].active_primitives;
-      segments[region].active_halfspaces += static_cast<std::uint32_t>(scene.solids[primitive].halfspaces.size() +
-                                                                       scene.solids[primitive].quadrics.size());
+      segments[region].active_halfspaces += static_cast<std::uint32_t>(geometry.solids[primitive].halfspaces.size() +
+                                                                       geometry.solids[primitive].quadrics.size());
     });
   }
 }
@@ -139,17 +139,17 @@ std::uint32_t Plan::depth() const {
   return deepest;
 }
 
-Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
                const Work& work) {
   Plan plan;
   plan.positive = csg::make_positive(tree);
   const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), opacity);
-  const csg::Pruner pruner(scene, view, plan.positive, pruning);
+  const csg::Pruner pruner(geometry, view, plan.positive, pruning);
   const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
   plan.segments.resize(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];
-  count_active(plan.segments, regions, scene, view);
+  count_active(plan.segments, regions, geometry, view);
   for (std::size_t i = 0; i < regions.size(); ++i) {
     SegmentPlan& segment = plan.segments[i];
     for (const std::uint32_t number : active_sets[i]) {
@@ -158,10 +158,10 @@ Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::V
       if (block.pixels.empty()) continue;
       csg::ActiveTree active = pruner.active_tree(set, block);
       if (active.nothing) continue;
-      charge_comparisons(active, scene, tree, set.front(), work);
+      charge_comparisons(active, geometry, tree, set.front(), work);
       segment.surfaces.push_back({set, block, std::move(active), 0});
     }
-    if (pruning.hidden) drop_hidden(segment, plan.positive, scene, view, opacity);
+    if (pruning.hidden) drop_hidden(segment, plan.positive, geometry, view, opacity);
     std::uint32_t number = 0;
     for (PlannedSurface& one : segment.surfaces) one.number = ++number;
   }

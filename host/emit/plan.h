@@ -5,7 +5,7 @@
 
 #include "host/csg/active_tree.h"
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "hw/base/work.h"
 #include "hw/isa/program.h"
@@ -43,7 +43,7 @@ struct Plan {
 
 /// `opacity`, by primitive: those below 1 hide nothing, and no set mixes different ones; empty if all are 1. Throws
 /// InputError, naming the primitive, past the limit on work.
-Plan make_plan(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
                const Work& work);
 

@@ -7,7 +7,7 @@
 #include "host/emit/effect.h"
 #include "host/emit/halfspaces.h"
 #include "host/emit/near_cap.h"
-#include "host/emit/quadrics.h"
+#include "host/emit/quadric_depths.h"
 #include "host/emit/shading.h"
 #include "hw/isa/opcodes.h"
 
@@ -184,7 +184,7 @@ bool is_own_other_side(const Surface& surface, const QuadricBound& bound) {
 bool is_cut_out_by_outline(const Context& context, const PlannedSurface& planned, const Sides& sides,
                            const Surface& surface) {
   if (planned.set.size() != 1 || sides.quadrics.size() != 1) return false;
-  return context.scene.solids[planned.primitive()].halfspaces.empty() &&
+  return context.geometry.solids[planned.primitive()].halfspaces.empty() &&
          is_own_other_side(surface, sides.quadrics.front()) &&
          is_met_within(context, sides.quadrics.front(), planned.block.pixels, context.plan.pixels());
 }

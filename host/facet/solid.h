@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/facet/faceting.h"
-#include "host/facet/quadrics.h"
+#include "host/facet/quadric_table.h"
 #include "host/model/tree.h"
 
 namespace csgsim::facet {

@@ -9,7 +9,7 @@
 #include "host/flat/place.h"
 #include "host/read/limits.h"
 #include "host/read/placement.h"
-#include "host/solids/sweep.h"
+#include "host/solids/extrusion.h"
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
 

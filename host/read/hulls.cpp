@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/flat/hull.h"
 #include "host/flat/minkowski.h"
 #include "host/flat/place.h"

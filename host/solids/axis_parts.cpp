@@ -50,9 +50,9 @@ void extend(Chain& chain, const AreaSide& side, double high) {
   chain.last = side;
 }
 
-class Sweep {
+class Stacking {
  public:
-  explicit Sweep(const flat::Area& area) {
+  explicit Stacking(const flat::Area& area) {
     for (const flat::Outline& outline : area.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) add(outline[i], outline[(i + 1) % outline.size()]);
     }
@@ -127,6 +127,6 @@ class Sweep {
 
 }  // namespace
 
-std::vector<flat::Outline> axis_parts(const flat::Area& area) { return Sweep(area)(); }
+std::vector<flat::Outline> axis_parts(const flat::Area& area) { return Stacking(area)(); }
 
 }  // namespace csgsim::solids

@@ -47,13 +47,13 @@ struct Slice {
   [[nodiscard]] bool ends_in_line() const { return ends_in_nothing() && high.scale.x != high.scale.y; }
 };
 
-Slice slice_at(const LinearExtrude& sweep, std::uint32_t index, std::uint32_t count) {
-  const double start = sweep.center ? -sweep.height / 2.0 : 0.0;
-  const double end = sweep.center ? sweep.height / 2.0 : sweep.height;
+Slice slice_at(const LinearExtrude& extrusion, std::uint32_t index, std::uint32_t count) {
+  const double start = extrusion.center ? -extrusion.height / 2.0 : 0.0;
+  const double end = extrusion.center ? extrusion.height / 2.0 : extrusion.height;
   const auto level = [&](std::uint32_t i) {
     return SliceEnd{
-        start + (end - start) * i / count, sweep.twist * i / count,
-        glm::dvec2(1) - (glm::dvec2(1) - sweep.scale) * static_cast<double>(i) / static_cast<double>(count)};
+        start + (end - start) * i / count, extrusion.twist * i / count,
+        glm::dvec2(1) - (glm::dvec2(1) - extrusion.scale) * static_cast<double>(i) / static_cast<double>(count)};
   };
   return {level(index), level(index + 1)};
 }
@@ -312,8 +312,8 @@ model::Polyhedron moved(const model::Polyhedron& piece, const Slice& from, const
 }
 
 /// Whether every side runs the same way at both ends, so that none bends.
-bool is_straight(const flat::Area& area, const LinearExtrude& sweep) {
-  if (sweep.twist != 0.0) return false;
+bool is_straight(const flat::Area& area, const LinearExtrude& extrusion) {
+  if (extrusion.twist != 0.0) return false;
   return std::all_of(area.outlines.begin(), area.outlines.end(), [](const flat::Outline& outline) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const glm::dvec2 side = outline[(i + 1) % outline.size()] - outline[i];
@@ -333,18 +333,18 @@ void require_few(std::size_t pieces) {
 
 }  // namespace
 
-std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep, const Work& work) {
-  const std::uint32_t count = is_straight(area, sweep) ? 1 : slice_count(area, sweep);
+std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& extrusion, const Work& work) {
+  const std::uint32_t count = is_straight(area, extrusion) ? 1 : slice_count(area, extrusion);
   require_few(count);
-  std::vector<model::Polyhedron> pieces = cut(area, slice_at(sweep, 0, count), work);
+  std::vector<model::Polyhedron> pieces = cut(area, slice_at(extrusion, 0, count), work);
   const std::size_t a_slice = pieces.size();
-  const bool are_alike = sweep.scale == glm::dvec2(1);
+  const bool are_alike = extrusion.scale == glm::dvec2(1);
   if (are_alike) require_few(a_slice * count);
   for (std::uint32_t i = 1; i < count; ++i) {
-    const Slice slice = slice_at(sweep, i, count);
+    const Slice slice = slice_at(extrusion, i, count);
     if (are_alike) {
       for (std::size_t piece = 0; piece < a_slice; ++piece) {
-        pieces.push_back(moved(pieces[piece], slice_at(sweep, 0, count), slice));
+        pieces.push_back(moved(pieces[piece], slice_at(extrusion, 0, count), slice));
       }
     } else {
       std::vector<model::Polyhedron> more = cut(area, slice, work);

@@ -4,12 +4,12 @@
 
 #include "host/flat/area.h"
 #include "host/model/tree.h"
-#include "host/solids/sweep.h"
+#include "host/solids/extrusion.h"
 
 namespace csgsim::solids {
 
 /// linear_extrude() where sides bend: twisted, or scaled by other factors in x than in y. The height is above 0. Throws
 /// as linear_extrude() does.
-std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& sweep, const Work& work);
+std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& extrusion, const Work& work);
 
 }  // namespace csgsim::solids

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/solids/flat_faces.h"
 #include "host/solids/limits.h"
 #include "host/solids/neighbours.h"

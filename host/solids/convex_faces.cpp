@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/solids/flat_faces.h"
 #include "host/solids/limits.h"
 #include "host/solids/neighbours.h"

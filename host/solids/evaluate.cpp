@@ -4,7 +4,7 @@
 
 #include "host/convex/pieces.h"
 #include "host/csg/positive_tree.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/solids/polyhedra.h"
 
 namespace csgsim::solids {
@@ -20,7 +20,7 @@ bool is_union(const model::Tree& tree) {
 
 std::vector<model::Polyhedron> pieces_of(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   std::vector<model::Polyhedron> made;
   const auto add = [&](const convex::Polytope& polytope) {
     if (!polytope.empty()) made.push_back(polyhedron_of(polytope, scene.planes));
@@ -38,7 +38,7 @@ std::vector<glm::dvec3> vertices_of(const model::Tree& tree, const Work& work) {
   std::vector<glm::dvec3> vertices;
   if (tree.root == model::no_index) return vertices;
   if (is_union(tree)) {
-    for (const facet::Convex& solid : facet::make_scene(tree).solids) {
+    for (const facet::Convex& solid : facet::make_geometry(tree).solids) {
       vertices.insert(vertices.end(), solid.vertices.begin(), solid.vertices.end());
     }
     return vertices;

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/solids/hull.h"
 #include "host/solids/limits.h"
 #include "hw/base/error.h"

@@ -10,7 +10,7 @@
 
 #include "host/convex/clip.h"
 #include "host/convex/merge.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/solids/convex_shell.h"
 #include "host/solids/enclosed.h"
 #include "host/solids/flat_faces.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/flat/clip_steps.h"
 #include "host/flat/hull.h"
 #include "host/solids/limits.h"
@@ -121,7 +121,7 @@ flat::Area shadow(std::span<const model::Polyhedron> pieces, const Work& work) {
 
 flat::Area section(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   double largest = 0;
   for (const facet::Convex& solid : scene.solids) largest = std::max(largest, largest_of(solid.vertices));
   if (largest == 0) return {};

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/solids/mesh.h"
 #include "hw/base/work.h"
 

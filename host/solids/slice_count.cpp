@@ -35,39 +35,39 @@ double spiral_length(double step, double angle) {
 }
 
 /// The length of the way of a corner at that distance from the axis, which turns by `turn` radians on its way up.
-double way_length(double squared_radius, double turn, const LinearExtrude& sweep) {
-  const double scale = sweep.scale.x;
-  if (scale == 1.0 || scale != sweep.scale.y) {
-    const double rise = sweep.height / turn;
+double way_length(double squared_radius, double turn, const LinearExtrude& extrusion) {
+  const double scale = extrusion.scale.x;
+  if (scale == 1.0 || scale != extrusion.scale.y) {
+    const double rise = extrusion.height / turn;
     return turn * std::sqrt(squared_radius + rise * rise);
   }
   const double last = scale > 1.0 ? turn * scale / (scale - 1.0) : turn / (1.0 - scale);
   const double step = std::sqrt(squared_radius) / last;
   const double flat = spiral_length(step, last) - spiral_length(step, last - turn);
-  return std::sqrt(flat * flat + sweep.height * sweep.height);
+  return std::sqrt(flat * flat + extrusion.height * extrusion.height);
 }
 
-double twisted_count(const flat::Area& area, const LinearExtrude& sweep) {
-  const double twist = std::abs(sweep.twist);
+double twisted_count(const flat::Area& area, const LinearExtrude& extrusion) {
+  const double twist = std::abs(extrusion.twist);
   const double fewest = std::max(std::ceil(twist / degrees_a_slice), 1.0);
   const double squared_radius = greatest(area, [](const glm::dvec2& corner) { return glm::dot(corner, corner); });
-  const model::FacetControl& facets = sweep.facets;
+  const model::FacetControl& facets = extrusion.facets;
   if (std::sqrt(squared_radius) < model::grid_fine || !std::isfinite(facets.fn)) return fewest;
   if (facets.fn > 0.0) return std::max(std::ceil(twist / 360.0 * facets.fn), fewest);
   const double turn = twist * std::numbers::pi / 180.0;
-  const double by_length = std::ceil(way_length(squared_radius, turn, sweep) / facets.fs);
+  const double by_length = std::ceil(way_length(squared_radius, turn, extrusion) / facets.fs);
   return std::max(std::min(std::ceil(twist / facets.fa), by_length), fewest);
 }
 
-double straight_count(const flat::Area& area, const LinearExtrude& sweep) {
+double straight_count(const flat::Area& area, const LinearExtrude& extrusion) {
   const double squared_shift = greatest(area, [&](const glm::dvec2& corner) {
-    const glm::dvec2 shift = corner - corner * sweep.scale;
+    const glm::dvec2 shift = corner - corner * extrusion.scale;
     return glm::dot(shift, shift);
   });
-  const model::FacetControl& facets = sweep.facets;
+  const model::FacetControl& facets = extrusion.facets;
   if (std::sqrt(squared_shift) < model::grid_fine || !std::isfinite(facets.fn)) return 1.0;
   if (facets.fn > 0.0) return std::max(std::floor(facets.fn), 1.0);
-  return std::max(std::ceil(std::sqrt(squared_shift + sweep.height * sweep.height) / facets.fs), 1.0);
+  return std::max(std::ceil(std::sqrt(squared_shift + extrusion.height * extrusion.height) / facets.fs), 1.0);
 }
 
 std::size_t corner_count(const flat::Area& area) {
@@ -78,10 +78,10 @@ std::size_t corner_count(const flat::Area& area) {
 
 }  // namespace
 
-std::uint32_t slice_count(const flat::Area& area, const LinearExtrude& sweep) {
-  const double count = sweep.slices != 0    ? sweep.slices
-                       : sweep.twist != 0.0 ? twisted_count(area, sweep)
-                                            : straight_count(area, sweep);
+std::uint32_t slice_count(const flat::Area& area, const LinearExtrude& extrusion) {
+  const double count = extrusion.slices != 0    ? extrusion.slices
+                       : extrusion.twist != 0.0 ? twisted_count(area, extrusion)
+                                                : straight_count(area, extrusion);
   const double most = static_cast<double>(most_swept_faces) / (2.0 * static_cast<double>(corner_count(area)));
   if (!(count <= most)) {
     throw InputError("linear_extrude() makes more than " + std::to_string(most_swept_faces) +

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 
 namespace csgsim::view {
 

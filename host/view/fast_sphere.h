@@ -1,9 +1,9 @@
 #pragma once
 
-#include "host/facet/quadrics.h"
+#include "host/facet/quadric_table.h"
 #include "host/view/eye_space.h"
 #include "host/view/projection.h"
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 
 namespace csgsim::view {
 

@@ -12,7 +12,7 @@
 #include "host/view/extent.h"
 #include "host/view/eye_space.h"
 #include "host/view/fast_sphere.h"
-#include "host/view/screen_quadric.h"
+#include "host/view/quadric_projection.h"
 #include "hw/base/error.h"
 #include "hw/isa/depth_scale.h"
 
@@ -79,13 +79,13 @@ void narrow_depth(facet::Box& box, const facet::Convex& solid, const facet::Quad
   box.high.z = std::min(box.high.z, middle + half);
 }
 
-isa::DepthScale fit_depth(const facet::Scene& scene, const model::Tree& tree, const EyeSpace& space,
+isa::DepthScale fit_depth(const facet::Geometry& geometry, const model::Tree& tree, const EyeSpace& space,
                           const Sampling& sampling) {
   std::vector<facet::Box> boxes;
-  for (const facet::Convex& solid : scene.solids) {
+  for (const facet::Convex& solid : geometry.solids) {
     facet::Box box;
     for (const glm::dvec3& vertex : solid.vertices) box = hull(box, space.to_eye(vertex));
-    narrow_depth(box, solid, scene.quadrics, space);
+    narrow_depth(box, solid, geometry.quadrics, space);
     boxes.push_back(box);
   }
   const facet::Box box = facet::fold_boxes(tree, boxes);
@@ -180,19 +180,19 @@ ScreenPlane make_screen_plane(const EyeSpace& space, const isa::DepthScale& scal
   return surface;
 }
 
-void add_quadrics(View& view, const facet::Scene& scene, const EyeSpace& space) {
-  const std::vector<facet::Quadric>& quadrics = scene.quadrics.quadrics();
+void add_quadrics(View& view, const facet::Geometry& geometry, const EyeSpace& space) {
+  const std::vector<facet::Quadric>& quadrics = geometry.quadrics.quadrics();
   if (quadrics.empty()) return;
   std::vector<PixelRect> touched(quadrics.size());
-  for (const facet::Convex& solid : scene.solids) {
+  for (const facet::Convex& solid : geometry.solids) {
     if (solid.quadrics.empty()) continue;
     const PixelRect pixels = pixels_of(solid, space, view);
     for (const facet::QuadricSide side : solid.quadrics) touched[side.quadric] = hull(touched[side.quadric], pixels);
   }
   view.quadrics.reserve(quadrics.size());
   for (std::size_t i = 0; i < quadrics.size(); ++i) {
-    const auto make = scene.fast_spheres ? make_fast_sphere : make_screen_quadric;
-    view.quadrics.push_back(make(space, view, quadrics[i], scene.quadrics.centre(), touched[i]));
+    const auto make = geometry.fast_spheres ? make_fast_sphere : make_screen_quadric;
+    view.quadrics.push_back(make(space, view, quadrics[i], geometry.quadrics.centre(), touched[i]));
   }
 }
 
@@ -226,20 +226,22 @@ ScreenPlane screen_plane(const View& view, const facet::Plane& plane, const glm:
   return make_screen_plane(space, view.depth, view.sampling, to_eye(space, plane, centre));
 }
 
-View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling) {
+View make_view(const facet::Geometry& geometry, const model::Tree& tree, const Camera& camera,
+               const Sampling& sampling) {
   check(sampling);
   const EyeSpace space = eye_space(camera, sampling);
   View view;
   view.camera = camera;
   view.sampling = sampling;
-  view.depth = fit_depth(scene, tree, space, sampling);
-  view.planes.reserve(scene.planes.planes().size());
-  view.extents.reserve(scene.solids.size());
-  for (const facet::Plane& plane : scene.planes.planes()) {
-    view.planes.push_back(make_screen_plane(space, view.depth, sampling, to_eye(space, plane, scene.planes.centre())));
+  view.depth = fit_depth(geometry, tree, space, sampling);
+  view.planes.reserve(geometry.planes.planes().size());
+  view.extents.reserve(geometry.solids.size());
+  for (const facet::Plane& plane : geometry.planes.planes()) {
+    view.planes.push_back(
+        make_screen_plane(space, view.depth, sampling, to_eye(space, plane, geometry.planes.centre())));
   }
-  add_quadrics(view, scene, space);
-  for (const facet::Convex& solid : scene.solids) view.extents.push_back(make_extent(solid, space, view));
+  add_quadrics(view, geometry, space);
+  for (const facet::Convex& solid : geometry.solids) view.extents.push_back(make_extent(solid, space, view));
   const double far_step = (view.depth.far - view.depth.near) / isa::depth_steps(sampling.z_bits);
   view.depth_step = space.perspective ? far_step * view.depth.far / view.depth.near : far_step;
   return view;

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "host/view/eye_space.h"
 #include "host/view/fixed_point.h"
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::view {
@@ -81,7 +81,7 @@ struct Extent {
   [[nodiscard]] bool empty() const { return pixels.empty() || z_low > z_high; }
 };
 
-/// A scene as one camera sees it.
+/// A model as one camera sees it.
 struct View {
   Camera camera;
   Sampling sampling;
@@ -104,6 +104,7 @@ ScreenPlane screen_plane(const View& view, const facet::Plane& plane, const glm:
 ///
 /// Perspective: near is at the nearest point of the model, but no nearer than far / 256 unless `sampling.near` says so;
 /// solids that reach nearer are capped there. Orthographic views show what lies behind the eye too, as OpenSCAD does.
-View make_view(const facet::Scene& scene, const model::Tree& tree, const Camera& camera, const Sampling& sampling);
+View make_view(const facet::Geometry& geometry, const model::Tree& tree, const Camera& camera,
+               const Sampling& sampling);
 
 }  // namespace csgsim::view

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "host/facet/quadrics.h"
+#include "host/facet/quadric_table.h"
 #include "host/view/projection.h"
 
 namespace csgsim::view {

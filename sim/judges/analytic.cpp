@@ -9,7 +9,7 @@
 
 #include "sim/judges/meant.h"
 #include "sim/judges/solid_ray.h"
-#include "sim/judges/tree_sweep.h"
+#include "sim/judges/tree_on_ray.h"
 
 namespace csgsim::judges {
 
@@ -128,7 +128,7 @@ Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, c
     solids.emplace_back(primitive);
     windows.push_back(window_of(solids.back(), view, width, height, depth.near));
   }
-  TreeSweep sweep(tree);
+  TreeOnRay on_ray(tree);
   std::vector<std::uint32_t> in_row;
   std::vector<RayEvent> events;
   for (std::uint32_t row = 0; row < height; ++row) {
@@ -149,7 +149,7 @@ Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, c
       }
       std::sort(events.begin(), events.end(), [](const RayEvent& a, const RayEvent& b) { return a.depth < b.depth; });
       const RayEvent* seen =
-          first_seen(sweep, std::span<const RayEvent>(events),
+          first_seen(on_ray, std::span<const RayEvent>(events),
                      [&](const RayEvent& a, const RayEvent& b) { return view.same_depth(a.depth, b.depth); });
       if (seen == nullptr) continue;
       const std::size_t pixel = static_cast<std::size_t>(row) * width + column;

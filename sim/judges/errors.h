@@ -45,7 +45,7 @@ struct Errors {
 Errors compare(const Truth& truth, const observe::Frame& frame, const isa::Program& program);
 
 /// The same, and says whether the bounds that the design states explain each wrong pixel. `truth` has to be
-/// exact_truth's, of the same tree, scene and camera.
+/// exact_truth's, of the same tree, geometry and camera.
 Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Explainer& explainer);
 
 /// One line for people.

@@ -5,7 +5,7 @@
 
 #include "sim/judges/sight.h"
 #include "sim/judges/tiles.h"
-#include "sim/judges/tree_sweep.h"
+#include "sim/judges/tree_on_ray.h"
 #include "sim/judges/truth.h"
 
 namespace csgsim::judges {
@@ -41,7 +41,7 @@ std::optional<Sheet> extreme(const Sight& sight, std::optional<Sheet> a, std::op
 
 class Painter {
  public:
-  Painter(const model::Tree& tree, const Sight& sight, Truth& truth) : sight_(sight), truth_(truth), sweep_(tree) {}
+  Painter(const model::Tree& tree, const Sight& sight, Truth& truth) : sight_(sight), truth_(truth), on_ray_(tree) {}
 
   /// Quarters the tile until it is small, narrowing on the way.
   void paint(const Pieces& pieces, const Tile& tile) {
@@ -69,7 +69,7 @@ class Painter {
     if (events_.empty()) return;
     std::sort(events_.begin(), events_.end(),
               [&](const Event& a, const Event& b) { return sight_.compare(a.sheet, b.sheet, place) < 0; });
-    const Event* seen = first_seen(sweep_, std::span<const Event>(events_), [&](const Event& a, const Event& b) {
+    const Event* seen = first_seen(on_ray_, std::span<const Event>(events_), [&](const Event& a, const Event& b) {
       return sight_.compare(a.sheet, b.sheet, place) == 0;
     });
     if (seen == nullptr) return;
@@ -108,18 +108,18 @@ class Painter {
 
   const Sight& sight_;
   Truth& truth_;
-  TreeSweep sweep_;
+  TreeOnRay on_ray_;
   std::vector<Event> events_;
 };
 
 }  // namespace
 
-Truth exact_truth(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera, std::uint32_t width,
-                  std::uint32_t height, const isa::DepthScale& depth) {
+Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
+                  std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth) {
   Truth truth = empty_truth(width, height);
   if (tree.root == model::no_index) return truth;
-  const Sight sight(scene, camera, width, height, depth);
-  Painter(tree, sight, truth).paint(all_pieces(scene, sight), {0, 0, width, height});
+  const Sight sight(geometry, camera, width, height, depth);
+  Painter(tree, sight, truth).paint(all_pieces(geometry, sight), {0, 0, width, height});
   return truth;
 }
 

@@ -54,16 +54,16 @@ struct Explainer::Nature {
   Steps steps;
 };
 
-Explainer::Explainer(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
+Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
                      const isa::Program& program)
     : tree_(tree),
-      scene_(scene),
+      geometry_(geometry),
       width_(program.shape.width),
       height_(program.shape.height),
-      sight_(scene, camera, width_, height_, program.facts.depth_scale),
+      sight_(geometry, camera, width_, height_, program.facts.depth_scale),
       line_(depth_line(program, sight_.axis_length())),
-      quadrics_(scene, sight_, line_),
-      reaches_(solid_reaches(scene, sight_.camera())),
+      quadrics_(geometry, sight_, line_),
+      reaches_(solid_reaches(geometry, sight_.camera())),
       steepest_(std::ldexp(1.0, static_cast<int>(line_.z_bits)) / line_.edge_on_fraction) {}
 
 Steps Explainer::steps(std::uint32_t index, Place place) const {
@@ -162,13 +162,13 @@ Ray Explainer::make_ray(Place place) const {
   Ray ray;
   // After all surfaces: one a primitive, for its rectangle.
   const std::uint32_t rectangles = sight_.surface({sight_.quadrics().count(), Root::nearer});
-  for (std::uint32_t primitive = 0; primitive < scene_.solids.size(); ++primitive) {
+  for (std::uint32_t primitive = 0; primitive < geometry_.solids.size(); ++primitive) {
     Chance chance{
         primitive, {}, {{sight_.near_plane(), {0, 0}}}, {{nothing, {line_.farthest(), line_.farthest()}}}, false};
     const Maybe in_rect = in_rectangle(primitive, place);
     if (in_rect == Maybe::no) continue;
     if (in_rect == Maybe::unknown) chance.edges.push_back({rectangles + primitive, true});
-    const facet::Convex& solid = scene_.solids[primitive];
+    const facet::Convex& solid = geometry_.solids[primitive];
     const bool on_ray = std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
                                     [&](const facet::Halfspace& one) { return add_halfspace(chance, one, place); }) &&
                         std::all_of(solid.quadrics.begin(), solid.quadrics.end(),

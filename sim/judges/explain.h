@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
@@ -24,14 +24,14 @@ namespace csgsim::judges {
 ///   plane; else either, but the same for all half-spaces on the plane.
 /// - A primitive is nowhere outside the rectangle of its vertices in the picture, those of the near plane's cuts among
 ///   them, with a 64th and `edge_on_fraction` of a pixel around it. On the border of that it may be or not.
-/// - A quadric has the depths of host/view/quadrics.h, as far off as QuadricBounds says.
+/// - A quadric has the depths of host/view/screen_quadric.h, as far off as QuadricBounds says.
 ///
 /// A picture is explained at a pixel if some such planes and quadrics make it. That is decided by three-valued logic,
 /// which may allow a little too much where several planes are uncertain together, never too little.
 class Explainer {
  public:
-  /// Keeps references to the tree and the scene. The Program tells size, depth scale and accuracy.
-  Explainer(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
+  /// Keeps references to the tree and the geometry. The Program tells size, depth scale and accuracy.
+  Explainer(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
             const isa::Program& program);
 
   /// Whether the machine may show that primitive (or `nothing`) at that depth step at the pixel.
@@ -49,7 +49,7 @@ class Explainer {
   [[nodiscard]] Ray make_ray(Place place) const;
 
   const model::Tree& tree_;
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   std::uint32_t width_;
   std::uint32_t height_;
   Sight sight_;

@@ -72,9 +72,9 @@ Steps DepthLine::steps(const FilterQuadratic& linear, double condition, double u
   return {floor_step(z - off), floor_step(z + off)};
 }
 
-QuadricBounds::QuadricBounds(const facet::Scene& scene, const Sight& sight, const DepthLine& line)
-    : table_(scene.quadrics), sight_(sight), line_(line) {
-  const std::vector<PlaceRect> reaches = quadric_reaches(scene, sight.camera());
+QuadricBounds::QuadricBounds(const facet::Geometry& geometry, const Sight& sight, const DepthLine& line)
+    : table_(geometry.quadrics), sight_(sight), line_(line) {
+  const std::vector<PlaceRect> reaches = quadric_reaches(geometry, sight.camera());
   for (std::uint32_t i = 0; i < reaches.size(); ++i) bounds_.push_back(make_bound(i, reaches[i]));
 }
 

@@ -45,8 +45,8 @@ struct QuadricMet {
   Steps farther;
 };
 
-/// What the design states of quadrics (host/view/quadrics.h), with f fraction bits, over the rectangle of pixels that
-/// the solids of a quadric can touch, w columns and h rows from its middle to its sides:
+/// What the design states of quadrics (host/view/screen_quadric.h), with f fraction bits, over the rectangle of pixels
+/// that the solids of a quadric can touch, w columns and h rows from its middle to its sides:
 ///
 /// - The middle is M = floor(P + e), |e| <= (1 + w + h) 2^-(f+1) steps.
 /// - The discriminant is floor(D + e) in units of 4^unit steps squared, |e| <= 2^(9-f) sqrt(D_max) + 1, where D_max is
@@ -60,7 +60,7 @@ struct QuadricMet {
 ///   that is closer than a factor of 2, it may be either.
 class QuadricBounds {
  public:
-  QuadricBounds(const facet::Scene& scene, const Sight& sight, const DepthLine& line);
+  QuadricBounds(const facet::Geometry& geometry, const Sight& sight, const DepthLine& line);
 
   [[nodiscard]] QuadricMet met(std::uint32_t quadric, Place place) const;
 

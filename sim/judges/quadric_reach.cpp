@@ -92,10 +92,10 @@ double peak(double a, double b, double low, double high) {
 
 }  // namespace
 
-std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCamera& camera) {
+std::vector<PlaceRect> quadric_reaches(const facet::Geometry& geometry, const ExactCamera& camera) {
   const Projector projector(camera);
-  std::vector<PlaceRect> reaches(scene.quadrics.quadrics().size(), no_places);
-  for (const facet::Convex& solid : scene.solids) {
+  std::vector<PlaceRect> reaches(geometry.quadrics.quadrics().size(), no_places);
+  for (const facet::Convex& solid : geometry.solids) {
     if (solid.quadrics.empty()) continue;
     const PlaceRect places = projector.places_around(solid);
     for (const facet::QuadricSide& side : solid.quadrics) {
@@ -105,11 +105,11 @@ std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCam
   return reaches;
 }
 
-std::vector<PlaceRect> solid_reaches(const facet::Scene& scene, const ExactCamera& camera) {
+std::vector<PlaceRect> solid_reaches(const facet::Geometry& geometry, const ExactCamera& camera) {
   const Projector projector(camera);
   std::vector<PlaceRect> reaches;
-  reaches.reserve(scene.solids.size());
-  for (const facet::Convex& solid : scene.solids) reaches.push_back(projector.places(solid));
+  reaches.reserve(geometry.solids.size());
+  for (const facet::Convex& solid : geometry.solids) reaches.push_back(projector.places(solid));
   return reaches;
 }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "sim/judges/exact_camera.h"
 #include "sim/judges/quadric_sight.h"
 
@@ -19,11 +19,11 @@ struct PlaceRect {
 
 /// The places of the picture that the solids of each canonical quadric can touch, by their corners and where the near
 /// plane cuts their edges, with two pixels around them.
-std::vector<PlaceRect> quadric_reaches(const facet::Scene& scene, const ExactCamera& camera);
+std::vector<PlaceRect> quadric_reaches(const facet::Geometry& geometry, const ExactCamera& camera);
 
 /// The places that each solid's vertices take, and where the near plane cuts its edges: least and greatest. None if it
 /// is before the near plane.
-std::vector<PlaceRect> solid_reaches(const facet::Scene& scene, const ExactCamera& camera);
+std::vector<PlaceRect> solid_reaches(const facet::Geometry& geometry, const ExactCamera& camera);
 
 /// The greatest and least value over a rectangle of places; 0 if that is empty.
 double greatest(const FilterQuadratic& of, const PlaceRect& over);

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "host/facet/quadrics.h"
+#include "host/facet/quadric_table.h"
 #include "sim/judges/exact_camera.h"
 #include "sim/judges/surd.h"
 
@@ -74,7 +74,7 @@ struct SightQuadric {
   double square_terms = 0;  ///< at most the sum of the sizes of all terms of L^2 / a^2 and Q / a, over the picture
 };
 
-/// The canonical quadrics of a scene as a camera sees them: the doubles of `to_unit` and `origin` are taken as they
+/// The canonical quadrics of a model as a camera sees them: the doubles of `to_unit` and `origin` are taken as they
 /// are, depth is that of Sight (sight.h).
 ///
 /// Not to be used by several threads at a time: exact numbers are worked out when first asked for, and kept.

@@ -12,12 +12,12 @@ constexpr double filter_part = 0x1p-49;
 
 }  // namespace
 
-Sight::Sight(const facet::Scene& scene, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
+Sight::Sight(const facet::Geometry& geometry, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
              const isa::DepthScale& depth)
-    : table_(scene.planes),
+    : table_(geometry.planes),
       camera_(camera, width, height, depth),
-      from_middle_(camera_.eye - exactly(scene.planes.centre())),
-      quadrics_(scene.quadrics, camera_),
+      from_middle_(camera_.eye - exactly(geometry.planes.centre())),
+      quadrics_(geometry.quadrics, camera_),
       unit_(camera_.axis_length.approximately()) {
   const auto count = static_cast<std::uint32_t>(table_.planes().size()) + 2;
   planes_.resize(count);

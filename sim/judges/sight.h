@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
 #include "sim/judges/exact_camera.h"
@@ -35,7 +35,7 @@ struct SightPlane {
   [[nodiscard]] double at(Place place) const { return c + a * place.x + b * place.y; }
 };
 
-/// The canonical planes and quadrics of a scene as a camera (host/view/camera.h) sees them, in exact numbers
+/// The canonical planes and quadrics of a model as a camera (host/view/camera.h) sees them, in exact numbers
 /// (exact_camera.h). The planes' doubles are taken as they are.
 ///
 /// The depth of planes is linear over the picture: q = t in an orthographic view and q = -1/t in perspective, where t
@@ -44,7 +44,7 @@ struct SightPlane {
 /// Not to be used by several threads at a time: exact numbers are worked out when first asked for, and kept.
 class Sight {
  public:
-  Sight(const facet::Scene& scene, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
+  Sight(const facet::Geometry& geometry, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
         const isa::DepthScale& depth);
   Sight(const Sight&) = delete;
   Sight& operator=(const Sight&) = delete;

@@ -127,7 +127,7 @@ class Narrowing {
 
 }  // namespace
 
-Pieces all_pieces(const facet::Scene& scene, const Sight& sight) {
+Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight) {
   Pieces all;
   const auto size = [&] { return static_cast<std::uint32_t>(all.halfspaces.size()); };
   const auto add = [&](const facet::Convex& solid, Role role) {
@@ -143,8 +143,8 @@ Pieces all_pieces(const facet::Scene& scene, const Sight& sight) {
     }
     return Run{begin, size()};
   };
-  for (std::uint32_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
-    const facet::Convex& solid = scene.solids[primitive];
+  for (std::uint32_t primitive = 0; primitive < geometry.solids.size(); ++primitive) {
+    const facet::Convex& solid = geometry.solids[primitive];
     const Run edges = add(solid, Role::edge);
     const Run fronts = add(solid, Role::front);
     const Run backs = add(solid, Role::back);

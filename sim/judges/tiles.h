@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "sim/judges/sight.h"
 
 namespace csgsim::judges {
@@ -51,7 +51,7 @@ struct Pieces {
 
 /// All half-spaces and quadrics of all primitives, and in perspective the near plane as a front of each and the horizon
 /// as a back of those with quadrics.
-Pieces all_pieces(const facet::Scene& scene, const Sight& sight);
+Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight);
 
 /// Leaves out half-spaces that hold the tile or lie behind (before) another front (back) all over it, and primitives
 /// that are nowhere in it, with the bounds of the filter: never one that matters. Quadrics stay.

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
@@ -21,8 +21,8 @@ struct Truth {
   std::vector<double> distance;
   std::vector<std::uint32_t> owner;  ///< primitive, or `nothing`
   /// What is seen: the index of a canonical plane; n, the number of planes, for the near cap; n + 1 + 2 i for the
-  /// nearer root of canonical quadric i, and one more for the farther one (host/view/quadrics.h: `near` and `far`); or
-  /// `nothing`. Empty in an analytic truth, which has no planes.
+  /// nearer root of canonical quadric i, and one more for the farther one (host/view/screen_quadric.h: `near` and
+  /// `far`); or `nothing`. Empty in an analytic truth, which has no planes.
   std::vector<std::uint32_t> plane;
 };
 
@@ -33,7 +33,7 @@ inline Truth empty_truth(std::uint32_t width, std::uint32_t height) {
           std::vector<std::uint32_t>(pixels, nothing), std::vector<std::uint32_t>(pixels, nothing)};
 }
 
-/// The picture that the scene's half-spaces and quadrics make by the rules of docs/numbers.md (half-open, ties, owner)
+/// The picture that the model's half-spaces and quadrics make by the rules of docs/numbers.md (half-open, ties, owner)
 /// and of docs/algorithm.md (view), in exact arithmetic (sight.h).
 ///
 /// - A primitive fills [front, back) along the ray of a pixel centre: front is its farthest plane that faces the eye,
@@ -48,7 +48,7 @@ inline Truth empty_truth(std::uint32_t width, std::uint32_t height) {
 /// Doubles with a rigorous bound decide most comparisons, exact numbers the rest, square roots by squaring (surd.h), so
 /// no bit depends on rounding. Takes
 /// some 0.1 s for 512 x 512 pixels of a few thousand half-spaces. `depth` is used for its near plane only.
-Truth exact_truth(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera, std::uint32_t width,
-                  std::uint32_t height, const isa::DepthScale& depth);
+Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
+                  std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
 }  // namespace csgsim::judges

@@ -8,7 +8,7 @@
 
 #include "host/emit/curves.h"
 #include "host/facet/curved.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
 #include "sim/shell/model_options.h"
@@ -71,7 +71,7 @@ facet::Faceting with_fast_spheres(facet::Faceting planar, const model::Tree& tre
   if (!is_perspective) {
     faceting.exact_curves = true;
     faceting.fast_spheres = true;
-    const facet::Scene scene = facet::make_scene(tree, faceting);
+    const facet::Geometry scene = facet::make_geometry(tree, faceting);
     faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling));
   }
   tell_of(left_faceted(tree, faceting), tree, is_perspective);

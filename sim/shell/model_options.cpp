@@ -16,7 +16,7 @@
 #include "host/emit/curves.h"
 #include "host/emit/effect.h"
 #include "host/emit/no_room.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/lighting/colour_schemes.h"
 #include "host/read/read.h"
 #include "host/read/source.h"
@@ -256,7 +256,7 @@ facet::Faceting planar_faceting_of(const ModelOptions& options, const machines::
                                    const model::Tree& tree) {
   if (!options.tolerance) return {};
   if (!options.tolerance->in_pixels) return {.tolerance = options.tolerance->value};
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera = camera_of(options, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
   const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
@@ -267,7 +267,7 @@ facet::Faceting planar_faceting_of(const ModelOptions& options, const machines::
 
 }  // namespace
 
-std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& view) {
+std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view) {
   std::vector<bool> unfit(scene.solids.size());
   bool any = false;
   for (std::size_t i = 0; i < unfit.size(); ++i) {
@@ -286,7 +286,7 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
   if (curves == emit::Curves::facets) return faceting;
   if (curves == emit::Curves::automatic && machine.evaluator_degree < 2) return faceting;
   const emit::Options emit = emit_options_of(options);
-  const view::Camera camera = camera_of(options, machine, tree, facet::make_scene(tree));
+  const view::Camera camera = camera_of(options, machine, tree, facet::make_geometry(tree));
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
   if (curves == emit::Curves::fast)
     return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(options, machine), machine, emit, look);
@@ -295,7 +295,7 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
   if (reason) return faceting;
   faceting.exact_curves = true;
   if (curves == emit::Curves::exact) return faceting;
-  const facet::Scene scene = facet::make_scene(tree, faceting);
+  const facet::Geometry scene = facet::make_geometry(tree, faceting);
   faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling_of(options, machine)));
   return faceting;
 }
@@ -310,7 +310,7 @@ view::Sampling sampling_of(const ModelOptions& options, const machines::Machine&
 }
 
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree,
-                       const facet::Scene& scene) {
+                       const facet::Geometry& scene) {
   const machines::Size picture = machine.picture;
   const scene::Camera& seen_by = options.scene().camera;
   const bool is_given = !options.camera.empty() || (seen_by.eye && seen_by.centre);
@@ -318,7 +318,7 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
   // The same picture, whatever curved surfaces are drawn as.
   const bool has_quadrics = !scene.quadrics.quadrics().empty();
   const facet::Box box = is_given && !sees_all ? scene.box
-                         : has_quadrics        ? convex::extent(facet::make_scene(tree), csg::make_positive(tree))
+                         : has_quadrics        ? convex::extent(facet::make_geometry(tree), csg::make_positive(tree))
                                                : convex::extent(scene, csg::make_positive(tree));
   view::Camera camera = view::default_camera(box, picture.width, picture.height);
   camera.eye = seen_by.eye.value_or(camera.eye);
@@ -368,7 +368,7 @@ namespace {
 
 CompiledModel compile(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
   model::Tree& tree = file.tree;
-  facet::Scene scene = facet::make_scene(tree, faceting_of(options, machine, tree));
+  facet::Geometry scene = facet::make_geometry(tree, faceting_of(options, machine, tree));
   const view::Camera camera = camera_of(options, machine, tree, scene);
   CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
   model.program = compile_seen_by(model.camera, model, options, machine);

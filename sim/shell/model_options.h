@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/scene/read.h"
 #include "host/scene/scene.h"
 #include "host/view/camera.h"
@@ -102,14 +102,14 @@ machines::Machine machine_of(const ModelOptions& options);
 facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree);
 
 /// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
-std::vector<bool> unfit_primitives(const facet::Scene& scene, const view::View& view);
+std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view);
 
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine);
 emit::Options emit_options_of(const ModelOptions& options);
 
 /// With --view-all, or without a camera, the extent of the model (convex/extent.h) is seen.
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree,
-                       const facet::Scene& scene);
+                       const facet::Geometry& scene);
 
 /// Throws InputError where what is seen through would be held against an exact picture, which knows opaque solids
 /// alone.
@@ -129,7 +129,7 @@ model::Tree read_model(const ModelOptions& options);
 struct CompiledModel {
   std::string hash;  ///< of what was read
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::Camera camera;
   isa::Program program;
 };

@@ -53,8 +53,8 @@ ModelHalfspace in_model(const facet::PlaneTable& table, const facet::Halfspace& 
 
 }  // namespace
 
-HalfspaceFinder::HalfspaceFinder(const model::Tree& tree, const facet::Scene& scene, const view::View& view)
-    : scene_(scene),
+HalfspaceFinder::HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view)
+    : geometry_(geometry),
       view_(view),
       sets_(csg::convex_sets(csg::make_positive(tree), true)),
       set_of_(tree.primitives.size()) {
@@ -64,11 +64,11 @@ HalfspaceFinder::HalfspaceFinder(const model::Tree& tree, const facet::Scene& sc
 
 std::optional<ModelHalfspace> HalfspaceFinder::find_in(std::uint32_t primitive, const isa::Instruction& instruction,
                                                        const isa::Region& region) const {
-  const std::vector<facet::Halfspace>& halfspaces = scene_.solids[primitive].halfspaces;
+  const std::vector<facet::Halfspace>& halfspaces = geometry_.solids[primitive].halfspaces;
   for (std::size_t i = 0; i < halfspaces.size(); ++i) {
     const view::ScreenPlane& plane = view_.planes[halfspaces[i].plane];
     if (!plane.representable || !same_plane(broadcast(view_, plane, region), instruction.linear)) continue;
-    ModelHalfspace found = in_model(scene_.planes, halfspaces[i]);
+    ModelHalfspace found = in_model(geometry_.planes, halfspaces[i]);
     found.primitive = primitive;
     found.index = i;
     found.count = halfspaces.size();
@@ -79,16 +79,16 @@ std::optional<ModelHalfspace> HalfspaceFinder::find_in(std::uint32_t primitive, 
 
 std::optional<ModelQuadric> HalfspaceFinder::find_in(std::uint32_t primitive, const isa::Instruction& squares,
                                                      const isa::Instruction& linear, const isa::Region& region) const {
-  const std::vector<facet::QuadricSide>& sides = scene_.solids[primitive].quadrics;
+  const std::vector<facet::QuadricSide>& sides = geometry_.solids[primitive].quadrics;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const view::ScreenQuadric& quadric = view_.quadrics[sides[i].quadric];
     if (quadric.kind == view::ScreenQuadricKind::unfit) continue;
     const auto [terms, rest] = broadcast(view_, quadric, region);
     if (!same_plane(terms, squares.linear) || !same_plane(rest, linear.linear)) continue;
-    const facet::Quadric& canonical = scene_.quadrics.quadrics()[sides[i].quadric];
+    const facet::Quadric& canonical = geometry_.quadrics.quadrics()[sides[i].quadric];
     const glm::dvec3 axis = canonical.kind == facet::QuadricKind::ellipsoid ? glm::dvec3(0) : canonical.axis;
-    return ModelQuadric{primitive, i, sides.size(), canonical.kind, canonical.origin + scene_.quadrics.centre() + 0.0,
-                        axis};
+    return ModelQuadric{
+        primitive, i, sides.size(), canonical.kind, canonical.origin + geometry_.quadrics.centre() + 0.0, axis};
   }
   return std::nullopt;
 }

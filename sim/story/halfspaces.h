@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/csg/convex_sets.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
@@ -36,8 +36,8 @@ struct ModelQuadric {
 /// Finds whose plane an instruction streams, by its coefficients. A Program does not say it.
 class HalfspaceFinder {
  public:
-  /// Keeps references to the scene and the view.
-  HalfspaceFinder(const model::Tree& tree, const facet::Scene& scene, const view::View& view);
+  /// Keeps references to the geometry and the view.
+  HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view);
 
   /// A half-space of the primitive whose surface is drawn or that it is compared with, or of one that makes one convex
   /// solid with it. None where the instruction has no linear expression, or one of another origin: a rectangle of
@@ -67,7 +67,7 @@ class HalfspaceFinder {
   [[nodiscard]] std::optional<ModelQuadric> find_in(std::uint32_t primitive, const isa::Instruction& squares,
                                                     const isa::Instruction& linear, const isa::Region& region) const;
 
-  const facet::Scene& scene_;
+  const facet::Geometry& geometry_;
   const view::View& view_;
   std::vector<csg::ConvexSet> sets_;
   std::vector<std::size_t> set_of_;  ///< one a primitive

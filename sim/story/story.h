@@ -37,7 +37,7 @@ struct Change {
 };
 
 /// A depth of a quadric at the pixel, worked out by instructions before one that uses it: near = M - (q << unit), far =
-/// M + ((q + 1) << unit), with q = floor(sqrt(D)) (host/view/quadrics.h).
+/// M + ((q + 1) << unit), with q = floor(sqrt(D)) (host/view/screen_quadric.h).
 struct QuadricDepth {
   isa::Instruction squares;        ///< the first three coefficients of the discriminant
   isa::Instruction load;           ///< the others; it comes directly after the squares

@@ -58,7 +58,7 @@ JobMaker::Key JobMaker::key(const shell::ModelOptions& options, const machines::
 JobMaker::Read JobMaker::read(const shell::ModelOptions& options, const machines::Machine& machine) {
   try {
     shell::ModelFile file = shell::read_model_file(options);
-    facet::Scene scene = facet::make_scene(file.tree, shell::faceting_of(options, machine, file.tree));
+    facet::Geometry scene = facet::make_geometry(file.tree, shell::faceting_of(options, machine, file.tree));
     auto subject = std::make_shared<Subject>(Subject{std::move(file.tree), std::move(scene), file.hash});
     return {std::move(subject), "", std::move(file.hash)};
   } catch (const InputError& error) {

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
@@ -20,7 +20,7 @@ namespace csgsim::studies {
 /// A model, ready to be looked at by any number of threads.
 struct Subject {
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   std::string hash;  ///< of the bytes of the model's file
 };
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/camera.h"
 #include "tests/support/drawing.h"
@@ -103,7 +103,7 @@ void compile(benchmark::State& state) {
   // The whole of each model from the same side, with room for whatever classification takes.
   testing::Setup setup{{{1, -1, 1}, {0, 0, 0}, view::Projection::orthographic}, {}, 4096};
   const model::Tree tree = read::read_csg_text(text, "bench");
-  const facet::Box box = facet::make_scene(tree).box;
+  const facet::Box box = facet::make_geometry(tree).box;
   setup.camera = view::default_camera(box, setup.sampling.width, setup.sampling.height);
   std::size_t instructions = 0;
   for (auto _ : state) {

@@ -10,7 +10,7 @@
 #include "host/csg/positive_tree.h"
 #include "host/emit/compile.h"
 #include "host/emit/display_model.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/division/divide.h"
@@ -37,7 +37,7 @@ constexpr std::uint64_t unlimited = ~std::uint64_t{0};
 struct Subject {
   std::string name;
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::View view;
   machines::Machine machine;
 };
@@ -45,7 +45,7 @@ struct Subject {
 Subject subject(const testing::ThesisObject& object, machines::Size picture, machines::Size square,
                 const std::optional<double>& tolerance) {
   model::Tree tree = read::read_csg_file(testing::model_path(object.name));
-  facet::Scene scene = facet::make_scene(tree, {tolerance, std::nullopt});
+  facet::Geometry scene = facet::make_geometry(tree, {tolerance, std::nullopt});
   view::Sampling sampling;
   sampling.width = picture.width;
   sampling.height = picture.height;

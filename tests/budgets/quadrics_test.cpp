@@ -5,7 +5,7 @@
 
 #include "host/convex/extent.h"
 #include "host/csg/positive_tree.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
@@ -32,7 +32,7 @@ struct Drawn {
 /// As `csgsim render tests/models/NAME.csg --machine MACHINE --view-all` draws it.
 Drawn draw(const std::string& name, const std::string& machine, unsigned z_bits = 20) {
   const model::Tree tree = read::read_csg_file(testing::model_path(name));
-  const facet::Box box = convex::extent(facet::make_scene(tree), csg::make_positive(tree));
+  const facet::Box box = convex::extent(facet::make_geometry(tree), csg::make_positive(tree));
   testing::Setup setup;
   setup.exact_curves = true;
   setup.machine = machine;

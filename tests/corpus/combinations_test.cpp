@@ -45,7 +45,7 @@ machines::Machine load_large(std::string_view name) {
 /// A model as one camera sees it.
 struct Seen {
   const model::Tree& tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::View view;
 };
 
@@ -90,7 +90,7 @@ void compare(const Seen& seen, const observe::Frame& first, std::string_view mac
 void compare_all(const std::string& model, const std::string& path) {
   CAPTURE(model);
   const model::Tree tree = read::read_csg_file(path);
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   for (const testing::Reference& reference : testing::read_references(model)) {
     CAPTURE(static_cast<int>(reference.camera.projection));
     view::Sampling sampling;

@@ -68,7 +68,7 @@ void check_compilation(const std::string& name, const std::string& model, const 
   sampling.width = size.width;
   sampling.height = size.height;
   const model::Tree tree = read::read_csg_file(testing::model_path(model));
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   isa::Program compiled = emit::compile(tree, scene, view::make_view(scene, tree, camera, sampling), machine);
   isa::Program golden = isa::load_program(trace(name, ".csgt"));
   golden.facts.model.file.clear();

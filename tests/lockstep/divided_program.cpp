@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "host/emit/compile.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
@@ -45,7 +45,7 @@ isa::Program any_divided_program(const machines::Machine& machine) {
     try {
       const model::Tree tree =
           read::read_csg_text(testing::random_model(seed, 1 + static_cast<unsigned>(seed % 12)), "random");
-      const facet::Scene scene = facet::make_scene(tree);
+      const facet::Geometry scene = facet::make_geometry(tree);
       const view::View view = view::make_view(scene, tree, camera, sampling);
       return emit::compile(tree, scene, view, machine, options);
     } catch (const InputError& error) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/emit/compile.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"

@@ -107,7 +107,7 @@ void check_variants(const Compiled& compiled, const Setup& how, const CurvedLook
 bool is_faceted(const Compiled& compiled) {
   facet::Faceting exact;
   exact.exact_curves = true;
-  const facet::Scene wanted = facet::make_scene(compiled.tree, exact);
+  const facet::Geometry wanted = facet::make_geometry(compiled.tree, exact);
   for (std::size_t i = 0; i < wanted.solids.size(); ++i) {
     if (wanted.solids[i].quadrics.size() != compiled.scene.solids[i].quadrics.size()) return true;
   }
@@ -192,7 +192,7 @@ CurvedVerdict look_both_ways(const std::string& csg, const glm::dvec3& eye, cons
 CurvedVerdict look_at_all(const std::string& csg, const CurvedLook& how) {
   facet::Faceting exact;
   exact.exact_curves = true;
-  const facet::Box box = facet::make_scene(read::read_csg_text(csg, "test"), exact).box;
+  const facet::Box box = facet::make_geometry(read::read_csg_text(csg, "test"), exact).box;
   CurvedVerdict sum;
   CurvedLook part = how;
   part.shares *= 4;

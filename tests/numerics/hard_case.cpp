@@ -125,7 +125,7 @@ Verdict look_around(const std::string& csg, const Look& how) { return look_from(
 Verdict look_obliquely(const std::string& csg, const Look& how) { return look_from(csg, {oblique}, how); }
 
 view::Camera whole(const std::string& csg, const glm::dvec3& direction, Projection projection) {
-  const facet::Scene scene = facet::make_scene(read::read_csg_text(csg, "test"));
+  const facet::Geometry scene = facet::make_geometry(read::read_csg_text(csg, "test"));
   const view::Camera camera = view::view_all({direction, glm::dvec3(0), projection}, scene.box, 1, 1);
   // Nothing to see: from somewhere.
   return scene.box.empty() ? view::Camera{30.0 * direction, glm::dvec3(0), projection} : camera;

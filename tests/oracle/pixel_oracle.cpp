@@ -73,7 +73,7 @@ Interval interval(const facet::Convex& solid, const view::View& view, const view
 
 }  // namespace
 
-std::vector<Seen> draw_by_rules(const model::Tree& tree, const facet::Scene& scene, const view::View& view) {
+std::vector<Seen> draw_by_rules(const model::Tree& tree, const facet::Geometry& scene, const view::View& view) {
   const std::int64_t farthest = (std::int64_t{1} << view.sampling.z_bits) - 1;
   const Seen nothing{static_cast<std::uint32_t>(farthest), 0xffffffffU};
   std::vector<Seen> picture(static_cast<std::size_t>(view.sampling.width) * view.sampling.height, nothing);

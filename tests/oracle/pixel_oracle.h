@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 
@@ -22,6 +22,6 @@ struct Seen {
 /// front of what is added, the back of what is taken away) is classified by the tree as the model states it, with the
 /// half-open intervals, and the nearest that no operator takes away is the picture's, the first in tree order of
 /// several at one depth. No pruning, no positive form, no instructions: a judge of those.
-std::vector<Seen> draw_by_rules(const model::Tree& tree, const facet::Scene& scene, const view::View& view);
+std::vector<Seen> draw_by_rules(const model::Tree& tree, const facet::Geometry& scene, const view::View& view);
 
 }  // namespace csgsim::testing

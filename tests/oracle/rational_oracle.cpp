@@ -89,8 +89,8 @@ struct Interval {
 };
 
 /// The part of the ray in a solid; nothing if there is none.
-std::optional<Interval> interval(const facet::Scene& scene, const facet::Convex& solid, const Eye& eye, const Ray& ray,
-                                 double near) {
+std::optional<Interval> interval(const facet::Geometry& scene, const facet::Convex& solid, const Eye& eye,
+                                 const Ray& ray, double near) {
   std::optional<Rational> front;
   std::optional<Rational> back;
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
@@ -120,7 +120,7 @@ std::optional<Interval> interval(const facet::Scene& scene, const facet::Convex&
 
 }  // namespace
 
-std::vector<std::uint32_t> rational_owners(const model::Tree& tree, const facet::Scene& scene,
+std::vector<std::uint32_t> rational_owners(const model::Tree& tree, const facet::Geometry& scene,
                                            const view::Camera& camera, std::uint32_t width, std::uint32_t height,
                                            double near) {
   constexpr std::uint32_t nothing = 0xffffffffU;

@@ -72,7 +72,7 @@ glm::dvec3 middle_on(const facet::Convex& solid, const facet::Plane& plane, cons
 
 }  // namespace
 
-RayLighting::RayLighting(const model::Tree& tree, const facet::Scene& facets, const RayModel& model,
+RayLighting::RayLighting(const model::Tree& tree, const facet::Geometry& facets, const RayModel& model,
                          const scene::Scene& scene, const view::EyeSpace& camera)
     : model_(model), ambient_(scene.ambient.colour * scene.ambient.intensity) {
   for (const scene::Light& light : scene.lights) lights_.push_back(in_model_space(light, camera));

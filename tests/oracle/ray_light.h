@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/scene/scene.h"
 #include "host/view/eye_space.h"
@@ -32,7 +32,7 @@ struct RayFinish {
 class RayLighting {
  public:
   /// Lights given in the camera's axes are where they are whatever eye looks. Keeps a reference to the model.
-  RayLighting(const model::Tree& tree, const facet::Scene& facets, const RayModel& model, const scene::Scene& scene,
+  RayLighting(const model::Tree& tree, const facet::Geometry& facets, const RayModel& model, const scene::Scene& scene,
               const view::EyeSpace& camera);
 
   [[nodiscard]] const std::vector<RayLight>& lights() const { return lights_; }

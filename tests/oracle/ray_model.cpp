@@ -73,7 +73,7 @@ bool comes_before(const Candidate& a, const Candidate& b) {
 
 }  // namespace
 
-RayModel::RayModel(const model::Tree& tree, const facet::Scene& scene) : scene_(scene), rules_(tree) {
+RayModel::RayModel(const model::Tree& tree, const facet::Geometry& scene) : scene_(scene), rules_(tree) {
   constexpr double wider = 1.0 + 1e-9;
   for (const facet::Convex& solid : scene.solids) {
     balls_.push_back({solid.box.centre(), wider * glm::length(solid.box.high - solid.box.low) / 2.0});

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "tests/oracle/tree_rules.h"
 
@@ -67,7 +67,7 @@ struct Occlusion {
 class RayModel {
  public:
   /// Keeps references to both.
-  RayModel(const model::Tree& tree, const facet::Scene& scene);
+  RayModel(const model::Tree& tree, const facet::Geometry& scene);
 
   /// All surface points beyond `from`: the `in` of a primitive, or the `out` of one that is taken away,
   /// where every operand that an intersection (in positive form) combines it with holds the point. Of those at one t
@@ -91,7 +91,7 @@ class RayModel {
   [[nodiscard]] std::vector<Span> spans(const Ray& ray) const;
   [[nodiscard]] bool holds(const std::vector<Span>& spans, double t) const;
 
-  const facet::Scene& scene_;
+  const facet::Geometry& scene_;
   TreeRules rules_;
   std::vector<Ball> balls_;
 };

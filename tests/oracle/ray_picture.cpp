@@ -73,7 +73,7 @@ class Camera {
 
 }  // namespace
 
-std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Scene& facets, const scene::Scene& scene,
+std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Geometry& facets, const scene::Scene& scene,
                                    const RayShot& shot, const RayEffects& effects, const RayDoubt& doubt) {
   const RayModel model(tree, facets);
   const RayLighting lighting(tree, facets, model, scene, eye_of(shot));

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/scene/scene.h"
 #include "host/view/camera.h"
@@ -49,7 +49,7 @@ struct RayColour {
 ///
 /// Of the scene it takes lights, ambient light, materials and the background; effects are as given, whatever the scene
 /// calls for.
-std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Scene& facets, const scene::Scene& scene,
+std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Geometry& facets, const scene::Scene& scene,
                                    const RayShot& shot, const RayEffects& effects = {}, const RayDoubt& doubt = {});
 
 /// Levels of 255 by which a colour of 24 bits is off, of the channel that is most.

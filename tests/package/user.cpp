@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "host/emit/compile.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/kinds/load.h"
@@ -15,7 +15,7 @@ int main() {
   machines::Machine machine = kinds::load("pixel-planes-4");
   machine.array = {32, 32, 72};
   const model::Tree tree = read::read_csg_text("cube(size = 2, center = true);", "cube");
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   view::Sampling sampling;
   sampling.width = sampling.height = 32;
   const view::View view = view::make_view(scene, tree, view::default_camera(scene.box, 32, 32), sampling);

@@ -17,7 +17,7 @@ std::string colour_of(const model::Primitive& primitive) {
 }
 
 /// POV-Ray's plane is what lies against its normal. Without a box it would try every half-space at every pixel.
-std::string solid_text(const facet::Scene& scene, const facet::Convex& solid, const model::Primitive& primitive) {
+std::string solid_text(const facet::Geometry& scene, const facet::Convex& solid, const model::Primitive& primitive) {
   std::string text = "intersection {\n";
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     const facet::Plane& plane = scene.planes.planes()[halfspace.plane];
@@ -50,7 +50,7 @@ std::string camera_text(const view::Camera& camera) {
 
 }  // namespace
 
-std::string povray_scene(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera) {
+std::string povray_scene(const model::Tree& tree, const facet::Geometry& scene, const view::Camera& camera) {
   std::vector<std::string> texts;
   texts.reserve(tree.nodes.size());
   for (const model::Node& node : tree.nodes) {

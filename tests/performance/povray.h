@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 
@@ -10,6 +10,6 @@ namespace csgsim::bench {
 
 /// The model as a scene of POV-Ray's: the same half-spaces, intersected to primitives within their boxes, and the same
 /// tree, seen by the same orthographic camera; a lamp without shadows.
-std::string povray_scene(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera);
+std::string povray_scene(const model::Tree& tree, const facet::Geometry& scene, const view::Camera& camera);
 
 }  // namespace csgsim::bench

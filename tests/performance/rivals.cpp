@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/camera.h"
 #include "hw/base/error.h"
@@ -30,7 +30,7 @@ Words openscad_words(const std::filesystem::path& model, const std::filesystem::
 /// POV-Ray on one thread, as csgsim.
 Words povray_words(const Settings& settings, const std::filesystem::path& model) {
   const model::Tree tree = read::read_csg_file(model);
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera = view::view_all(view::default_camera(scene.box, side, side), scene.box, side, side);
   const std::filesystem::path file = settings.folder / (model.stem().native() + ".pov");
   write_file(file, povray_scene(tree, scene, camera));

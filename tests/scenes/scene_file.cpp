@@ -74,7 +74,7 @@ DrawnScene compile_scene(const SceneFile& file, std::uint32_t width, std::uint32
   options.scene = scene;
   options.effects = effects::all();
   model::Tree tree = effects::reshaped(read::read_csg_file(file.model), scene);
-  facet::Scene facets = facet::make_scene(tree);
+  facet::Geometry facets = facet::make_geometry(tree);
   view::View view = view::make_view(facets, tree, file.camera, sampling);
   isa::Program program = emit::compile(tree, facets, view, machine, options);
   isa::validate(program);

@@ -32,7 +32,7 @@ facet::Faceting faceting_of(const model::Tree& tree, const Setup& setup) {
   facet::Faceting faceting;
   faceting.exact_curves = setup.exact_curves;
   if (!setup.exact_curves) return faceting;
-  const facet::Scene scene = facet::make_scene(tree, faceting);
+  const facet::Geometry scene = facet::make_geometry(tree, faceting);
   const view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
   for (const facet::Convex& solid : scene.solids) {
     faceting.faceted.push_back(
@@ -72,7 +72,7 @@ machines::Machine machine_for(const Setup& setup) {
 }
 
 Compiled compile_tree(model::Tree tree, const Setup& setup) {
-  facet::Scene scene = facet::make_scene(tree, faceting_of(tree, setup));
+  facet::Geometry scene = facet::make_geometry(tree, faceting_of(tree, setup));
   view::View view = view::make_view(scene, tree, setup.camera, setup.sampling);
   Compiled compiled{std::move(tree), std::move(scene), std::move(view), {}};
   compiled.program = compile_again(compiled, setup);
@@ -97,7 +97,7 @@ Compiled compile_file(const std::string& path, const Setup& setup) {
 
 Compiled compile_default_view(const std::string& path, Setup setup, view::Projection projection) {
   model::Tree tree = read::read_csg_file(path);
-  setup.camera = view::default_camera(facet::make_scene(tree).box, setup.sampling.width, setup.sampling.height);
+  setup.camera = view::default_camera(facet::make_geometry(tree).box, setup.sampling.width, setup.sampling.height);
   setup.camera.projection = projection;
   return compile_tree(std::move(tree), setup);
 }

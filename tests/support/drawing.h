@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "host/emit/compile.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
@@ -21,7 +21,7 @@ machines::Machine machine_of(const isa::ArrayShape& array);
 /// A model taken all the way to a Program.
 struct Compiled {
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::View view;
   isa::Program program;
 };

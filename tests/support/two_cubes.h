@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/emit/compile.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
@@ -16,7 +16,7 @@ inline isa::Program two_cubes(const machines::Machine& machine, const glm::dvec3
       "multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]]) {"
       "cube(size = [4, 4, 4], center = false); } }",
       "cubes");
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   view::Sampling sampling;
   sampling.width = machine.picture.width;
   sampling.height = machine.picture.height;

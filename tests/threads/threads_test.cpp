@@ -53,7 +53,7 @@ struct Drawn {
 /// One model under every strategy with several depths: each job shares the model with the others.
 std::vector<Drawn> drawn_points() {
   model::Tree tree = read::read_csg_file(testing::model_path("thesis_fig_2_3"));
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera = view::default_camera(scene.box, 40, 33);
   const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   std::vector<Drawn> all;

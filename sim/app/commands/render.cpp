@@ -57,7 +57,7 @@ std::string verdict(const CompiledModel& compiled, const observe::Frame& frame, 
 void choose_settings(Options& options, const machines::Machine& machine) {
   const model::Tree tree = read_model(options.model);
   const facet::Faceting faceting = faceting_of(options.model, machine, tree);
-  const view::Camera camera = camera_of(options.model, machine, tree, facet::make_scene(tree, faceting));
+  const view::Camera camera = camera_of(options.model, machine, tree, facet::make_geometry(tree, faceting));
   refuse_see_through(options.model, tree, camera);
   studies::Meter meter(tree, {camera}, machine, emit_options_of(options.model));
   const auto chosen =

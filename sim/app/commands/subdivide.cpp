@@ -69,7 +69,7 @@ Subject subject_of(const Options& options) {
 Column measure(const Options& options, const Subject& subject, unsigned levels,
                const std::optional<double>& tolerance) {
   const auto& [machine, tree] = subject;
-  const facet::Scene scene = facet::make_scene(
+  const facet::Geometry scene = facet::make_geometry(
       tree, tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_of(options.model, machine, tree));
   const view::View view =
       view::make_view(scene, tree, camera_of(options.model, machine, tree, scene), sampling_of(options.model, machine));

@@ -116,7 +116,7 @@ std::vector<CurvesChoice> curves_of(const Options& options, const machines::Mach
 }
 
 Knobs knobs_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
-               const facet::Scene& scene, const view::Camera& camera) {
+               const facet::Geometry& scene, const view::Camera& camera) {
   Knobs knobs;
   if (!options.knobs.empty()) knobs.names = parse_words(options.knobs);
   knobs.tolerances = options.tolerances.empty() ? usual_tolerances(glm::length(scene.box.high - scene.box.low))
@@ -152,7 +152,7 @@ class Accuracy : public StudyOf<Measurement> {
     machine_.array.memory_bits = ample_memory_bits;
     tree_ = std::move(file.tree);
     const facet::Faceting faceting = faceting_of(options_.model, machine_, tree_);
-    const facet::Scene scene = facet::make_scene(tree_, faceting);
+    const facet::Geometry scene = facet::make_geometry(tree_, faceting);
     if (scene.box.empty()) throw InputError(options_.model.model + ": nothing in it to measure; every solid is empty");
     const view::Camera camera = camera_of(options_.model, machine_, tree_, scene);
     refuse_see_through(options_.model, tree_, camera);

@@ -48,7 +48,7 @@ std::string name_of(const facet::Faceting& faceting) {
   return name;
 }
 
-isa::Program compile(const model::Tree& tree, const facet::Scene& scene, const view::Camera& camera,
+isa::Program compile(const model::Tree& tree, const facet::Geometry& scene, const view::Camera& camera,
                      const view::Sampling& sampling, const machines::Machine& machine, const emit::Options& options) {
   const view::View view = view::make_view(scene, tree, camera, sampling);
   return emit::compile(tree, scene, view, machine, options,
@@ -82,7 +82,7 @@ double colour_difference(const observe::Frame& a, const observe::Frame& b, unsig
 }  // namespace
 
 struct Meter::Subject {
-  facet::Scene scene;
+  facet::Geometry scene;
   judges::Truth exact;     ///< of the half-spaces
   judges::Truth analytic;  ///< of the curved surfaces
   observe::Frame finest;
@@ -108,7 +108,7 @@ view::Sampling finest(view::Sampling sampling) {
 facet::Faceting faceting_that_fits(const model::Tree& tree, const Settings& settings, const view::Camera& camera) {
   facet::Faceting faceting = settings.faceting;
   if (!faceting.exact_curves) return faceting;
-  const facet::Scene scene = facet::make_scene(tree, faceting);
+  const facet::Geometry scene = facet::make_geometry(tree, faceting);
   faceting.faceted.resize(scene.solids.size());
   for (const view::Sampling& sampling : {settings.sampling, finest(settings.sampling)}) {
     const view::View view = view::make_view(scene, tree, camera, sampling);
@@ -130,7 +130,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   const auto known = subjects_.find(key);
   if (known != subjects_.end()) return known->second;
 
-  facet::Scene scene = facet::make_scene(tree_, faceting);
+  facet::Geometry scene = facet::make_geometry(tree_, faceting);
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, shell::ample_memory_bits);
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/machines/machine.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
@@ -29,7 +29,7 @@ struct MemoryGuess {
 /// Compiles for the machine with just as many memory bits as the Program takes then. A right guess saves time and
 /// changes nothing. Neither strategy nor colouring may be automatic: what they choose depends on the memory at hand.
 /// Throws InputError where the model does not fit the most.
-Fitted compile_fitting(const model::Tree& tree, const facet::Scene& scene, const view::View& view,
+Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
                        machines::Machine machine, const emit::Options& options, const MemoryGuess& guess);
 
 /// Tells what runs take. What of a Program is skipped depends on its instructions alone, not on the machine's clocks:

@@ -88,7 +88,7 @@ AdviceRanges ranges_of(const AdviseOptions& options, const machines::Machine& ma
 AdviceJob job_of(const AdviseOptions& options, const machines::Machine& machine,
                  const std::vector<unsigned>& alu_bits) {
   ModelFile file = read_model_file(options.model);
-  facet::Scene scene = facet::make_scene(file.tree, faceting_of(options.model, machine, file.tree));
+  facet::Geometry scene = facet::make_geometry(file.tree, faceting_of(options.model, machine, file.tree));
   if (scene.box.empty()) throw InputError(options.model.model + ": nothing in it to draw; every solid is empty");
   const auto subject = std::make_shared<Subject>(Subject{std::move(file.tree), std::move(scene), std::move(file.hash)});
   const view::Camera camera = camera_of(options.model, machine, subject->tree, subject->scene);

@@ -211,7 +211,7 @@ class Compare : public StudyOf<ComparisonRow> {
   std::vector<Asked> ask() override {
     ModelFile file = read_model_file(options_.model);
     tree_ = std::move(file.tree);
-    const facet::Scene scene = facet::make_scene(tree_);
+    const facet::Geometry scene = facet::make_geometry(tree_);
     std::vector<Asked> asked;
     for (const Named& machine : named_machines(options_)) {
       const Inputs inputs{file.hash, machines::hash_of(machine.machine), version_and_build()};

@@ -76,7 +76,7 @@ ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
   try {
     machines::Machine machine = job.machine;
     machines::set_picture_size(machine, {row.point.width, row.point.height});
-    const facet::Scene scene = facet::make_scene(tree, faceting_of(row.point));
+    const facet::Geometry scene = facet::make_geometry(tree, faceting_of(row.point));
     const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
     const isa::Program program = emit::compile(tree, scene, view, machine, job.options);
     count(program, machine, row);

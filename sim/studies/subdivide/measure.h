@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
@@ -50,7 +50,7 @@ struct Stages {
 /// What is looked at, and how.
 struct Subdivided {
   const model::Tree& tree;
-  const facet::Scene& scene;
+  const facet::Geometry& scene;
   const view::View& view;
   machines::Machine machine;  ///< of kind pixel-square, whose squares are replaced, or multi-processor
   emit::Options options;

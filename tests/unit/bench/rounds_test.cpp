@@ -11,7 +11,7 @@
 #include <string>
 #include <variant>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/camera.h"
 #include "hw/base/error.h"
@@ -79,15 +79,15 @@ TEST_CASE("no exponent is told from two points, nor from more at two sizes, in t
 }
 
 TEST_CASE("generated models have as many half-spaces as they say, and lie about the origin") {
-  const auto scene_of = [](const std::string& text) { return facet::make_scene(read::read_csg_text(text, "made")); };
+  const auto scene_of = [](const std::string& text) { return facet::make_geometry(read::read_csg_text(text, "made")); };
   for (const unsigned fragments : {8U, 31U, 32U}) {
-    const facet::Scene sphere = scene_of(bench::drilled_sphere(fragments));
+    const facet::Geometry sphere = scene_of(bench::drilled_sphere(fragments));
     REQUIRE(sphere.solids.size() == 4);
     CHECK(sphere.solids[0].halfspaces.size() == bench::sphere_halfspaces(fragments));
   }
   CHECK(bench::sphere_halfspaces(32) == 482);
   for (const unsigned cubes : {1U, 4U, 7U, 64U}) {
-    const facet::Scene grid = scene_of(bench::grid_of_cubes(cubes));
+    const facet::Geometry grid = scene_of(bench::grid_of_cubes(cubes));
     CHECK(grid.solids.size() == cubes);
     for (const facet::Convex& cube : grid.solids) CHECK(cube.halfspaces.size() == 6);
   }
@@ -113,7 +113,7 @@ TEST_CASE("a process is timed; one that is not installed is none, one that fails
 TEST_CASE("POV-Ray is given the same half-spaces, in boxes, and the same tree") {
   const model::Tree tree =
       read::read_csg_text("difference() { cube(size = 2, center = true); sphere($fn = 8, r = 1); }", "made");
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const std::string text = bench::povray_scene(tree, scene, view::default_camera(scene.box, 64, 64));
   const auto count = [&](const std::string& word) {
     std::size_t found = 0;
@@ -134,7 +134,8 @@ TEST_CASE("POV-Ray is given the same half-spaces, in boxes, and the same tree") 
 
 TEST_CASE("a scene for POV-Ray is seen by the same camera: upwards and to the right, as much as 22.5 degrees show") {
   const model::Tree tree = read::read_csg_text("cube(size = [2, 2, 2], center = true);", "m.csg");
-  const std::string text = bench::povray_scene(tree, facet::make_scene(tree), {.eye = {0, 0, 10}, .centre = {0, 0, 0}});
+  const std::string text =
+      bench::povray_scene(tree, facet::make_geometry(tree), {.eye = {0, 0, 10}, .centre = {0, 0, 0}});
   std::array<double, 12> found{};
   const std::size_t at = text.find("location");
   REQUIRE(at != std::string::npos);

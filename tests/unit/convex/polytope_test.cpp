@@ -81,7 +81,7 @@ TEST_CASE("solids have their half-spaces as faces and the volumes that geometry 
 
 TEST_CASE("a ball within a tolerance, whose vertices are only a hull's, is a polytope between two balls") {
   const TestModel model(turned + "{sphere($fn=0,$fa=12,$fs=2,r=2);}");
-  const facet::Scene scene = facet::make_scene(model.tree, {0.02, std::nullopt});
+  const facet::Geometry scene = facet::make_geometry(model.tree, {0.02, std::nullopt});
   const convex::Polytope polytope = convex::make_polytope(scene.solids.front(), scene.planes);
   CHECK(polytope.faces.size() == scene.solids.front().halfspaces.size());
   CHECK(flaws(scene, polytope) == "");
@@ -181,7 +181,7 @@ TEST_CASE("planes that miss common corners by about the tolerance still make who
         solid.halfspaces.push_back(planes.add({normal, -0.25}));
       }
     }
-    facet::Scene scene{{}, std::move(planes), {}};
+    facet::Geometry scene{{}, std::move(planes), {}};
     convex::Polytope polytope = convex::make_polytope(solid, scene.planes);
     for (int cut = 0; cut < 12; ++cut) {
       const auto corner = [&] { return polytope.vertices[random.below(polytope.vertices.size())]; };

@@ -15,7 +15,7 @@
 namespace csgsim::testing {
 
 TestModel::TestModel(model::Tree from)
-    : tree(std::move(from)), scene(facet::make_scene(tree)), positive(csg::make_positive(tree)) {
+    : tree(std::move(from)), scene(facet::make_geometry(tree)), positive(csg::make_positive(tree)) {
   for (const model::Primitive& primitive : tree.primitives) solids.push_back(facet::make_solid(primitive));
 }
 
@@ -90,19 +90,19 @@ double longest_inside(const TestModel& model, const glm::dvec3& from, const glm:
   return longest;
 }
 
-double height(const facet::Scene& scene, facet::Halfspace halfspace, const glm::dvec3& point) {
+double height(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point) {
   const facet::Plane& plane = scene.planes.planes()[halfspace.plane];
   const double value = glm::dot(plane.normal, point - scene.planes.centre()) + plane.offset;
   return halfspace.positive ? value : -value;
 }
 
-double height(const facet::Scene& scene, const convex::Polytope& polytope, const glm::dvec3& point) {
+double height(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point) {
   double highest = -1e300;
   for (const convex::Face& face : polytope.faces) highest = std::max(highest, height(scene, face.halfspace, point));
   return highest;
 }
 
-std::string flaws(const facet::Scene& scene, const convex::Polytope& polytope, double slack) {
+std::string flaws(const facet::Geometry& scene, const convex::Polytope& polytope, double slack) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
   std::vector<int> degrees(polytope.vertices.size(), 0);
   if (polytope.empty()) return polytope.vertices.empty() ? "" : "vertices without faces";

@@ -11,7 +11,7 @@
 
 #include "host/convex/pieces.h"
 #include "host/csg/positive_tree.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/facet/solid.h"
 #include "host/model/tree.h"
 
@@ -23,7 +23,7 @@ struct TestModel {
   explicit TestModel(const std::string& text);
 
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   csg::PositiveTree positive;
   std::vector<facet::Solid> solids;
 
@@ -40,14 +40,14 @@ std::optional<bool> holds(const TestModel& model, const glm::dvec3& point);
 double longest_inside(const TestModel& model, const glm::dvec3& from, const glm::dvec3& to);
 
 /// normal . p + offset of a half-space's outward plane, point in model space.
-double height(const facet::Scene& scene, facet::Halfspace halfspace, const glm::dvec3& point);
+double height(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point);
 
 /// The greatest height above the faces; below 0 inside.
-double height(const facet::Scene& scene, const convex::Polytope& polytope, const glm::dvec3& point);
+double height(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point);
 
 /// What is wrong with a polytope by its own description: edges of other than two faces, vertices off their faces'
 /// planes or beyond others, Euler's formula. Empty if nothing. `slack` in tolerances.
-std::string flaws(const facet::Scene& scene, const convex::Polytope& polytope, double slack = 1.01);
+std::string flaws(const facet::Geometry& scene, const convex::Polytope& polytope, double slack = 1.01);
 
 /// Points and numbers that are the same everywhere.
 class RandomPoints {

@@ -5,7 +5,7 @@
 
 #include "host/csg/active_tree.h"
 #include "host/csg/positive_tree.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "tests/oracle/random_model.h"
@@ -53,7 +53,7 @@ bool evaluate(const csg::PositiveTree& tree, const std::vector<bool>& in) {
 
 struct Prepared {
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::View view;
   csg::PositiveTree positive;
 
@@ -67,7 +67,7 @@ struct Prepared {
 
 Prepared prepare(const std::string& text) {
   model::Tree tree = read::read_csg_text(text, "test");
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Geometry scene = facet::make_geometry(tree);
   view::View view = view::make_view(scene, tree, {{30, -40, 20}, {0, 0, 0}, view::Projection::orthographic}, {});
   csg::PositiveTree positive = csg::make_positive(tree);
   return {std::move(tree), std::move(scene), std::move(view), std::move(positive)};

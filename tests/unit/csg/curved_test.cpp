@@ -8,7 +8,7 @@
 
 #include "host/csg/locate.h"
 #include "host/csg/separation.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "tests/support/usual_cases.h"
 #include "tests/unit/view/held.h"
@@ -46,7 +46,7 @@ TEST_CASE("of curved solids blocks are in or out only if all of their places are
       const model::Tree tree = random_solid();
       facet::Faceting exact;
       exact.exact_curves = true;
-      const facet::Scene scene = facet::make_scene(tree, exact);
+      const facet::Geometry scene = facet::make_geometry(tree, exact);
       view::Sampling sampling;
       sampling.width = 14;
       sampling.height = 12;

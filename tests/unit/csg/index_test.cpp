@@ -10,7 +10,7 @@
 #include "host/csg/box_index.h"
 #include "host/csg/separation.h"
 #include "host/csg/tree_paths.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "tests/oracle/random_model.h"
@@ -57,7 +57,7 @@ class Pruned {
  public:
   Pruned(const std::string& text, const csg::Pruning& pruning)
       : tree(read::read_csg_text(text, "test")),
-        scene(facet::make_scene(tree)),
+        scene(facet::make_geometry(tree)),
         view(view::make_view(scene, tree, {{30, -40, 20}, {0, 0, 0}, view::Projection::orthographic}, small_picture())),
         positive(csg::make_positive(tree)),
         pruning_(pruning) {}
@@ -89,7 +89,7 @@ class Pruned {
   }
 
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::View view;
   csg::PositiveTree positive;
 

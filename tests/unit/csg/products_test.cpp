@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 
@@ -121,7 +121,7 @@ TEST_CASE("figure 6.2 of the thesis: what does not touch P is pruned from its tr
                            cube(0, -1, 4.5) + cube(0, 1, 4.5) + "}" + cube(0, 60, 2) + "}}}";
   enum : std::uint32_t { X, P, Q, R, W, S, T, V };
   const model::Tree tree = read::read_csg_text(text, "test");
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{30, -40, 400}, {0, 0, 0}, view::Projection::orthographic}, {});
   const csg::PositiveTree positive = csg::make_positive(tree);
   const csg::Pruner pruner(scene, view, positive);

@@ -26,7 +26,7 @@ double phase(const glm::dvec2& place, double angle) {
 /// With the cuts of its scene.
 observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
   const model::Tree tree = effects::reshaped(read::read_csg_text(csg, "box"), setup.options.scene);
-  const facet::Scene facets = facet::make_scene(tree);
+  const facet::Geometry facets = facet::make_geometry(tree);
   const view::View view = view::make_view(facets, tree, setup.camera, setup.sampling);
   return testing::draw(
       emit::compile(tree, facets, view, testing::machine_of({width, height, setup.memory_bits}), setup.options));

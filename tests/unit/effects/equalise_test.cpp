@@ -33,7 +33,7 @@ testing::Setup setup_of(const std::string& scene, const std::string& model) {
   testing::Setup setup{{}, {}, 256};
   setup.sampling.width = width;
   setup.sampling.height = height;
-  const facet::Box box = facet::make_scene(read::read_csg_text(model, "model")).box;
+  const facet::Box box = facet::make_geometry(read::read_csg_text(model, "model")).box;
   setup.camera = view::view_all({{2, -3, 1.7}, {0, 0, 0}, view::Projection::orthographic}, box, width, height);
   setup.options.scene = scene::read_scene(scene, "scene", {}, effects::sections());
   setup.options.effects = effects::all();
@@ -101,7 +101,7 @@ TEST_CASE("every level becomes its rank among the samples, bit for bit") {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     CAPTURE(seed);
     const std::string model = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 6));
-    if (facet::make_scene(read::read_csg_text(model, "model")).box.empty()) continue;
+    if (facet::make_geometry(read::read_csg_text(model, "model")).box.empty()) continue;
     changed += check(model, {static_cast<std::int64_t>(2 + seed), 0}, isa::most_colour_bits, smooth);
   }
   CHECK(changed > 1000);
@@ -112,7 +112,7 @@ TEST_CASE("samples with a reach count for the pixels around them alone") {
   for (std::uint64_t seed = 11; seed <= 16; ++seed) {
     CAPTURE(seed);
     const std::string model = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 6));
-    if (facet::make_scene(read::read_csg_text(model, "model")).box.empty()) continue;
+    if (facet::make_geometry(read::read_csg_text(model, "model")).box.empty()) continue;
     changed += check(model, {7, static_cast<std::int64_t>(seed - 8)}, isa::most_colour_bits, smooth);
   }
   CHECK(changed > 1000);

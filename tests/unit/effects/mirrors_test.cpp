@@ -68,7 +68,7 @@ mirror = 1
 testing::Setup view_of_room(std::uint32_t width, std::uint32_t height, view::Projection projection,
                             const scene::Scene& scene, const std::string& model) {
   testing::Setup setup = front_view(width, height, scene);
-  const facet::Box box = facet::make_scene(read::read_csg_text(model, "room")).box;
+  const facet::Box box = facet::make_geometry(read::read_csg_text(model, "room")).box;
   setup.camera = view::view_all({{2.2, -3.1, 2}, {0, 0, 0}, projection}, box, width, height);
   setup.memory_bits = 1024;
   return setup;
@@ -154,7 +154,7 @@ Tally random_models(std::uint64_t first_seed, view::Projection projection) {
   for (std::uint64_t seed = first_seed; seed < first_seed + 25; ++seed) {
     CAPTURE(seed);
     const std::string model = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 7));
-    if (facet::make_scene(read::read_csg_text(model, "random")).box.empty()) continue;
+    if (facet::make_geometry(read::read_csg_text(model, "random")).box.empty()) continue;
     judge(model, view_of_room(48, 40, projection, by_line(), model), 1, tally);
   }
   return tally;

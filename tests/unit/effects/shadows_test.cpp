@@ -86,7 +86,7 @@ testing::Setup seen_from(const std::string& csg, const glm::dvec3& from, view::P
   constexpr std::uint32_t width = 64;
   constexpr std::uint32_t height = 48;
   testing::Setup setup = testing::front_view(width, height, scene);
-  const facet::Box box = facet::make_scene(read::read_csg_text(csg, "model")).box;
+  const facet::Box box = facet::make_geometry(read::read_csg_text(csg, "model")).box;
   if (!box.empty()) setup.camera = view::view_all({from, {0, 0, 0}, projection}, box, width, height);
   return setup;
 }
@@ -94,7 +94,7 @@ testing::Setup seen_from(const std::string& csg, const glm::dvec3& from, view::P
 /// A random model over a floor; nothing if nothing is left of it.
 std::string on_a_floor(std::uint64_t seed) {
   const std::string csg = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 11));
-  const facet::Box box = facet::make_scene(read::read_csg_text(csg, "random")).box;
+  const facet::Box box = facet::make_geometry(read::read_csg_text(csg, "random")).box;
   if (box.empty()) return "";
   const glm::dvec3 more = 0.4 * (box.high - box.low);
   return "union(){" + csg +

@@ -157,7 +157,7 @@ Tally compare_random(view::Projection projection) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     CAPTURE(seed);
     const std::string model = testing::random_model(seed, 1 + static_cast<unsigned>(seed % 7));
-    const facet::Box box = facet::make_scene(read::read_csg_text(model, "random")).box;
+    const facet::Box box = facet::make_geometry(read::read_csg_text(model, "random")).box;
     if (box.empty()) continue;
     const double turn = 0.7 * static_cast<double>(seed);
     Pattern pattern = some_patterns.at(seed % some_patterns.size());
@@ -285,7 +285,7 @@ TEST_CASE("of several textures the last that holds for a primitive counts, and o
 TEST_CASE("textures are the same on lines, squares and the whole array, and however surfaces are coloured") {
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
     const std::string model = testing::random_model(5, 6);
-    const facet::Box box = facet::make_scene(read::read_csg_text(model, "random")).box;
+    const facet::Box box = facet::make_geometry(read::read_csg_text(model, "random")).box;
     const view::Camera camera = view::view_all({{1, -2, 1.3}, {0, 0, 0}, projection}, box, width, height);
     testing::Setup setup = setup_of(some_patterns[2].text(), camera);
     const observe::Frame whole = testing::draw(testing::compile_text(model, setup).program);

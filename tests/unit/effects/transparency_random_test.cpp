@@ -79,14 +79,14 @@ class Shot {
   Shot(std::uint64_t seed, view::Projection projection, scene::Scene scene) : scene_(std::move(scene)) {
     text_ = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 9));
     tree_ = read::read_csg_text(text_, "random");
-    const facet::Box box = facet::make_scene(tree_).box;
+    const facet::Box box = facet::make_geometry(tree_).box;
     is_empty_ = box.empty();
     if (is_empty_) return;
     const double turn = 0.7 * static_cast<double>(seed);
     const view::Camera direction{{std::cos(turn), std::sin(turn), 0.63}, {0, 0, 0}, projection};
     setup_ = testing::front_view(width, height, scene_);
     setup_.camera = view::view_all(direction, box, width, height);
-    facets_ = std::make_unique<facet::Scene>(facet::make_scene(tree_));
+    facets_ = std::make_unique<facet::Geometry>(facet::make_geometry(tree_));
   }
 
   /// See-through surfaces before the first opaque one.
@@ -114,7 +114,7 @@ class Shot {
   [[nodiscard]] std::vector<testing::RayColour> cast(const std::vector<std::uint32_t>& order,
                                                      const testing::RayEffects& effects) const {
     const model::Tree tree = reordered(tree_, order);
-    return testing::ray_picture(tree, facet::make_scene(tree), scene_, {setup_.camera, width, height}, effects);
+    return testing::ray_picture(tree, facet::make_geometry(tree), scene_, {setup_.camera, width, height}, effects);
   }
 
   [[nodiscard]] std::vector<std::uint32_t> tree_order() const {
@@ -127,7 +127,7 @@ class Shot {
   scene::Scene scene_;
   std::string text_;
   model::Tree tree_;
-  std::unique_ptr<facet::Scene> facets_;
+  std::unique_ptr<facet::Geometry> facets_;
   testing::Setup setup_;
   bool is_empty_ = false;
 };

@@ -5,7 +5,7 @@
 
 #include "host/emit/compile.h"
 #include "host/emit/options.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"

@@ -99,11 +99,11 @@ observe::Frame run(engine::Engine& engine, const isa::Program& program) {
 struct Viewed {
   Viewed(const Model& model, const view::Sampling& sampling)
       : tree(read::read_csg_text(model.text(), "test")),
-        scene(facet::make_scene(tree, {.exact_curves = true, .fast_spheres = true})),
+        scene(facet::make_geometry(tree, {.exact_curves = true, .fast_spheres = true})),
         view(view::make_view(scene, tree, {model.eye, {0, 0, 0}, view::Projection::orthographic}, sampling)) {}
 
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::View view;
 };
 
@@ -275,7 +275,7 @@ TEST_CASE("unions, differences and intersections of fast spheres are what circle
 }
 
 TEST_CASE(
-    "the depths of a fast sphere, and of the hollow that one leaves, are the integers of host/view/quadrics.h "
+    "the depths of a fast sphere, and of the hollow that one leaves, are the integers of host/view/screen_quadric.h "
     "exactly") {
   int hollow = 0;
   for (int round = 0; round < 4; ++round) {

@@ -16,8 +16,8 @@
 #include "tests/support/drawing.h"
 #include "tests/support/usual_cases.h"
 
-// Spheres that nothing is compared with. The judge of depth is the formula of host/view/quadrics.h, worked out for
-// every pixel of the picture, so that it knows neither extents nor regions.
+// Spheres that nothing is compared with. The judge of depth is the formula of host/view/screen_quadric.h, worked out
+// for every pixel of the picture, so that it knows neither extents nor regions.
 
 using namespace csgsim;
 

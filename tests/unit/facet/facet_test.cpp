@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "host/facet/geometry.h"
 #include "host/facet/planes.h"
-#include "host/facet/scene.h"
 #include "host/facet/solid.h"
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
@@ -198,13 +198,13 @@ TEST_CASE("two solids that touch under any rotation share the plane between them
                   {true, model::Operator::unite, 1, {}},
                   {false, model::Operator::unite, model::no_index, {0, 1}}};
     tree.root = 2;
-    const facet::Scene scene = facet::make_scene(tree);
+    const facet::Geometry scene = facet::make_geometry(tree);
     RC_ASSERT(scene.planes.planes().size() == std::size_t{7});
   }));
 }
 
 TEST_CASE("a box's edges are listed once each") {
-  const facet::Scene scene = facet::make_scene(single(primitive(model::Cube{{1, 2, 3}, false})));
+  const facet::Geometry scene = facet::make_geometry(single(primitive(model::Cube{{1, 2, 3}, false})));
   CHECK(scene.solids[0].edges.size() == 12);
   CHECK(scene.solids[0].halfspaces.size() == 6);
 }
@@ -216,11 +216,11 @@ TEST_CASE("a box around the tree is clipped by intersections and kept by differe
                 {true, model::Operator::unite, 1, {}},
                 {false, model::Operator::intersect, model::no_index, {0, 1}}};
   tree.root = 2;
-  CHECK(facet::make_scene(tree).box.high == glm::dvec3(2, 4, 4));
+  CHECK(facet::make_geometry(tree).box.high == glm::dvec3(2, 4, 4));
   tree.nodes[2].op = model::Operator::subtract;
-  CHECK(facet::make_scene(tree).box.high == glm::dvec3(4, 4, 4));
+  CHECK(facet::make_geometry(tree).box.high == glm::dvec3(4, 4, 4));
   tree.nodes[2].op = model::Operator::unite;
-  CHECK(facet::make_scene(tree).box.high == glm::dvec3(4, 9, 9));
+  CHECK(facet::make_geometry(tree).box.high == glm::dvec3(4, 9, 9));
 }
 
 TEST_CASE("a polygon within a tolerance of its circle has the fewest corners that are") {
@@ -272,6 +272,6 @@ TEST_CASE("a tolerance is one of model space, whatever the transform stretches")
 
 TEST_CASE("a tolerance that is no length is refused") {
   for (const double tolerance : {0.0, -1.0, std::nan("")}) {
-    CHECK_THROWS_AS(facet::make_scene(single(primitive(model::Sphere{})), {tolerance, std::nullopt}), InputError);
+    CHECK_THROWS_AS(facet::make_geometry(single(primitive(model::Sphere{})), {tolerance, std::nullopt}), InputError);
   }
 }

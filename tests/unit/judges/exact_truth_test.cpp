@@ -160,7 +160,7 @@ TEST_CASE("a perspective picture of a box has its front at its distance, and as 
 
 TEST_CASE("nothing is seen of an empty model") {
   const model::Tree tree;
-  const Truth truth = exact({tree, facet::make_scene(tree), straight(even.height), even.width, even.height});
+  const Truth truth = exact({tree, facet::make_geometry(tree), straight(even.height), even.width, even.height});
   for (const std::uint32_t owner : truth.owner) CHECK(owner == nothing);
   CHECK(all_at(truth, 0));
 }

@@ -16,7 +16,7 @@ Scenery make(const std::string& csg, const view::Camera& camera, Size size, doub
   facet::Faceting faceting;
   faceting.exact_curves = exact_curves;
   model::Tree tree = read::read_csg_text(csg, "test");
-  facet::Scene scene = facet::make_scene(tree, faceting);
+  facet::Geometry scene = facet::make_geometry(tree, faceting);
   return {std::move(tree), std::move(scene), camera, size.width, size.height, near};
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "sim/judges/truth.h"
@@ -14,7 +14,7 @@ namespace csgsim::testing {
 /// A model and how it is looked at, without a Program.
 struct Scenery {
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::Camera camera;
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -23,7 +23,7 @@ constexpr int rays = 12;
 /// A model that is asked point by point.
 struct Points {
   explicit Points(const std::string& csg)
-      : tree(read::read_csg_text(csg, "random")), facets(facet::make_scene(tree)), rules(tree) {}
+      : tree(read::read_csg_text(csg, "random")), facets(facet::make_geometry(tree)), rules(tree) {}
 
   [[nodiscard]] bool hold(const glm::dvec3& point) const {
     std::vector<bool> held;
@@ -46,7 +46,7 @@ struct Points {
   }
 
   model::Tree tree;
-  facet::Scene facets;
+  facet::Geometry facets;
   testing::TreeRules rules;
 };
 

@@ -56,7 +56,7 @@ Tally draw_both(std::uint64_t first_seed, view::Projection projection, const sce
     CAPTURE(seed);
     const double turn = 0.7 * static_cast<double>(seed);
     const std::string model = testing::random_model(seed, 1 + static_cast<unsigned>(seed % 13));
-    const facet::Box box = facet::make_scene(read::read_csg_text(model, "random")).box;
+    const facet::Box box = facet::make_geometry(read::read_csg_text(model, "random")).box;
     if (box.empty()) continue;
     const view::Camera direction{{std::cos(turn), std::sin(turn), 0.63}, {0, 0, 0}, projection};
     testing::Setup setup{view::view_all(direction, box, width, height), {}, 256};

@@ -11,7 +11,7 @@ namespace csgsim::testing {
 Stage::Stage(const std::string& csg, scene::Scene of)
     : scene(std::move(of)),
       tree(read::read_csg_text(csg, "stage")),
-      facets(facet::make_scene(tree)),
+      facets(facet::make_geometry(tree)),
       distance_((stage_half + 0.5) / view::half_height_per_distance()) {
   shot.camera = {{0, -distance_, 0}, {0, 0, 0}, view::Projection::orthographic};
   shot.width = 2 * stage_half + 1;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/scene/scene.h"
 #include "tests/oracle/ray_picture.h"
@@ -30,7 +30,7 @@ class Stage {
   scene::Scene scene;
   RayShot shot;
   model::Tree tree;
-  facet::Scene facets;
+  facet::Geometry facets;
 
  private:
   double distance_;

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 
 namespace reader = csgsim::read;
@@ -164,7 +164,9 @@ TEST_CASE("a translation beside a rotation stays as written") {
 
 TEST_CASE("planes of solids that are turned alike by different rotations are the same planes once they are restored") {
   const auto planes = [](const reader::Options& options) {
-    return csgsim::facet::make_scene(reader::read_csg_text(null_difference, "m.csg", options)).planes.planes().size();
+    return csgsim::facet::make_geometry(reader::read_csg_text(null_difference, "m.csg", options))
+        .planes.planes()
+        .size();
   };
   CHECK(planes({}) > 6);
   CHECK(planes({.restores_rotations = true}) == 6);

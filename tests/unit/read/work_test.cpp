@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "tests/support/error_of.h"
 
@@ -101,7 +101,7 @@ TEST_CASE("steps are counted alike each time") {
 
 TEST_CASE("a solid beyond the numbers that it could be drawn with is refused with its place") {
   const auto faceted = [](const std::string& text) {
-    return testing::error_of([&] { (void)facet::make_scene(read::read_csg_text(text, "m.csg")); });
+    return testing::error_of([&] { (void)facet::make_geometry(read::read_csg_text(text, "m.csg")); });
   };
   const std::string far =
       " it reaches farther than 1e12 from the origin, where numbers are too coarse to draw it; move it nearer, or "

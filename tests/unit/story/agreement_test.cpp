@@ -66,7 +66,7 @@ Drawn draw(const Row& row, std::uint64_t seed) {
   machines::Machine machine = kinds::load(row.machine);
   machines::set_picture_size(machine, {width, height});
   model::Tree tree = read::read_csg_text(testing::random_model(seed, 2 + static_cast<unsigned>(seed % 9)), "random");
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Geometry scene = facet::make_geometry(tree);
   view::Sampling sampling;
   sampling.width = width;
   sampling.height = height;

@@ -36,7 +36,7 @@ constexpr std::uint32_t height = 20;
 
 struct Drawn {
   model::Tree tree;
-  facet::Scene scene;
+  facet::Geometry scene;
   view::Camera camera;
   view::View view;
   machines::Machine machine;
@@ -47,7 +47,7 @@ Drawn draw(const Row& row, const std::string& csg, view::Projection projection) 
   machines::Machine machine = kinds::load(row.machine);
   machines::set_picture_size(machine, {width, height});
   model::Tree tree = read::read_csg_text(csg, "random");
-  facet::Scene scene = facet::make_scene(tree, {.exact_curves = true, .fewest_round = 0});
+  facet::Geometry scene = facet::make_geometry(tree, {.exact_curves = true, .fewest_round = 0});
   view::Sampling sampling;
   sampling.width = width;
   sampling.height = height;

@@ -55,7 +55,7 @@ studies::AdviceRanges small_ranges() {
 studies::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Options& options = {},
                           const std::string& model = bitten_cube) {
   model::Tree tree = read::read_csg_text(model, "test");
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Geometry scene = facet::make_geometry(tree);
   studies::AdviceJob job;
   job.subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   job.camera = {{40, -60, 45}, {0, 0, 0}};
@@ -289,7 +289,7 @@ TEST_CASE("a choice that needs more memory than any may take is a row that says 
     return text + "}}";
   }();
   model::Tree tree = read::read_csg_text(many, "test");
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Geometry scene = facet::make_geometry(tree);
   job.subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   job.options.pruning = {.space = false, .picture = false, .separation = false};
   const AdviceRow refused = studies::draw_advice(job, {16, 6, 24, "rebroadcast", "parallel", 0, 1});

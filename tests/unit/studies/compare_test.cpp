@@ -48,7 +48,7 @@ TEST_CASE("a point of a comparison is what the Program's run is at the level of 
   REQUIRE(row.reason.empty());
   machines::Machine machine = job.machine;
   machines::set_picture_size(machine, {24, 20});
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
   const isa::Program program = emit::compile(tree, scene, view, machine, {});
   observe::StatsObserver stats(program);

@@ -17,7 +17,7 @@ using namespace csgsim;
 
 TEST_CASE("what a machine does not draw has a reason in place of counts, and a size") {
   model::Tree tree = read::read_csg_text("cube(size=14,center=true);", "test");
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Geometry scene = facet::make_geometry(tree);
   const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   machines::Machine machine = kinds::load("pixel-planes-4");
   machine.array = {40, 40, 30};

@@ -63,7 +63,7 @@ struct Drawn {
 /// Points of one model under strategies that all fit.
 std::vector<Drawn> drawn_points() {
   model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  facet::Scene scene = facet::make_scene(tree);
+  facet::Geometry scene = facet::make_geometry(tree);
   const auto subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
   machines::Machine machine = kinds::load("pixel-planes-4");
   machine.array.width = machine.array.height = 40;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/flat/area.h"
-#include "host/solids/sweep.h"
+#include "host/solids/extrusion.h"
 #include "tests/agreement/mesh_depth.h"
 
 namespace csgsim::testing {

@@ -10,7 +10,7 @@
 
 #include "host/csg/locate.h"
 #include "host/facet/curved.h"
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "tests/support/usual_cases.h"
 
 using namespace csgsim;
@@ -37,7 +37,7 @@ model::Tree sphere(double radius, const glm::dmat4& place) {
 
 /// A sphere somewhere, and where doubles see it: column and row, radius in pixels, middle and radius in depth steps.
 struct Subject {
-  facet::Scene scene;
+  facet::Geometry scene;
   view::View view;
   double column = 0;
   double row = 0;
@@ -53,7 +53,7 @@ Subject random_subject(std::uint32_t most_side) {
   place = glm::scale(place, glm::dvec3(scale));
   const double own = real(0.05, 4);
   const model::Tree tree = sphere(own, place);
-  Subject subject{facet::make_scene(tree, fast()), {}};
+  Subject subject{facet::make_geometry(tree, fast()), {}};
   view::Sampling sampling;
   sampling.width = static_cast<std::uint32_t>(*rc::gen::inRange(8, static_cast<int>(most_side)));
   sampling.height = static_cast<std::uint32_t>(*rc::gen::inRange(8, static_cast<int>(most_side)));
@@ -79,7 +79,7 @@ struct Depths {
   std::int64_t far;
 };
 
-/// By the rule of host/view/quadrics.h.
+/// By the rule of host/view/screen_quadric.h.
 Depths depths_at(const view::View& view, const view::ScreenQuadric& quadric, std::int64_t value) {
   const std::int64_t middle = quadric.middle.c >> view.sampling.fraction_bits;
   const unsigned shift = quadric.discriminant_shift + quadric.factor.fraction();
@@ -208,16 +208,16 @@ TEST_CASE(
 
 TEST_CASE("of curved solids only round balls become fast spheres, and in perspective none") {
   const glm::dmat4 longer = glm::scale(glm::dmat4(1.0), {1, 1, 2});
-  CHECK(facet::make_scene(sphere(1, glm::dmat4(1.0)), fast()).quadrics.quadrics().size() == 1);
-  CHECK(facet::make_scene(sphere(1, longer), fast()).quadrics.quadrics().empty());
+  CHECK(facet::make_geometry(sphere(1, glm::dmat4(1.0)), fast()).quadrics.quadrics().size() == 1);
+  CHECK(facet::make_geometry(sphere(1, longer), fast()).quadrics.quadrics().empty());
   model::Tree cylinder = sphere(1, glm::dmat4(1.0));
   cylinder.primitives[0].shape = model::Cylinder{1, 1, 1, false, {}};
-  CHECK(facet::make_scene(cylinder, fast()).quadrics.quadrics().empty());
+  CHECK(facet::make_geometry(cylinder, fast()).quadrics.quadrics().empty());
   model::Tree cube = sphere(1, glm::dmat4(1.0));
   std::get<model::Sphere>(cube.primitives[0].shape).facets.fn = 6;
-  CHECK(facet::make_scene(cube, fast()).quadrics.quadrics().empty());
+  CHECK(facet::make_geometry(cube, fast()).quadrics.quadrics().empty());
   const model::Tree ball = sphere(1, glm::dmat4(1.0));
   const view::Camera camera{{0, -9, 0}, {0, 0, 0}, view::Projection::perspective};
-  CHECK(view::make_view(facet::make_scene(ball, fast()), ball, camera, {}).quadrics[0].kind ==
+  CHECK(view::make_view(facet::make_geometry(ball, fast()), ball, camera, {}).quadrics[0].kind ==
         view::ScreenQuadricKind::unfit);
 }

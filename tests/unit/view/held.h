@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/projection.h"
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 
 namespace csgsim::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 
 using namespace csgsim;
 

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/camera.h"
 #include "host/view/fixed_point.h"
 #include "host/view/projection.h"
@@ -115,7 +115,7 @@ TEST_CASE(
     "surface planes meet the pixel rays where geometry says, within a depth step and the rounding of the slopes") {
   CHECK(rc::check([] {
     const model::Tree tree = box_at({real(-3, 3), real(-3, 3), real(-3, 3)}, {real(1, 5), real(1, 5), real(1, 5)});
-    const facet::Scene scene = facet::make_scene(tree);
+    const facet::Geometry scene = facet::make_geometry(tree);
     const auto projection = *rc::gen::element(view::Projection::orthographic, view::Projection::perspective);
     const view::Camera camera{
         {real(20, 60), real(-60, -20), real(-40, 40)}, {real(-3, 3), real(-3, 3), real(-3, 3)}, projection};
@@ -153,7 +153,7 @@ TEST_CASE("view-all moves farther away for a picture higher than wide, and not n
 
 TEST_CASE("a near plane behind the whole model is refused") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const auto see = [&](double near, view::Projection projection) {
     view::Sampling sampling;
     sampling.near = near;
@@ -176,7 +176,7 @@ TEST_CASE("depth steps and distances are each other's inverse") {
 
 TEST_CASE("faces seen edge-on become edge tests, and opposite sides share each of their zeros") {
   const model::Tree tree = box_at({0, 0, 0}, {2, 2, 2});
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{0, -9, 0}, {0, 0, 0}, view::Projection::orthographic}, {});
   int edges = 0;
   for (const view::ScreenPlane& plane : view.planes) {
@@ -192,7 +192,7 @@ TEST_CASE(
     "planes") {
   const view::Camera camera{{0, -40, 0}, {0, 0, 0}, view::Projection::orthographic};
   const auto extent_of = [&](const model::Tree& tree, const view::Sampling& sampling) {
-    return view::make_view(facet::make_scene(tree), tree, camera, sampling).extents[0];
+    return view::make_view(facet::make_geometry(tree), tree, camera, sampling).extents[0];
   };
   const view::Extent thick = extent_of(box_at({-4, -4, -4}, {8, 8, 8}), {});
   for (int axis = 0; axis < 3; ++axis) {
@@ -227,7 +227,7 @@ TEST_CASE("what the near plane cuts is bounded from its cap at depth 0 on, where
   coarse.z_bits = 6;
   coarse.near = 10;
   const view::View view =
-      view::make_view(facet::make_scene(tree), tree, {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, coarse);
+      view::make_view(facet::make_geometry(tree), tree, {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, coarse);
   const view::Extent& extent = view.extents[1];
   CHECK(extent.cut_by_near);
   CHECK(extent.z_low == 0);
@@ -239,7 +239,7 @@ TEST_CASE("what the near plane cuts is bounded from its cap at depth 0 on, where
 
 TEST_CASE("the depth step of a view is what the coarsest of its steps is in model units") {
   const model::Tree tree = box_at({-5, -5, -5}, {10, 10, 10});
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     view::Sampling sampling;
     sampling.z_bits = 12;
@@ -255,14 +255,14 @@ TEST_CASE("the depth step of a view is what the coarsest of its steps is in mode
 
 TEST_CASE("a model behind the eye is nowhere in a perspective picture") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{0, 9, 0}, {0, 19, 0}, view::Projection::perspective}, {});
   CHECK(view.extents[0].empty());
 }
 
 TEST_CASE("an eye inside the model puts the near plane before it") {
   const model::Tree tree = box_at({-5, -5, -5}, {10, 10, 10});
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{0, 0, 0}, {0, 1, 0}, view::Projection::perspective}, {});
   CHECK(view.depth.far == doctest::Approx(5));
   CHECK(view.depth.near == doctest::Approx(5.0 / 256));
@@ -274,7 +274,7 @@ TEST_CASE("an eye inside the model puts the near plane before it") {
 
 TEST_CASE("samplings that cannot be are refused") {
   const model::Tree tree = box_at({0, 0, 0}, {1, 1, 1});
-  const facet::Scene scene = facet::make_scene(tree);
+  const facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera{{0, -9, 3}, {0, 0, 0}, view::Projection::orthographic};
   const auto with = [](auto change) {
     view::Sampling sampling;

@@ -7,7 +7,7 @@
 #include "host/flat/combine.h"
 #include "host/read/node_readers.h"
 #include "host/read/shared_arguments.h"
-#include "host/solids/sweep.h"
+#include "host/solids/extrusion.h"
 #include "hw/base/error.h"
 
 namespace csgsim::read {
@@ -48,17 +48,17 @@ std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
 
 /// The area that is extruded: the file's if there is one, whatever the children are, else their union. None where
 /// has_area() says so.
-std::optional<flat::Area> swept(const std::optional<flat::Area>& drawn, const Operands& operands) {
+std::optional<flat::Area> extruded_area(const std::optional<flat::Area>& drawn, const Operands& operands) {
   if (drawn) return drawn;
   if (!has_area(operands)) return std::nullopt;
   return only_area(operands);
 }
 
-Made extruded(const flat::Area& area, const solids::LinearExtrude& sweep, const Work& work) {
-  if (std::optional<solids::HoledPrism> prism = solids::holed_prism(area, sweep)) {
+Made extruded(const flat::Area& area, const solids::LinearExtrude& extrusion, const Work& work) {
+  if (std::optional<solids::HoledPrism> prism = solids::holed_prism(area, extrusion)) {
     return {{std::move(prism->whole)}, {}, std::move(prism->holes), 3};
   }
-  return {solids::linear_extrude(area, sweep, work), {}, {}, 3};
+  return {solids::linear_extrude(area, extrusion, work), {}, {}, 3};
 }
 
 /// OpenSCAD takes what has no name for a file, though rotate_extrude(180) is meant as an angle.
@@ -75,34 +75,34 @@ void tell_if_number(const Arguments& arguments) {
 }  // namespace
 
 Maker read_linear_extrude(const Arguments& arguments) {
-  solids::LinearExtrude sweep;
-  sweep.height = arguments.number("height").value_or(sweep.height);
-  sweep.center = arguments.boolean("center").value_or(sweep.center);
-  sweep.twist = arguments.number("twist").value_or(sweep.twist);
-  sweep.slices = read_slices(arguments);
-  sweep.scale = read_scale(arguments);
-  sweep.facets = read_facets(arguments);
-  if (!std::isfinite(sweep.height) || !std::isfinite(sweep.twist) || !std::isfinite(sweep.scale.x) ||
-      !std::isfinite(sweep.scale.y)) {
+  solids::LinearExtrude extrusion;
+  extrusion.height = arguments.number("height").value_or(extrusion.height);
+  extrusion.center = arguments.boolean("center").value_or(extrusion.center);
+  extrusion.twist = arguments.number("twist").value_or(extrusion.twist);
+  extrusion.slices = read_slices(arguments);
+  extrusion.scale = read_scale(arguments);
+  extrusion.facets = read_facets(arguments);
+  if (!std::isfinite(extrusion.height) || !std::isfinite(extrusion.twist) || !std::isfinite(extrusion.scale.x) ||
+      !std::isfinite(extrusion.scale.y)) {
     arguments.fail("height, twist and scale of linear_extrude() must be finite");
   }
-  return [sweep, file = drawn(arguments, 1)](const Operands& operands) {
-    const std::optional<flat::Area> area = swept(file, operands);
-    return area ? extruded(*area, sweep, operands.work) : Made{};
+  return [extrusion, file = drawn(arguments, 1)](const Operands& operands) {
+    const std::optional<flat::Area> area = extruded_area(file, operands);
+    return area ? extruded(*area, extrusion, operands.work) : Made{};
   };
 }
 
 Maker read_rotate_extrude(const Arguments& arguments) {
-  solids::RotateExtrude sweep;
-  sweep.angle = arguments.number("angle").value_or(sweep.angle);
-  if (!std::isfinite(sweep.angle)) sweep.angle = 360;
-  sweep.facets = read_facets(arguments);
+  solids::RotateExtrude extrusion;
+  extrusion.angle = arguments.number("angle").value_or(extrusion.angle);
+  if (!std::isfinite(extrusion.angle)) extrusion.angle = 360;
+  extrusion.facets = read_facets(arguments);
   tell_if_number(arguments);
   const double scale = arguments.has("file") ? arguments.number("scale").value_or(1) : 1;
-  return [sweep, file = drawn(arguments, scale)](const Operands& operands) {
-    const std::optional<flat::Area> area = swept(file, operands);
-    if (!area || sweep.angle == 0) return Made{};
-    return Made{solids::rotate_extrude(*area, sweep), {}, {}, 3};
+  return [extrusion, file = drawn(arguments, scale)](const Operands& operands) {
+    const std::optional<flat::Area> area = extruded_area(file, operands);
+    if (!area || extrusion.angle == 0) return Made{};
+    return Made{solids::rotate_extrude(*area, extrusion), {}, {}, 3};
   };
 }
 

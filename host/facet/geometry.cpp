@@ -1,4 +1,4 @@
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,9 @@ Box box_of(const Solid& solid) {
 }
 
 /// Turns solids into convexes one after another.
-class SceneMaker {
+class GeometryMaker {
  public:
-  SceneMaker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
+  GeometryMaker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
 
   Convex make(Solid solid) {
     Convex convex;
@@ -131,7 +131,7 @@ Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes) {
   return folded[tree.root];
 }
 
-Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
+Geometry make_geometry(const model::Tree& tree, const Faceting& faceting) {
   if (faceting.tolerance && !(*faceting.tolerance > 0.0 && std::isfinite(*faceting.tolerance))) {
     throw InputError("the faceting tolerance has to be a finite length above 0");
   }
@@ -148,14 +148,14 @@ Scene make_scene(const model::Tree& tree, const Faceting& faceting) {
     boxes.push_back(box_of(solids.back()));
     all = hull(all, boxes.back());
   }
-  Scene scene{{}, PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : all.diagonal()), {}};
-  scene.quadrics = QuadricTable(scene.planes.centre(), scene.planes.diagonal());
-  scene.fast_spheres = faceting.exact_curves && faceting.fast_spheres;
-  SceneMaker maker(scene.planes, scene.quadrics);
-  scene.solids.reserve(solids.size());
-  for (Solid& solid : solids) scene.solids.push_back(maker.make(std::exchange(solid, {})));
-  scene.box = fold_boxes(tree, boxes);
-  return scene;
+  Geometry geometry{{}, PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : all.diagonal()), {}};
+  geometry.quadrics = QuadricTable(geometry.planes.centre(), geometry.planes.diagonal());
+  geometry.fast_spheres = faceting.exact_curves && faceting.fast_spheres;
+  GeometryMaker maker(geometry.planes, geometry.quadrics);
+  geometry.solids.reserve(solids.size());
+  for (Solid& solid : solids) geometry.solids.push_back(maker.make(std::exchange(solid, {})));
+  geometry.box = fold_boxes(tree, boxes);
+  return geometry;
 }
 
 }  // namespace csgsim::facet

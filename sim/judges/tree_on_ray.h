@@ -10,10 +10,10 @@ namespace csgsim::judges {
 
 /// A tree's value at a point that moves along a ray: primitives are switched in and out, and the operators above them
 /// follow as far as anything changes. No recursion.
-class TreeSweep {
+class TreeOnRay {
  public:
   /// The point is in no primitive.
-  explicit TreeSweep(const model::Tree& tree);
+  explicit TreeOnRay(const model::Tree& tree);
 
   void set(std::uint32_t primitive, bool in);
 
@@ -45,25 +45,25 @@ class TreeSweep {
 
 /// The event at the first depth that is in the model just behind, of the first primitive in tree order whose surface
 /// shows there; null if the ray meets nothing. Events have members `primitive` and `enters`, and are sorted by depth;
-/// those of the same depth have to stand together. The sweep has to be out of all primitives, and is again afterwards.
+/// those of the same depth have to stand together. The tree has to be out of all primitives, and is again afterwards.
 template <typename Event, typename SameDepth>
-const Event* first_seen(TreeSweep& sweep, std::span<const Event> events, const SameDepth& same_depth) {
+const Event* first_seen(TreeOnRay& on_ray, std::span<const Event> events, const SameDepth& same_depth) {
   const Event* seen = nullptr;
   std::size_t next = 0;
-  while (next < events.size() && !sweep.in_model()) {
+  while (next < events.size() && !on_ray.in_model()) {
     const std::size_t first = next;
     do {
-      sweep.set(events[next].primitive, events[next].enters);
+      on_ray.set(events[next].primitive, events[next].enters);
       ++next;
     } while (next < events.size() && same_depth(events[next - 1], events[next]));
-    if (!sweep.in_model()) continue;
+    if (!on_ray.in_model()) continue;
     for (const Event& event : events.subspan(first, next - first)) {
-      const bool visible_side = event.enters != sweep.taken_away(event.primitive);
+      const bool visible_side = event.enters != on_ray.taken_away(event.primitive);
       const bool before = seen == nullptr || event.primitive < seen->primitive;
-      if (visible_side && before && sweep.shows(event.primitive)) seen = &event;
+      if (visible_side && before && on_ray.shows(event.primitive)) seen = &event;
     }
   }
-  for (const Event& event : events.first(next)) sweep.set(event.primitive, false);
+  for (const Event& event : events.first(next)) on_ray.set(event.primitive, false);
   return seen;
 }
 

@@ -7,8 +7,8 @@
 #include <glm/mat3x3.hpp>
 #include <numbers>
 
+#include "host/facet/geometry.h"
 #include "host/facet/planes.h"
-#include "host/facet/scene.h"
 
 using namespace csgsim;
 
@@ -38,8 +38,8 @@ model::Tree tree_of(std::vector<model::Primitive> primitives) {
   return tree;
 }
 
-facet::Scene scene_of(std::vector<model::Primitive> primitives) {
-  return facet::make_scene(tree_of(std::move(primitives)), exact());
+facet::Geometry scene_of(std::vector<model::Primitive> primitives) {
+  return facet::make_geometry(tree_of(std::move(primitives)), exact());
 }
 
 model::Primitive at(model::Shape shape, const glm::dmat4& place = glm::dmat4(1.0)) {
@@ -94,7 +94,7 @@ double value(const facet::Quadric& quadric, const glm::dvec3& point) {
 
 /// A quadric is one with another's, and of the same side.
 bool coincide(const model::Primitive& first, const model::Primitive& second) {
-  const facet::Scene scene = scene_of({first, second});
+  const facet::Geometry scene = scene_of({first, second});
   return scene.quadrics.quadrics().size() == 1 && scene.solids[0].quadrics == scene.solids[1].quadrics;
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("a sphere that stays curved is one quadric and no half-space, under an
   CHECK(rc::check([] {
     const glm::dmat4 matrix = transform();
     const double radius = real(1, 9);
-    const facet::Scene scene = scene_of({at(model::Sphere{radius, {}}, matrix)});
+    const facet::Geometry scene = scene_of({at(model::Sphere{radius, {}}, matrix)});
     RC_ASSERT(scene.solids[0].halfspaces.empty());
     RC_ASSERT(scene.solids[0].quadrics.size() == 1U);
     const facet::Quadric& quadric = scene.quadrics.quadrics()[0];
@@ -134,7 +134,7 @@ TEST_CASE("a cylinder is two planes and a cylinder or cone, whose nappe the axis
     const double r2 = *rc::gen::arbitrary<bool>() ? r1 : real(0, 5);
     RC_PRE(r1 > 0.0 || r2 > 0.0);
     const model::Cylinder shape = cylinder(real(1, 9), r1, r2, *rc::gen::arbitrary<bool>());
-    const facet::Scene scene = scene_of({at(shape, matrix)});
+    const facet::Geometry scene = scene_of({at(shape, matrix)});
     const facet::Convex& solid = scene.solids[0];
     RC_ASSERT(solid.halfspaces.size() == 2U);
     RC_ASSERT(solid.quadrics.size() == 1U);
@@ -165,7 +165,7 @@ TEST_CASE("hulls hold their curved solids: every support of the solid is within 
     const model::Cylinder shape = cylinder(real(1, 9), real(0, 5), real(1, 5), *rc::gen::arbitrary<bool>());
     const bool is_ball = *rc::gen::arbitrary<bool>();
     const double radius = real(1, 9);
-    const facet::Scene scene = scene_of({is_ball ? at(model::Sphere{radius, {}}, matrix) : at(shape, matrix)});
+    const facet::Geometry scene = scene_of({is_ball ? at(model::Sphere{radius, {}}, matrix) : at(shape, matrix)});
     const glm::dvec3 direction = glm::normalize(vector(-9, 9) + glm::dvec3(0.0005));
     const glm::dmat3 linear(matrix);
     const glm::dvec3 back = glm::transpose(linear) * direction;
@@ -203,7 +203,7 @@ TEST_CASE("equal surfaces are one quadric, whatever the chain of transforms that
     RC_ASSERT(coincide(at(whole, matrix), at(part, matrix)));
     RC_ASSERT(coincide(at(whole, matrix),
                        at(over, matrix * moved({0, 0, 0.5 * radius / taper}) * scaled({1, 1, -1}) * rotated(2, 33))));
-    const facet::Scene nappes =
+    const facet::Geometry nappes =
         scene_of({at(whole, matrix), at(whole, matrix * moved({0, 0, 2.0 * radius / taper}) * scaled({1, 1, -1}))});
     RC_ASSERT(nappes.quadrics.quadrics().size() == 1U);
     RC_ASSERT(nappes.solids[0].quadrics[0].along_axis != nappes.solids[1].quadrics[0].along_axis);
@@ -229,7 +229,7 @@ TEST_CASE("ellipsoids across six decades coincide still when they are made in an
     const model::Sphere unit{1, {}};
     const glm::dmat4 first = turn * scaled(sizes);
     RC_ASSERT(coincide(at(unit, first), at(unit, first * rotation())));
-    const facet::Scene scene = scene_of({at(unit, first)});
+    const facet::Geometry scene = scene_of({at(unit, first)});
     const facet::Quadric& quadric = scene.quadrics.quadrics()[0];
     for (int axis = 0; axis < 3; ++axis) {
       // The ends of the axes are on it, as exactly as places of this size can be told.
@@ -245,7 +245,7 @@ TEST_CASE("ellipsoids across six decades coincide still when they are made in an
 TEST_CASE("what is meant as a polygon is faceted, and everything is where exact curves are not asked for") {
   const auto quadrics_with = [](double fn, const facet::Faceting& faceting) {
     const model::Tree tree = tree_of({at(model::Cylinder{4, 5, 5, false, {fn, 12, 2}})});
-    return facet::make_scene(tree, faceting).solids[0].quadrics.size();
+    return facet::make_geometry(tree, faceting).solids[0].quadrics.size();
   };
   CHECK(quadrics_with(0, exact()) == 1);
   CHECK(quadrics_with(6, exact()) == 0);
@@ -258,13 +258,13 @@ TEST_CASE("what is meant as a polygon is faceted, and everything is where exact 
   const model::Tree both = tree_of({at(model::Sphere{2, {}}), at(model::Sphere{3, {}})});
   facet::Faceting second = exact();
   second.faceted = {true, false};
-  const facet::Scene scene = facet::make_scene(both, second);
+  const facet::Geometry scene = facet::make_geometry(both, second);
   CHECK(scene.solids[0].quadrics.empty());
   CHECK(scene.solids[1].quadrics.size() == 1);
 }
 
 TEST_CASE("a cone too slender for an apex is the cylinder of its mean radius, with both of its planes") {
-  const facet::Scene scene = scene_of({at(cylinder(4, 5, 5 + 1e-8))});
+  const facet::Geometry scene = scene_of({at(cylinder(4, 5, 5 + 1e-8))});
   CHECK(scene.quadrics.quadrics()[0].kind == QuadricKind::cylinder);
   CHECK(scene.solids[0].halfspaces.size() == 2);
   CHECK(scene_of({at(cylinder(4, 5, 5 + 1e-6))}).quadrics.quadrics()[0].kind == QuadricKind::cone);

@@ -1,4 +1,4 @@
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "host/facet/scene.h"
+#include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
 #include "tests/support/usual_cases.h"
@@ -223,7 +223,7 @@ TEST_CASE("middle and discriminant are within their bounds of the truth") {
   int inside = 0;
   const auto bounded = [&] {
     const Subject subject = random_subject();
-    const facet::Scene scene = facet::make_scene(subject.tree, exact());
+    const facet::Geometry scene = facet::make_geometry(subject.tree, exact());
     const view::View view = view::make_view(scene, subject.tree, subject.camera, subject.sampling);
     RC_ASSERT(view.quadrics.size() == 1U);
     const view::ScreenQuadric& quadric = view.quadrics[0];
@@ -259,7 +259,7 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
   for (int round = 0; round < 20; ++round) {
     CHECK(rc::check([&] {
       const Subject subject = random_subject();
-      const facet::Scene scene = facet::make_scene(subject.tree, exact());
+      const facet::Geometry scene = facet::make_geometry(subject.tree, exact());
       const view::View view = view::make_view(scene, subject.tree, subject.camera, subject.sampling);
       const view::ScreenQuadric& quadric = view.quadrics[0];
       const view::Extent& extent = view.extents[0];
@@ -314,7 +314,7 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
 TEST_CASE("a cylinder seen along its axis is an edge test of its circle, and from a slant far below a pixel too") {
   for (const double slant : {0.0, 1e-7}) {
     const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
-    const facet::Scene scene = facet::make_scene(tree, exact());
+    const facet::Geometry scene = facet::make_geometry(tree, exact());
     view::Sampling sampling;
     sampling.width = sampling.height = 64;
     // 200 tan(11.25 degrees) / 64 model units a pixel: the axis is at column and row 31.5.
@@ -345,7 +345,7 @@ TEST_CASE("a sheared cylinder seen exactly from its side is no edge test, whatev
       place[1] = glm::dvec4(1, 3, 0, 0);
       place[2] = glm::dvec4(axis, 0);
       const model::Tree tree = single(model::Cylinder{6, 3, 3, true, {}}, place);
-      const facet::Scene scene = facet::make_scene(tree, exact());
+      const facet::Geometry scene = facet::make_geometry(tree, exact());
       view::Sampling sampling;
       sampling.width = 24;
       sampling.height = 16;
@@ -359,7 +359,7 @@ TEST_CASE("a sheared cylinder seen exactly from its side is no edge test, whatev
 
 TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit that is less than an edge's width") {
   const model::Tree tree = single(model::Cylinder{4, 10, 10, false, {}}, glm::dmat4(1.0));
-  const facet::Scene scene = facet::make_scene(tree, exact());
+  const facet::Geometry scene = facet::make_geometry(tree, exact());
   view::Sampling sampling;
   int coarse = 0;
   for (const double slant : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
@@ -383,7 +383,7 @@ TEST_CASE("a cone whose apex is the eye is an edge test, unless both nappes are 
   glm::dmat4 place(1.0);
   const model::Tree slender = single(model::Cylinder{10, 0, 1, false, {}}, place);
   const view::Camera up{{0, 0, 0}, {0, 0, 5}, view::Projection::perspective};
-  const view::View view = view::make_view(facet::make_scene(slender, exact()), slender, up, sampling);
+  const view::View view = view::make_view(facet::make_geometry(slender, exact()), slender, up, sampling);
   REQUIRE(view.quadrics[0].kind == view::ScreenQuadricKind::edge);
   const double tangent = 2.0 * view::half_height_per_distance() / 64;
   for (int x = 0; x < 64; ++x) {
@@ -397,7 +397,7 @@ TEST_CASE("a cone whose apex is the eye is an edge test, unless both nappes are 
   flat.nodes.push_back({false, model::Operator::unite, model::no_index, {0, 1}});
   flat.root = 2;
   const view::Camera along{{0, 0, 0}, {5, 0, 0}, view::Projection::perspective};
-  const view::View both = view::make_view(facet::make_scene(flat, exact()), flat, along, sampling);
+  const view::View both = view::make_view(facet::make_geometry(flat, exact()), flat, along, sampling);
   REQUIRE(both.quadrics.size() == 1);
   CHECK(both.quadrics[0].kind == view::ScreenQuadricKind::unfit);
 }
@@ -407,17 +407,17 @@ TEST_CASE("an eye on a quadric, and a cone seen along a generator, fit no number
   sampling.width = sampling.height = 64;
   const model::Tree ball = single(model::Sphere{1, {}}, glm::dmat4(1.0));
   const view::Camera on{{1, 0, 0}, {0, 0, 0}, view::Projection::perspective};
-  CHECK(view::make_view(facet::make_scene(ball, exact()), ball, on, sampling).quadrics[0].kind ==
+  CHECK(view::make_view(facet::make_geometry(ball, exact()), ball, on, sampling).quadrics[0].kind ==
         view::ScreenQuadricKind::unfit);
   const model::Tree cone = single(model::Cylinder{1, 0, 1, false, {}}, glm::dmat4(1.0));
   const view::Camera along{{-5, 0, -5}, {0, 0, 0}, view::Projection::orthographic};
-  CHECK(view::make_view(facet::make_scene(cone, exact()), cone, along, sampling).quadrics[0].kind ==
+  CHECK(view::make_view(facet::make_geometry(cone, exact()), cone, along, sampling).quadrics[0].kind ==
         view::ScreenQuadricKind::unfit);
 }
 
 TEST_CASE("a sphere's depths and pixels are its own, not its hull's") {
   const model::Tree tree = single(model::Sphere{10, {}}, glm::dmat4(1.0));
-  const facet::Scene scene = facet::make_scene(tree, exact());
+  const facet::Geometry scene = facet::make_geometry(tree, exact());
   const view::Camera camera{{0, 0, 100}, {0, 0, 0}, view::Projection::orthographic};
   view::Sampling sampling;
   const view::View view = view::make_view(scene, tree, camera, sampling);
@@ -430,7 +430,7 @@ TEST_CASE("a sphere's depths and pixels are its own, not its hull's") {
 
 TEST_CASE("an extent's depths hold the back of a solid too, whose depth is no longer in it") {
   const model::Tree tree = single(model::Sphere{3, {}}, glm::dmat4(1.0));
-  const facet::Scene scene = facet::make_scene(tree, exact());
+  const facet::Geometry scene = facet::make_geometry(tree, exact());
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     view::Sampling sampling;
     sampling.width = sampling.height = 24;
@@ -450,7 +450,7 @@ TEST_CASE("equal surfaces of different solids are the same integers") {
   tree.nodes.push_back({true, model::Operator::unite, 1, {}});
   tree.nodes.push_back({false, model::Operator::subtract, model::no_index, {0, 1}});
   tree.root = 2;
-  const facet::Scene scene = facet::make_scene(tree, exact());
+  const facet::Geometry scene = facet::make_geometry(tree, exact());
   const view::View view = view::make_view(scene, tree, view::default_camera(scene.box, 512, 512), {});
   CHECK(view.quadrics.size() == 1);
   CHECK(view.quadrics[0].kind == view::ScreenQuadricKind::roots);

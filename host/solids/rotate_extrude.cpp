@@ -10,9 +10,9 @@
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
 #include "host/solids/axis_parts.h"
+#include "host/solids/extrusion.h"
 #include "host/solids/limits.h"
 #include "host/solids/side_lines.h"
-#include "host/solids/sweep.h"
 #include "hw/base/error.h"
 
 namespace csgsim::solids {
@@ -61,9 +61,9 @@ flat::Area on_the_right(const flat::Area& area, bool is_left, double radius) {
   return result;
 }
 
-Turn make_turn(const RotateExtrude& sweep, double radius, bool is_left) {
-  const double angle = sweep.angle <= -360.0 || sweep.angle > 360.0 ? 360.0 : sweep.angle;
-  const double around = model::fragments(radius, sweep.facets);
+Turn make_turn(const RotateExtrude& extrusion, double radius, bool is_left) {
+  const double angle = extrusion.angle <= -360.0 || extrusion.angle > 360.0 ? 360.0 : extrusion.angle;
+  const double around = model::fragments(radius, extrusion.facets);
   const auto count = static_cast<std::uint32_t>(std::max(around * std::abs(angle) / 360.0, 1.0));
   Turn turn;
   turn.is_full = angle == 360.0;
@@ -230,12 +230,12 @@ class Lathe {
 
 }  // namespace
 
-std::vector<model::Polyhedron> rotate_extrude(const flat::Area& area, const RotateExtrude& sweep) {
-  if (area.empty() || sweep.angle == 0.0) return {};
+std::vector<model::Polyhedron> rotate_extrude(const flat::Area& area, const RotateExtrude& extrusion) {
+  if (area.empty() || extrusion.angle == 0.0) return {};
   const auto [least, greatest] = range_of(area);
   const double radius = greatest - least;
   const bool is_left = -least > greatest;
-  Turn turn = make_turn(sweep, radius, is_left);
+  Turn turn = make_turn(extrusion, radius, is_left);
   if (turn.angles.empty()) return {};
   const flat::Area profile = on_the_right(area, is_left, radius);
   Lathe lathe(profile, std::move(turn));

@@ -1,8 +1,8 @@
-#include "sim/judges/tree_sweep.h"
+#include "sim/judges/tree_on_ray.h"
 
 namespace csgsim::judges {
 
-TreeSweep::TreeSweep(const model::Tree& tree)
+TreeOnRay::TreeOnRay(const model::Tree& tree)
     : nodes_(tree.nodes.size()), leaf_of_(tree.primitives.size()), root_(tree.root) {
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
     const model::Node& from = tree.nodes[i];
@@ -26,7 +26,7 @@ TreeSweep::TreeSweep(const model::Tree& tree)
   }
 }
 
-void TreeSweep::set(std::uint32_t primitive, bool in) {
+void TreeOnRay::set(std::uint32_t primitive, bool in) {
   Node* node = &nodes_[leaf_of_[primitive]];
   if (node->value() == in) return;
   node->right = in ? 1 : 0;
@@ -41,7 +41,7 @@ void TreeSweep::set(std::uint32_t primitive, bool in) {
   }
 }
 
-bool TreeSweep::shows(std::uint32_t primitive) const {
+bool TreeOnRay::shows(std::uint32_t primitive) const {
   for (std::uint32_t at = leaf_of_[primitive]; at != model::no_index; at = nodes_[at].parent) {
     if (nodes_[at].value() == nodes_[at].taken_away) return false;
   }

@@ -6,8 +6,8 @@
 
 #include "host/flat/parts.h"
 #include "host/solids/bent_slices.h"
+#include "host/solids/extrusion.h"
 #include "host/solids/side_lines.h"
-#include "host/solids/sweep.h"
 
 namespace csgsim::solids {
 
@@ -56,17 +56,19 @@ model::Polyhedron frustum(const flat::Outline& part, const Ends& ends, SideLines
 }
 
 /// With scales that are used; none if there is nothing of it.
-std::optional<LinearExtrude> used(const flat::Area& area, LinearExtrude sweep) {
-  sweep.scale = glm::max(sweep.scale, glm::dvec2(0));
-  if (area.empty() || !(sweep.height > 0.0)) return std::nullopt;
-  return sweep;
+std::optional<LinearExtrude> used(const flat::Area& area, LinearExtrude extrusion) {
+  extrusion.scale = glm::max(extrusion.scale, glm::dvec2(0));
+  if (area.empty() || !(extrusion.height > 0.0)) return std::nullopt;
+  return extrusion;
 }
 
-bool is_straight(const LinearExtrude& sweep) { return sweep.twist == 0.0 && sweep.scale.x == sweep.scale.y; }
+bool is_straight(const LinearExtrude& extrusion) {
+  return extrusion.twist == 0.0 && extrusion.scale.x == extrusion.scale.y;
+}
 
-Ends ends_of(const LinearExtrude& sweep) {
-  const double low = sweep.center ? -sweep.height / 2.0 : 0.0;
-  return {low, sweep.center ? sweep.height / 2.0 : sweep.height, sweep.scale.x};
+Ends ends_of(const LinearExtrude& extrusion) {
+  const double low = extrusion.center ? -extrusion.height / 2.0 : 0.0;
+  return {low, extrusion.center ? extrusion.height / 2.0 : extrusion.height, extrusion.scale.x};
 }
 
 /// An outline by itself, counter-clockwise; none if it is not convex.
@@ -99,8 +101,9 @@ std::size_t halfspaces_over(const std::vector<flat::Outline>& outlines) {
 
 }  // namespace
 
-std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& sweep, const Work& work) {
-  const std::optional<LinearExtrude> made = used(area, sweep);
+std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& extrusion,
+                                              const Work& work) {
+  const std::optional<LinearExtrude> made = used(area, extrusion);
   if (!made) return {};
   if (!is_straight(*made)) return extrude_bent(area, *made, work);
   std::vector<model::Polyhedron> pieces;
@@ -109,8 +112,8 @@ std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const Line
   return pieces;
 }
 
-std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& sweep) {
-  const std::optional<LinearExtrude> made = used(area, sweep);
+std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& extrusion) {
+  const std::optional<LinearExtrude> made = used(area, extrusion);
   if (!made || area.outlines.size() < 2 || !is_straight(*made)) return std::nullopt;
   const std::vector<flat::Outline> outlines = convex_outlines(area);
   if (outlines.empty() || 2 * halfspaces_over(outlines) > halfspaces_over(flat::convex_parts(area)))

@@ -1,4 +1,4 @@
-#include "sim/judges/tree_sweep.h"
+#include "sim/judges/tree_on_ray.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -114,14 +114,14 @@ std::optional<Shown> nearest_shown(const model::Tree& tree, const Intervals& int
 TEST_CASE("the value that follows toggles is that of the whole tree worked out anew") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
-    judges::TreeSweep sweep(tree);
+    judges::TreeOnRay on_ray(tree);
     std::vector<bool> held(tree.primitives.size());
     const auto toggles = *rc::gen::container<std::vector<std::uint32_t>>(
         40, rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(held.size())));
     for (const std::uint32_t primitive : toggles) {
       held[primitive] = *rc::gen::arbitrary<bool>();
-      sweep.set(primitive, held[primitive]);
-      RC_ASSERT(sweep.in_model() == value(tree, tree.root, held));
+      on_ray.set(primitive, held[primitive]);
+      RC_ASSERT(on_ray.in_model() == value(tree, tree.root, held));
     }
   }));
 }
@@ -129,13 +129,13 @@ TEST_CASE("the value that follows toggles is that of the whole tree worked out a
 TEST_CASE("a surface shows where its side of the primitive is there and no operator takes it away") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
-    judges::TreeSweep sweep(tree);
+    judges::TreeOnRay on_ray(tree);
     const testing::TreeRules rules(tree);
     const auto held = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
-    for (std::uint32_t i = 0; i < held.size(); ++i) sweep.set(i, held[i]);
+    for (std::uint32_t i = 0; i < held.size(); ++i) on_ray.set(i, held[i]);
     for (std::uint32_t i = 0; i < held.size(); ++i) {
-      RC_ASSERT(sweep.taken_away(i) == rules.taken_away(i));
-      RC_ASSERT(sweep.shows(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
+      RC_ASSERT(on_ray.taken_away(i) == rules.taken_away(i));
+      RC_ASSERT(on_ray.shows(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
     }
   }));
 }
@@ -143,17 +143,17 @@ TEST_CASE("a surface shows where its side of the primitive is there and no opera
 TEST_CASE("what a ray sees first is the nearest surface that shows, of the first primitive in tree order") {
   CHECK(rc::check([] {
     const model::Tree tree = any_tree();
-    judges::TreeSweep sweep(tree);
+    judges::TreeOnRay on_ray(tree);
     for (int ray = 0; ray < 3; ++ray) {
       const Intervals intervals = any_intervals(tree.primitives.size());
       const std::vector<Event> events = events_of(intervals);
-      const Event* seen = judges::first_seen(sweep, std::span<const Event>(events), same_depth);
+      const Event* seen = judges::first_seen(on_ray, std::span<const Event>(events), same_depth);
       const std::optional<Shown> expected = nearest_shown(tree, intervals);
       RC_ASSERT((seen != nullptr) == expected.has_value());
       if (seen != nullptr) RC_ASSERT((Shown{seen->depth, seen->primitive} == *expected));
-      RC_ASSERT_FALSE(sweep.in_model());
+      RC_ASSERT_FALSE(on_ray.in_model());
     }
   }));
 }
 
-TEST_CASE("an empty tree is out everywhere") { CHECK_FALSE(judges::TreeSweep(model::Tree{}).in_model()); }
+TEST_CASE("an empty tree is out everywhere") { CHECK_FALSE(judges::TreeOnRay(model::Tree{}).in_model()); }

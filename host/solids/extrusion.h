@@ -11,7 +11,7 @@
 
 namespace csgsim::solids {
 
-/// How an area is swept along z.
+/// How an area is extruded along z.
 struct LinearExtrude {
   double height = 100;
   bool center = false;       ///< from -height / 2, not from 0
@@ -21,7 +21,7 @@ struct LinearExtrude {
   model::FacetControl facets{};
 };
 
-/// How an area of the x, z plane is swept around the z axis.
+/// How an area of the x, z plane is turned around the z axis.
 struct RotateExtrude {
   double angle = 360;  ///< degrees from the x axis, counter-clockwise; past a full turn either way it is one full turn
   model::FacetControl facets{};
@@ -32,7 +32,7 @@ struct RotateExtrude {
 /// are two triangles a side of the outline, and what is between them is divided by planes of these triangles. None if
 /// the height is not above 0. Throws InputError if there are too many slices or pieces, or they reach too far from the
 /// origin (model/limits.h), and WorkError past the limit on work.
-std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& sweep,
+std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& extrusion,
                                               const Work& work = {});
 
 /// A convex prism, frustum or pyramid less others.
@@ -43,12 +43,12 @@ struct HoledPrism {
 
 /// linear_extrude() as a difference: if sides are straight, all outlines convex and all but one holes, and if convex
 /// pieces would have twice as many half-spaces at least. The machine then draws the difference in fewer clocks.
-std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& sweep);
+std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& extrusion);
 
-/// The solid that an area sweeps, as OpenSCAD 2021.01 facets it, in convex pieces as above: a convex part that touches
-/// the axis along a side, and is nowhere narrower nearer to the axis, is one piece a half turn at most, or one for a
-/// full turn; any other is one piece a fragment of the turn. None if the angle is 0. Throws InputError if the area is
-/// on both sides of the axis, as OpenSCAD has it, or if there are too many pieces.
-std::vector<model::Polyhedron> rotate_extrude(const flat::Area& area, const RotateExtrude& sweep);
+/// The solid that an area turns through, as OpenSCAD 2021.01 facets it, in convex pieces as above: a convex part that
+/// touches the axis along a side, and is nowhere narrower nearer to the axis, is one piece a half turn at most, or one
+/// for a full turn; any other is one piece a fragment of the turn. None if the angle is 0. Throws InputError if the
+/// area is on both sides of the axis, as OpenSCAD has it, or if there are too many pieces.
+std::vector<model::Polyhedron> rotate_extrude(const flat::Area& area, const RotateExtrude& extrusion);
 
 }  // namespace csgsim::solids

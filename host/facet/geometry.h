@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/facet/planes.h"
-#include "host/facet/quadrics.h"
+#include "host/facet/quadric_table.h"
 #include "host/facet/solid.h"
 #include "host/model/tree.h"
 
@@ -40,7 +40,7 @@ struct Convex {
 };
 
 /// A model ready for any view.
-struct Scene {
+struct Geometry {
   std::vector<Convex> solids;  ///< one a primitive of the tree
   PlaneTable planes;
   Box box;  ///< holds what the tree leaves of its primitives
@@ -50,7 +50,7 @@ struct Scene {
 
 /// Facets every primitive that does not stay curved. Throws InputError, naming the primitive's place in the file,
 /// where one cannot be faceted.
-Scene make_scene(const model::Tree& tree, const Faceting& faceting = {});
+Geometry make_geometry(const model::Tree& tree, const Faceting& faceting = {});
 
 /// Folds boxes of the primitives over the tree: unions span, intersections clip, differences keep their first operand.
 Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes);

@@ -1,4 +1,4 @@
-#include "host/facet/quadrics.h"
+#include "host/facet/quadric_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/emit/quadrics.h"
+#include "host/emit/quadric_depths.h"
 
 #include <fmt/format.h>
 
@@ -132,7 +132,7 @@ void refuse_unfit(const Context& context, std::uint32_t primitive) {
 
 std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t primitive) {
   std::vector<QuadricBound> bounds;
-  for (const facet::QuadricSide& side : context.scene.solids[primitive].quadrics) {
+  for (const facet::QuadricSide& side : context.geometry.solids[primitive].quadrics) {
     const view::ScreenQuadric& quadric = context.view.quadrics[side.quadric];
     if (quadric.kind == view::ScreenQuadricKind::unfit) refuse_unfit(context, primitive);
     bounds.push_back({primitive, side, view::role_of(quadric, side)});
@@ -154,11 +154,11 @@ bool may_reach_near(const Context& context, const QuadricBound& bound, const vie
   return ranges.discriminant.high >= 0 && (bound.role == QuadricRole::from ? ranges.far : ranges.near).low <= 0;
 }
 
-QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsigned colour_bits) {
+QuadricBits quadric_bits(const facet::Geometry& geometry, const view::View& view, unsigned colour_bits) {
   QuadricBits bits;
-  for (std::size_t primitive = 0; primitive < scene.solids.size(); ++primitive) {
+  for (std::size_t primitive = 0; primitive < geometry.solids.size(); ++primitive) {
     const view::PixelRect& pixels = view.extents[primitive].pixels;
-    for (const facet::QuadricSide& side : scene.solids[primitive].quadrics) {
+    for (const facet::QuadricSide& side : geometry.solids[primitive].quadrics) {
       const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
       if ((quadric.kind != view::ScreenQuadricKind::roots && !is_paraboloid(quadric)) || pixels.empty()) continue;
       const RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, pixels);
@@ -172,11 +172,11 @@ QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsi
   return bits;
 }
 
-bool draws_in_place(const facet::Scene& scene, const view::View& view, const Plan& plan, unsigned colour_bits) {
+bool draws_in_place(const facet::Geometry& geometry, const view::View& view, const Plan& plan, unsigned colour_bits) {
   const unsigned z_bits = view.sampling.z_bits;
   const auto fits = [&](std::uint32_t primitive) {
     const view::PixelRect& pixels = view.extents[primitive].pixels;
-    return std::all_of(scene.solids[primitive].quadrics.begin(), scene.solids[primitive].quadrics.end(),
+    return std::all_of(geometry.solids[primitive].quadrics.begin(), geometry.solids[primitive].quadrics.end(),
                        [&](const facet::QuadricSide& side) {
                          const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
                          if (!is_paraboloid(quadric) || quadric.factor.fraction() > 0) return false;
@@ -184,13 +184,13 @@ bool draws_in_place(const facet::Scene& scene, const view::View& view, const Pla
                          return sum_bits(ranges.near, z_bits) == z_bits;
                        });
   };
-  return scene.fast_spheres && light_bits(colour_bits) <= z_bits && draws_alone(plan, fits);
+  return geometry.fast_spheres && light_bits(colour_bits) <= z_bits && draws_alone(plan, fits);
 }
 
-bool takes_roots_in_candidate(const facet::Scene& scene, const view::View& view, const Plan& plan) {
+bool takes_roots_in_candidate(const facet::Geometry& geometry, const view::View& view, const Plan& plan) {
   const unsigned z_bits = view.sampling.z_bits;
   return draws_alone(plan, [&](std::uint32_t primitive) {
-    const facet::Convex& solid = scene.solids[primitive];
+    const facet::Convex& solid = geometry.solids[primitive];
     if (solid.quadrics.empty()) return true;
     const view::ScreenQuadric& quadric = view.quadrics[solid.quadrics.front().quadric];
     const bool is_ellipsoid = solid.quadrics.size() == 1 && solid.halfspaces.empty() &&

@@ -5,7 +5,7 @@
 #include "host/csg/locate.h"
 #include "host/emit/context.h"
 #include "host/emit/plan.h"
-#include "host/view/quadrics.h"
+#include "host/view/screen_quadric.h"
 
 namespace csgsim::emit {
 
@@ -25,18 +25,18 @@ csg::Known known_of(const Context& context, const QuadricBound& bound, const csg
 /// Whether the nearer (farther) of its depths, if that is what is seen of it, may be 0 or before it in those pixels.
 bool may_reach_near(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels);
 
-/// Bits that the quadrics of the scene take, and light on them in colours of that many bits.
-QuadricBits quadric_bits(const facet::Scene& scene, const view::View& view, unsigned colour_bits);
+/// Bits that the quadrics of the model take, and light on them in colours of that many bits.
+QuadricBits quadric_bits(const facet::Geometry& geometry, const view::View& view, unsigned colour_bits);
 
-/// Whether all that is drawn of the scene's quadrics is the nearer depth of a paraboloid that fits Z1 as it is, of
+/// Whether all that is drawn of the model's quadrics is the nearer depth of a paraboloid that fits Z1 as it is, of
 /// primitives that are compared with no other, and Z1 has room to work out light on them (QuadricBits::in_place). There
 /// must be no colour beside Z1 and no effect.
-bool draws_in_place(const facet::Scene& scene, const view::View& view, const Plan& plan, unsigned colour_bits);
+bool draws_in_place(const facet::Geometry& geometry, const view::View& view, const Plan& plan, unsigned colour_bits);
 
-/// Whether all that is drawn of the scene's quadrics is the nearer depth of ellipsoids that fits Z1 as it is, of
+/// Whether all that is drawn of the model's quadrics is the nearer depth of ellipsoids that fits Z1 as it is, of
 /// primitives that are compared with no other (QuadricBits::root_in_candidate). There must be no colour beside Z1 and
 /// no effect.
-bool takes_roots_in_candidate(const facet::Scene& scene, const view::View& view, const Plan& plan);
+bool takes_roots_in_candidate(const facet::Geometry& geometry, const view::View& view, const Plan& plan);
 
 enum class Root : std::uint8_t { near, far };
 
