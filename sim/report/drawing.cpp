@@ -52,13 +52,6 @@ std::string served_by(const isa::Instruction& instruction, const isa::Facts& fac
   return text;
 }
 
-/// Numbers of the boundaries after every instruction.
-std::vector<std::uint64_t> every_boundary(std::uint64_t count) {
-  std::vector<std::uint64_t> boundaries(count);
-  for (std::uint64_t i = 0; i < count; ++i) boundaries[i] = i + 1;
-  return boundaries;
-}
-
 /// Numbers of the boundaries at which what instructions serve changes, and of the ends of regions.
 std::vector<std::uint64_t> boundaries_of_work(const isa::Program& program) {
   std::vector<std::uint64_t> boundaries;
@@ -74,12 +67,10 @@ std::vector<std::uint64_t> boundaries_of_work(const isa::Program& program) {
 }
 
 /// Keeps every second, and the last.
-template <class Item>
-void keep_every_second(std::vector<Item>& items) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    if (i % 2 == 1 || i + 1 == items.size()) items[kept++] = std::move(items[i]);
-  items.resize(kept);
+void keep_every_second(std::vector<std::uint64_t>& boundaries) {
+  std::size_t place = 0;
+  const std::size_t count = boundaries.size();
+  std::erase_if(boundaries, [&](std::uint64_t /*boundary*/) { return place++ % 2 == 0 && place != count; });
 }
 
 class Recorder {
@@ -199,7 +190,7 @@ class Recorder {
 std::optional<Drawing> record_every(const isa::Program& program, const machines::Machine& machine,
                                     const DrawingLimits& limits, std::uint64_t count) {
   Recorder recorder(program, machine, limits);
-  for (const std::uint64_t boundary : every_boundary(count)) {
+  for (std::uint64_t boundary = 1; boundary <= count; ++boundary) {
     recorder.go_to(boundary);
     if (recorder.bytes() > limits.bytes) return std::nullopt;
   }

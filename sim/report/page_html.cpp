@@ -5,13 +5,8 @@
 
 #include "hw/base/markup.h"
 #include "sim/plots/palette.h"
-#include "sim/report/drawing_html.h"
-#include "sim/report/html.h"
 #include "sim/report/page.h"
-#include "sim/report/picture_html.h"
-#include "sim/report/plot_html.h"
-#include "sim/report/table_html.h"
-#include "sim/report/text.h"
+#include "sim/report/parts_html.h"
 
 namespace csgsim::report {
 
@@ -77,6 +72,29 @@ std::string contents_html(const Page& page) {
 }
 
 }  // namespace
+
+std::string json_in_html(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    // In strings alone, where JSON knows it by its number too.
+    c == '<' ? text += "\\u003c" : text += c;
+  }
+  return text;
+}
+
+std::string html_id(std::string_view text) {
+  std::string id;
+  for (const char c : text) {
+    const bool is_word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (is_word) {
+      id.push_back(static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c));
+    } else if (!id.empty() && id.back() != '-') {
+      id.push_back('-');
+    }
+  }
+  while (!id.empty() && id.back() == '-') id.pop_back();
+  return id;
+}
 
 std::string to_html(const Page& page) {
   Writer writer;

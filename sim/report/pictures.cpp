@@ -1,7 +1,6 @@
 #include "sim/report/pictures.h"
 
 #include <array>
-#include <cstddef>
 #include <utility>
 
 #include "hw/isa/colour_format.h"

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "hw/isa/program.h"
 #include "sim/observe/frame.h"

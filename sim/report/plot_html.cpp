@@ -1,5 +1,3 @@
-#include "sim/report/plot_html.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include "hw/base/markup.h"
 #include "sim/plots/layout.h"
 #include "sim/plots/svg.h"
-#include "sim/report/table_html.h"
+#include "sim/report/parts_html.h"
 
 namespace csgsim::report {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hw/base/text.h"
-#include "hw/isa/pieces.h"
+#include "sim/observe/dearest.h"
 #include "sim/observe/pictures.h"
 #include "sim/report/pictures.h"
 
@@ -96,13 +96,6 @@ Section clocks_section(const Json& data) {
   return section;
 }
 
-std::vector<std::uint64_t> pixels_seen(const observe::Frame& frame, std::size_t primitives) {
-  std::vector<std::uint64_t> pixels(primitives, 0);
-  for (const std::uint32_t owner : frame.owner)
-    if (owner < primitives) ++pixels[owner];
-  return pixels;
-}
-
 /// `9:9` of `cylinder@9:9`.
 std::pair<std::string, std::string> kind_and_place(const std::string& name) {
   const std::size_t at = name.rfind('@');
@@ -129,7 +122,7 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
     owners.prices.caption = "The " + grouped(most_rows) + " dearest of " + grouped(primitives.size()) + " primitives";
     owners.primitive.resize(most_rows);
   }
-  const std::vector<std::uint64_t> pixels = pixels_seen(of_primitives, primitives.size());
+  const std::vector<std::uint64_t> pixels = observe::pixels_seen(frame, program);
   const double whole = whole_clocks(data);
   for (const std::uint32_t i : owners.primitive) {
     const std::string at = "/by_primitive/" + std::to_string(i);

@@ -1,5 +1,3 @@
-#include "sim/report/table_html.h"
-
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -7,6 +5,7 @@
 #include "hw/base/markup.h"
 #include "hw/base/text.h"
 #include "sim/plots/number_text.h"
+#include "sim/report/parts_html.h"
 
 namespace csgsim::report {
 

@@ -1,9 +1,9 @@
-#include "sim/report/html.h"
-
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "sim/report/parts_html.h"
 
 using namespace csgsim;
 using Json = nlohmann::ordered_json;

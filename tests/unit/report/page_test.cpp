@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/parts_html.h"
 #include "sim/report/points.h"
 #include "sim/report/study_pages.h"
-#include "sim/report/table_html.h"
 
 using namespace csgsim;
 using report::Json;

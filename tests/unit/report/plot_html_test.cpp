@@ -1,5 +1,3 @@
-#include "sim/report/plot_html.h"
-
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -12,6 +10,7 @@
 #include "sim/plots/palette.h"
 #include "sim/plots/svg.h"
 #include "sim/report/page.h"
+#include "sim/report/parts_html.h"
 #include "sim/report/study_pages.h"
 
 using namespace csgsim;

@@ -10,7 +10,7 @@
 
 #include "host/read/read.h"
 #include "hw/kinds/load.h"
-#include "sim/report/table_html.h"
+#include "sim/report/parts_html.h"
 #include "sim/studies/corpus/measure.h"
 
 using namespace csgsim;
