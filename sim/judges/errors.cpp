@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hw/base/text.h"
 #include "hw/isa/depth_scale.h"
 #include "sim/judges/explain.h"
 #include "sim/judges/truth.h"
@@ -96,8 +97,9 @@ std::string to_text(const Errors& errors) {
   std::string text = fmt::format(
       "{} of {} pixels wrong ({} silhouette, {} owner, {} depth; {} explained, {} not); depth off by {:.3g} at most, "
       "{:.3g} at 99.9 %, in steps {:.4g} and {:.4g}",
-      errors.wrong(), errors.pixels, errors.silhouette, errors.owner, errors.depth, errors.explained,
-      errors.unexplained, errors.model_units.max, errors.model_units.p999, errors.steps.max, errors.steps.p999);
+      grouped(errors.wrong()), grouped(errors.pixels), grouped(errors.silhouette), grouped(errors.owner),
+      grouped(errors.depth), grouped(errors.explained), grouped(errors.unexplained), errors.model_units.max,
+      errors.model_units.p999, errors.steps.max, errors.steps.p999);
   if (errors.first_unexplained) {
     text += fmt::format("; not explained at column {}, row {}", errors.first_unexplained->column,
                         errors.first_unexplained->row);

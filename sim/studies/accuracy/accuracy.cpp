@@ -39,8 +39,9 @@ struct Options {
 
 void print_row(const Measurement& row) {
   fmt::print("{:<14}{:>12}{:>12}{:>9}{:>8}{:>9}{:>9}{:>13.2e}{:>10.2f}{:>11}{:>13.2e}{:>9.3f}\n", row.knob, row.value,
-             row.clocks, row.halfspaces, row.used_bits, row.wrong, row.unexplained, row.depth_p999,
-             row.depth_p999_steps, row.facet_wrong, row.facet_depth_p999, row.picture_difference);
+             grouped(row.clocks), grouped(row.halfspaces), row.used_bits, grouped(row.wrong), grouped(row.unexplained),
+             row.depth_p999, row.depth_p999_steps, grouped(row.facet_wrong), row.facet_depth_p999,
+             row.picture_difference);
 }
 
 void print_table(std::span<const Measurement> rows, unsigned views) {
@@ -66,10 +67,10 @@ void print_front(std::span<const Measurement> rows) {
   if (front.empty()) return;
   fmt::print("\nPareto front of z bits / fraction bits:\n");
   for (const Measurement& row : front)
-    fmt::print("  {:>6}{:>12} clocks{:>10} wrong pixels\n", row.value, row.clocks, row.wrong);
+    fmt::print("  {:>6}{:>12} clocks{:>10} wrong pixels\n", row.value, grouped(row.clocks), grouped(row.wrong));
   for (const Halving& step : halvings(front)) {
     fmt::print("From {} to {}: {} wrong pixels become {} for {:.1f} % more clocks\n", step.from.value, step.to.value,
-               step.from.wrong, step.to.wrong, 100.0 * step.more_clocks);
+               grouped(step.from.wrong), grouped(step.to.wrong), 100.0 * step.more_clocks);
   }
 }
 
