@@ -27,7 +27,7 @@ std::string extension_of(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void throw_no_format(const std::filesystem::path& path) {
-  throw InputError(path.native() + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like");
+  throw FormatError(path.native() + ": no picture format for this name; end it in .png, .tif, .ppm, .exr or the like");
 }
 
 [[noreturn]] void throw_unwritten(const std::filesystem::path& path, const std::string& why) {

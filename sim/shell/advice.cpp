@@ -21,6 +21,18 @@ namespace {
 constexpr unsigned fewer_bits = 4;
 constexpr unsigned few_colour_bits = 12;
 
+/// The option as on the command line; nothing where it says that already.
+template <class Value>
+std::optional<std::string> turn(const char* option, Value& value, const Value& to) {
+  if (value == to) return std::nullopt;
+  value = to;
+  return fmt::format("{} {}", option, to);
+}
+
+std::optional<std::string> lower(const char* option, unsigned& bits, unsigned fewest) {
+  return turn(option, bits, bits < fewest + fewer_bits ? bits : bits - fewer_bits);
+}
+
 /// An option that is turned by one step.
 struct TriedSetting {
   /// What it becomes, as on the command line; nothing where it stands at its end.
@@ -32,34 +44,12 @@ constexpr const char* same_picture = "the same picture";
 constexpr const char* other_picture = "another picture: csgsim accuracy tells how many pixels become wrong";
 
 constexpr auto tried_settings = std::to_array<TriedSetting>({
-    {[](ModelOptions& options) -> std::optional<std::string> {
-       if (options.strategy == "auto") return std::nullopt;
-       options.strategy = "auto";
-       return "--strategy auto";
-     },
-     same_picture},
-    {[](ModelOptions& options) -> std::optional<std::string> {
-       if (options.colouring == "auto") return std::nullopt;
-       options.colouring = "auto";
-       return "--colouring auto";
-     },
-     same_picture},
-    {[](ModelOptions& options) -> std::optional<std::string> {
-       if (options.z_bits < view::fewest_z_bits + fewer_bits) return std::nullopt;
-       options.z_bits -= fewer_bits;
-       return fmt::format("--z-bits {}", options.z_bits);
-     },
-     other_picture},
-    {[](ModelOptions& options) -> std::optional<std::string> {
-       if (options.fraction_bits < fewer_bits) return std::nullopt;
-       options.fraction_bits -= fewer_bits;
-       return fmt::format("--fraction-bits {}", options.fraction_bits);
-     },
-     other_picture},
-    {[](ModelOptions& options) -> std::optional<std::string> {
-       if (options.colour_bits <= few_colour_bits) return std::nullopt;
-       options.colour_bits = few_colour_bits;
-       return fmt::format("--colour-bits {}", few_colour_bits);
+    {[](ModelOptions& options) { return turn("--strategy", options.strategy, std::string("auto")); }, same_picture},
+    {[](ModelOptions& options) { return turn("--colouring", options.colouring, std::string("auto")); }, same_picture},
+    {[](ModelOptions& options) { return lower("--z-bits", options.z_bits, view::fewest_z_bits); }, other_picture},
+    {[](ModelOptions& options) { return lower("--fraction-bits", options.fraction_bits, 0); }, other_picture},
+    {[](ModelOptions& options) {
+       return turn("--colour-bits", options.colour_bits, std::min(options.colour_bits, few_colour_bits));
      },
      "coarser colours"},
 });

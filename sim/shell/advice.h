@@ -1,14 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "sim/observe/frame.h"
+#include "sim/engine/engine.h"
 #include "sim/observe/knobs.h"
-#include "sim/observe/stats_json.h"
 #include "sim/shell/model_options.h"
 
 namespace csgsim::shell {
@@ -31,8 +29,5 @@ std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& pr
 /// something, drawn.
 std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelOptions& options,
                                          const machines::Machine& machine, const engine::RunResult& result);
-
-/// Prints which part bounds the frame, the dearest primitives, and the knobs.
-void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice);
 
 }  // namespace csgsim::shell

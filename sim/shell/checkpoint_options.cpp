@@ -1,6 +1,5 @@
 #include "sim/shell/checkpoint_options.h"
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>

@@ -1,19 +1,21 @@
 #include "sim/shell/command_line.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/base/standard_streams.h"
-#include "hw/base/text.h"
 #include "sim/shell/lists.h"
-#include "sim/shell/manual/describe_app.h"
+#include "sim/shell/manual/description.h"
 #include "sim/shell/manual/help.h"
+#include "sim/shell/options.h"
 #include "sim/shell/read_by.h"
 #include "sim/shell/settings/settings_app.h"
 #include "sim/shell/usage.h"
@@ -59,62 +61,39 @@ Option& Option::words(const std::vector<std::string>& words, const Check& check)
   return *this;
 }
 
-Option& Option::between(int low, int high) { return within(CLI::Range(low, high), low, high); }
+Option& Option::folder() {
+  option_->type_name(folder_type);
+  return check(not_empty);
+}
 
-Option& Option::between(unsigned low, unsigned high) { return within(CLI::Range(low, high), low, high); }
-
-template <class Range, class Number>
-Option& Option::within(Range&& range, Number low, Number high) {
-  option_->check(range.name(range_check).description(fmt::format("{} to {}", low, high)));
+template <class Number>
+Option& Option::between(Number low, Number high) {
+  option_->check(CLI::Range(low, high).name(range_check).description(fmt::format("{} to {}", low, high)));
   return *this;
 }
+
+template Option& Option::between(int, int);
+template Option& Option::between(unsigned, unsigned);
 
 Option& Option::excludes(const std::string& other) {
   option_->excludes(other);
   return *this;
 }
 
-namespace {
-
 template <class Value>
-Option with_default(CLI::App& command, const std::string& names, Value& value, const std::string& help) {
-  return Option(*command.add_option(names, value, help)->capture_default_str());
+Option Command::option(const std::string& names, Value& value, const std::string& help) {
+  CLI::Option& option = *command_->add_option(names, value, help);
+  constexpr bool has_default = std::is_same_v<Value, std::string> || std::is_arithmetic_v<Value>;
+  return Option(has_default ? *option.capture_default_str() : option);
 }
 
-template <class Value>
-Option without_default(CLI::App& command, const std::string& names, Value& value, const std::string& help) {
-  return Option(*command.add_option(names, value, help));
-}
-
-}  // namespace
-
-Option Command::option(const std::string& names, std::string& value, const std::string& help) {
-  return with_default(*command_, names, value, help);
-}
-
-Option Command::option(const std::string& names, std::uint32_t& value, const std::string& help) {
-  return with_default(*command_, names, value, help);
-}
-
-Option Command::option(const std::string& names, double& value, const std::string& help) {
-  return with_default(*command_, names, value, help);
-}
-
-Option Command::option(const std::string& names, std::vector<std::string>& values, const std::string& help) {
-  return without_default(*command_, names, values, help);
-}
-
-Option Command::option(const std::string& names, std::optional<std::uint32_t>& value, const std::string& help) {
-  return without_default(*command_, names, value, help);
-}
-
-Option Command::option(const std::string& names, std::optional<std::uint64_t>& value, const std::string& help) {
-  return without_default(*command_, names, value, help);
-}
-
-Option Command::option(const std::string& names, std::optional<double>& value, const std::string& help) {
-  return without_default(*command_, names, value, help);
-}
+template Option Command::option(const std::string&, std::string&, const std::string&);
+template Option Command::option(const std::string&, std::uint32_t&, const std::string&);
+template Option Command::option(const std::string&, double&, const std::string&);
+template Option Command::option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option Command::option(const std::string&, std::optional<std::uint32_t>&, const std::string&);
+template Option Command::option(const std::string&, std::optional<std::uint64_t>&, const std::string&);
+template Option Command::option(const std::string&, std::optional<double>&, const std::string&);
 
 Option Command::read_option(const std::string& names, const std::function<void(const std::string&)>& take,
                             const std::string& help) {
@@ -193,15 +172,43 @@ std::vector<std::string> Command::words(std::span<const std::string_view> but) c
 
 namespace {
 
-std::vector<KnownCommand> known_commands(const CLI::App& app) {
-  std::vector<KnownCommand> known;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    KnownCommand& one = known.emplace_back(KnownCommand{command->get_name(), {}});
-    for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : option->get_lnames()) one.options.push_back("--" + name);
-    }
+/// A question after a blank, or nothing where no known word is like it.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::vector<std::string_view> candidates(known.begin(), known.end());
+  const std::string_view nearest = nearest_alike(word, candidates);
+  return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
+}
+
+/// One line for people about a command line that could not be read, for the reason given; unknown commands and options
+/// name the nearest known one.
+std::string explain(const CLI::App& app, std::string_view reason, std::span<char* const> arguments) {
+  if (arguments.size() < 2) return "a subcommand is required; see csgsim --help";
+  const std::string_view first = arguments[1];
+  std::vector<std::string> known;
+  const CLI::App* command = nullptr;
+  for (const CLI::App* one : app.get_subcommands({})) {
+    if (one->get_name() == first) command = one;
+    known.push_back(one->get_name());
   }
-  return known;
+  if (command == nullptr) {
+    const bool is_option = first.starts_with('-');
+    if (is_option) known = {"--help", "--version"};
+    return fmt::format("there is no {};{} see csgsim --help",
+                       is_option ? fmt::format("option {}", first) : fmt::format("command '{}'", first),
+                       did_you_mean(first, known));
+  }
+  known.clear();
+  for (const CLI::Option* option : command->get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  const std::string help = fmt::format("see csgsim {} --help", command->get_name());
+  for (const std::string_view argument : arguments.subspan(2)) {
+    if (argument == "--") break;
+    const std::string_view word = argument.substr(0, argument.find('='));
+    const bool unknown = word.starts_with("--") && std::ranges::find(known, word) == known.end();
+    if (unknown) return fmt::format("there is no option {};{} {}", word, did_you_mean(word, known), help);
+  }
+  return fmt::format("{}; {}", reason, help);
 }
 
 /// For the command that was asked about, or for all.
@@ -212,10 +219,6 @@ std::string help_of_app(CLI::App& app) {
   for (CLI::App* const command : app.get_subcommands({})) commands.push_back(help_of_command(*command));
   return help_of_all(app.get_description(), commands);
 }
-
-}  // namespace
-
-namespace {
 
 std::vector<char*> arguments_of(std::vector<std::string>& words) {
   std::vector<char*> arguments;
@@ -259,12 +262,12 @@ void CommandLine::parse(std::span<char* const> arguments, const std::function<vo
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", help_of_app(*app_));
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw UsageError(explain(known_commands(*app_), error.what(), arguments));
+    if (error.get_exit_code() != 0) throw UsageError(explain(*app_, error.what(), arguments));
     app_->exit(error);
   } catch (const UsageError& error) {
     const std::string place = place_of(*app_, error.what());
     if (!place.empty()) throw InputError(place + ": " + error.what());
-    throw UsageError(explain(known_commands(*app_), error.what(), arguments));
+    throw UsageError(explain(*app_, error.what(), arguments));
   }
 }
 
@@ -289,7 +292,7 @@ std::vector<std::string> CommandLine::read(std::vector<std::string> words, std::
   } catch (const CLI::Success&) {
     return Command(*app_->get_subcommands().front()).words(but);
   } catch (const CLI::ParseError& error) {
-    throw UsageError(explain(known_commands(*app_), error.what(), arguments));
+    throw UsageError(explain(*app_, error.what(), arguments));
   }
   throw std::logic_error("a command line that was to be read alone was run");
 }

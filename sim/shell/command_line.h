@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,17 +48,17 @@ class Option {
     return one_of(names, kind);
   }
 
+  /// The name of a folder, which may not be empty.
+  Option& folder();
+
   /// Both limits included; help shows the type.
-  Option& between(int low, int high);
-  Option& between(unsigned low, unsigned high);
+  template <class Number>
+  Option& between(Number low, Number high);
 
   /// One may not be given with the other.
   Option& excludes(const std::string& other);
 
  private:
-  template <class Range, class Number>
-  Option& within(Range&& range, Number low, Number high);
-
   CLI::Option* option_;
 };
 
@@ -69,14 +67,6 @@ struct GivenOption {
   std::string name;   ///< the long one, without dashes
   std::string value;  ///< all values, with commas
   bool is_default = false;
-};
-
-/// An option or operand with the value that it has, given or by default.
-struct OptionValue {
-  std::string name;  ///< as settings have it
-  Takes takes = Takes::text;
-  bool is_operand = false;
-  std::vector<std::string> values;  ///< none where nothing is said
 };
 
 /// What a command that runs commands wants to see of them.
@@ -94,13 +84,9 @@ class Command {
  public:
   explicit Command(CLI::App& command) : command_(&command) {}
 
-  Option option(const std::string& names, std::string& value, const std::string& help);
-  Option option(const std::string& names, std::uint32_t& value, const std::string& help);
-  Option option(const std::string& names, double& value, const std::string& help);
-  Option option(const std::string& names, std::vector<std::string>& values, const std::string& help);
-  Option option(const std::string& names, std::optional<std::uint32_t>& value, const std::string& help);
-  Option option(const std::string& names, std::optional<std::uint64_t>& value, const std::string& help);
-  Option option(const std::string& names, std::optional<double>& value, const std::string& help);
+  /// Of a text, a number, several texts, or an optional number, which has no default.
+  template <class Value>
+  Option option(const std::string& names, Value& value, const std::string& help);
 
   /// An option whose text `take` reads; it may throw UsageError.
   Option read_option(const std::string& names, const std::function<void(const std::string&)>& take,

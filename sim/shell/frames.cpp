@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "hw/base/output_file.h"
@@ -61,8 +60,7 @@ std::vector<engine::RunResult> run_frames(const machines::Machine& machine, cons
                                           const std::vector<isa::Program>& programs,
                                           const std::vector<engine::Observer*>& observers) {
   if (run.level == "cycle") return cycle::run_sequence(machine, programs, observers);
-  const auto engine = run.level == "reference" ? engine::make_reference_engine(machine)
-                                               : engine::make_functional_engine(machine, run.threads);
+  const auto engine = make_engine(machine, run.level, run.threads);
   std::vector<engine::RunResult> results;
   for (std::size_t i = 0; i < programs.size(); ++i) results.push_back(engine->run(programs[i], {&observers[i], 1}));
   return results;
@@ -111,7 +109,7 @@ void draw_frames(const ModelOptions& model, const RunOptions& run, const Turntab
     throw UsageError("--output", "several pictures have several names; name a file, or leave out --frames");
   const std::vector<fs::path> paths = picture_paths(run.picture, turntable.frames);
   refuse_clashes(model.inputs(), paths);
-  if (!run.picture.empty()) observe::check_format(run.picture);
+  refuse_other_format("--output", run.picture);
   std::deque<OutputFile> files;
   for (const fs::path& path : paths) files.emplace_back(path);
   const std::vector<isa::Program> programs = compile_frames(model, turntable, machine);

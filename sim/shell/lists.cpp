@@ -28,13 +28,21 @@ unsigned parse_number(std::string_view text, std::string_view word) {
 
 }  // namespace
 
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = text.find(separator); end != text.npos; end = text.find(separator)) {
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + separator.size());
+  }
+  parts.push_back(text);
+  return parts;
+}
+
 std::vector<std::string> parse_words(std::string_view text) {
   std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end == begin) throw InputError(fmt::format("'{}' has nothing at a comma", text));
-    add_once(words, std::string(text.substr(begin, end - begin)));
-    begin = end + 1;
+  for (const std::string_view word : split(text, ",")) {
+    if (word.empty()) throw InputError(fmt::format("'{}' has nothing at a comma", text));
+    add_once(words, std::string(word));
   }
   return words;
 }

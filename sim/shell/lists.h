@@ -11,6 +11,9 @@ namespace csgsim::shell {
 /// InputError for anything else, and for numbers below `least` or above `most`.
 std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsigned most);
 
+/// The parts of a text between separators, any of which may be empty.
+std::vector<std::string_view> split(std::string_view text, std::string_view separator);
+
 /// Words with commas; in that order, none twice. Throws InputError for an empty one.
 std::vector<std::string> parse_words(std::string_view text);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -33,6 +34,7 @@
 #include "sim/shell/numbers.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/prunings.h"
+#include "sim/shell/read_by.h"
 #include "sim/shell/scad.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/subject.h"
@@ -71,7 +73,10 @@ auto by_name(const Choices& choices) {
 Tolerance parse_tolerance(const std::string& text) {
   const bool in_pixels = text.ends_with("px");
   const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
-  return {numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0], in_pixels};
+  const double value = numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
+  if (!(value > 0 && std::isfinite(value)))
+    throw UsageError("--tolerance", "the faceting tolerance has to be a finite length above 0");
+  return {value, in_pixels};
 }
 
 /// A near plane much too close leaves no depth steps for what is farther away.
@@ -97,8 +102,9 @@ view::Camera camera_in(const std::string& text) {
   const glm::dvec3 first(v[0], v[1], v[2]);
   const glm::dvec3 second(v[3], v[4], v[5]);
   if (is_gimbal && !(v[6] > 0)) throw UsageError("--camera", "the distance, its last number, has to be above 0");
-  if (is_gimbal) return view::gimbal_camera(first, second, v[6]);
-  return {first, second};
+  const view::Camera camera = is_gimbal ? view::gimbal_camera(first, second, v[6]) : view::Camera{first, second};
+  for_option("--camera", [&] { view::basis(camera); });
+  return camera;
 }
 
 /// As the scene says it; an orthographic view has none.
@@ -151,9 +157,11 @@ std::vector<std::string> strategy_names() {
 
 void ModelOptions::add_to(Command& command, const std::string& what) {
   command.option("MODEL", model, what).required();
-  command.option("--machine", machine,
-                 "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: "
-                 "NAME+KEY=VALUE");
+  command
+      .option("--machine", machine,
+              "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: "
+              "NAME+KEY=VALUE")
+      .check(is_read_by(check_machine));
   command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
   add_view_to(command);
@@ -175,7 +183,7 @@ void ModelOptions::add_to(Command& command, const std::string& what) {
   command
       .option("--pruning", pruning,
               "Prunings that are done: all, none, those named (space+hidden) or all but those (no-space+no-hidden)")
-      .words(pruning_words(), check_pruning);
+      .words(pruning_words(), is_read_by(pruning_of));
 }
 
 void ModelOptions::add_view_to(Command& command) {
@@ -230,6 +238,9 @@ machines::Machine machine_of(const ModelOptions& options) {
   if (!options.size.empty()) {
     const char between = options.size.find(',') == std::string::npos ? 'x' : ',';
     const auto size = numbers<std::uint32_t>(options.size, between, 2, "--size", "WxH");
+    if (std::ranges::any_of(size, [](std::uint32_t side) { return side < 1 || side > isa::max_array_side; })) {
+      throw UsageError("--size", fmt::format("the picture's sides have to be 1 to {} pixels", isa::max_array_side));
+    }
     machines::set_picture_size(machine, {size[0], size[1]});
   }
   if (options.memory_bits) machine.array.memory_bits = *options.memory_bits;
@@ -304,6 +315,10 @@ view::Sampling sampling_of(const ModelOptions& options, const machines::Machine&
   if (options.near && projection_of(options) != view::Projection::perspective) {
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
+  if (options.near && !(*options.near > 0 && std::isfinite(*options.near)))
+    throw UsageError("--near", "the near plane has to be at a finite distance above 0");
+  if (!(options.edge_on > 0 && options.edge_on <= 1))
+    throw UsageError("--edge-on", "the edge-on fraction has to be above 0 and at most 1 pixel");
   const machines::Size picture = machine.picture;
   const std::optional<double> near = options.near ? options.near : near_of(options);
   return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, near};
@@ -332,14 +347,23 @@ std::vector<std::filesystem::path> ModelOptions::inputs() const {
   return input_files(scene_file.empty() ? std::vector{model} : std::vector{model, scene_file}, {machine});
 }
 
-void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera) {
-  const emit::Options emit = emit_options_of(options);
+namespace {
+
+/// An effect of what is drawn that lets something through; null if there is none.
+const emit::Effect* see_through(const emit::Options& emit, const model::Tree& tree, const view::Camera& camera) {
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
-  for (const emit::CalledEffect& one : emit::called_effects(emit, look)) {
-    if (!one.effect->sees_through) continue;
+  for (const emit::CalledEffect& one : emit::called_effects(emit, look))
+    if (one.effect->sees_through) return one.effect;
+  return nullptr;
+}
+
+}  // namespace
+
+void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera) {
+  if (const emit::Effect* const effect = see_through(emit_options_of(options), tree, camera)) {
     throw InputError(fmt::format(
         "{}: the exact picture that others are held against knows opaque solids alone; add --set effects.{}.on=false",
-        printable(options.model), one.effect->name()));
+        printable(options.model), effect->name()));
   }
 }
 
@@ -386,12 +410,6 @@ void warn_of_pattern(const emit::NoRoom& layers, const ModelOptions& options, co
   if (told.insert(line).second) tell_line(line);
 }
 
-bool sees_through(const CompiledModel& model, const emit::Options& emit, const view::View& view) {
-  const emit::Look look = emit::make_look(emit.scene, model.tree, csg::make_positive(model.tree), view.camera);
-  const std::vector<emit::CalledEffect> called = emit::called_effects(emit, look);
-  return std::ranges::any_of(called, [](const emit::CalledEffect& one) { return one.effect->sees_through; });
-}
-
 /// Where colours of the model alone let something through, and there is no room to blend it, by screen-door.
 isa::Program compile_with_room(const CompiledModel& model, const view::View& view, const ModelOptions& options,
                                const machines::Machine& machine) {
@@ -404,7 +422,7 @@ isa::Program compile_with_room(const CompiledModel& model, const view::View& vie
     return compiled();
   } catch (const emit::NoRoom& layers) {
     std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
-    if (!by_pattern || !sees_through(model, emit, view)) throw;
+    if (!by_pattern || see_through(emit, model.tree, view.camera) == nullptr) throw;
     emit.scene = std::move(*by_pattern);
     isa::Program program = compiled();
     warn_of_pattern(layers, options, machine);

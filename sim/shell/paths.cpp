@@ -12,6 +12,8 @@
 #include "hw/base/standard_streams.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
+#include "sim/observe/pictures.h"
+#include "sim/pictures/encode.h"
 #include "sim/shell/usage.h"
 
 namespace csgsim::shell {
@@ -49,9 +51,18 @@ bool is_unnamed_stream(const std::filesystem::path& path) {
 
 std::string shown_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
 
+void refuse_other_format(const std::string& option, const std::filesystem::path& picture) {
+  if (picture.empty()) return;
+  try {
+    observe::check_format(picture);
+  } catch (const pictures::FormatError& error) {
+    throw UsageError(option, error.what());
+  }
+}
+
 void refuse_terminal(const std::string& option, const std::filesystem::path& path) {
   if (path.empty() || !is_terminal(path)) return;
-  throw UsageError(option, fmt::format("a terminal cannot show binary data; name a file, or lead it into a pipe"));
+  throw UsageError(option, "a terminal cannot show binary data; name a file, or lead it into a pipe");
 }
 
 }  // namespace csgsim::shell

@@ -25,6 +25,9 @@ bool is_unnamed_stream(const std::filesystem::path& path);
 /// The name of an input for people: `standard input` for `-`.
 std::string shown_name(const std::string& path);
 
+/// Throws UsageError for a picture's name whose ending is that of no format; an empty one is none.
+void refuse_other_format(const std::string& option, const std::filesystem::path& picture);
+
 /// Refuses binary data on a terminal. Throws UsageError.
 void refuse_terminal(const std::string& option, const std::filesystem::path& path);
 

@@ -10,6 +10,7 @@
 
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
+#include "sim/shell/numbers.h"
 #include "sim/shell/usage.h"
 
 namespace csgsim::shell {
@@ -73,6 +74,13 @@ std::uint32_t primitive_named(const isa::Program& program, const std::string& te
   if (meant.empty()) refuse(names, text, option);
   if (meant.size() > 1) refuse_several(names, meant, text, option);
   return meant.front();
+}
+
+Pixel pixel_named(const isa::Program& program, const std::string& text, const std::string& option) {
+  const auto place = numbers<std::uint32_t>(text, ',', 2, option, "x,y");
+  if (place[0] < program.shape.width && place[1] < program.shape.height) return {place[0], place[1]};
+  throw UsageError(option, fmt::format("there is no pixel {} in a picture of {} x {}", text, program.shape.width,
+                                       program.shape.height));
 }
 
 }  // namespace csgsim::shell

@@ -1,17 +1,111 @@
 #include "sim/shell/program_of.h"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
+#include "hw/isa/program_file.h"
+#include "hw/machines/kind.h"
+#include "sim/shell/memory.h"
 #include "sim/shell/paths.h"
-#include "sim/shell/program_input.h"
-#include "sim/shell/program_machine.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
 
 namespace csgsim::shell {
+
+isa::Program read_program(const std::string& path) {
+  return with_memory_for("the Program " + path, [&] { return isa::load_program(path); });
+}
+
+namespace {
+
+void refuse_less_memory(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
+  if (program.shape.memory_bits <= machine.array.memory_bits) return;
+  throw InputError(fmt::format(
+      "{}: the Program takes {} bits of memory a pixel, and {} has {}; take a machine with more, or compile "
+      "the model for this one",
+      file, program.shape.memory_bits, machine.name, machine.array.memory_bits));
+}
+
+/// Of a Program that does not name its machine.
+machines::Machine assumed_machine(const isa::Program& program, const std::string& file, const std::string& asked,
+                                  const std::vector<std::string>& sets) {
+  machines::Machine machine = load_machine(asked.empty() ? ModelOptions{}.machine : asked, sets);
+  if (!asked.empty()) {
+    refuse_less_memory(program, file, machine);
+    return machine;
+  }
+  const std::uint32_t bits = program.shape.memory_bits;
+  const std::string memory =
+      bits > machine.array.memory_bits
+          ? fmt::format(", with {} bits of memory a pixel instead of its {}", bits, machine.array.memory_bits)
+          : "";
+  tell_line(
+      fmt::format("{}: warning: the Program does not name the machine that it was compiled for; {} is assumed{}; "
+                  "name one by --machine",
+                  file, machine.name, memory));
+  return machine;
+}
+
+machines::Machine named_machine(const isa::Program& program, const std::string& file,
+                                const std::vector<std::string>& sets) {
+  try {
+    return load_machine(program.machine, sets);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+/// Nothing where it is not known any more.
+std::optional<machines::Machine> machine_named(const isa::Program& program, const std::string& file) {
+  try {
+    return load_machine(program.machine, {});
+  } catch (const InputError& error) {
+    tell_line(fmt::format("{}: warning: whether this machine fits cannot be told: {}", file, error.what()));
+    return std::nullopt;
+  }
+}
+
+/// Where it is not the machine that the Program names.
+void check_fits(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
+  const std::optional<machines::Machine> known = machine_named(program, file);
+  if (!known) return refuse_less_memory(program, file, machine);
+  const machines::Machine& own = *known;
+  if (machine.kind != own.kind) {
+    throw InputError(fmt::format(
+        "{}: the Program was compiled for {}, of the kind {}, and {} is of the kind {}; leave --machine out, "
+        "or compile the model for this one",
+        file, own.name, own.kind->name, machine.name, machine.kind->name));
+  }
+  const std::vector<std::string> others = machines::other_figures(machine, own);
+  if (others.empty()) return;
+  refuse_less_memory(program, file, machine);
+  tell_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
+                        fmt::join(others, ", ")));
+}
+
+}  // namespace
+
+machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& asked,
+                              const std::vector<std::string>& sets) {
+  const std::string shown = printable(shown_name(file));
+  if (program.machine.name.empty()) {
+    machines::Machine machine = assumed_machine(program, shown, asked, sets);
+    machines::adopt(machine, program);
+    return machine;
+  }
+  machines::Machine machine = asked.empty() ? named_machine(program, shown, sets) : load_machine(asked, sets);
+  if (!asked.empty()) check_fits(program, shown, machine);
+  machines::adopt(machine, program);
+  return machine;
+}
 
 void refuse_model_options(const Command& command, const std::set<std::string>& own) {
   for (const GivenOption& option : command.given()) {

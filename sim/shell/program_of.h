@@ -2,6 +2,8 @@
 
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
@@ -9,6 +11,16 @@
 #include "sim/shell/model_options.h"
 
 namespace csgsim::shell {
+
+/// Reads a Program. Throws InputError, also where memory does not hold it.
+isa::Program read_program(const std::string& path);
+
+/// The machine that runs a Program of that file, with the figures that are set and the array that the Program is for:
+/// the one that the Program names, or `asked`, if that is not empty. Says on standard error in what the machine that is
+/// asked for differs, and what is assumed of a Program that names none. Throws InputError where the machine is of
+/// another kind than the Program's or has less memory, and as load_machine does.
+machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& asked,
+                              const std::vector<std::string>& sets);
 
 /// For commands that take a model or a Program. A Program has been compiled: what says how to compile has no meaning
 /// for it. Throws UsageError where an option was given that is none of the command's `own`, by their long names

@@ -27,17 +27,6 @@ constexpr auto named = std::to_array<NamedPruning>({{"space", &csg::Pruning::spa
                                                     {"near", &csg::Pruning::near}});
 
 constexpr std::string_view left_out = "no-";
-constexpr char joint = '+';
-
-std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(joint, begin), text.size());
-    words.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
-}
 
 const NamedPruning& named_by(std::string_view word, bool is_left_out) {
   const std::string_view name = is_left_out ? word.substr(left_out.size()) : word;
@@ -56,10 +45,10 @@ csg::Pruning uniform(bool is_done) {
 
 csg::Pruning pruning_of(const std::string& text) {
   if (text == "all" || text == "none") return uniform(text == "all");
-  const std::vector<std::string> words = words_of(text);
+  const std::vector<std::string_view> words = split(text, "+");
   const bool are_left_out = words.front().starts_with(left_out);
   csg::Pruning pruning = uniform(are_left_out);
-  for (const std::string& word : words) {
+  for (const std::string_view word : words) {
     const bool is_left_out = word.starts_with(left_out);
     pruning.*named_by(word, is_left_out).is_done = !is_left_out;
     if (is_left_out == are_left_out) continue;
@@ -67,15 +56,6 @@ csg::Pruning pruning_of(const std::string& text) {
                      "no-space+no-hidden");
   }
   return pruning;
-}
-
-std::string check_pruning(const std::string& text) {
-  try {
-    pruning_of(text);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 std::vector<std::string> prunings_of(const std::string& text) {

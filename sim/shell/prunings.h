@@ -11,9 +11,6 @@ namespace csgsim::shell {
 /// those that are not (`no-space+no-hidden`). Throws UsageError.
 csg::Pruning pruning_of(const std::string& text);
 
-/// What is wrong with such a text, or nothing.
-std::string check_pruning(const std::string& text);
-
 /// The same for a list of them with commas. Throws UsageError.
 std::vector<std::string> prunings_of(const std::string& text);
 

@@ -23,4 +23,14 @@ Check is_read_by(Parse parse) {
   };
 }
 
+/// Calls a function that looks at what an option says: what is wrong with that is wrong with the command line.
+template <class Call>
+auto for_option(const std::string& option, Call call) {
+  try {
+    return call();
+  } catch (const InputError& error) {
+    throw UsageError(option, error.what());
+  }
+}
+
 }  // namespace csgsim::shell

@@ -6,15 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <utility>
 #include <vector>
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/engine/engine.h"
-#include "sim/observe/frame.h"
 #include "sim/report/pictures.h"
-#include "sim/shell/memory.h"
+#include "sim/report/study_pages.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/run_options.h"
 #include "sim/shell/settings/configuration.h"
@@ -68,13 +65,7 @@ void ReportFile::write(const report::Page& page) {
 
 report::Picture picture_of(const ModelOptions& model, const machines::Machine& machine, const std::string& caption) {
   const isa::Program program = compile_model(model, machine).program;
-  observe::FrameObserver frame(program);
-  engine::Observer* const observer = &frame;
-  const engine::RunResult result = with_memory_for_run({&program, 1}, machine.array, [&] {
-    return engine::make_functional_engine(machine)->run(program, {&observer, 1});
-  });
-  refuse_overflow(result);
-  return report::picture_of(frame.frame(), program, caption, "The model: " + caption);
+  return report::picture_of(draw(program, machine).frame, program, caption, "The model: " + caption);
 }
 
 report::StudyContext plain_study_context(const ReportOption& option, const std::string& model,

@@ -7,9 +7,15 @@
 
 #include "hw/base/output_file.h"
 #include "hw/machines/machine.h"
-#include "sim/report/study_pages.h"
 #include "sim/shell/command_line.h"
 #include "sim/shell/model_options.h"
+
+namespace csgsim::report {
+struct Context;
+struct Page;
+struct Picture;
+struct StudyContext;
+}  // namespace csgsim::report
 
 namespace csgsim::shell {
 

@@ -6,8 +6,10 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "hw/base/error.h"
 #include "sim/engine/engine.h"
@@ -69,7 +71,7 @@ std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, co
   throw std::logic_error("a level without an engine");
 }
 
-void RunOptions::add_to(Command& command) {
+void RunOptions::add_outputs_to(Command& command) {
   command
       .option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...), PNG for -")
       .check(not_empty);
@@ -79,12 +81,16 @@ void RunOptions::add_to(Command& command) {
       .option("--owner", owner,
               "Which primitive is seen: .png, a colour each and a legend, .json beside it; or .exr, its index")
       .check(owner_name);
+  command.option("--stats", stats, "All counts, .json").check(not_empty);
+}
+
+void RunOptions::add_to(Command& command) {
+  add_outputs_to(command);
   command
       .option("--surface", surface,
               "What --depth and --owner tell: the nearest surface that is seen, see-through or not; or the opaque one "
               "that is seen, through others or not")
       .one_of({"nearest", "opaque"}, "surface");
-  command.option("--stats", stats, "All counts, .json").check(not_empty);
   command
       .option("--level", level,
               "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same")
@@ -101,6 +107,27 @@ void refuse_overflow(const engine::RunResult& result) {
   if (result.overflows == 0) return;
   throw InputError("the Program overflows: at " + std::to_string(result.overflows) +
                    " enabled pixels a linear expression does not fit its width; compile it again");
+}
+
+Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level,
+           bool shows_progress) {
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  std::optional<observe::ProgressObserver> progress;
+  std::vector<engine::Observer*> observers{&frame, &stats};
+  observe::LongWork work = long_run(level);
+  if (shows_progress || level != "functional") {
+    progress.emplace(program, machine).warn(work, shows_progress);
+    observers.push_back(&*progress);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  engine::RunResult result = with_memory_for_run(
+      {&program, 1}, program.shape, [&] { return make_engine(machine, level, 1)->run(program, observers); });
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  refuse_overflow(result);
+  Drawn drawn{std::move(frame).frame(), stats.stats(), std::move(result), wall.count()};
+  if (!drawn.result.scanned_out.empty()) drawn.frame.colour = drawn.result.scanned_out;
+  return drawn;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/long_work.h"
+#include "sim/observe/stats.h"
 #include "sim/shell/checkpoint_options.h"
 #include "sim/shell/command_line.h"
 #include "sim/shell/report_option.h"
@@ -33,6 +34,9 @@ struct RunOptions {
   bool advice = false;  ///< try all that could be turned, to see what it is worth
 
   void add_to(Command& command);
+
+  /// Of these only what is written.
+  void add_outputs_to(Command& command);
 };
 
 /// The names of the levels of fidelity.
@@ -44,6 +48,19 @@ observe::LongWork long_run(const std::string& level);
 /// An engine of the level of that name.
 std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
                                             unsigned threads);
+
+/// A Program drawn without files.
+struct Drawn {
+  observe::Frame frame;  ///< as the machine shows it
+  observe::Stats stats;
+  engine::RunResult result;
+  double seconds = 0;  ///< wall time
+};
+
+/// Runs it at that level, and tells how far it is. Throws InputError where memory does not hold it, or as
+/// refuse_overflow does.
+Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level = "functional",
+           bool shows_progress = false);
 
 /// Says how right a finished picture is: writes it for the stats, and returns lines of text for the summary.
 using Judge = std::function<std::string(const observe::Frame&, nlohmann::ordered_json&)>;

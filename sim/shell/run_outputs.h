@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -23,13 +25,10 @@ class RunOutputs {
   void commit();
 
  private:
+  enum Output : std::uint8_t { picture, depth, owner, legend, stats, page };  ///< the legend is of the owner picture
+
   bool of_opaque_;  ///< depth and owner are of opaque surfaces
-  std::optional<OutputFile> picture_;
-  std::optional<OutputFile> depth_;
-  std::optional<OutputFile> owner_;
-  std::optional<OutputFile> legend_;  ///< of the owner picture
-  std::optional<OutputFile> stats_;
-  std::optional<OutputFile> report_;
+  std::array<std::optional<OutputFile>, page + 1> files_;
 };
 
 }  // namespace csgsim::shell

@@ -1,12 +1,16 @@
 #include "sim/shell/summary.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "sim/shell/account_summary.h"
+#include "hw/base/text.h"
+#include "sim/observe/bound.h"
+#include "sim/observe/dearest.h"
 #include "sim/shell/numbers.h"
 
 namespace csgsim::shell {
@@ -62,6 +66,88 @@ void print_purposes(const observe::Report& report) {
              percent(report.result.latency_clocks, whole), "", "", "until the last instruction reaches the pixels");
 }
 
+/// waiting_for_host as `wait: host`.
+std::string heading(std::string_view activity) {
+  constexpr std::string_view waiting = "waiting_for_";
+  std::string text(activity.starts_with(waiting) ? activity.substr(waiting.size()) : activity);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return activity.starts_with(waiting) ? "wait: " + text : text;
+}
+
+bool same_activities(const machines::PartAccount& one, const machines::PartAccount& other) {
+  return std::equal(one.clocks.begin(), one.clocks.end(), other.clocks.begin(), other.clocks.end(),
+                    [](const auto& a, const auto& b) { return a.activity == b.activity; });
+}
+
+void print_heading(const machines::PartAccount& part) {
+  fmt::print("\n{:<18}", "part");
+  for (const machines::ActivityClocks& one : part.clocks) fmt::print("{:>22}", heading(one.activity));
+  fmt::print("\n");
+}
+
+void print_part(const machines::PartAccount& part, std::uint64_t frame) {
+  fmt::print("  {:<16}", part.part);
+  for (const machines::ActivityClocks& one : part.clocks) {
+    fmt::print("{:>14}{:>6.1f} %", grouped(one.clocks), 100.0 * machines::Share{{}, one.clocks, frame}.value());
+  }
+  fmt::print("\n");
+}
+
+/// What the machine's kind tells of the frame: counts, shares, and where the clocks of each part went.
+void print_account(const observe::Report& report) {
+  const machines::Account& account = report.result.account;
+  if (!account.counts.empty() || !account.shares.empty()) fmt::print("\n");
+  for (const machines::Count& count : account.counts)
+    fmt::print("{:<26}{:>18}\n", heading(count.name), grouped(count.value));
+  for (const machines::Share& share : account.shares) {
+    const bool is_mean = share.name == "mean_packets" || share.name == "link_bits_per_instruction";
+    fmt::print("{:<26}{:>18}\n", heading(share.name),
+               is_mean ? fmt::format("{:.4g}", share.value()) : fmt::format("{:.2f} %", 100.0 * share.value()));
+  }
+  for (std::size_t i = 0; i < account.parts.size(); ++i) {
+    if (i == 0 || !same_activities(account.parts[i - 1], account.parts[i])) print_heading(account.parts[i]);
+    print_part(account.parts[i], report.result.clocks);
+  }
+}
+
+constexpr std::size_t most_knobs_printed = 3;
+
+void print_rest(const std::string& name, std::uint64_t clocks, std::uint64_t whole) {
+  if (clocks == 0) return;
+  fmt::print("  {:<40}{:>16}{:>7.1f} %\n", name, grouped(clocks), percent(clocks, whole));
+}
+
+void print_dearest(const observe::Report& report, const observe::Frame& picture) {
+  const observe::ClockShares shares = observe::clock_shares(report.program, report.result, report.stats);
+  if (shares.whole == 0) return;
+  const std::vector<std::uint64_t> pixels = observe::pixels_seen(picture, report.program);
+  fmt::print("\n{:<28}{:<14}{:>16}{:>9}{:>9}{:>13}{:>11}\n", "dearest primitives", "line:column", "clocks", "share",
+             "pieces", "half-spaces", "pixels");
+  for (const observe::PrimitiveCost& one : shares.dearest) {
+    const std::string name = one.name.substr(0, one.source.empty() ? one.name.size() : one.name.rfind('@'));
+    fmt::print("  {:<26}{:<14}{:>16}{:>7.1f} %{:>9}{:>13}{:>11}\n", fmt::format("p{} {}", one.primitive, name),
+               one.source, grouped(one.clocks), 100.0 * one.share, grouped(one.pieces), grouped(one.halfspaces),
+               grouped(pixels[one.primitive]));
+  }
+  print_rest(counted(shares.other_primitives, "other primitive"), shares.other_clocks, shares.whole);
+  for (const observe::EffectCost& effect : shares.effects)
+    print_rest("effect " + effect.name, effect.clocks, shares.whole);
+  print_rest("of no primitive", shares.rest, shares.whole);
+  fmt::print("  {:<40}{:>16}\n", "all", grouped(shares.whole));
+}
+
+void print_knobs(const observe::Report& report, const Advice& advice) {
+  if (advice.machine.empty()) return;
+  for (std::size_t i = 0; i < std::min(report.knobs.size(), most_knobs_printed); ++i) {
+    const observe::Knob& knob = report.knobs[i];
+    fmt::print("{:<18}{}\n", i == 0 ? "knobs" : "", printable(knob.sentence));
+    if (!knob.sentence.starts_with(knob.option)) fmt::print("{:<18}  {}\n", "", printable(knob.option));
+  }
+  if (advice.is_asked && report.knobs.empty()) fmt::print("{:<18}nothing that was tried helps\n", "knobs");
+  if (!advice.is_asked) fmt::print("{:<18}{}\n", report.knobs.empty() ? "knobs" : "", advice.ask);
+  for (const std::string& command : advice.commands) fmt::print("{:<18}{}\n", "", command);
+}
+
 }  // namespace
 
 void print_summary(const observe::Report& report) {
@@ -88,6 +174,14 @@ void print_summary(const observe::Report& report) {
   fmt::print("\n{:<18}{} ({} clocks/s, {} x the machine's speed)\n", "simulated in", time_text(report.wall_seconds),
              grouped(static_cast<std::uint64_t>(rate)),
              ratio_text(rate / static_cast<double>(report.machine.clock_hz)));
+}
+
+void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice) {
+  print_dearest(report, picture);
+  fmt::print("\n");
+  if (const std::optional<observe::Bound> bound = observe::bound_of(report.result, report.machine))
+    fmt::print("{:<18}{}\n", "bound", bound->sentence);
+  print_knobs(report, advice);
 }
 
 }  // namespace csgsim::shell

@@ -1,10 +1,15 @@
 #pragma once
 
+#include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
+#include "sim/shell/advice.h"
 
 namespace csgsim::shell {
 
 /// The readable summary of a run on standard output.
 void print_summary(const observe::Report& report);
+
+/// Prints which part bounds the frame, the dearest primitives, and the knobs.
+void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice);
 
 }  // namespace csgsim::shell

@@ -137,8 +137,7 @@ void add_gather(shell::CommandLine& line, std::span<const StudyRow* const> studi
       "Shards may run at the same time, on any number of machines; what has been measured of one that was killed is\n"
       "kept, and the same command goes on. docs/cluster.md has scripts for Slurm, GNU Parallel and MPI launchers.");
   command.option("FOLDER", options->folders, "Where the shards were told to write, with -o").required();
-  command.option("-o,--output", options->output, "Folder for the results; FOLDER if there is one only")
-      .check(shell::not_empty);
+  command.option("-o,--output", options->output, "Folder for the results; FOLDER if there is one only").folder();
   command.option("--report", options->page, "The study's page, for a browser").check(shell::not_empty);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   command.flag("--missing", options->missing, "Only print the command of each shard that is not done, a line each");

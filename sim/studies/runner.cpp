@@ -204,7 +204,7 @@ void add_folder(const StudyRow& row, shell::Command& command, std::string& folde
   shell::Option option = command.option(
       "-o,--output", folder, fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, unsaid));
   if (row.folder == Folder::named) option.required();
-  option.check(shell::not_empty);
+  option.folder();
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
   REQUIRE(run(command + " --machines scan-line --no-plots").code == 0);
   CHECK(json(folder / "c/compare.json")["points"].size() == 5);
   CHECK(json(folder / "c/compare.json")["points"][0]["machine_transistors"].is_null());
-  CHECK(run(command + " --machines nothing").code == 1);
+  CHECK(run(command + " --machines nothing").code == 2);
 }
 
 TEST_CASE("compare names the one figure of a machine that is worth most if it is ideal") {

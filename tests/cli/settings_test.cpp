@@ -10,7 +10,7 @@
 
 #include "places.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/settings/file_options.h"
+#include "sim/shell/option_table.h"
 #include "sim/studies/rows.h"
 #include "tests/cli/cli.h"
 
@@ -61,6 +61,10 @@ std::vector<Key> keys_of_command(const std::string& command) {
 /// Another value than the one an option has, where it is not any text or number. An option that takes certain words
 /// alone needs a line here.
 const std::map<std::string, std::string> samples{{"projection", "\"perspective\""},
+                                                 {"machine", "\"scan-line\""},
+                                                 {"machine-a", "\"scan-line\""},
+                                                 {"machine-b", "\"scan-line\""},
+                                                 {"machines", "\"scan-line\""},
                                                  {"curves", "\"facets\""},
                                                  {"knobs", "\"curves,size\""},
                                                  {"strategy", "\"list\""},
@@ -191,7 +195,7 @@ TEST_CASE("every option that names a file is known to, so that its name is one o
       if (!is_text || !std::regex_search(key.meaning, of_file)) continue;
       CAPTURE(command);
       CAPTURE(key.name);
-      CHECK(csgsim::shell::role_of(key.name) != csgsim::shell::FileRole::none);
+      CHECK(csgsim::shell::known_option(key.name).role != csgsim::shell::FileRole::none);
       ++files;
     }
   }

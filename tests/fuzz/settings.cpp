@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/shell/settings/settings_dump.h"
 #include "sim/shell/settings/settings_file.h"
 #include "tests/fuzz/property.h"
 
@@ -42,17 +41,16 @@ void check(const shell::Setting& setting) {
 
 /// Those that are read of what was dumped are those that were dumped.
 void check_dump(const std::vector<shell::Setting>& settings) {
-  std::vector<shell::DumpedOption> dumped;
+  std::vector<shell::OptionValue> dumped;
   for (const shell::Setting& setting : settings) {
-    dumped.push_back({option_named(setting.name), "a meaning", setting.values});
+    dumped.push_back({option_named(setting.name), false, "a meaning", setting.values});
     if (setting.values.empty()) dumped.pop_back();
   }
   const std::vector<shell::Setting> again =
-      shell::read_settings(shell::dump("render", dumped), "fuzz.toml", commands, "render");
+      shell::read_settings(shell::settings_text("render", dumped), "fuzz.toml", commands, "render");
   fuzz::require(again.size() == dumped.size(), "a dump is read again");
   for (std::size_t i = 0; i < again.size(); ++i)
-    fuzz::require(again[i].name == dumped[i].option.name && again[i].values == dumped[i].values,
-                  "a dump says what was there");
+    fuzz::require(again[i].name == dumped[i].name && again[i].values == dumped[i].values, "a dump says what was there");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/shell/settings/file_options.h"
+#include "sim/shell/option_table.h"
 #include "sim/shell/settings/recorded_run.h"
 #include "sim/shell/version.h"
 #include "tests/fuzz/property.h"
@@ -33,7 +33,7 @@ constexpr const char* other_run = R"({"clocks": 7, "parts": [1, 2], "configurati
 void check(const shell::Setting& setting) {
   const auto option = std::ranges::find(options, setting.name, &shell::SettableOption::name);
   fuzz::require(option != options.end(), "a setting is of an option of the command");
-  fuzz::require(shell::role_of(setting.name) != shell::FileRole::output, "no setting names what is written");
+  fuzz::require(shell::known_option(setting.name).role != shell::FileRole::output, "no setting names what is written");
   fuzz::require(!setting.values.empty(), "a setting has a value");
   fuzz::require(option->takes == shell::Takes::texts || setting.values.size() == 1, "an option has one value");
   for (const std::string& value : setting.values)

@@ -12,6 +12,7 @@
 #include "sim/app/commands/commands.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/near_faces_warning.h"
+#include "sim/shell/numbers.h"
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
 
@@ -42,7 +43,7 @@ void add_compile(CommandLine& line) {
     file.commit();
     std::size_t instructions = 0;
     for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();
-    fmt::print("{}: {} instructions for {} x {} pixels\n", printable(options->output), instructions,
+    fmt::print("{}: {} for {} x {} pixels\n", printable(options->output), counted(instructions, "instruction"),
                program.shape.width, program.shape.height);
   });
 }

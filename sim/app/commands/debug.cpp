@@ -6,7 +6,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <utility>
 
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
@@ -19,6 +18,7 @@
 #include "sim/debug/session.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/model_options.h"
+#include "sim/shell/numbers.h"
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/program_of.h"
@@ -83,8 +83,8 @@ void look_into(const Options& options, const isa::Program& program, const machin
     std::istringstream lines(read_file(options.commands, command_file));
     read_script(lines, options.commands, program, session);
   } else if (::isatty(STDIN_FILENO) != 0) {
-    fmt::print("{}: {} instructions on {}; help lists the commands\n", printable(shown_name(options.model.model)),
-               engine::Numbers(program).count(), machine.name);
+    fmt::print("{}: {} on {}; help lists the commands\n", printable(shown_name(options.model.model)),
+               counted(engine::Numbers(program).count(), "instruction"), machine.name);
     read_terminal(program, session);
   } else {
     keep_input(standard_input_file);

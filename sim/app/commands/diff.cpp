@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cstdio>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,9 +15,9 @@
 #include "sim/shell/memory.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/numbers.h"
-#include "sim/shell/paths.h"
 #include "sim/shell/program_of.h"
 #include "sim/shell/prunings.h"
+#include "sim/shell/read_by.h"
 #include "sim/shell/run_options.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/subject.h"
@@ -217,12 +215,13 @@ void diff(const Options& options, const Command& command) {
 
 void add_side(Command& command, SideOptions& side, const std::string& letter) {
   const std::string name = letter == "a" ? "A" : "B";
-  command.option("--machine-" + letter, side.machine, "The machine of " + name + ", if it is another");
+  command.option("--machine-" + letter, side.machine, "The machine of " + name + ", if it is another")
+      .check(is_read_by(check_machine));
   command.option("--level-" + letter, side.level, "The level of " + name).one_of(level_names(), "level");
   command.option("--strategy-" + letter, side.strategy, "The strategy of " + name + ", if it is another")
       .one_of(strategy_names(), "strategy");
   command.option("--pruning-" + letter, side.pruning, "Prunings that are done for " + name + ", if they are others")
-      .words(pruning_words(), check_pruning);
+      .words(pruning_words(), is_read_by(pruning_of));
   command.option("--set-" + letter, side.sets,
                  "A figure of the machine of " + name + ", or a key of its scene; once for each");
 }

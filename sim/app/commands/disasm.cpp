@@ -9,7 +9,7 @@
 #include "sim/app/commands/commands.h"
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
-#include "sim/shell/program_input.h"
+#include "sim/shell/program_of.h"
 #include "sim/shell/subject.h"
 
 namespace csgsim::app {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -10,17 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "hw/base/error.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/engine/engine.h"
-#include "sim/observe/frame.h"
 #include "sim/observe/pictures.h"
 #include "sim/observe/stats.h"
 #include "sim/observe/stats_json.h"
 #include "sim/report/pictures.h"
-#include "sim/shell/memory.h"
+#include "sim/report/study_pages.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/options.h"
@@ -44,39 +40,19 @@ struct Options {
 /// The picture with some of the effects.
 struct Variant {
   isa::Program program;
-  engine::RunResult result;
-  observe::Stats stats;
-  observe::Frame frame;
-  double compile_seconds = 0;  ///< wall time
-  double run_seconds = 0;      ///< wall time
-
-  [[nodiscard]] double seconds() const { return compile_seconds + run_seconds; }
+  Drawn drawn;
+  double seconds = 0;  ///< wall time in which it is compiled and simulated
 };
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// Without those effects, whatever the scene or the model calls for.
 Variant draw_without(const ModelOptions& all, const std::vector<std::string>& without,
                      const machines::Machine& machine) {
-  const ModelOptions options = all.without_effects(without);
-  Variant variant;
   const auto begin = std::chrono::steady_clock::now();
-  variant.program = compile_model(options, machine).program;
-  variant.compile_seconds = seconds_since(begin);
-  observe::FrameObserver frame(variant.program);
-  observe::StatsObserver stats(variant.program);
-  const std::array<engine::Observer*, 2> observers{&frame, &stats};
-  const auto engine = engine::make_functional_engine(machine);
-  const auto run = std::chrono::steady_clock::now();
-  variant.result = with_memory_for_run({&variant.program, 1}, variant.program.shape,
-                                       [&] { return engine->run(variant.program, observers); });
-  variant.run_seconds = seconds_since(run);
-  refuse_overflow(variant.result);
-  variant.stats = stats.stats();
-  variant.frame = std::move(frame).frame();
-  return variant;
+  isa::Program program = compile_model(all.without_effects(without), machine).program;
+  const std::chrono::duration<double> compiled = std::chrono::steady_clock::now() - begin;
+  Drawn drawn = draw(program, machine);
+  const double seconds = compiled.count() + drawn.seconds;
+  return {std::move(program), std::move(drawn), seconds};
 }
 
 /// What an effect costs: what is billed to it in the frame, and the frame's clocks with it and without, where the
@@ -98,9 +74,8 @@ struct Bill {
 };
 
 std::vector<std::string> others(const std::vector<std::string>& names, const std::string& one) {
-  std::vector<std::string> rest;
-  for (const std::string& name : names)
-    if (name != one) rest.push_back(name);
+  std::vector<std::string> rest = names;
+  std::erase(rest, one);
   return rest;
 }
 
@@ -114,15 +89,16 @@ Bill make_bill(const ModelOptions& options, const machines::Machine& machine) {
   const std::vector<std::string>& all = bill.all.program.facts.compile.effects;
   const std::vector<std::string> called(all.begin() + 1, all.end());
   bill.none = draw_without(options, called, machine);
-  bill.rows.push_back({all.front(), bill.all.stats.by_effect.front()});
+  bill.rows.push_back({all.front(), bill.all.drawn.stats.by_effect.front()});
   for (std::size_t i = 0; i < called.size(); ++i) {
     const Variant alone = draw_without(options, others(called, called[i]), machine);
     Variant without = draw_without(options, {called[i]}, machine);
     bill.rows.push_back(
-        {called[i], bill.all.stats.by_effect[i + 1], difference(alone.result.clocks, bill.none.result.clocks),
-         difference(bill.all.result.clocks, without.result.clocks),
+        {called[i], bill.all.drawn.stats.by_effect[i + 1],
+         difference(alone.drawn.result.clocks, bill.none.drawn.result.clocks),
+         difference(bill.all.drawn.result.clocks, without.drawn.result.clocks),
          difference(observe::used_memory_bits(bill.all.program), observe::used_memory_bits(without.program)),
-         bill.all.seconds() - without.seconds()});
+         bill.all.seconds - without.seconds});
     bill.without.push_back(std::move(without));
   }
   return bill;
@@ -140,7 +116,7 @@ void print_line(const std::string& name, const observe::Cost& cost, const std::s
 void print_bill(const Bill& bill) {
   fmt::print("  {:<16}{:>14}{:>14}{:>20}{:>14}{:>14}{:>7}{:>10}\n", "", "clocks", "instructions", "pixel operations",
              "alone", "together", "bits", "wall s");
-  print_line("solids", bill.all.stats.by_effect.back());
+  print_line("solids", bill.all.drawn.stats.by_effect.back());
   for (const Row& row : bill.rows) {
     const bool is_flat = &row == &bill.rows.front();
     print_line(row.name, row.billed,
@@ -148,10 +124,10 @@ void print_bill(const Bill& bill) {
                        : fmt::format("{:>14}{:>14}{:>7}{:>10.3f}", signed_text(row.alone), signed_text(row.together),
                                      row.bits, row.seconds));
   }
-  print_line("all instructions", bill.all.stats.total);
+  print_line("all instructions", bill.all.drawn.stats.total);
   fmt::print("  {:<16}{:>14}  with the link, the controller and what the machine does besides\n", "frame",
-             grouped(bill.all.result.clocks));
-  fmt::print("  {:<16}{:>14}  {} of {} bits a pixel\n", "without any", grouped(bill.none.result.clocks),
+             grouped(bill.all.drawn.result.clocks));
+  fmt::print("  {:<16}{:>14}  {} of {} bits a pixel\n", "without any", grouped(bill.none.drawn.result.clocks),
              observe::used_memory_bits(bill.none.program), observe::used_memory_bits(bill.all.program));
   fmt::print(
       "clocks, instructions and pixel operations are those billed in the frame; alone: what the frame without effects\n"
@@ -175,20 +151,20 @@ nlohmann::ordered_json to_json(const Bill& bill) {
     }
     rows.push_back(std::move(one));
   }
-  return {{"solids", cost_json(bill.all.stats.by_effect.back())},
+  return {{"solids", cost_json(bill.all.drawn.stats.by_effect.back())},
           {"effects", rows},
-          {"total", cost_json(bill.all.stats.total)},
-          {"clocks", bill.all.result.clocks},
-          {"clocks_without_effects", bill.none.result.clocks},
+          {"total", cost_json(bill.all.drawn.stats.total)},
+          {"clocks", bill.all.drawn.result.clocks},
+          {"clocks_without_effects", bill.none.drawn.result.clocks},
           {"bits", observe::used_memory_bits(bill.all.program)},
           {"bits_without_effects", observe::used_memory_bits(bill.none.program)},
-          {"wall_seconds", bill.all.seconds()},
-          {"wall_seconds_without_effects", bill.none.seconds()}};
+          {"wall_seconds", bill.all.seconds},
+          {"wall_seconds_without_effects", bill.none.seconds}};
 }
 
 void write(const fs::path& path, const Variant& variant) {
   OutputFile file(path);
-  observe::write_picture(file, variant.frame, variant.program);
+  observe::write_picture(file, variant.drawn.frame, variant.program);
   file.commit();
 }
 
@@ -202,7 +178,7 @@ void write_all(const Bill& bill, const studies::StudyFolder& folder) {
 
 report::Page page_of(const Options& options, const Bill& bill) {
   const auto picture = [](const Variant& variant, const std::string& what) {
-    return report::picture_of(variant.frame, variant.program, what, "The model " + what);
+    return report::picture_of(variant.drawn.frame, variant.program, what, "The model " + what);
   };
   std::vector<report::Picture> pictures{picture(bill.all, "with all effects"),
                                         picture(bill.none, "without any effect")};
@@ -235,7 +211,7 @@ void add_effects(CommandLine& line) {
                "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
                "The effects that there are, and their settings: docs/effects.md.");
   options->model.add_to(command);
-  command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").check(not_empty);
+  command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").folder();
   options->report.add_to(command);
   command.prints_summary();
   command.runs([options] { run(*options); });

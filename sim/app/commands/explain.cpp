@@ -7,11 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "hw/base/output_file.h"
-#include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/model_options.h"
@@ -39,11 +37,6 @@ struct Options {
   std::string json;
 };
 
-struct Pixel {
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
-};
-
 /// Where a point of the model is seen.
 struct Seen {
   Pixel pixel;
@@ -69,15 +62,6 @@ Subject subject_of(const Options& options, const Command& command) {
   subject.view = view::make_view(subject.model->scene, subject.model->tree, subject.model->camera,
                                  sampling_of(options.model, subject.machine));
   return subject;
-}
-
-Pixel pixel_of(const std::string& text, const isa::ArrayShape& shape) {
-  const auto place = numbers<std::uint32_t>(text, ',', 2, "--pixel", "x,y");
-  if (place[0] >= shape.width || place[1] >= shape.height) {
-    throw UsageError("--pixel",
-                     fmt::format("there is no pixel {} in a picture of {} x {}", text, shape.width, shape.height));
-  }
-  return {place[0], place[1]};
 }
 
 Seen seen_at(const std::string& text, const view::View& view) {
@@ -121,7 +105,8 @@ void tell_point(const std::string& point, double distance, Answer& answer) {
 Answer explain(const Options& options, const Subject& subject) {
   const isa::Program& program = subject.program;
   const bool is_point = !options.point.empty();
-  const Seen seen = is_point ? seen_at(options.point, *subject.view) : Seen{pixel_of(options.pixel, program.shape), 0};
+  const Seen seen =
+      is_point ? seen_at(options.point, *subject.view) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
   const bool is_missed = !options.why_not.empty();
   const std::uint32_t missed = is_missed ? primitive_named(program, options.why_not, "--why-not") : 0;
   const story::Story told = story::Teller(program, subject.machine).story_of(seen.pixel.x, seen.pixel.y);

@@ -15,6 +15,7 @@
 #include "sim/app/commands/commands.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/machine_list.h"
+#include "sim/shell/read_by.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/usage.h"
 
@@ -92,7 +93,10 @@ void add_manual(CommandLine& line) {
   names.reserve(topics.size());
   for (const Topic& topic : topics) names.emplace_back(topic.name);
   command.option("TOPIC", options->topic, "What to tell of").one_of(names, "topic");
-  command.option("MACHINE", options->machines, "Machines, by name or .toml file, with commas; all of csgsim's: all");
+  command.option("MACHINE", options->machines, "Machines, by name or .toml file, with commas; all of csgsim's: all")
+      .check(is_read_by([](const std::string& list) {
+        if (list != "all") check_machines(list);
+      }));
   add_figure_sets(command, options->sets, "the machine, or of those that have it");
   command.runs([options] { run(*options); });
 }

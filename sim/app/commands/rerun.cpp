@@ -11,9 +11,10 @@
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
+#include "sim/shell/option_table.h"
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
-#include "sim/shell/settings/file_options.h"
+#include "sim/shell/run_options.h"
 #include "sim/shell/settings/recorded_run.h"
 
 namespace csgsim::app {
@@ -24,12 +25,8 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string file;
-  std::string picture;
-  std::string depth;
-  std::string owner;
-  std::string stats;
+  RunOptions run;  ///< what is written of the new run, and its progress
   std::string from;
-  std::string progress = "auto";
   bool anyway = false;
 };
 
@@ -44,14 +41,14 @@ void refuse(const RecordedRun& run, const std::vector<std::string>& changes, boo
 std::vector<std::string> words_of(const RecordedRun& run, const Options& options) {
   std::error_code error;
   const std::string here = fs::current_path(error).native();
-  std::vector<std::string> words{command_of(run), "--progress=" + options.progress};
+  std::vector<std::string> words{command_of(run), "--progress=" + options.run.progress};
   const auto add = [&](const std::string& name, const std::string& file) {
     if (!file.empty()) words.push_back(fmt::format("--{}={}", name, in_folder(name, file, here)));
   };
-  add("output", options.picture);
-  add("depth", options.depth);
-  add("owner", options.owner);
-  add("stats", options.stats);
+  add("output", options.run.picture);
+  add("depth", options.run.depth);
+  add("owner", options.run.owner);
+  add("stats", options.run.stats);
   return words;
 }
 
@@ -70,7 +67,7 @@ struct Comparison {
 void rerun(CommandLine& line, const Command& command, const Options& options) {
   const RecordedRun run = read_recorded_run(options.file);
   refuse_clashes(std::vector<fs::path>{options.file},
-                 std::vector<fs::path>{options.picture, options.depth, options.owner, options.stats});
+                 std::vector<fs::path>{options.run.picture, options.run.depth, options.run.owner, options.run.stats});
   const std::vector<Setting> settings = settings_of(run, line.options_of(command_of(run)));
   const std::vector<std::string> words = words_of(run, options);
   if (!options.from.empty()) go_to(options.from);
@@ -101,15 +98,11 @@ void add_rerun(CommandLine& line) {
       "Example:\n  csgsim render carburettor.csg -o carburettor.png --stats carburettor.json\n  csgsim rerun "
       "carburettor.json -o again.png\nWhat was written then is not written again, but where an option here says so.");
   command.option("FILE", options->file, "The stats file, .json, of csgsim render or run").required();
-  command.option("-o,--output", options->picture, "The picture; the format is the name's ending").check(not_empty);
-  command.option("--depth", options->depth, "Depth picture, .exr").check(not_empty);
-  command.option("--owner", options->owner, "Which primitive is seen: .png, and a legend beside it; or .exr")
-      .check(not_empty);
-  command.option("--stats", options->stats, "All counts of this run, .json").check(not_empty);
+  options->run.add_outputs_to(command);
   command.option("--from", options->from, "The folder in which the run was asked for, if it is not the current one")
       .check(not_empty);
   command.flag("--anyway", options->anyway, "Go on where csgsim or a file that was read is not as it was");
-  add_progress(command, options->progress);
+  add_progress(command, options->run.progress);
   command.prints_summary();
   command.runs([&line, options, command] { rerun(line, command, *options); });
 }

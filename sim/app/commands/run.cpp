@@ -5,8 +5,8 @@
 #include "sim/app/commands/commands.h"
 #include "sim/shell/advice.h"
 #include "sim/shell/paths.h"
-#include "sim/shell/program_input.h"
-#include "sim/shell/program_machine.h"
+#include "sim/shell/program_of.h"
+#include "sim/shell/read_by.h"
 #include "sim/shell/run_options.h"
 #include "sim/shell/run_outputs.h"
 #include "sim/shell/settings/configuration.h"
@@ -48,9 +48,11 @@ void add_run(CommandLine& line) {
                "  csgsim run traces/carburettor.csgt -o carburettor.png --checkpoint run.csgs --checkpoint-every 500\n"
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
-  command.option("--machine", options->machine,
-                 "A machine's name or its .toml file, in place of the one that the Program was compiled for; it gets "
-                 "the array the Program is for");
+  command
+      .option("--machine", options->machine,
+              "A machine's name or its .toml file, in place of the one that the Program was compiled for; it gets "
+              "the array the Program is for")
+      .check(is_read_by(check_machine));
   add_figure_sets(command, options->sets, "the machine");
   options->run.add_to(command);
   options->checkpoints.add_to(command);

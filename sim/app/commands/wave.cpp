@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -13,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "hw/base/error.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
@@ -23,6 +21,7 @@
 #include "sim/shell/paths.h"
 #include "sim/shell/primitive_name.h"
 #include "sim/shell/program_of.h"
+#include "sim/shell/read_by.h"
 #include "sim/shell/run_options.h"
 #include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
@@ -48,10 +47,8 @@ struct Options {
 };
 
 wave::Pixel pixel_of(const std::string& text, const std::string& option, const isa::Program& program) {
-  const auto place = numbers<std::uint32_t>(text, ',', 2, option, "x,y");
-  if (place[0] < program.shape.width && place[1] < program.shape.height) return {place[0], place[1]};
-  throw UsageError(option, fmt::format("there is no pixel {} in a picture of {} x {}", text, program.shape.width,
-                                       program.shape.height));
+  const Pixel pixel = pixel_named(program, text, option);
+  return {pixel.x, pixel.y};
 }
 
 /// `tree.x:LEVEL` or `tree.y:LEVEL`.
@@ -88,14 +85,6 @@ struct Windows {
   std::string shown;  ///< what they are, for people
 };
 
-waves::WindowRequest window_request(const std::string& text) {
-  try {
-    return waves::parse_window(text);
-  } catch (const InputError& error) {
-    throw UsageError("--window", error.what());
-  }
-}
-
 Windows windows_of(const Options& options, const std::optional<waves::WindowRequest>& asked,
                    const isa::Program& program, const machines::Machine& machine, const waves::Foreknowledge& known,
                    std::span<const wave::Pixel> pixels) {
@@ -103,38 +92,26 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
     waves::WindowRequest request = *asked;
     if (request.kind == waves::WindowRequest::Kind::primitive)
       request.begin = primitive_named(program, request.name, "--window");
-    const auto windows = waves::windows_of(request, program, machine, known, pixels);
+    const auto windows =
+        for_option("--window", [&] { return waves::windows_of(request, program, machine, known, pixels); });
     return {windows, windows.front().begin, fmt::format("{}", options.window)};
   }
-  const waves::LastWrite last = waves::last_write(options.at, program, machine, known, pixels.front());
+  const waves::LastWrite last =
+      for_option("--at", [&] { return waves::last_write(options.at, program, machine, known, pixels.front()); });
   return {last.windows, last.at_pixel.end - 1,
           fmt::format("i{}, which wrote the {} of pixel {},{} last, at clocks {}:{}", last.number, options.at,
                       pixels.front().x, pixels.front().y, last.at_pixel.begin, last.at_pixel.end)};
 }
 
-/// Wall time of the parts of a recording.
-class Stopwatch {
- public:
-  void lap(double& seconds) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds += std::chrono::duration<double>(now - begin_).count();
-    begin_ = now;
-  }
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
-struct Seconds {
-  double functional = 0;  ///< the run at that level
-  double recording = 0;   ///< finding the window, and stepping it; with the writing
-  double writing = 0;     ///< sampling and writing the file
-};
-
-void print_timing(const Seconds& seconds) {
-  const double all = seconds.functional + seconds.recording - seconds.writing;
+/// Wall times: of the run at that level, of finding the window and stepping it, and of that the writing of the file.
+void print_timing(double functional, double recording, double writing) {
+  const double all = functional + recording - writing;
   fmt::print("functional run {:.1f} ms, with the window {:.1f} ms = {:.2f} x, and {:.1f} ms to write the file\n",
-             seconds.functional * 1e3, all * 1e3, all / seconds.functional, seconds.writing * 1e3);
+             functional * 1e3, all * 1e3, all / functional, writing * 1e3);
 }
 
 void record(const Options& options, const Command& command) {
@@ -145,7 +122,9 @@ void record(const Options& options, const Command& command) {
     refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "at", "whole", "timing", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
-  const auto asked = options.at.empty() ? std::optional(window_request(options.window)) : std::nullopt;
+  const auto asked = options.at.empty()
+                         ? for_option("--window", [&] { return std::optional(waves::parse_window(options.window)); })
+                         : std::nullopt;
   const std::filesystem::path view_path =
       is_stream ? std::filesystem::path() : std::filesystem::path(options.output).replace_extension(".gtkw");
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
@@ -156,11 +135,10 @@ void record(const Options& options, const Command& command) {
   const machines::Machine& machine = subject.machine;
   const isa::Program& program = subject.program;
   wave::Request request = request_of(options, program);
-  Seconds seconds;
-  Stopwatch watch;
+  const auto begin = std::chrono::steady_clock::now();
   const waves::Foreknowledge known =
       with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
-  watch.lap(seconds.functional);
+  const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
   const Windows windows = windows_of(options, asked, program, machine, known, request.pixels);
   request.windows = windows.windows;
@@ -169,12 +147,12 @@ void record(const Options& options, const Command& command) {
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
   const waves::Recording recording = with_memory_for_run(
       {&program, 1}, machine.array, [&] { return waves::record(program, machine, known, request, fidelity); });
-  watch.lap(seconds.recording);
-  seconds.writing = recording.writing_seconds;
+  const double recording_seconds = seconds_since(begin) - functional_seconds;
   if (!recording.reached) {
-    throw InputError(
+    throw UsageError(
+        "--window",
         fmt::format("the picture is drawn after {} clocks and shown after {}, before the window {} begins; choose an "
-                    "earlier --window",
+                    "earlier one",
                     known.result.clocks, known.result.shown_clocks, options.window));
   }
   waveform.finish();
@@ -186,7 +164,7 @@ void record(const Options& options, const Command& command) {
              grouped(known.result.clocks), counted(request.windows.size(), "window"),
              counted(request.pixels.size(), "pixel"),
              view ? "; to look at it: gtkwave " + shell_word(view_path.native()) : "");
-  if (options.timing) print_timing(seconds);
+  if (options.timing) print_timing(functional_seconds, recording_seconds, recording.writing_seconds);
 }
 
 }  // namespace

@@ -1,12 +1,17 @@
 #include "sim/shell/manual/description.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 #include "hw/base/output_file.h"
 #include "hw/kinds/load.h"
-#include "sim/shell/settings/file_options.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/option_table.h"
+#include "sim/shell/version.h"
 
 namespace csgsim::shell {
 
@@ -20,12 +25,58 @@ std::string settings_name(const OptionHelp& option) {
   return name;
 }
 
+/// What a check of that name tells of itself; empty if there is none.
+std::string told_by(CLI::Option& option, const char* check) {
+  try {
+    return option.get_validator(check)->get_description();
+  } catch (const CLI::OptionNotFound&) {
+    return {};
+  }
+}
+
+OptionHelp help_of_option(CLI::Option& option) {
+  OptionHelp help;
+  if (option.get_positional()) {
+    help.names.push_back(option.get_name());
+  } else {
+    for (const std::string& name : option.get_snames()) help.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) help.names.push_back("--" + name);
+  }
+  const std::string type = option.get_type_name();
+  help.type = option.get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
+  help.meaning = option.get_description();
+  if (const std::string words = told_by(option, words_check); !words.empty()) {
+    for (const std::string_view word : split(words, ", ")) help.words.emplace_back(word);
+  }
+  help.range = told_by(option, range_check);
+  help.usual = option.get_default_str();
+  help.is_needed = option.get_required();
+  help.takes_several = option.get_items_expected_max() > 1;
+  return help;
+}
+
 }  // namespace
+
+CommandHelp help_of_command(CLI::App& command) {
+  CommandHelp help{command.get_name(), command.get_description(), command.get_footer(), {}, {}};
+  for (CLI::Option* const option : command.get_options()) {
+    if (option->get_group() == hidden_group) continue;
+    (option->get_positional() ? help.operands : help.options).push_back(help_of_option(*option));
+  }
+  return help;
+}
+
+Description describe(CLI::App& app) {
+  CommandHelp program = help_of_command(app);
+  Description description{program.name, program.meaning, version(), date_of_sources(), std::move(program.options), {}};
+  for (CLI::App* const command : app.get_subcommands({})) description.commands.push_back(help_of_command(*command));
+  return description;
+}
 
 ValueKind kind_of(const OptionHelp& option) {
   if (option.type.empty()) return ValueKind::none;
   if (!option.words.empty()) return ValueKind::words;
-  switch (role_of(settings_name(option))) {
+  switch (known_option(settings_name(option)).role) {
     case FileRole::input:
     case FileRole::output: return ValueKind::file;
     case FileRole::machines: return ValueKind::machines;

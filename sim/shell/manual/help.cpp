@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "sim/shell/manual/option_subjects.h"
+#include "sim/shell/option_table.h"
 
 namespace csgsim::shell {
 
@@ -120,8 +120,8 @@ std::string long_name(const OptionHelp& option) {
 }
 
 std::string value_name(const OptionHelp& option) {
-  if (option.type.empty()) return {};
-  const std::string_view value = subject_of_option(long_name(option)).value;
+  if (option.type.empty() || option.type == folder_type) return option.type;
+  const std::string_view value = known_option(long_name(option)).value;
   if (!value.empty()) return std::string(value);
   if (!option.words.empty()) return "WORD";
   return option.type == "UINT" ? "N" : option.type == "FLOAT" ? "X" : "TEXT";
@@ -130,7 +130,7 @@ std::string value_name(const OptionHelp& option) {
 std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
   std::vector<SubjectHelp> subjects;
   for (const OptionHelp& option : options) {
-    const std::string_view subject = subject_of_option(long_name(option)).subject;
+    const std::string_view subject = known_option(long_name(option)).subject;
     auto found = std::ranges::find(subjects, subject, &SubjectHelp::subject);
     if (found == subjects.end()) found = subjects.insert(found, SubjectHelp{subject, {}});
     found->options.push_back(&option);

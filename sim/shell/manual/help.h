@@ -11,10 +11,13 @@ namespace csgsim::shell {
 /// Columns that no line of a help goes beyond.
 inline constexpr std::size_t help_columns = 80;
 
+/// What help calls the value of an option that names a folder.
+inline constexpr const char* folder_type = "FOLDER";
+
 /// An option or an operand as help tells of it. Texts may be empty.
 struct OptionHelp {
   std::vector<std::string> names;  ///< with dashes, the short one first; of an operand its only one
-  std::string type;                ///< what is given: TEXT, UINT, FLOAT; none for a flag
+  std::string type;                ///< what is given: TEXT, UINT, FLOAT, folder_type; none for a flag
   std::string meaning;
   std::vector<std::string> words;  ///< that it takes; none if it takes any
   std::string range;               ///< of its numbers

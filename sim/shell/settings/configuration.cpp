@@ -11,12 +11,11 @@
 #include <system_error>
 #include <variant>
 
-#include "hw/kinds/rows.h"
 #include "hw/machines/hash.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/schema.h"
 #include "sim/observe/frame_hash.h"
-#include "sim/shell/settings/recorded_values.h"
+#include "sim/shell/settings/recorded_run.h"
 #include "sim/shell/version.h"
 
 namespace csgsim::shell {

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <limits>
 #include <string_view>
+#include <system_error>
 
 #include "hw/base/error.h"
+#include "hw/base/hash.h"
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
-#include "sim/shell/settings/file_options.h"
-#include "sim/shell/settings/recorded_values.h"
+#include "sim/shell/option_table.h"
 #include "sim/shell/version.h"
 
 namespace csgsim::shell {
@@ -29,6 +32,9 @@ constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "r
 constexpr auto without_effect =
     std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet"});
 
+/// Read once already, within limits of its own.
+constexpr InputKind input_again{"a file", std::numeric_limits<std::size_t>::max(), ""};
+
 constexpr std::size_t most_differences = 10;  ///< that are told
 constexpr int most_depth = 100;               ///< of brackets: values are compared by recursion
 
@@ -39,23 +45,10 @@ std::string place_of(std::string_view text, std::size_t byte) {
 }
 
 /// Remembers where a text ceases to be JSON that can be read.
-struct FirstFault final : nlohmann::json_sax<Json> {
+struct FirstFault : nlohmann::detail::json_sax_acceptor<Json> {
   std::size_t byte = 0;
 
-  bool null() override { return true; }
-  bool boolean(bool /*value*/) override { return true; }
-  bool number_integer(std::int64_t /*value*/) override { return true; }
-  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
-  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
-  bool string(std::string& /*value*/) override { return true; }
-  bool binary(Json::binary_t& /*value*/) override { return true; }
-  bool start_object(std::size_t /*count*/) override { return true; }
-  bool key(std::string& /*value*/) override { return true; }
-  bool end_object() override { return true; }
-  bool start_array(std::size_t /*count*/) override { return true; }
-  bool end_array() override { return true; }
-  bool parse_error(std::size_t position, const std::string& /*token*/,
-                   const nlohmann::detail::exception& /*why*/) override {
+  bool parse_error(std::size_t position, const std::string& /*token*/, const nlohmann::detail::exception& /*why*/) {
     byte = position;
     return false;
   }
@@ -119,7 +112,8 @@ std::vector<std::string> values_of(const RecordedRun& run, const SettableOption&
 }
 
 bool has_effect(std::string_view option) {
-  return role_of(option) != FileRole::output && std::ranges::find(without_effect, option) == without_effect.end();
+  return known_option(option).role != FileRole::output &&
+         std::ranges::find(without_effect, option) == without_effect.end();
 }
 
 const SettableOption& option_named(const RecordedRun& run, std::string_view name,
@@ -148,6 +142,37 @@ Json picture_of(const Json& stats) {
 }
 
 }  // namespace
+
+Json bytes_json(const std::string& bytes) {
+  if (printable(bytes) == bytes) return bytes;
+  std::string digits;
+  for (const char byte : bytes) digits += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+  return {{"hex", digits}};
+}
+
+std::string bytes_of(const Json& json) {
+  if (json.is_string()) return json.get<std::string>();
+  const bool has_digits = json.is_object() && json.contains("hex") && json["hex"].is_string();
+  const std::string digits = has_digits ? json["hex"].get<std::string>() : "";
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+    unsigned byte = 0;
+    const auto [end, error] = std::from_chars(digits.data() + i, digits.data() + i + 2, byte, 16);
+    if (error != std::errc() || end != digits.data() + i + 2) break;
+    bytes += static_cast<char>(byte);
+  }
+  if (!has_digits || bytes.size() * 2 != digits.size()) throw InputError("neither a text nor bytes in hexadecimal");
+  return bytes;
+}
+
+Json hash_of_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return nullptr;
+  Hash hash;
+  hash.add(read_file(file, input_again));
+  return hash.text();
+}
 
 RecordedRun read_recorded_run(const std::string& file) { return recorded_run_of(read_file(file, stats_input), file); }
 

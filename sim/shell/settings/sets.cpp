@@ -14,6 +14,7 @@
 #include "hw/kinds/load.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
+#include "sim/shell/lists.h"
 #include "sim/shell/usage.h"
 
 namespace csgsim::shell {
@@ -98,6 +99,15 @@ Sets sorted(const std::vector<std::string>& sets) {
     }
   }
   return all;
+}
+
+void check_machine(const std::string& name) {
+  const std::vector<std::string_view> known = kinds::built_in_names();
+  if (kinds::file_of(name).empty() && std::ranges::find(known, name) == known.end()) kinds::load(name);
+}
+
+void check_machines(const std::string& names) {
+  for (const std::string& name : parse_words(names)) check_machine(name);
 }
 
 namespace {

@@ -17,6 +17,12 @@ struct Sets {
 /// Throws UsageError for a key that is of neither, with the nearest of both.
 Sets sorted(const std::vector<std::string>& sets);
 
+/// Throws InputError for a machine's name that is of none, or that changes a figure wrongly; files are not read.
+void check_machine(const std::string& name);
+
+/// The same for a list with commas.
+void check_machines(const std::string& names);
+
 /// The machine with its figures as set; keys of the scene do not matter. Throws InputError, or UsageError for a figure
 /// that is set wrongly.
 machines::Machine load_machine(const std::string& name, const std::vector<std::string>& sets);

@@ -11,7 +11,6 @@
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "sim/shell/command_line.h"
-#include "sim/shell/settings/settings_dump.h"
 #include "sim/shell/usage.h"
 
 namespace csgsim::shell {
@@ -95,15 +94,6 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   return {option.get_default_str()};
 }
 
-void print_dump(const CLI::App& command) {
-  std::vector<DumpedOption> options;
-  for (const CLI::Option* option : command.get_options()) {
-    const SettableOption one = settable(*option);
-    if (!one.name.empty()) options.push_back({one, option->get_description(), values_of(*option)});
-  }
-  fmt::print("{}", dump(command.get_name(), options));
-}
-
 bool wants_dump(const CLI::App& command) {
   const CLI::Option* const option = command.get_option_no_throw(std::string(dump_name));
   return option != nullptr && option->count() > 0;
@@ -117,7 +107,7 @@ void SettingsApp::pre_callback() {
   CLI::App& command = *get_subcommands().front();
   take_settings(command);
   if (!wants_dump(command)) return;
-  print_dump(command);
+  fmt::print("{}", settings_text(command.get_name(), Command(command).values()));
   throw CLI::Success();
 }
 
@@ -274,9 +264,9 @@ std::string place_of(const CLI::App& app, const std::string& message) {
 std::vector<OptionValue> Command::values() const {
   std::vector<OptionValue> values;
   for (const CLI::Option* option : std::as_const(*command_).get_options()) {
-    const SettableOption one = settable(*option);
+    SettableOption one = settable(*option);
     if (one.name.empty()) continue;
-    values.push_back({one.name, one.takes, option->get_positional(), values_of(*option)});
+    values.push_back({std::move(one), option->get_positional(), option->get_description(), values_of(*option)});
   }
   return values;
 }

@@ -1,5 +1,3 @@
-#include "sim/shell/settings/settings_dump.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +5,7 @@
 #include <string_view>
 
 #include "hw/base/text.h"
+#include "sim/shell/settings/settings_file.h"
 
 namespace csgsim::shell {
 
@@ -48,8 +47,8 @@ std::string_view example(Takes takes) {
   return "";
 }
 
-std::string value_text(const DumpedOption& one) {
-  switch (one.option.takes) {
+std::string value_text(const OptionValue& one) {
+  switch (one.takes) {
     case Takes::flag:
     case Takes::whole_number:
     case Takes::number: return one.values.front();
@@ -63,12 +62,12 @@ std::string value_text(const DumpedOption& one) {
 
 }  // namespace
 
-std::string dump(const std::string& command, std::span<const DumpedOption> options) {
+std::string settings_text(const std::string& command, std::span<const OptionValue> options) {
   std::string text = fmt::format("# Every option of csgsim {0}, as --config takes them.\n\n[{0}]\n", command);
-  for (const DumpedOption& one : options) {
+  for (const OptionValue& one : options) {
     text += fmt::format("\n# {}\n", one.meaning);
-    text += one.values.empty() ? fmt::format("# {} = {}\n", one.option.name, example(one.option.takes))
-                               : fmt::format("{} = {}\n", one.option.name, value_text(one));
+    text += one.values.empty() ? fmt::format("# {} = {}\n", one.name, example(one.takes))
+                               : fmt::format("{} = {}\n", one.name, value_text(one));
   }
   return text;
 }

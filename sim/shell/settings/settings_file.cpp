@@ -11,7 +11,7 @@
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
 #include "hw/base/toml_text.h"
-#include "sim/shell/settings/file_options.h"
+#include "sim/shell/option_table.h"
 
 namespace csgsim::shell {
 
@@ -186,7 +186,7 @@ class Reader {
 
   /// A list is what the command line writes with commas, but for names of files, of which there is one.
   [[nodiscard]] std::string text_of(const SettableOption& option, const toml::node& node) const {
-    const FileRole role = role_of(option.name);
+    const FileRole role = known_option(option.name).role;
     const bool is_file = role == FileRole::input || role == FileRole::output;
     const std::string_view wanted = is_file ? "a string" : "a string, a number, or a list of them";
     const toml::array* const list = node.as_array();

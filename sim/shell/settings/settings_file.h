@@ -27,6 +27,13 @@ struct SettableOption {
   Takes takes = Takes::text;
 };
 
+/// An option or operand with the value that it has, given or by default.
+struct OptionValue : SettableOption {
+  bool is_operand = false;
+  std::string meaning;
+  std::vector<std::string> values;  ///< none where nothing is said
+};
+
 struct SettableCommand {
   std::string name;
   std::vector<SettableOption> options;
@@ -45,5 +52,8 @@ struct Setting {
 /// keys that no command has, with the nearest one, and values of the wrong type, for whatever command they are.
 std::vector<Setting> read_settings(std::string_view text, const std::string& file,
                                    std::span<const SettableCommand> commands, std::string_view command);
+
+/// A settings file with every option of the command; where nothing is said, an example is commented out.
+std::string settings_text(const std::string& command, std::span<const OptionValue> options);
 
 }  // namespace csgsim::shell

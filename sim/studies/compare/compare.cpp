@@ -41,11 +41,14 @@ struct Options {
   bool ideal = false;
 };
 
+/// An empty list was the word before there was one.
+bool is_none(const std::string& text) { return text.empty() || text == "none"; }
+
 std::vector<unsigned> fragments_of(const std::string& text) {
-  return text.empty() ? std::vector<unsigned>{} : parse_numbers(text, 3, most_fragments);
+  return is_none(text) ? std::vector<unsigned>{} : parse_numbers(text, 3, most_fragments);
 }
 std::vector<unsigned> sides_of(const std::string& text) {
-  return text.empty() ? std::vector<unsigned>{} : parse_numbers(text, 1, isa::max_array_side);
+  return is_none(text) ? std::vector<unsigned>{} : parse_numbers(text, 1, isa::max_array_side);
 }
 
 /// A machine, with the picture that --size asks for.
@@ -187,13 +190,14 @@ class Compare : public StudyOf<ComparisonRow> {
     command.remove("--machine");
     command.remove("--tolerance");
     command.remove("--curves");  // all machines draw the same facets
-    command.option("--machines", options_.machines, "List of machines, by name or .toml file");
+    command.option("--machines", options_.machines, "List of machines, by name or .toml file")
+        .check(is_read_by(check_machines));
     command
         .option("--fragments", options_.fragments,
                 "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
-                "empty for the model's own only")
+                "none for the model's own only")
         .check(is_read_by(fragments_of));
-    command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; empty for one size only")
+    command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; none for one size only")
         .check(is_read_by(sides_of));
     command.flag(
         "--ideal", options_.ideal,

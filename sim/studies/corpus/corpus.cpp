@@ -15,6 +15,7 @@
 #include "sim/shell/numbers.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/read_by.h"
+#include "sim/shell/settings/sets.h"
 #include "sim/shell/text_columns.h"
 #include "sim/studies/corpus/files.h"
 #include "sim/studies/corpus/measure.h"
@@ -145,9 +146,10 @@ class Corpus : public StudyOf<CorpusRow> {
  public:
   void add_options(Command& command) override {
     command.option("MODEL", models_, "Models, .csg or .scad, and folders that hold such").required();
-    command.option("--machines", machines_, "List of machines, by name or .toml file").check(is_read_by(parse_words));
+    command.option("--machines", machines_, "List of machines, by name or .toml file")
+        .check(is_read_by(check_machines));
     view_.add_view_to(command);
-    command.option("--z-bits", view_.z_bits, "Bits of depth");
+    command.option("--z-bits", view_.z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {

@@ -78,7 +78,7 @@ void SweepOptions::add_to(shell::Command& command) {
               "List of which prunings are done: all, none, those named (space+hidden) or all but those "
               "(no-space+no-hidden)")
       .words(shell::pruning_words(), shell::is_read_by(shell::prunings_of));
-  add_list(command, "--machines", machines, shell::parse_words, "List of machines, by name or .toml file");
+  add_list(command, "--machines", machines, shell::check_machines, "List of machines, by name or .toml file");
   add_list(command, "--memory-bits", memory_bits, memory_bits_of,
            "Numbers: memory bits a pixel; the machine's own if not given");
   view.add_view_to(command);

@@ -1,0 +1,101 @@
+// The same mistake ends with the same exit code in every command that it can be made in: 2 for what is typed, 1 for
+// what a file holds (docs/command-line.md).
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "hw/base/text.h"
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+/// Commands that take a model, with what each needs besides.
+std::vector<std::string> commands_of(const std::string& model, const Folder& folder) {
+  const std::string out = " -o " + (folder / "out");
+  return {"render " + model,
+          "compile " + model + out,
+          "debug " + model + " -x /dev/null",
+          "diff " + model,
+          "explain " + model + " --pixel 1,1",
+          "wave " + model + " --pixel 1,1" + out + ".vcd",
+          "subdivide " + model,
+          "effects " + model,
+          "levels " + model,
+          "accuracy " + model + out,
+          "advise " + model};
+}
+
+}  // namespace
+
+TEST_CASE("what is typed wrongly ends with exit code 2, whatever command it is") {
+  const Folder folder;
+  for (const std::string& command : commands_of(model("sphere"), folder)) {
+    for (const std::string mistake :
+         {"--nope", "--machine pixel-plane", "--machine pixel-planes-4+alu.bit=4",
+          "--machine pixel-planes-4+alu.bits=x", "--machine pixel-planes-4+alu.bits=999", "--set alu.bit=4",
+          "--set alu.bits=x", "--set alu.bits=999", "--size 64", "--size 0x64", "--size 9999999x64", "--camera 1,2",
+          "--camera 1,2,3,1,2,3", "--projection x", "--projection p --near=-3", "--limit 0", "--imgsize x",
+          "one too many"})
+      misused(command + " " + mistake, "see csgsim ");
+  }
+}
+
+TEST_CASE("what a file holds wrongly, and one that is not there, end with exit code 1, whatever command it is") {
+  const Folder folder;
+  write(folder / "machine.toml", "x = 1\n");
+  write(folder / "scene.toml", "[lamps]\n");
+  write(folder / "key.toml", "stak = 1\n");
+  write(folder / "range.toml", "limit = 0\n");
+  write(folder / "machine_name.toml", "machine = \"pixel-plane\"\n");
+  for (const std::string& command : commands_of(model("sphere"), folder)) {
+    for (const std::string mistake :
+         {"--machine none.toml", "--scene none.toml", "--config none.toml", "--machine machine.toml",
+          "--scene scene.toml", "--config key.toml", "--config range.toml", "--config machine_name.toml"}) {
+      const std::size_t file = mistake.find(' ') + 1;
+      const Outcome outcome = run(command + " " + mistake.substr(0, file) + (folder / mistake.substr(file)));
+      CAPTURE(command);
+      CAPTURE(mistake);
+      CHECK(outcome.code == 1);
+      CHECK(one_line(outcome.err));
+    }
+  }
+}
+
+TEST_CASE("lists of machines are of the command line too, and a list can be of none") {
+  const Folder folder;
+  const std::string out = " -o " + (folder / "out");
+  for (const std::string study : {"compare ", "sweep ", "corpus "}) {
+    misused(study + model("sphere") + out + " --machines pixel-plane", "did you mean pixel-planes-4?");
+    misused(study + model("sphere") + out + " --machines ''", "has nothing at a comma");
+  }
+  misused("corpus " + model("sphere") + out + " --z-bits 31", "not in range 4 to 30");
+  const std::string small = "compare " + model("sphere") + " --machines pixel-planes-4 --size 16x16 --no-plots";
+  REQUIRE(run(small + " --fragments none --sides none -o " + (folder / "none")).code == 0);
+  REQUIRE(run(small + " --fragments '' --sides '' -o " + (folder / "empty")).code == 0);
+  CHECK(content(folder / "none/compare.csv") == content(folder / "empty/compare.csv"));
+}
+
+TEST_CASE("help calls what -o names a folder where several files are written") {
+  for (const std::string command : {"render", "compile", "run", "rerun", "disasm", "wave"})
+    CHECK(run(command + " --help").out.find("-o, --output FILE") != std::string::npos);
+  for (const std::string command : {"effects", "accuracy", "advise", "sweep", "corpus", "compare", "gather"})
+    CHECK(run(command + " --help").out.find("-o, --output FOLDER") != std::string::npos);
+}
+
+TEST_CASE("printed shares are percentages, printed counts have their digits in groups; JSON has neither") {
+  const Folder folder;
+  const std::string of = " " + model("sphere") + " --size 64x64";
+  const Outcome drawn = run("render" + of + " --check --stats " + (folder / "s.json"));
+  REQUIRE(drawn.code == 0);
+  const double busy = json(folder / "s.json")["account"]["controller_utilisation"];
+  CHECK(busy < 1);
+  CHECK(drawn.out.find(fmt::format("controller busy{:>25.2f} %", 100 * busy)) != std::string::npos);
+  CHECK(drawn.out.find("of 4,096 pixels wrong") != std::string::npos);
+  const std::string levels = run("levels" + of + " --levels functional").out;
+  CHECK(levels.find(csgsim::grouped(json(folder / "s.json")["clocks"])) != std::string::npos);
+}
