@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/observe/pictures.h"
+#include "sim/report/page.h"
 #include "sim/shell/paths.h"
 
 namespace csgsim::shell {

@@ -20,7 +20,7 @@ using namespace csgsim::testing::cli;
 TEST_CASE("a picture's name without a format, or in no folder, is refused and nothing is left behind") {
   const Folder folder;
   const std::string options = "render " + model("old_example011") + " --size 16x16 ";
-  CHECK(run(options + "-o " + (folder / "picture.xyz")).code == 1);
+  CHECK(run(options + "-o " + (folder / "picture.xyz")).code == 2);
   CHECK(run(options + "-o " + (folder / "none/picture.png")).code == 1);
   CHECK(run(options + "--stats " + (folder / "none/s.json")).code == 1);
   CHECK(folder.files() == 0);
