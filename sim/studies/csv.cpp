@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "hw/base/descriptor.h"
 #include "hw/base/input_file.h"
@@ -15,38 +17,52 @@ namespace {
 
 constexpr InputKind table_file{"a .csv file", std::size_t{256} << 20U, "take another place for the study with -o",
                                true};
+constexpr InputKind title_file{"a .study file", std::size_t{4} << 20U, "take another place for the study with -o",
+                               true};
 
 /// All of the file, or nothing if there is none.
-std::string text_of(const std::filesystem::path& path) {
+std::string text_of(const std::filesystem::path& path, const InputKind& kind) {
   std::error_code error;
-  return std::filesystem::exists(path, error) ? read_regular_file(path, table_file) : std::string();
+  return std::filesystem::exists(path, error) ? read_regular_file(path, kind) : std::string();
 }
 
-/// Lines above those that are read: the title and the header.
-constexpr std::size_t lines_above = 2;
+[[noreturn]] void refuse_other(const std::filesystem::path& path) {
+  throw InputError(path.native() + ": holds another study; give this one a place of its own with -o, or delete that");
+}
 
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path path, const std::string& title, const std::string& header)
-    : path_(std::move(path)), begin_("# " + title + "\n" + header + "\n") {
-  const std::string text = text_of(path_);
+CsvFile::CsvFile(std::filesystem::path path, std::string begin) : path_(std::move(path)), begin_(std::move(begin)) {
+  const std::string text = text_of(path_, table_file);
   if (begin_.starts_with(text)) {
     if (text != begin_) write_file(path_, begin_);
     return;
   }
-  if (!text.starts_with(begin_)) {
-    throw InputError(path_.native() +
-                     ": holds another study; give this one a place of its own with -o, or delete that");
-  }
+  if (!text.starts_with(begin_)) refuse_other(path_);
   const std::size_t whole_lines = text.rfind('\n') + 1;
   if (whole_lines < text.size()) write_file(path_, std::string_view(text).substr(0, whole_lines));
   std::istringstream lines(text.substr(begin_.size(), whole_lines - begin_.size()));
   for (std::string line; std::getline(lines, line);) found_.push_back(std::move(line));
 }
 
+CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header) {
+  const std::string begin = header + "\n";
+  const std::string comment = "# " + title + "\n";
+  const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".study");
+  const std::string text = text_of(path, table_file);
+  const bool is_commented = text.starts_with('#');
+  const bool is_new = (is_commented ? comment + begin : begin).starts_with(text);
+  const bool is_titled = text_of(beside, title_file) == title + "\n";
+  if (!is_new && !(is_commented ? text.starts_with(comment + begin) : is_titled)) refuse_other(path);
+  if (!is_titled) write_file(beside, title + "\n");
+  if (is_commented) write_file(path, is_new ? begin : text.substr(comment.size()));
+  return {path, begin};
+}
+
 void CsvFile::refuse(std::size_t found, std::string_view why) const {
-  throw InputError(fmt::format("{}:{}:1: {}; delete the line to have it measured anew", path_.native(),
-                               lines_above + found + 1, why));
+  const auto above = static_cast<std::size_t>(std::ranges::count(begin_, '\n'));
+  throw InputError(
+      fmt::format("{}:{}:1: {}; delete the line to have it measured anew", path_.native(), above + found + 1, why));
 }
 
 void CsvFile::append(const std::string& line) const {

@@ -18,15 +18,15 @@
 
 namespace csgsim::studies {
 
-/// A CSV file that grows by a line at a time, so that an interrupted study can go on: a second start reads what is
-/// there. The first line is a comment that says what study it is, the second names the columns.
+/// A file of CSV that grows by a line at a time, so that an interrupted study can go on: a second start reads what is
+/// there.
 class CsvFile {
  public:
-  /// Opens or begins a file; part of a line, which an interrupted write has left, is cut off. Throws InputError if the
-  /// file begins otherwise, is too long or cannot be read or written.
-  CsvFile(std::filesystem::path path, const std::string& title, const std::string& header);
+  /// Opens the file, or begins it with these lines; part of a line, which an interrupted write has left, is cut off.
+  /// Throws InputError if the file begins otherwise, is too long or cannot be read or written.
+  CsvFile(std::filesystem::path path, std::string begin);
 
-  /// The lines that were there when it was opened, below the header.
+  /// The lines that were there when it was opened, below those that it begins with.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
 
   /// Throws InputError that says which of the lines found cannot be used, and why.
@@ -36,7 +36,7 @@ class CsvFile {
   /// part of it is left then, unless the file cannot even be shortened.
   void append(const std::string& line) const;
 
-  /// Puts other lines in place of all below the header, at once: nobody sees part of them.
+  /// Puts other lines in place of all below those that it begins with, at once: nobody sees part of them.
   void replace(const std::vector<std::string>& lines) const;
 
  private:
@@ -44,6 +44,11 @@ class CsvFile {
   std::string begin_;
   std::vector<std::string> found_;
 };
+
+/// The table of a study: plain CSV, whose first line names the columns. Its title, which says what study it is, is a
+/// line in a file beside it that ends in .study; tables of csgsim 0.1.0 from before December 2026 have it as a comment
+/// above all, and are made plain. Throws InputError as CsvFile does, and where the title is another.
+CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header);
 
 /// The cells of a line. Throws InputError where a quote is left open, or where it is not one line.
 std::vector<std::string> split_cells(std::string_view line);

@@ -21,7 +21,7 @@ namespace csgsim::studies {
 namespace {
 
 /// Endings of all files that studies write.
-constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".json", ".png", ".svg"});
+constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".study", ".json", ".png", ".svg"});
 
 std::filesystem::path made_folder(const std::filesystem::path& folder) {
   if (folder.empty()) throw shell::UsageError("--output", "the name is empty; name the folder");

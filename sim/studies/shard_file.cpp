@@ -19,11 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr InputKind shard_input{"a shard's .csv file", std::size_t{256} << 20U, "take more shards"};
+constexpr InputKind shard_input{"a shard's file", std::size_t{256} << 20U, "take more shards"};
 
 constexpr std::string_view mark = "csgsim shard";
 constexpr std::string_view point_column = "point,";
-constexpr std::string_view ending = ".csv";
+constexpr std::string_view ending = ".shard";
+constexpr std::string_view former_ending = ".csv";
 
 /// Cells of the first line before the words of the command.
 constexpr std::size_t cells_before_words = 7;
@@ -78,7 +79,8 @@ std::vector<fs::path> shard_files(const fs::path& study, const std::optional<Sha
   for (auto entry = fs::directory_iterator(shards_folder(study), error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
     const std::string name = entry->path().filename().native();
-    if (name.starts_with(stem) && name.ends_with(ending) && !name.starts_with('.')) files.push_back(entry->path());
+    const bool is_shard = name.ends_with(ending) || name.ends_with(former_ending);
+    if (is_shard && name.starts_with(stem) && !name.starts_with('.')) files.push_back(entry->path());
   }
   const bool is_new = of && error == std::errc::no_such_file_or_directory;
   if (error && !is_new) {
@@ -125,7 +127,7 @@ void ShardWriter::add(const ShardLine& line) {
     if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
     std::random_device random;
     file_.emplace(folder / fmt::format("{}{:08x}{:08x}{}", stem_of(header_), random(), random(), ending),
-                  title_of(header_), std::string(point_column) + columns_);
+                  fmt::format("# {}\n{}{}\n", title_of(header_), point_column, columns_));
   }
   file_->append(fmt::format("{},{}", line.point, line.row));
 }

@@ -22,7 +22,7 @@ Table::Table(const std::filesystem::path& path, const std::string& title, RowFor
     : format_(std::move(format)),
       serves_(std::move(serves)),
       path_(path),
-      file_(std::in_place, path, title, format_.columns) {
+      file_(study_table(path, title, format_.columns)) {
   for (std::size_t i = 0; i < file_->found().size(); ++i) {
     try {
       format_.check(file_->found()[i]);

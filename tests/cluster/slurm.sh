@@ -105,10 +105,10 @@ start_node() {
 
 node_is() { sinfo -h -N -n "$1" -o %T 2>/dev/null | grep -qx "$2\*\?"; }
 both_idle() { node_is node1 idle && node_is node2 idle; }
-finished() { [ "$(find "$1/shards" -name '*.csv' 2>/dev/null | wc -l)" -ge "$2" ]; }
+finished() { [ "$(find "$1/shards" -name '*.shard' 2>/dev/null | wc -l)" -ge "$2" ]; }
 queue_is_empty() { [ -z "$(squeue -h -t PD,R,CF,CG,S,RQ,RH 2>/dev/null || echo unknown)" ]; }
 shard_on() { squeue -h -t R -o "%N %K" | sed -n "s/^$1 //p"; }
-rows_of() { cat "$work/array/shards/sweep-$(printf %02d "$1")-of-$shards".*.csv 2>/dev/null | grep -c '^[0-9]' || true; }
+rows_of() { cat "$work/array/shards/sweep-$(printf %02d "$1")-of-$shards".*.shard 2>/dev/null | grep -c '^[0-9]' || true; }
 # Has the shard on a node measured some of its points, but not all?
 is_in_the_middle() {
   on_node=$(shard_on "$1")
@@ -129,7 +129,7 @@ cd "$work"
 say "== one process"
 # shellcheck disable=SC2086
 csgsim $study -o "$work/one" >"$work/one.txt"
-points=$(tail -n +3 "$work/one/sweep.csv" | wc -l)
+points=$(tail -n +2 "$work/one/sweep.csv" | wc -l)
 say "$points points"
 
 say "== a Slurm array of $shards tasks on two nodes, of which one is killed"
@@ -156,8 +156,8 @@ wait_for 600 "the end of the array" queue_is_empty
 show sh -c "grep -h -o 'requeue .*node2.*\|Requeuing.*\|node node2 .*down.*\|Killing JobId.*' slurmctld.log | sed 's/due to.*//' | sort | uniq -c"
 for victim in $victims; do show cat "$work/task-$victim.txt"; done
 show csgsim gather "$work/array" --missing
-rows=$(tail -q -n +3 "$work"/array/shards/*.csv | wc -l)
-say "$rows rows for $points points in $(find "$work/array/shards" -name '*.csv' | wc -l) files of $shards shards"
+rows=$(tail -q -n +3 "$work"/array/shards/*.shard | wc -l)
+say "$rows rows for $points points in $(find "$work/array/shards" -name '*.shard' | wc -l) files of $shards shards"
 [ "$rows" -eq "$points" ] || fail "a row for each point"
 csgsim gather "$work/array" >"$work/array.txt" || fail "not gathered"
 sed "s|$work/array|$work/one|" "$work/array.txt" | cmp - "$work/one.txt" || fail "other text"

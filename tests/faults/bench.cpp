@@ -71,7 +71,9 @@ Bench::Bench(Command command) : command_(std::move(command)) {
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
   for (const std::string& name : command_.outputs) wanted_[name] = steady(out(name));
-  if (!command_.table.empty()) wanted_[command_.table] = steady(out(command_.table));
+  if (!command_.table.empty()) {
+    for (const std::string& name : {command_.table, title()}) wanted_[name] = steady(out(name));
+  }
   command_.lines_before = lines_before;
   REQUIRE(wrong_in_success(ended).empty());
 }
@@ -82,8 +84,12 @@ void Bench::reset() const {
   if (command_.table.empty() || command_.lines_before > 0) fs::create_directory(folder_ / "out");
   if (!fs::exists(folder_ / "out")) return;
   for (const std::string& name : command_.outputs) cli::write(out(name), old(name));
-  if (command_.lines_before > 0) cli::write(out(command_.table), table_before());
+  if (command_.lines_before == 0) return;
+  cli::write(out(command_.table), table_before());
+  cli::write(out(title()), wanted_.at(title()));
 }
+
+std::string Bench::title() const { return fs::path(command_.table).replace_extension(".study"); }
 
 std::string Bench::table_before() const {
   const std::string& whole = wanted_.at(command_.table);
@@ -126,14 +132,16 @@ std::string Bench::wrong_in_outputs() const {
 
 std::string Bench::wrong_in_table() const {
   if (command_.table.empty()) return {};
+  if (fs::exists(out(title())) && cli::content(out(title())) != wanted_.at(title()))
+    return "the file beside the table says otherwise";
   const std::string text = cli::content(out(command_.table));
   const bool is_there = fs::exists(out(command_.table));
   if (command_.lines_before > 0 ? is_there && text == table_before() : !is_there) return {};
   const std::vector<std::string> lines = lines_of(text);
   const std::vector<std::string> wanted = lines_of(wanted_.at(command_.table));
-  if (lines.size() < std::max<std::size_t>(2, command_.lines_before)) return "the table has lost lines";
+  if (lines.size() < std::max<std::size_t>(1, command_.lines_before)) return "the table has lost lines";
   if (text.back() != '\n') return "the table ends in part of a line";
-  if (!std::equal(lines.begin(), lines.begin() + 2, wanted.begin())) return "the table begins otherwise";
+  if (lines.front() != wanted.front()) return "the table begins otherwise";
   const std::set<std::string> known(wanted.begin(), wanted.end());
   const std::set<std::string> found(lines.begin(), lines.end());
   if (found.size() != lines.size()) return "the table has a line twice";

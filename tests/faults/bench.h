@@ -15,9 +15,9 @@ struct Command {
   std::string name;
   std::string words;                 ///< OUT stands for the folder of its outputs, SOURCE for the source tree
   std::vector<std::string> outputs;  ///< in OUT, there before, each replaced as a whole
-  std::string table;                 ///< in OUT, if it is a study: grows by whole lines
-  std::size_t lines_before = 0;      ///< of the table that are there before, and half of the next one; 0 for no table
-  std::size_t most = 0;              ///< places at which a call of each kind fails, where not everything is tried
+  std::string table;             ///< in OUT, if it is a study: grows by whole lines, beside a file that says of what
+  std::size_t lines_before = 0;  ///< of the table that are there before, and half of the next one; 0 for no table
+  std::size_t most = 0;          ///< places at which a call of each kind fails, where not everything is tried
 };
 
 /// One command in folders of its own, run under conditions again and again, and held against a run without any.
@@ -62,6 +62,8 @@ class Bench {
   [[nodiscard]] std::string wrong_in_table() const;
   [[nodiscard]] std::string left_behind() const;
   [[nodiscard]] std::string table_before() const;
+  /// The file beside the table.
+  [[nodiscard]] std::string title() const;
 
   Command command_;
   cli::Folder folder_;

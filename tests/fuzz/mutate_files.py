@@ -250,7 +250,7 @@ def of_runs(csgsim: str) -> list[Sample]:
             shutil.rmtree(out, ignore_errors=True)
             run(*words, "-o", "out", "--no-plots")
             table = f"out/{study}.csv"
-            beside = files("m.csg", "n.csg", table)
+            beside = files("m.csg", "n.csg", table, f"out/{study}.study")
             again = words + ["-o", "out"]
             samples.append(Sample("table", beside, table, seldom_plotted(again), ("out/",)))
             if study == "advise":
@@ -258,7 +258,7 @@ def of_runs(csgsim: str) -> list[Sample]:
             shutil.rmtree(out)
             for shard in ("1/2", "2/2"):
                 run(*words, "--shard", shard, "-o", "out")
-            shards = [str(path.relative_to(folder)) for path in sorted(out.glob("shards/*.csv"))]
+            shards = [str(path.relative_to(folder)) for path in sorted(out.glob("shards/*.shard"))]
             for changed in shards:
                 samples.append(Sample("shard", files("m.csg", "n.csg", *shards), changed,
                                       [*seldom_plotted(["gather", "out"]), ["gather", "out", "--missing"],

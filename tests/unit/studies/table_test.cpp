@@ -40,6 +40,8 @@ void visit_columns(Row& row, Visitor&& visit) {
   visit("number", row.number);
 }
 
+const std::string plain_header = "name,value,model_hash,machine_hash,csgsim,number\n";
+
 std::string row(const std::string& value, double number, const studies::Inputs& inputs = TestRow().inputs) {
   return studies::to_line(TestRow{"a, b", value, inputs, number});
 }
@@ -93,17 +95,45 @@ TEST_CASE("a table with a broken line says which") {
     const fs::path path = fresh("table_broken.csv");
     table_at(path).add(Rows(before, row("10/2", 1)));
     std::ofstream(path, std::ios::app) << "a,12/2,model,machine,0.1.0,many\n";
-    // Behind the title and the names of the columns.
-    const std::string place = "table_broken.csv:" + std::to_string(3 + before) + ":1: 'many'";
+    // Behind the names of the columns.
+    const std::string place = "table_broken.csv:" + std::to_string(2 + before) + ":1: 'many'";
     CHECK(testing::error_of([&] { table_at(path); }).find(place) != std::string::npos);
   }
 }
 
 TEST_CASE("a table that was cut off in its first lines begins anew") {
-  const fs::path path = fresh("table_cut.csv");
-  std::ofstream(path) << "# a st";
-  CHECK(table_at(path).rows().empty());
-  CHECK(table_at(path).rows().empty());
+  for (const char* const left : {"# a st", "name,val", ""}) {
+    const fs::path path = fresh("table_cut.csv");
+    std::ofstream(path) << left;
+    CHECK(table_at(path).rows().empty());
+    CHECK(table_at(path).rows().empty());
+    CHECK(content(path) == plain_header);
+  }
+}
+
+TEST_CASE("a table is plain CSV, and the file beside it says of what it is") {
+  const fs::path path = fresh("table_plain.csv");
+  table_at(path, "one study").add(Rows{row("10/2", 1)});
+  CHECK(content(path) == plain_header + row("10/2", 1) + "\n");
+  CHECK(content(fs::path(path).replace_extension(".study")) == "one study\n");
+  fs::remove(fs::path(path).replace_extension(".study"));
+  CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // nobody knows what its rows are of
+  // Without rows there is nothing to be mixed up.
+  std::ofstream(path) << plain_header;
+  CHECK(table_at(path, "another study").rows().empty());
+  CHECK(content(fs::path(path).replace_extension(".study")) == "another study\n");
+}
+
+TEST_CASE("a table with a comment above, as they used to be, goes on and is made plain") {
+  const fs::path path = fresh("table_commented.csv");
+  fs::remove(fs::path(path).replace_extension(".study"));
+  const std::string commented = "# a study\n" + plain_header + row("10/2", 1) + "\n" + row("12/2", 2) + "\n";
+  std::ofstream(path) << commented << "\"a, b\",14/2,99";
+  CHECK_THROWS_AS(table_at(path, "another study"), InputError);
+  CHECK(content(path).starts_with(commented));
+  CHECK(table_at(path).rows() == Rows{row("10/2", 1), row("12/2", 2)});
+  CHECK(content(path) == plain_header + row("10/2", 1) + "\n" + row("12/2", 2) + "\n");
+  CHECK(table_at(path).rows().size() == 2);
 }
 
 TEST_CASE("a point counts as measured only for the same model, machine and program, by a row that serves") {
