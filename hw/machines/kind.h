@@ -23,6 +23,9 @@ struct Resources {
   std::uint64_t memory_bits = 0;  ///< of the processors, and of a frame buffer beside them
 };
 
+/// Parts of a picture that is subdivided (thesis 7.3.3, 7.4).
+enum class Parts : std::uint8_t { segments, subsegments };
+
 /// A kind of machine: all that is known of its machines without building them. Each has a room, hw/KIND, and a row in
 /// hw/kinds. Where a function may be null, there is nothing to do.
 struct Kind {
@@ -48,6 +51,9 @@ struct Kind {
   std::vector<isa::Region> (*regions)(const Machine& machine);
   /// Whether and how it divides the model itself; null for a kind that never does.
   std::optional<Division> (*division)(const Machine& machine) = nullptr;
+  /// The machine as it draws, part by part, a picture that is halved so many times into segments, or the subsegments of
+  /// these; null for a kind that does not draw square by square.
+  Machine (*subdivided)(Machine machine, std::uint32_t levels, Parts parts) = nullptr;
   /// Throws InputError, which says what to do, where the machine cannot run the Program; what holds of all kinds has
   /// been checked.
   void (*check)(const isa::Program& program, const Machine& machine) = nullptr;

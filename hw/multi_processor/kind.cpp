@@ -100,6 +100,13 @@ std::optional<machines::Division> division(const Machine& machine) {
                             .groups = picture_segments(machine.picture, machines::own<Figures>(machine).levels)};
 }
 
+/// The nodes share a segment; one draws it as a whole.
+Machine subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) {
+  machines::own<Figures>(machine).levels = levels;
+  if (parts == machines::Parts::segments) machine.array.width = machine.array.height = 1;
+  return machine;
+}
+
 void check(const isa::Program& program, const Machine& machine) {
   machines::check_parts(program, machine);
   check_fits(program, machine);
@@ -131,6 +138,7 @@ const machines::Kind kind{
     .own = own,
     .regions = regions,
     .division = division,
+    .subdivided = subdivided,
     .check = check,
     .clocks = pixel_clocks,
     .time = time_frame,

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
@@ -86,6 +87,14 @@ std::optional<machines::Division> division(const Machine& machine) {
   return machines::Division{figures.levels == 1 ? 0 : figures.group_side, figures.list_entries};
 }
 
+/// With renderers as large as the parts. A segment has as many subsegments along a side as those of thesis 7.4.
+Machine subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) {
+  const std::uint32_t parts_a_side = parts == machines::Parts::segments ? 1 : 4;
+  machine.array.width = quotient_up(machine.picture.width, parts_a_side << (levels + 1) / 2);
+  machine.array.height = quotient_up(machine.picture.height, parts_a_side << levels / 2);
+  return machine;
+}
+
 /// What a divider in the machine asks for.
 void check_display_model(const isa::Program& program, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
@@ -128,6 +137,7 @@ const machines::Kind kind{
     .own = own,
     .regions = regions,
     .division = division,
+    .subdivided = subdivided,
     .check = check,
     .clocks = machines::bit_serial_clocks,
     .time = time_frame,

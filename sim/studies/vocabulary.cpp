@@ -15,6 +15,8 @@ constexpr report::PointColumn words[] = {
     {"memory_bits", "memory bits"},
     {"knob", "knob"},
     {"value", "value"},
+    {"subdivisions", "levels"},
+    {"tolerance", "tolerance, model units"},
     {"width", "pixels a row"},
     {"height", "rows"},
     {"fragments", "$fn, 0: the model's own"},

@@ -39,7 +39,7 @@ TEST_CASE("no command writes over what it reads, by whatever name") {
            {"render", "m.csg", "--stats", "m.csg"},
            {"render", "m.csg", "--stats", "link.json"},
            {"render", "m.csg", "--machine", "mine.toml", "--stats", "hard.json"},
-           {"subdivide", "m.csg", "--subdivisions", "0", "-o", "link.json"},
+           {"subdivide", "m.csg", "--subdivisions", "0", "-o", "out"},
            {"sweep", "m.csg", "--strategy", "stack", "-o", "out"},
            {"sweep", "m.csg", "--strategy", "stack", "--machines", "mine.toml", "-o", "."},
            {"disasm", "p.csgt", "-o", "p.csgt"},

@@ -155,10 +155,10 @@ TEST_CASE("compare names the one figure of a machine that is worth most if it is
 TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-spaces, less each level") {
   const Folder folder;
   const Outcome outcome = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                              (folder / "s.json") + " --subdivisions 2,4,6");
+                              (folder / "s") + " --subdivisions 2,4,6 --no-plots");
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
-  const nlohmann::json columns = json(folder / "s.json");
+  const nlohmann::json columns = json(folder / "s/subdivide.json")["points"];
   REQUIRE(columns.size() == 3);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const nlohmann::json& segments = columns[i]["segments"];
@@ -170,24 +170,43 @@ TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-
   }
   // The subsegments of four levels are the segments of eight.
   const Outcome eight = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                            (folder / "e.json") + " --subdivisions 8 --machine pixel-planes-5");
+                            (folder / "e") + " --subdivisions 8 --machine pixel-planes-5 --no-plots");
   REQUIRE(eight.code == 0);
-  CHECK(json(folder / "e.json")[0]["segments"]["kept_halfspaces_mean"] ==
+  CHECK(json(folder / "e/subdivide.json")["points"][0]["segments"]["kept_halfspaces_mean"] ==
         columns[1]["subsegments"]["kept_halfspaces_mean"]);
-  CHECK(run("subdivide " + model("carburettor") + " --machine scan-line").code == 1);
+  const Outcome refused = run("subdivide " + model("carburettor") + " --machine scan-line");
+  CHECK(refused.code == 1);
+  CHECK(refused.err.find("take a machine of kind pixel-square or multi-processor") != std::string::npos);
+}
+
+TEST_CASE("subdivide goes on where it was, measures other levels and tolerances besides, and has plots and a page") {
+  const Folder folder;
+  const std::string subdivide = "subdivide " + model("carburettor") + " --size 64x64 -o " + (folder / "s");
+  REQUIRE(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots").code == 0);
+  const std::string table = content(folder / "s/subdivide.csv");
+  CHECK(table.starts_with("subdivisions,tolerance,model_hash,machine_hash,csgsim,primitives,halfspaces,segments_count,"));
+  const std::string csv = folder / "s/subdivide.csv";
+  write(csv, table.substr(0, table.size() - 40));
+  REQUIRE(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots").code == 0);
+  CHECK(content(csv) == table);
+  REQUIRE(run(subdivide + " --subdivisions 2,3 --report " + (folder / "p.html")).code == 0);
+  CHECK(json(folder / "s/subdivide.json")["points"].size() == 2);
+  CHECK(content(csv).ends_with(table.substr(table.find('\n') + 1)));
+  for (const char* const file : {"s/subdivide.png", "s/subdivide.svg"}) CHECK(content(folder / file).size() > 1000);
+  CHECK(content(folder / "p.html").find("What subdivision leaves to do: ") != std::string::npos);
 }
 
 TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up but for barriers") {
   const Folder folder;
   const std::string options = model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128";
   const Outcome outcome =
-      run("subdivide " + options + " --machine multi-processor --subdivisions 4,6 -o " + (folder / "m.json"));
+      run("subdivide " + options + " --machine multi-processor --subdivisions 4,6 --no-plots -o " + (folder / "m"));
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
   CHECK(outcome.out.find("89.7       102.5       139.7") != std::string::npos);
-  const nlohmann::json columns = json(folder / "m.json");
-  REQUIRE(run("subdivide " + options + " --subdivisions 4,6 -o " + (folder / "s.json")).code == 0);
-  const nlohmann::json squares = json(folder / "s.json");
+  const nlohmann::json columns = json(folder / "m/subdivide.json")["points"];
+  REQUIRE(run("subdivide " + options + " --subdivisions 4,6 --no-plots -o " + (folder / "s")).code == 0);
+  const nlohmann::json squares = json(folder / "s/subdivide.json")["points"];
   for (std::size_t i = 0; i < 2; ++i) {
     const nlohmann::json& stages = columns[i]["stages"];
     const auto seconds = [&](const char* stage) { return stages["seconds"][stage].get<double>(); };
@@ -201,6 +220,9 @@ TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up
     for (const char* part : {"segments", "subsegments"}) {
       CHECK(columns[i][part]["count"] == squares[i][part]["count"]);
       CHECK(columns[i][part]["halfspaces_mean"] == squares[i][part]["halfspaces_mean"]);
+      CHECK(squares[i][part].contains("instruction_clocks"));
+      CHECK_FALSE(columns[i][part].contains("instruction_clocks"));
     }
+    CHECK_FALSE(squares[i].contains("stages"));
   }
 }

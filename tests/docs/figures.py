@@ -43,7 +43,8 @@ class Figures:
                              ).json("accuracy/accuracy.json").points
 
     def subdivide(self, model, options=""):
-        return self.runs.run(f"csgsim subdivide {self.model(model)} {options} -o $OUT/subdivide.json").json("subdivide.json")
+        return self.runs.run(f"csgsim subdivide {self.model(model)} {options} --no-plots --progress none -o $OUT/subdivide"
+                             ).json("subdivide/subdivide.json").points
 
     def effects(self, model, options=""):
         return self.runs.run(f"csgsim effects {self.model(model)} {options} -o $OUT/effects").json("effects/effects.json")

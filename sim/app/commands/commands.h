@@ -17,7 +17,6 @@ using namespace shell;  // in whose words commands are written
   COMMAND(diff)                  \
   COMMAND(explain)               \
   COMMAND(wave)                  \
-  COMMAND(subdivide)             \
   COMMAND(effects)               \
   COMMAND(levels)                \
   COMMAND(manual)

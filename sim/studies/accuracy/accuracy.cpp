@@ -1,5 +1,3 @@
-#include "sim/studies/accuracy/accuracy.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,6 +22,7 @@
 #include "sim/studies/accuracy/pareto.h"
 #include "sim/studies/accuracy/plots.h"
 #include "sim/studies/plot_stem.h"
+#include "sim/studies/study.h"
 #include "sim/studies/tolerances.h"
 
 namespace csgsim::studies {
@@ -205,7 +204,7 @@ class Accuracy : public StudyOf<Measurement> {
 
 }  // namespace
 
-const StudyRow accuracy_row{
+extern const StudyRow accuracy_row{
     .name = "accuracy",
     .does = "Show what accuracy costs in clocks: turn every knob and measure the errors",
     .example =

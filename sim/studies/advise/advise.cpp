@@ -1,5 +1,3 @@
-#include "sim/studies/advise/advise.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@
 #include "sim/studies/advise/tables.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_stem.h"
+#include "sim/studies/study.h"
 
 namespace csgsim::studies {
 
@@ -251,7 +250,7 @@ class Advise : public StudyOf<AdviceRow> {
 
 }  // namespace
 
-const StudyRow advise_row{
+extern const StudyRow advise_row{
     .name = "advise",
     .does = "Find the cheapest memory for a model: what meets wishes for bits, wrong pixels, speed and colours",
     .example =

@@ -1,5 +1,3 @@
-#include "sim/studies/compare/compare.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,6 +22,7 @@
 #include "sim/studies/compare/words.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_stem.h"
+#include "sim/studies/study.h"
 
 namespace csgsim::studies {
 
@@ -277,7 +276,7 @@ class Compare : public StudyOf<ComparisonRow> {
 
 }  // namespace
 
-const StudyRow compare_row{
+extern const StudyRow compare_row{
     .name = "compare",
     .does = "Draw a model on several machines: clocks, time, memory, utilisation, growth",
     .example =

@@ -1,5 +1,3 @@
-#include "sim/studies/corpus/corpus.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,6 +18,7 @@
 #include "sim/studies/corpus/files.h"
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/folder.h"
+#include "sim/studies/study.h"
 
 namespace csgsim::studies {
 
@@ -230,7 +229,7 @@ class Corpus : public StudyOf<CorpusRow> {
 
 }  // namespace
 
-const StudyRow corpus_row{
+extern const StudyRow corpus_row{
     .name = "corpus",
     .does = "Count what many models take on many machines: totals, distributions, plots",
     .example =

@@ -4,8 +4,8 @@
 
 #include "host/emit/compile.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
-#include "hw/multi_processor/figures.h"
 
 namespace csgsim::studies {
 
@@ -18,6 +18,7 @@ isa::Program compiled(const Subdivided& subdivided, const machines::Machine& mac
 /// Its parts, whatever they are of.
 Squares tally(const isa::Program& program, const machines::Machine& machine) {
   Squares squares;
+  std::uint64_t clocks = 0;
   squares.count = program.segments.size();
   for (const isa::Segment& segment : program.segments) {
     if (segment.facts.primitives > 0) ++squares.touched;
@@ -26,13 +27,14 @@ Squares tally(const isa::Program& program, const machines::Machine& machine) {
     squares.kept_primitives += segment.facts.kept_primitives;
     squares.kept_halfspaces += segment.facts.kept_halfspaces;
     squares.comparisons += segment.facts.comparisons;
-    squares.instruction_clocks += machines::clocks(segment.instructions, machine);
+    clocks += machines::clocks(segment.instructions, machine);
   }
   const auto touched = static_cast<double>(std::max<std::uint64_t>(squares.touched, 1));
   for (double* sum : {&squares.primitives, &squares.halfspaces, &squares.kept_primitives, &squares.kept_halfspaces,
                       &squares.comparisons}) {
     *sum /= touched;
   }
+  squares.instruction_clocks = clocks;
   return squares;
 }
 
@@ -66,56 +68,58 @@ PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& m
   return sums;
 }
 
-StageSeconds seconds_of(const machines::FrameTiming& timing, const PixelClocks& pixels,
-                        const machines::Machine& machine) {
+bool tells_stages(const machines::Account& account) {
+  return std::ranges::find(account.counts, "transformation_clocks", &machines::Count::name) != account.counts.end();
+}
+
+Stages stages_of(const machines::FrameTiming& timing, const PixelClocks& pixels, const machines::Machine& machine) {
   const auto seconds = [&](std::uint64_t clocks) {
     return static_cast<double>(clocks) / static_cast<double>(machine.clock_hz);
   };
-  const auto stage = [&](const char* name) { return seconds(timing.account.count(name)); };
-  StageSeconds stages{
-      .transformation = stage("transformation_clocks"),
-      .first_pruning = stage("first_pruning_clocks"),
-      .second_pruning = stage("second_pruning_clocks"),
-      .communication = stage("reception_clocks") + stage("broadcasting_clocks") + stage("sharing_clocks"),
-      .rendering = stage("rendering_clocks"),
-      .total = seconds(timing.clocks)};
-  stages.scan_conversion = stages.rendering * pixels.render / pixels.all;
-  stages.classification = stages.rendering * pixels.classify / pixels.all;
-  stages.depth_sort = stages.rendering * pixels.merge / pixels.all;
+  const auto count = [&](const char* name) { return timing.account.count(name); };
+  const auto stage = [&](const char* name) { return seconds(count(name)); };
+  Stages stages;
+  stages.halfspace_tests = count("first_halfspace_tests");
+  const std::uint64_t drawn = std::max<std::uint64_t>(count("active_segments"), 1);
+  stages.broadcast_halfspaces = static_cast<double>(count("broadcast_halfspaces")) / static_cast<double>(drawn);
+  stages.transformation = stage("transformation_clocks");
+  stages.first_pruning = stage("first_pruning_clocks");
+  stages.second_pruning = stage("second_pruning_clocks");
+  stages.communication = stage("reception_clocks") + stage("broadcasting_clocks") + stage("sharing_clocks");
+  const double rendering = stage("rendering_clocks");
+  stages.rendering = rendering;
+  stages.scan_conversion = rendering * pixels.render / pixels.all;
+  stages.classification = rendering * pixels.classify / pixels.all;
+  stages.depth_sort = rendering * pixels.merge / pixels.all;
+  stages.total = seconds(timing.clocks);
   return stages;
 }
 
 }  // namespace
 
-Squares measure_squares(const Subdivided& subdivided, const machines::Size& square) {
-  machines::Machine machine = subdivided.machine;
-  machine.array.width = square.width;
-  machine.array.height = square.height;
-  const isa::Program program = compiled(subdivided, machine);
-  Squares squares = tally(program, machine);
-  squares.clocks = machines::clocks(program, machine);
-  return squares;
-}
-
-Stages measure_stages(const Subdivided& subdivided, unsigned levels) {
-  machines::Machine machine = subdivided.machine;
-  machines::own<multi_processor::Figures>(machine).levels = levels;
-  machines::Machine undivided = machine;  // its one node draws a segment as a whole
-  undivided.array.width = 1;
-  undivided.array.height = 1;
-  const isa::Program in_segments = compiled(subdivided, undivided);
-  const isa::Program program = compiled(subdivided, machine);
-  const machines::FrameTiming timing = machines::time_frame(program, machine);
-  Stages stages{.segments = tally(in_segments, undivided),
-                .subsegments = tally(program, machine),
-                .seconds = seconds_of(timing, pixel_clocks(program, machine), machine),
-                .halfspace_tests = timing.account.count("first_halfspace_tests")};
-  for (const isa::Segment& segment : in_segments.segments) stages.halfspaces_touching += segment.facts.halfspaces;
-  const std::uint64_t drawn = std::max<std::uint64_t>(timing.account.count("active_segments"), 1);
-  stages.broadcast_halfspaces =
-      static_cast<double>(timing.account.count("broadcast_halfspaces")) / static_cast<double>(drawn);
-  stages.subsegments.clocks = timing.clocks;
-  return stages;
+SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
+  const auto cut_into = [&](machines::Parts parts) {
+    return subdivided.machine.kind->subdivided(subdivided.machine, levels, parts);
+  };
+  const machines::Machine whole = cut_into(machines::Parts::segments);
+  const machines::Machine cut = cut_into(machines::Parts::subsegments);
+  const isa::Program in_segments = compiled(subdivided, whole);
+  const isa::Program in_subsegments = compiled(subdivided, cut);
+  const machines::FrameTiming timing = machines::time_frame(in_subsegments, cut);
+  SubdivideRow row;
+  row.segments = tally(in_segments, whole);
+  row.subsegments = tally(in_subsegments, cut);
+  row.subsegments.clocks = timing.clocks;
+  if (!tells_stages(timing.account)) {
+    row.segments.clocks = machines::clocks(in_segments, whole);
+    return row;
+  }
+  row.segments.instruction_clocks.reset();
+  row.subsegments.instruction_clocks.reset();
+  row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut), cut);
+  row.stages.halfspaces_touching = 0;
+  for (const isa::Segment& segment : in_segments.segments) *row.stages.halfspaces_touching += segment.facts.halfspaces;
+  return row;
 }
 
 }  // namespace csgsim::studies

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
 
 #include "host/emit/options.h"
 #include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
+#include "sim/studies/inputs.h"
 
 namespace csgsim::studies {
 
@@ -14,52 +20,108 @@ namespace csgsim::studies {
 /// something touches.
 struct Squares {
   std::uint64_t count = 0;
-  std::uint64_t touched = 0;             ///< by the rectangle of pixels of a primitive
-  double primitives = 0;                 ///< mean of those that touch a square
-  double halfspaces = 0;                 ///< mean of theirs
-  double kept_primitives = 0;            ///< mean of those that pruning leaves to be drawn
-  double kept_halfspaces = 0;            ///< mean of those that pruning leaves to their surfaces
-  double comparisons = 0;                ///< mean, of primitives with Z1
-  std::uint64_t clocks = 0;              ///< of the frame, on the machine with renderers as large as the squares
-  std::uint64_t instruction_clocks = 0;  ///< of the renderers, in all
+  std::uint64_t touched = 0;                          ///< by the rectangle of pixels of a primitive
+  double primitives = 0;                              ///< mean of those that touch a square
+  double halfspaces = 0;                              ///< mean of theirs
+  double kept_primitives = 0;                         ///< mean of those that pruning leaves to be drawn
+  double kept_halfspaces = 0;                         ///< mean of those that pruning leaves to their surfaces
+  double comparisons = 0;                             ///< mean, of primitives with Z1
+  std::optional<std::uint64_t> clocks{};              ///< of the frame; none where no machine draws it so
+  std::optional<std::uint64_t> instruction_clocks{};  ///< of the renderers, in all; none where the machine has none
 };
 
-/// Where the seconds of a frame of a multi-processor go (thesis table 7.3).
-struct StageSeconds {
-  double transformation = 0;  ///< of half-spaces
-  double first_pruning = 0;
-  double second_pruning = 0;
-  double communication = 0;  ///< the model from the host, broadcasting and sharing
-  double rendering = 0;      ///< of it what follows, in proportion to the nodes' clocks at pixels
-  double scan_conversion = 0;
-  double classification = 0;
-  double depth_sort = 0;
-  double total = 0;
-};
-
-/// A picture drawn by a multi-processor.
+/// Where a machine that tells the stages of a frame spends its seconds (thesis table 7.3); of another all are empty.
 struct Stages {
+  std::optional<std::uint64_t> halfspace_tests{};  ///< of the first pruning, that the machine spends time on
+  /// All that there are to test: of the primitives that touch a segment.
+  std::optional<std::uint64_t> halfspaces_touching{};
+  std::optional<double> broadcast_halfspaces{};  ///< mean, of the segments that are drawn
+  std::optional<double> transformation{};        ///< seconds: of half-spaces
+  std::optional<double> first_pruning{};
+  std::optional<double> second_pruning{};
+  std::optional<double> communication{};  ///< the model from the host, broadcasting and sharing
+  std::optional<double> rendering{};      ///< of it what follows, in proportion to the nodes' clocks at pixels
+  std::optional<double> scan_conversion{};
+  std::optional<double> classification{};
+  std::optional<double> depth_sort{};
+  std::optional<double> total{};
+};
+
+/// What one subdivision of a picture leaves to do.
+struct SubdivideRow {
+  static constexpr std::size_t point_columns = 2;
+
+  unsigned subdivisions = 0;          ///< binary ones, into segments
+  std::optional<double> tolerance{};  ///< that curved solids are faceted with, model units; none: as for all points
+  Inputs inputs;
+  std::uint64_t primitives = 0;  ///< of the model
+  std::uint64_t halfspaces = 0;  ///< of the model, quadrics among them
   Squares segments;
   Squares subsegments;
-  StageSeconds seconds;
-  std::uint64_t halfspace_tests = 0;      ///< of the first pruning, that the machine spends time on
-  std::uint64_t halfspaces_touching = 0;  ///< all that there are to test: of the primitives that touch a segment
-  double broadcast_halfspaces = 0;        ///< mean, of the segments that are drawn
+  Stages stages;
+
+  [[nodiscard]] bool has_stages() const { return stages.total.has_value(); }
 };
+
+template <class Part, class Visitor>
+requires std::same_as<std::remove_const_t<Part>, Squares>
+void visit_columns(Part& squares, Visitor&& visit) {
+  visit("count", squares.count);
+  visit("touched", squares.touched);
+  visit("primitives_mean", squares.primitives);
+  visit("halfspaces_mean", squares.halfspaces);
+  visit("kept_primitives_mean", squares.kept_primitives);
+  visit("kept_halfspaces_mean", squares.kept_halfspaces);
+  visit("comparisons_mean", squares.comparisons);
+  visit("clocks", squares.clocks);
+  visit("instruction_clocks", squares.instruction_clocks);
+}
+
+template <class Part, class Visitor>
+requires std::same_as<std::remove_const_t<Part>, Stages>
+void visit_columns(Part& stages, Visitor&& visit) {
+  visit("first_halfspace_tests", stages.halfspace_tests);
+  visit("halfspaces_touching", stages.halfspaces_touching);
+  visit("broadcast_halfspaces_mean", stages.broadcast_halfspaces);
+  visit("seconds_transformation", stages.transformation);
+  visit("seconds_first_pruning", stages.first_pruning);
+  visit("seconds_second_pruning", stages.second_pruning);
+  visit("seconds_communication", stages.communication);
+  visit("seconds_rendering", stages.rendering);
+  visit("seconds_scan_conversion", stages.scan_conversion);
+  visit("seconds_classification", stages.classification);
+  visit("seconds_depth_sort", stages.depth_sort);
+  visit("seconds_total", stages.total);
+}
+
+/// A part's columns have its name before theirs: `segments_count`.
+template <class Row, class Visitor>
+requires std::same_as<std::remove_const_t<Row>, SubdivideRow>
+void visit_columns(Row& row, Visitor&& visit) {
+  const auto visit_part = [&](const std::string& part, auto& columns) {
+    visit_columns(columns, [&](const char* name, auto& member) { visit((part + "_" + name).c_str(), member); });
+  };
+  visit("subdivisions", row.subdivisions);
+  visit("tolerance", row.tolerance);
+  visit_columns(row.inputs, visit);
+  visit("primitives", row.primitives);
+  visit("halfspaces", row.halfspaces);
+  visit_part("segments", row.segments);
+  visit_part("subsegments", row.subsegments);
+  visit_part("stages", row.stages);
+}
 
 /// What is looked at, and how.
 struct Subdivided {
   const model::Tree& tree;
   const facet::Geometry& scene;
   const view::View& view;
-  machines::Machine machine;  ///< of kind pixel-square, whose squares are replaced, or multi-processor
+  const machines::Machine& machine;  ///< of a kind that draws square by square
   emit::Options options;
 };
 
-/// Squares of that many pixels a side. Throws InputError where the model does not fit the machine.
-Squares measure_squares(const Subdivided& subdivided, const machines::Size& square);
-
-/// So many binary subdivisions into segments, which the machine's nodes share. Throws InputError as above.
-Stages measure_stages(const Subdivided& subdivided, unsigned levels);
+/// Of so many binary subdivisions, all but which point it is, and from what. Throws InputError where the model does not
+/// fit the machine.
+SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels);
 
 }  // namespace csgsim::studies

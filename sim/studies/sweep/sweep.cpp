@@ -1,5 +1,3 @@
-#include "sim/studies/sweep/sweep.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "sim/shell/paths.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_stem.h"
+#include "sim/studies/study.h"
 #include "sim/studies/sweep/measure.h"
 #include "sim/studies/sweep/options.h"
 #include "sim/studies/sweep/plots.h"
@@ -155,7 +154,7 @@ class Sweep : public StudyOf<SweepRow> {
 
 }  // namespace
 
-const StudyRow sweep_row{
+extern const StudyRow sweep_row{
     .name = "sweep",
     .does = "Show what memory bits buy: every strategy with every number of bits, in parallel",
     .example =

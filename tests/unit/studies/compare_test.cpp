@@ -1,4 +1,3 @@
-#include "sim/studies/compare/compare.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,3 @@
-#include "sim/studies/corpus/corpus.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,3 @@
-#include "sim/studies/sweep/sweep.h"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/kinds/rows.h"
+#include "hw/machines/hash.h"
+#include "sim/report/points.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/version.h"
+#include "sim/studies/plot_stem.h"
+#include "sim/studies/study.h"
+#include "sim/studies/subdivide/plots.h"
+#include "sim/studies/subdivide/tables.h"
+#include "sim/studies/tolerances.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+std::vector<unsigned> levels_of(const std::string& text) {
+  constexpr unsigned most_levels = 20;
+  return parse_numbers(text, 0, most_levels);
+}
+
+machines::Machine subdividing_machine(const ModelOptions& options) {
+  machines::Machine machine = machine_of(options);
+  if (machine.kind->subdivided != nullptr) return machine;
+  std::vector<std::string_view> kinds;
+  for (const machines::Kind* const kind : kinds::all()) {
+    if (kind->subdivided != nullptr) kinds.push_back(kind->name);
+  }
+  throw InputError(fmt::format("{} does not draw square by square; take a machine of kind {}", machine.name,
+                               fmt::join(kinds, " or ")));
+}
+
+/// `segments_count` as `count` of `segments`, and so on; without what a machine does not tell.
+nlohmann::ordered_json with_parts(const nlohmann::ordered_json& columns) {
+  nlohmann::ordered_json json;
+  for (const auto& [name, value] : columns.items()) {
+    if (value.is_null()) continue;
+    nlohmann::ordered_json* place = &json;
+    std::string_view rest = name;
+    for (const std::string_view part : {"segments", "subsegments", "stages", "seconds"}) {
+      if (!rest.starts_with(part) || !rest.substr(part.size()).starts_with('_')) continue;
+      place = &(*place)[std::string(part)];
+      rest.remove_prefix(part.size() + 1);
+    }
+    (*place)[std::string(rest)] = value;
+  }
+  return json;
+}
+
+constexpr report::PointColumn square_columns[] = {{"subdivisions", "levels"},
+                                                  {"tolerance", "tolerance"},
+                                                  {"segments/count", "segments"},
+                                                  {"segments/touched", "of these touched"},
+                                                  {"segments/kept_primitives_mean", "primitives drawn in one"},
+                                                  {"segments/kept_halfspaces_mean", "half-spaces in one"},
+                                                  {"segments/clocks", "clocks of a frame"},
+                                                  {"subsegments/count", "subsegments"},
+                                                  {"subsegments/touched", "of these touched"},
+                                                  {"subsegments/kept_halfspaces_mean", "half-spaces in one"},
+                                                  {"subsegments/clocks", "clocks of a frame"},
+                                                  {"stages/seconds/total", "seconds of drawing"}};
+
+class Subdivide : public StudyOf<SubdivideRow> {
+ public:
+  void add_options(Command& command) override {
+    options_.machine = "pixel-square";
+    options_.add_to(command);
+    command.option("--subdivisions", levels_, "Numbers: levels of binary subdivision, 0 to 20")
+        .check(is_read_by(levels_of));
+    command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
+        .check(is_read_by(tolerances_in))
+        .excludes("--tolerance");
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.inputs(); }
+  [[nodiscard]] std::set<std::string> varied() const override { return {"subdivisions", "tolerances"}; }
+  [[nodiscard]] std::string table_model() const override { return options_.model; }
+  [[nodiscard]] bool is_of_one_machine() const override { return true; }
+
+  /// Level after level.
+  std::vector<Asked> ask() override {
+    machine_ = subdividing_machine(options_);
+    ModelFile file = read_model_file(options_);
+    tree_ = std::move(file.tree);
+    std::vector<std::optional<double>> tolerances{std::nullopt};
+    if (tolerances_.empty()) {
+      faceting_ = faceting_of(options_, machine_, tree_);
+    } else {
+      const std::vector<double> asked = tolerances_in(tolerances_);
+      tolerances.assign(asked.begin(), asked.end());
+    }
+    std::vector<Asked> asked;
+    for (const unsigned levels : levels_of(levels_)) {
+      for (const std::optional<double>& tolerance : tolerances) {
+        SubdivideRow point;
+        point.subdivisions = levels;
+        point.tolerance = tolerance;
+        point.inputs = {file.hash, machines::hash_of(machine_), version_and_build()};
+        asked.push_back({to_cell(levels) + "," + to_cell(tolerance), point.inputs});
+        points_.push_back(std::move(point));
+      }
+    }
+    return asked;
+  }
+
+  void print() const override {
+    fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
+               printable(shown_name(options_.model)));
+    print_subdivision(rows());
+  }
+
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    nlohmann::ordered_json json = points_json<SubdivideRow>(title, rows());
+    for (nlohmann::ordered_json& point : json["points"]) point = with_parts(point);
+    return json.dump(2) + "\n";
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override {
+    return plots_of_subdivision(rows(), plot_stem(options_.model));
+  }
+
+  [[nodiscard]] std::string page_title() const override { return "What subdivision leaves to do"; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+
+  [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
+    return {{"Squares",
+             {report::points_table(data, "/points", "Means are over squares that something touches", square_columns)}}};
+  }
+
+ protected:
+  [[nodiscard]] SubdivideRow measured(std::size_t number) override {
+    const SubdivideRow& point = points_[number];
+    const facet::Geometry scene =
+        facet::make_geometry(tree_, point.tolerance ? facet::Faceting{.tolerance = point.tolerance} : faceting_);
+    const view::View view =
+        view::make_view(scene, tree_, camera_of(options_, machine_, tree_, scene), sampling_of(options_, machine_));
+    SubdivideRow row = measure_squares({tree_, scene, view, machine_, emit_options_of(options_)}, point.subdivisions);
+    row.subdivisions = point.subdivisions;
+    row.tolerance = point.tolerance;
+    row.inputs = point.inputs;
+    row.primitives = tree_.primitives.size();
+    for (const facet::Convex& solid : scene.solids) row.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
+    return row;
+  }
+
+ private:
+  ModelOptions options_;
+  std::string levels_ = "4,6,8";
+  std::string tolerances_;
+  machines::Machine machine_;
+  model::Tree tree_;
+  facet::Faceting faceting_;  ///< of points without a tolerance of their own
+  std::vector<SubdivideRow> points_;
+};
+
+}  // namespace
+
+extern const StudyRow subdivide_row{
+    .name = "subdivide",
+    .does = "Show what subdividing the picture leaves to do in each square",
+    .example =
+        "  csgsim subdivide carburettor.csg --size 256x256 --camera 220,-255,135,2,0,5\n"
+        "  csgsim subdivide carburettor.csg --size 256x256 --subdivisions 6 --tolerances 0.2,0.05,0.01 -o out\n"
+        "Levels are binary subdivisions of the picture into segments; each has 4 x 4 subsegments. On a machine of\n"
+        "kind multi-processor they are its own segments, with a subsegment a node, and the times of its stages\n"
+        "stand beside the thesis's.",
+    .plots = "a plot (.png, .svg) of half-spaces and clocks",
+    .folder = Folder::optional,
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Subdivide>()); }};
+
+}  // namespace csgsim::studies
