@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -38,6 +39,27 @@ inline std::vector<unsigned> z_bits_of(const std::string& text) {
 
 inline std::vector<unsigned> stack_bits_of(const std::string& text) {
   return shell::parse_numbers(text, emit::fewest_stack_bits, shell::most_stack_bits);
+}
+
+/// Faceting tolerances in model units, with commas between them. Throws InputError or UsageError.
+std::vector<double> tolerances_in(const std::string& text);
+
+/// Whether a strategy has a stack whose bits are chosen.
+inline bool has_stack_bits(std::string_view name) { return name == emit::name_of(emit::Strategy::bits); }
+
+/// As `stack`, or `bits 5`.
+std::string strategy_name(const std::string& strategy, unsigned stack_bits);
+
+/// Calls use(point) with each strategy in the point; one other than bits once for all stack bits, which are 0 then.
+template <class Ranges, class Point, class Use>
+void for_each_strategy(const Ranges& ranges, Point point, const Use& use) {
+  for (const std::string& strategy : ranges.strategies) {
+    point.strategy = strategy;
+    for (const unsigned stack_bits : has_stack_bits(strategy) ? ranges.stack_bits : std::vector<unsigned>{0}) {
+      point.stack_bits = stack_bits;
+      use(point);
+    }
+  }
 }
 
 /// An option whose text `parse` reads, or refuses.

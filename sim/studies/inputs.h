@@ -1,9 +1,7 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace csgsim::studies {
@@ -15,17 +13,15 @@ struct Inputs {
   std::string csgsim;        ///< the program's version and build
 
   bool operator==(const Inputs&) const = default;
+
+  static void columns(auto& inputs, const auto& visit) {
+    visit("model_hash", inputs.model_hash);
+    visit("machine_hash", inputs.machine_hash);
+    visit("csgsim", inputs.csgsim);
+  }
 };
 
 inline constexpr std::size_t input_columns = 3;
-
-template <class Members, class Visitor>
-requires std::same_as<std::remove_const_t<Members>, Inputs>
-void visit_columns(Members& inputs, Visitor&& visit) {
-  visit("model_hash", inputs.model_hash);
-  visit("machine_hash", inputs.machine_hash);
-  visit("csgsim", inputs.csgsim);
-}
 
 /// What differs, for people: `the model`, `the machine`, `csgsim`.
 std::vector<std::string> differences(const Inputs& before, const Inputs& now);

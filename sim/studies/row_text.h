@@ -12,13 +12,12 @@
 
 namespace csgsim::studies {
 
-/// Names of a row's columns as a line of CSV. visit_columns(row, visit), found beside the row's type, calls
-/// visit(name, member) for each.
+/// Names of a row's columns as a line of CSV. Row::columns(row, visit) calls visit(name, member) for each, in order.
 template <class Row>
 std::string header_of() {
   std::string line;
   const Row none{};
-  visit_columns(none, [&](const char* name, const auto&) { line += (line.empty() ? "" : ",") + std::string(name); });
+  Row::columns(none, [&](const char* name, const auto&) { line += (line.empty() ? "" : ",") + std::string(name); });
   return line;
 }
 
@@ -26,7 +25,7 @@ template <class Row>
 std::string to_line(const Row& row) {
   std::string line;
   bool first = true;
-  visit_columns(row, [&](const char*, const auto& member) {
+  Row::columns(row, [&](const char*, const auto& member) {
     line += (first ? "" : ",") + to_cell(member);
     first = false;
   });
@@ -39,7 +38,7 @@ Row from_line(const std::string& line) {
   Row row;
   const std::vector<std::string> cells = split_cells(line);
   std::size_t next = 0;
-  visit_columns(row, [&](const char* name, auto& member) {
+  Row::columns(row, [&](const char* name, auto& member) {
     if (next == cells.size()) throw InputError(std::string("there is no ") + name);
     const std::string& cell = cells[next++];
     if (printable(cell) != cell) throw InputError(fmt::format("{} is '{}', no text of a table", name, printable(cell)));

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
-#include <nlohmann/json.hpp>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,46 +14,51 @@
 
 namespace csgsim::studies {
 
-template <class Value>
-nlohmann::ordered_json value_json(const Value& value) {
-  return value;
+/// Sets a column of a row; overloads beside the types of other columns do the same.
+void set_json(nlohmann::ordered_json& row, const char* name, std::uint64_t value);
+void set_json(nlohmann::ordered_json& row, const char* name, double value);
+void set_json(nlohmann::ordered_json& row, const char* name, const std::string& value);
+void set_json(nlohmann::ordered_json& row, const char* name, std::nullopt_t none);
+
+inline void set_json(nlohmann::ordered_json& row, const char* name, std::unsigned_integral auto value) {
+  set_json(row, name, std::uint64_t{value});
 }
 
 template <class Value>
-nlohmann::ordered_json value_json(const std::optional<Value>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+void set_json(nlohmann::ordered_json& row, const char* name, const std::optional<Value>& value) {
+  value ? set_json(row, name, *value) : set_json(row, name, std::nullopt);
 }
 
-/// Whether the row says why its point could not be measured, in place of the counts.
+/// The columns of a row; of a point that could not be measured only which it is, and why.
 template <class Row>
-bool is_refused(const Row& row) {
-  if constexpr (requires { row.reason.empty(); }) return !row.reason.empty();
-  return false;
-}
-
-/// The columns that visit_columns tells of; of a point that could not be measured only which it is, and why.
-template <class Row>
-nlohmann::ordered_json row_json(const Row& row) {
-  const std::size_t told = is_refused(row) ? Row::point_columns + input_columns : static_cast<std::size_t>(-1);
-  nlohmann::ordered_json json;
+void set_columns(nlohmann::ordered_json& json, const Row& row) {
+  bool is_refused = false;
+  if constexpr (requires { row.reason.empty(); }) is_refused = !row.reason.empty();
+  const std::size_t told = is_refused ? Row::point_columns + input_columns : static_cast<std::size_t>(-1);
   std::size_t column = 0;
-  visit_columns(row, [&](const char* name, const auto& member) {
-    if (column++ < told || std::string_view(name) == "reason") json[name] = value_json(member);
+  Row::columns(row, [&](const char* name, const auto& member) {
+    if (column++ < told || std::string_view(name) == "reason") set_json(json, name, member);
   });
-  return json;
 }
 
-/// A study's file of points.
+/// Calls set(json, point) for each of a study's points.
+using SetPoint = std::function<void(nlohmann::ordered_json& json, std::size_t point)>;
+
+/// A study's file of so many points.
+nlohmann::ordered_json points_json(const std::string& title, std::size_t points, const SetPoint& set);
+std::string points_text(const std::string& title, std::size_t points, const SetPoint& set);
+
+/// As it is written to a file.
+std::string file_text(const nlohmann::ordered_json& json);
+
 template <class Row>
-nlohmann::ordered_json points_json(const std::string& title, std::span<const Row> rows) {
-  nlohmann::ordered_json json{{"study", title}, {"points", nlohmann::ordered_json::array()}};
-  for (const Row& row : rows) json["points"].push_back(row_json(row));
-  return json;
+SetPoint setter_of(std::span<const Row> rows) {
+  return [rows](nlohmann::ordered_json& json, std::size_t point) { set_columns(json, rows[point]); };
 }
 
 template <class Row>
 std::string rows_json(const std::string& title, std::span<const Row> rows) {
-  return points_json(title, rows).dump(2) + "\n";
+  return points_text(title, rows.size(), setter_of(rows));
 }
 
 }  // namespace csgsim::studies

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <span>
@@ -14,13 +15,17 @@
 
 #include "hw/machines/machine.h"
 #include "sim/plots/plot.h"
-#include "sim/report/study_pages.h"
 #include "sim/shell/command_line.h"
 #include "sim/shell/model_options.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/rows_json.h"
 #include "sim/studies/table.h"
+
+namespace csgsim::report {
+using Json = nlohmann::ordered_json;
+struct Section;
+}  // namespace csgsim::report
 
 namespace csgsim::studies {
 
@@ -33,6 +38,9 @@ struct PageSubject {
   bool has_picture = true;
   std::string name{};  ///< of what was studied; the model's if empty
 };
+
+/// A model on each of these machines, which a list names.
+PageSubject subject_on(const ModelOptions& model, const std::string& machines);
 
 /// What a study is: which points its options ask for, what is measured at a point, and what is shown of the rows. All
 /// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads,
@@ -77,9 +85,9 @@ class Study {
   [[nodiscard]] virtual std::string page_title() const = 0;
   [[nodiscard]] virtual PageSubject page_subject() const = 0;
   /// What a page keeps of json(): `points`, if they are in it, are its last table.
-  [[nodiscard]] virtual report::Json page_data(report::Json file) const { return file; }
+  [[nodiscard]] virtual report::Json page_data(report::Json file) const;
   /// What a page tells before plots and points.
-  [[nodiscard]] virtual std::vector<report::Section> sections(const report::Json& /*data*/) const { return {}; }
+  [[nodiscard]] virtual std::vector<report::Section> sections(const report::Json& data) const;
   /// Throws InputError for rows that show a fault, when all has been written.
   virtual void refuse() const {}
 };
@@ -104,18 +112,13 @@ struct StudyRow {
   std::unique_ptr<Study> (*make)() = nullptr;
 };
 
-/// A study whose rows are of one type: `Row::point_columns` columns, of which visit_columns(row, visit) tells, say
-/// which point it is, the next three its `inputs`; a `reason`, if it has one, is why the point could not be measured.
+/// Has the rows of a study, which are of one type: `Row::point_columns` columns, of which Row::columns(row, visit)
+/// tells, say which point it is, the next three its `inputs`; a `reason`, if it has one, is why the point could not be
+/// measured.
 template <class Row>
-class StudyOf : public Study {
+class RowsOf : public Study {
  public:
   [[nodiscard]] RowFormat format() const final { return format_of<Row>(); }
-
-  void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) override {
-    measure_each(
-        points.size(), threads, [&](std::size_t i) { return std::pair(points[i], to_line(measured(points[i]))); },
-        [&](std::pair<std::size_t, std::string> row) { finished(row.first, std::move(row.second)); });
-  }
 
   void take(std::span<const std::string> rows, bool are_read) final {
     rows_.clear();
@@ -125,11 +128,11 @@ class StudyOf : public Study {
     conclude();
   }
 
-  [[nodiscard]] std::string json(const std::string& title) const override { return rows_json<Row>(title, rows_); }
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    return rows_json(title, std::span<const Row>(rows_));
+  }
 
  protected:
-  /// Measures the point with that number; on several threads at the same time, where the study is parallel.
-  [[nodiscard]] virtual Row measured(std::size_t point) = 0;
   /// What has to be found out of the rows before they are shown.
   virtual void conclude() {}
 
@@ -139,6 +142,21 @@ class StudyOf : public Study {
  private:
   std::vector<Row> rows_;
   bool are_read_ = false;
+};
+
+/// A study whose points are measured by themselves.
+template <class Row>
+class StudyOf : public RowsOf<Row> {
+ public:
+  void measure(std::span<const std::size_t> points, unsigned threads, const Study::Finished& finished) final {
+    measure_each(
+        points.size(), threads, [&](std::size_t i) { return std::pair(points[i], to_line(measured(points[i]))); },
+        [&](std::pair<std::size_t, std::string> row) { finished(row.first, std::move(row.second)); });
+  }
+
+ protected:
+  /// Measures the point with that number; on several threads at the same time, where the study is parallel.
+  [[nodiscard]] virtual Row measured(std::size_t point) = 0;
 };
 
 }  // namespace csgsim::studies

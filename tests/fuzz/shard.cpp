@@ -16,8 +16,9 @@
 #include "sim/studies/gather.h"
 #include "sim/studies/rows_json.h"
 #include "sim/studies/shard_file.h"
-#include "sim/studies/sweep/plots.h"
+#include "sim/studies/subdivide/show.h"
 #include "sim/studies/sweep/points.h"
+#include "sim/studies/sweep/show.h"
 #include "sim/studies/table.h"
 #include "tests/fuzz/property.h"
 #include "tests/fuzz/scratch_file.h"
@@ -48,6 +49,11 @@ void show(const std::vector<studies::ComparisonRow>& rows) {
 void show(const std::vector<studies::CorpusRow>& rows) {
   static_cast<void>(studies::rows_json<studies::CorpusRow>("title", rows));
   lay_out(studies::plots_of_corpus(rows));
+}
+
+void show(const std::vector<studies::SubdivideRow>& rows) {
+  static_cast<void>(studies::rows_json<studies::SubdivideRow>("title", rows));
+  lay_out(studies::plots_of_subdivision(rows, "model"));
 }
 
 void show(const std::vector<studies::Measurement>& rows) {
@@ -92,7 +98,8 @@ void check_writing(const studies::ShardFile& file, const fs::path& folder) {
 /// Its command's name, which is part of the names of files: gather knows those that there are.
 bool has_known_name(const studies::ShardFile& file) {
   const std::string& name = file.header.words.front();
-  return name == "sweep" || name == "compare" || name == "accuracy" || name == "corpus";
+  return name == "sweep" || name == "compare" || name == "accuracy" || name == "corpus" ||
+         name == "subdivide";
 }
 
 }  // namespace
@@ -112,6 +119,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     put<studies::ComparisonRow>(gathered, folder.path());
     put<studies::CorpusRow>(gathered, folder.path());
     put<studies::Measurement>(gathered, folder.path());
+    put<studies::SubdivideRow>(gathered, folder.path());
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error);
   }

@@ -10,6 +10,7 @@
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/csv.h"
 #include "sim/studies/row_text.h"
+#include "sim/studies/subdivide/measure.h"
 #include "sim/studies/sweep/memory_map.h"
 #include "sim/studies/sweep/points.h"
 #include "tests/fuzz/property.h"
@@ -103,6 +104,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   look_at_row<studies::ComparisonRow>(line);
   look_at_row<studies::SweepRow>(line);
   look_at_row<studies::CorpusRow>(line);
+  look_at_row<studies::SubdivideRow>(line);
   look_at_memory_map(line);
   look_at_lists(line);
   return 0;

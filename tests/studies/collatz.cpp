@@ -27,18 +27,16 @@ struct CollatzRow {
   std::uint64_t steps = 0;
   std::uint64_t highest = 0;
   std::string reason;
-};
 
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, CollatzRow>
-void visit_columns(Row& row, Visitor&& visit) {
-  visit("number", row.number);
-  visit("addend", row.addend);
-  visit_columns(row.inputs, visit);
-  visit("clocks", row.steps);  // whose title on a page is the vocabulary's
-  visit("highest", row.highest);
-  visit("reason", row.reason);
-}
+  static void columns(auto& row, const auto& visit) {
+    visit("number", row.number);
+    visit("addend", row.addend);
+    studies::Inputs::columns(row.inputs, visit);
+    visit("clocks", row.steps);  // whose title on a page is the vocabulary's
+    visit("highest", row.highest);
+    visit("reason", row.reason);
+  }
+};
 
 std::vector<unsigned> addends_of(const std::string& text) { return shell::parse_numbers(text, 1, 99); }
 

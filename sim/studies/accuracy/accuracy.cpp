@@ -21,9 +21,9 @@
 #include "sim/studies/accuracy/measure.h"
 #include "sim/studies/accuracy/pareto.h"
 #include "sim/studies/accuracy/plots.h"
-#include "sim/studies/plot_stem.h"
+#include "sim/studies/dimensions.h"
+#include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
-#include "sim/studies/tolerances.h"
 
 namespace csgsim::studies {
 
@@ -52,17 +52,8 @@ void print_table(std::span<const Measurement> rows, unsigned views) {
                views);
 }
 
-/// Those at which z bits and fraction bits are turned together.
-std::vector<Measurement> of_both(std::span<const Measurement> rows) {
-  std::vector<Measurement> together;
-  for (const Measurement& row : rows) {
-    if (row.knob == "together") together.push_back(row);
-  }
-  return together;
-}
-
 void print_front(std::span<const Measurement> rows) {
-  const std::vector<Measurement> front = pareto_front(of_both(rows));
+  const std::vector<Measurement> front = pareto_front(of_knob(rows, "together"));
   if (front.empty()) return;
   fmt::print("\nPareto front of z bits / fraction bits:\n");
   for (const Measurement& row : front)

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -45,32 +43,29 @@ struct Measurement {
   double picture_difference = 0;       ///< mean difference of the colours from the finest arithmetic's, of 255
 
   bool operator==(const Measurement&) const = default;
-};
 
-/// Calls visit(name, member) for every column of a table of measurements, in order.
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, Measurement>
-void visit_columns(Row& row, Visitor&& visit) {
-  visit("knob", row.knob);
-  visit("value", row.value);
-  visit_columns(row.inputs, visit);
-  visit("clocks", row.clocks);
-  visit("simulated_seconds", row.simulated_seconds);
-  visit("halfspaces", row.halfspaces);
-  visit("used_bits", row.used_bits);
-  visit("covered", row.covered);
-  visit("wrong", row.wrong);
-  visit("wrong_silhouette", row.wrong_silhouette);
-  visit("wrong_owner", row.wrong_owner);
-  visit("unexplained", row.unexplained);
-  visit("depth_max", row.depth_max);
-  visit("depth_p999", row.depth_p999);
-  visit("depth_max_steps", row.depth_max_steps);
-  visit("depth_p999_steps", row.depth_p999_steps);
-  visit("facet_wrong", row.facet_wrong);
-  visit("facet_depth_p999", row.facet_depth_p999);
-  visit("picture_difference", row.picture_difference);
-}
+  static void columns(auto& row, const auto& visit) {
+    visit("knob", row.knob);
+    visit("value", row.value);
+    Inputs::columns(row.inputs, visit);
+    visit("clocks", row.clocks);
+    visit("simulated_seconds", row.simulated_seconds);
+    visit("halfspaces", row.halfspaces);
+    visit("used_bits", row.used_bits);
+    visit("covered", row.covered);
+    visit("wrong", row.wrong);
+    visit("wrong_silhouette", row.wrong_silhouette);
+    visit("wrong_owner", row.wrong_owner);
+    visit("unexplained", row.unexplained);
+    visit("depth_max", row.depth_max);
+    visit("depth_p999", row.depth_p999);
+    visit("depth_max_steps", row.depth_max_steps);
+    visit("depth_p999_steps", row.depth_p999_steps);
+    visit("facet_wrong", row.facet_wrong);
+    visit("facet_depth_p999", row.facet_depth_p999);
+    visit("picture_difference", row.picture_difference);
+  }
+};
 
 /// Measures points of one model. Pictures of the exact arithmetic are worked out once for each faceting and size.
 class Meter {

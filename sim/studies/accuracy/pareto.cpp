@@ -1,11 +1,19 @@
 #include "sim/studies/accuracy/pareto.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "host/emit/curves.h"
 
 namespace csgsim::studies {
+
+std::vector<Measurement> of_knob(std::span<const Measurement> measurements, std::string_view knob) {
+  std::vector<Measurement> rows;
+  std::ranges::copy_if(measurements, std::back_inserter(rows),
+                       [&](const Measurement& row) { return row.knob == knob; });
+  return rows;
+}
 
 std::vector<Measurement> pareto_front(std::span<const Measurement> measurements) {
   std::vector<Measurement> sorted(measurements.begin(), measurements.end());

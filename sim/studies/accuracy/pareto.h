@@ -1,11 +1,15 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "sim/studies/accuracy/measure.h"
 
 namespace csgsim::studies {
+
+/// Those at which that knob is turned: `together` are z bits and fraction bits.
+std::vector<Measurement> of_knob(std::span<const Measurement> measurements, std::string_view knob);
 
 /// Of measurements of one picture (same size and faceting), those that no other beats in both clocks and wrong pixels;
 /// fewest clocks first. Points that took the same clocks and were as wrong are listed once.

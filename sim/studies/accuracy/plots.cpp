@@ -68,8 +68,7 @@ plots::Plot knob_plot(const KnobPlot& knob, std::span<const Measurement> rows, c
                       {sum_title("clocks", of.views), plots::Scale::by_range, {}, false, true}},
                      {{"", 0}, {"", 1}, {"", 2}},
                      accuracy_table};
-  for (const Measurement& row : rows) {
-    if (row.knob != knob.name) continue;
+  for (const Measurement& row : of_knob(rows, knob.name)) {
     const double x = place_of(row.value);
     chart.x.ticks.push_back({x, row.value});
     chart.series[0].points.push_back({x, static_cast<double>(row.*knob.wrong)});
@@ -126,10 +125,8 @@ std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, co
     if (std::ranges::find(rows, knob.name, &Measurement::knob) != rows.end()) all.push_back(knob_plot(knob, rows, of));
   }
   if (std::ranges::find(rows, "curves", &Measurement::knob) != rows.end()) all.push_back(curves_plot(rows, of));
-  std::vector<Measurement> together;
-  std::ranges::copy_if(rows, std::back_inserter(together),
-                       [](const Measurement& row) { return row.knob == "together"; });
-  if (!together.empty()) all.push_back(front_plot(together, of));
+  if (const std::vector<Measurement> together = of_knob(rows, "together"); !together.empty())
+    all.push_back(front_plot(together, of));
   plots::give_common_looks(all);
   return all;
 }

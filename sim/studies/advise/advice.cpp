@@ -1,32 +1,15 @@
 #include "sim/studies/advise/advice.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <tuple>
 #include <utility>
 
-#include "host/emit/options.h"
-#include "sim/studies/stack_bits.h"
+#include "sim/studies/dimensions.h"
 
 namespace csgsim::studies {
 
 namespace {
-
-void add_widths(const AdviceRanges& ranges, AdvicePoint point, std::vector<AdvicePoint>& points) {
-  const std::vector<unsigned> none{0};
-  for (const std::string& strategy : ranges.strategies) {
-    point.strategy = strategy;
-    for (const unsigned stack_bits : has_stack_bits(strategy) ? ranges.stack_bits : none) {
-      point.stack_bits = stack_bits;
-      for (const unsigned alu_bits : ranges.alu_bits) {
-        point.alu_bits = alu_bits;
-        points.push_back(point);
-      }
-    }
-  }
-}
 
 /// Less is faster. Programs that take as long from frame to frame may be drawn in different times.
 auto pace(const AdviceRow& row) { return std::tie(row.interval_clocks, row.clocks); }
@@ -97,17 +80,22 @@ std::vector<AdvicePoint> points_of(const AdviceRanges& ranges) {
   for (const unsigned z_bits : ranges.z_bits) {
     for (const unsigned fraction_bits : ranges.fraction_bits) {
       for (const unsigned colour_bits : ranges.colour_bits) {
-        for (const std::string& colouring : ranges.colourings)
-          add_widths(ranges, {z_bits, fraction_bits, colour_bits, colouring, {}, 0, 0}, points);
+        for (const std::string& colouring : ranges.colourings) {
+          for_each_strategy(ranges, AdvicePoint{z_bits, fraction_bits, colour_bits, colouring, {}, 0, 0},
+                            [&](AdvicePoint point) {
+                              for (const unsigned alu_bits : ranges.alu_bits) {
+                                point.alu_bits = alu_bits;
+                                points.push_back(point);
+                              }
+                            });
+        }
       }
     }
   }
   return points;
 }
 
-std::string strategy_name(const AdvicePoint& point) {
-  return has_stack_bits(point.strategy) ? fmt::format("{} {}", point.strategy, point.stack_bits) : point.strategy;
-}
+std::string strategy_name(const AdvicePoint& point) { return strategy_name(point.strategy, point.stack_bits); }
 
 double miss(const AdviceRow& row, Wish wish, const Wishes& wishes) {
   const double limit = wished(wish, wishes);

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <concepts>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 #include "sim/studies/inputs.h"
@@ -24,17 +22,18 @@ struct AdvicePoint {
   unsigned stack_bits = 0;  ///< of strategy bits: m; 0 for the others
   unsigned alu_bits = 0;    ///< of the machine; 0 where its kind has no such figure
 
-  bool operator==(const AdvicePoint&) const = default;
-};
+  auto operator<=>(const AdvicePoint&) const = default;
 
-/// Any order, for what is looked up by points.
-inline bool operator<(const AdvicePoint& a, const AdvicePoint& b) {
-  const auto key = [](const AdvicePoint& one) {
-    return std::tie(one.z_bits, one.fraction_bits, one.colour_bits, one.colouring, one.strategy, one.stack_bits,
-                    one.alu_bits);
-  };
-  return key(a) < key(b);
-}
+  static void columns(auto& point, const auto& visit) {
+    visit("z_bits", point.z_bits);
+    visit("fraction_bits", point.fraction_bits);
+    visit("colour_bits", point.colour_bits);
+    visit("colouring", point.colouring);
+    visit("strategy", point.strategy);
+    visit("stack_bits", point.stack_bits);
+    visit("alu_bits", point.alu_bits);
+  }
+};
 
 /// The values of each dimension, in the order in which they are to be reported.
 struct AdviceRanges {
@@ -70,35 +69,21 @@ struct AdviceRow {
 
   [[nodiscard]] bool compiled() const { return reason.empty(); }
   bool operator==(const AdviceRow&) const = default;
+
+  static void columns(auto& row, const auto& visit) {
+    AdvicePoint::columns(row.point, visit);
+    Inputs::columns(row.inputs, visit);
+    visit("used_bits", row.used_bits);
+    visit("classification_bits", row.classification_bits);
+    visit("clocks", row.clocks);
+    visit("interval_clocks", row.interval_clocks);
+    visit("frames_per_second", row.frames_per_second);
+    visit("wrong", row.wrong);
+    visit("unexplained", row.unexplained);
+    visit("colour_error", row.colour_error);
+    visit("reason", row.reason);
+  }
 };
-
-template <class Point, class Visitor>
-requires std::same_as<std::remove_const_t<Point>, AdvicePoint>
-void visit_columns(Point& point, Visitor&& visit) {
-  visit("z_bits", point.z_bits);
-  visit("fraction_bits", point.fraction_bits);
-  visit("colour_bits", point.colour_bits);
-  visit("colouring", point.colouring);
-  visit("strategy", point.strategy);
-  visit("stack_bits", point.stack_bits);
-  visit("alu_bits", point.alu_bits);
-}
-
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, AdviceRow>
-void visit_columns(Row& row, Visitor&& visit) {
-  visit_columns(row.point, visit);
-  visit_columns(row.inputs, visit);
-  visit("used_bits", row.used_bits);
-  visit("classification_bits", row.classification_bits);
-  visit("clocks", row.clocks);
-  visit("interval_clocks", row.interval_clocks);
-  visit("frames_per_second", row.frames_per_second);
-  visit("wrong", row.wrong);
-  visit("unexplained", row.unexplained);
-  visit("colour_error", row.colour_error);
-  visit("reason", row.reason);
-}
 
 /// As `stack`, or `bits 5`.
 std::string strategy_name(const AdvicePoint& point);

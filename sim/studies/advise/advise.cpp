@@ -10,10 +10,9 @@
 #include "hw/base/text.h"
 #include "sim/report/points.h"
 #include "sim/studies/advise/options.h"
-#include "sim/studies/advise/plots.h"
-#include "sim/studies/advise/tables.h"
+#include "sim/studies/advise/show.h"
 #include "sim/studies/folder.h"
-#include "sim/studies/plot_stem.h"
+#include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {
@@ -149,7 +148,7 @@ report::Section recommendations(const report::Json& data, std::uint64_t searched
   return section;
 }
 
-class Advise : public StudyOf<AdviceRow> {
+class Advise : public RowsOf<AdviceRow> {
  public:
   void add_options(Command& command) override {
     options_.add_to(command);
@@ -232,10 +231,6 @@ class Advise : public StudyOf<AdviceRow> {
   }
 
  protected:
-  [[nodiscard]] AdviceRow measured(std::size_t point) override {
-    return draw_advice(question_.job, question_.points[point]);
-  }
-
   void conclude() override {
     if (std::ranges::none_of(rows(), &AdviceRow::compiled)) throw InputError(rows().front().reason);
     advice_ = advice_of(options_, *command_, question_, rows(), are_read());

@@ -10,7 +10,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json choice_json(const AdviceRow& row) {
-  Json json = row_json(row);
+  Json json;
+  set_columns(json, row);
   if (row.compiled()) json.erase("reason");
   return json;
 }
@@ -45,7 +46,7 @@ std::string advice_json(const std::string& title, const Wishes& wishes, std::spa
   if (advice.nearest) json["nearest"] = {{"command", advice.nearest_command}, {"point", choice_json(*advice.nearest)}};
   json["front"] = choices_json(advice_front(rows));
   json["points"] = choices_json(rows);
-  return json.dump(2) + "\n";
+  return file_text(json);
 }
 
 }  // namespace csgsim::studies

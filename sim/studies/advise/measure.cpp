@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdlib>
-#include <exception>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -21,6 +17,7 @@
 #include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
 #include "sim/studies/advise/fitted_program.h"
+#include "sim/studies/parallel.h"
 
 namespace csgsim::studies {
 
@@ -229,31 +226,13 @@ void measure_advice(const AdviceJob& job, std::span<const AdvicePoint> points, u
   if (points.empty()) return;
   const judges::Truth truth = truth_of(job, points.front());
   const std::vector<std::span<const AdvicePoint>> families = families_of(points);
-  std::atomic<std::size_t> next = 0;
-  std::mutex lock;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < families.size(); i = next++) {
-      try {
-        Family family(job, truth, families[i].front());
-        for (const AdvicePoint& point : families[i]) {
-          AdviceRow row = family.measure(point);
-          const std::lock_guard guard(lock);
-          if (failure) return;
-          finished(std::move(row));
-        }
-      } catch (...) {
-        const std::lock_guard guard(lock);
-        if (!failure) failure = std::current_exception();
-        next = families.size();
-      }
+  share_out(families.size(), threads, [&](std::size_t i, const auto& finish) {
+    Family family(job, truth, families[i].front());
+    for (const AdvicePoint& point : families[i]) {
+      AdviceRow row = family.measure(point);
+      if (!finish([&] { finished(std::move(row)); })) return;
     }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (std::size_t i = 0; i < std::min<std::size_t>(threads, families.size()); ++i) workers.emplace_back(work);
-  }
-  if (failure) std::rethrow_exception(failure);
+  });
 }
 
 AdviceRow draw_advice(const AdviceJob& job, const AdvicePoint& point) {

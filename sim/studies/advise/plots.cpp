@@ -1,11 +1,11 @@
-#include "sim/studies/advise/plots.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <utility>
 #include <variant>
+
+#include "sim/studies/advise/show.h"
 
 namespace csgsim::studies {
 

@@ -1,5 +1,3 @@
-#include "sim/studies/advise/tables.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "hw/base/text.h"
 #include "sim/shell/numbers.h"
+#include "sim/studies/advise/show.h"
 
 namespace csgsim::studies {
 

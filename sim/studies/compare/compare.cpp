@@ -21,7 +21,7 @@
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/compare/words.h"
 #include "sim/studies/folder.h"
-#include "sim/studies/plot_stem.h"
+#include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {

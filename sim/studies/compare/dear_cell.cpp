@@ -47,8 +47,9 @@ void from_cell(const std::string& cell, DearPrimitives& dear) {
   }
 }
 
-void to_json(nlohmann::ordered_json& json, const DearPrimitive& one) {
-  json = {{"name", one.name}, {"clocks", one.clocks}};
+void set_json(nlohmann::ordered_json& row, const char* name, const DearPrimitives& dear) {
+  row[name] = nlohmann::ordered_json::array();
+  for (const DearPrimitive& part : dear) row[name].push_back({{"name", part.name}, {"clocks", part.clocks}});
 }
 
 }  // namespace csgsim::studies

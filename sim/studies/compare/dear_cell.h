@@ -28,6 +28,6 @@ std::string to_cell(const DearPrimitives& dear);
 /// Throws InputError.
 void from_cell(const std::string& cell, DearPrimitives& dear);
 
-void to_json(nlohmann::ordered_json& json, const DearPrimitive& one);
+void set_json(nlohmann::ordered_json& row, const char* name, const DearPrimitives& dear);
 
 }  // namespace csgsim::studies

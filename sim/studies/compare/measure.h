@@ -1,12 +1,10 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -29,6 +27,14 @@ struct ComparisonPoint {
   std::string ideal{};       ///< the figure that is made ideal, `all` of them, or none
 
   bool operator==(const ComparisonPoint&) const = default;
+
+  static void columns(auto& point, const auto& visit) {
+    visit("machine", point.machine);
+    visit("width", point.width);
+    visit("height", point.height);
+    visit("fragments", point.fragments);
+    visit("ideal", point.ideal);
+  }
 };
 
 /// What a point takes. Where `reason` says why the machine cannot draw it, the counts are 0.
@@ -62,47 +68,35 @@ struct ComparisonRow {
   std::string reason;
 
   [[nodiscard]] bool drawn() const { return reason.empty(); }
+
+  static void columns(auto& row, const auto& visit) {
+    ComparisonPoint::columns(row.point, visit);
+    Inputs::columns(row.inputs, visit);
+    visit("primitives", row.primitives);
+    visit("halfspaces", row.halfspaces);
+    visit("segments", row.segments);
+    visit("drawn_segments", row.drawn_segments);
+    visit("instructions", row.instructions);
+    visit("clocks", row.clocks);
+    visit("simulated_seconds", row.simulated_seconds);
+    visit("shown_clocks", row.shown_clocks);
+    visit("frames_per_second", row.frames_per_second);
+    visit("pixel_operations", row.pixel_operations);
+    visit("enabled", row.enabled);
+    visit("processors", row.processors);
+    visit("processor_clocks", row.processor_clocks);
+    visit("machine_memory_bits", row.machine_memory_bits);
+    visit("pixel_transistors", row.pixel_transistors);
+    visit("machine_transistors", row.machine_transistors);
+    visit("utilisation", row.utilisation);
+    visit("bound_by", row.bound_by);
+    visit("bound_share", row.bound_share);
+    visit("instruction_clocks", row.instruction_clocks);
+    visit("dearest", row.dearest);
+    visit("picture", row.picture);
+    visit("reason", row.reason);
+  }
 };
-
-template <class Point, class Visitor>
-requires std::same_as<std::remove_const_t<Point>, ComparisonPoint>
-void visit_columns(Point& point, Visitor&& visit) {
-  visit("machine", point.machine);
-  visit("width", point.width);
-  visit("height", point.height);
-  visit("fragments", point.fragments);
-  visit("ideal", point.ideal);
-}
-
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, ComparisonRow>
-void visit_columns(Row& row, Visitor&& visit) {
-  visit_columns(row.point, visit);
-  visit_columns(row.inputs, visit);
-  visit("primitives", row.primitives);
-  visit("halfspaces", row.halfspaces);
-  visit("segments", row.segments);
-  visit("drawn_segments", row.drawn_segments);
-  visit("instructions", row.instructions);
-  visit("clocks", row.clocks);
-  visit("simulated_seconds", row.simulated_seconds);
-  visit("shown_clocks", row.shown_clocks);
-  visit("frames_per_second", row.frames_per_second);
-  visit("pixel_operations", row.pixel_operations);
-  visit("enabled", row.enabled);
-  visit("processors", row.processors);
-  visit("processor_clocks", row.processor_clocks);
-  visit("machine_memory_bits", row.machine_memory_bits);
-  visit("pixel_transistors", row.pixel_transistors);
-  visit("machine_transistors", row.machine_transistors);
-  visit("utilisation", row.utilisation);
-  visit("bound_by", row.bound_by);
-  visit("bound_share", row.bound_share);
-  visit("instruction_clocks", row.instruction_clocks);
-  visit("dearest", row.dearest);
-  visit("picture", row.picture);
-  visit("reason", row.reason);
-}
 
 /// All that a point is made from, but for what the point says.
 struct ComparisonJob {

@@ -4,7 +4,8 @@
 
 #include "sim/plots/common_looks.h"
 #include "sim/studies/compare/measure.h"
-#include "sim/studies/tick_names.h"
+#include "sim/studies/groups.h"
+#include "sim/studies/plot_names.h"
 
 namespace csgsim::studies {
 
@@ -38,14 +39,6 @@ double drawing_ms(const ComparisonRow& row) { return row.simulated_seconds * 1e3
 
 /// Drawing, showing and all else that has to be done before the next frame is: infinite where it is not known.
 double interval_ms(const ComparisonRow& row) { return 1e3 / row.frames_per_second; }
-
-std::vector<std::string> machines_of(std::span<const ComparisonRow> rows) {
-  std::vector<std::string> names;
-  for (const ComparisonRow& row : rows) {
-    if (std::ranges::find(names, row.point.machine) == names.end()) names.push_back(row.point.machine);
-  }
-  return names;
-}
 
 plots::Chart growth_chart(std::span<const ComparisonRow> rows, const View& view, const machines::Size& base,
                           const std::string& model) {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "sim/plots/number_text.h"
+#include "sim/report/points.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/machine_list.h"
 #include "sim/shell/numbers.h"
@@ -17,7 +19,7 @@
 #include "sim/shell/text_columns.h"
 #include "sim/studies/corpus/files.h"
 #include "sim/studies/corpus/measure.h"
-#include "sim/studies/folder.h"
+#include "sim/studies/groups.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {
@@ -43,10 +45,8 @@ std::vector<std::string> row_line(const CorpusRow& row) {
           row.bound_by};
 }
 
-bool is_drawn(const CorpusRow& row) { return row.drawn(); }
-
 void add_model(std::span<const CorpusRow> rows, Lines& lines) {
-  const auto drawn = std::ranges::find_if(rows, is_drawn);
+  const auto drawn = std::ranges::find_if(rows, &CorpusRow::drawn);
   if (drawn == rows.end()) {
     lines.push_back({told_of(rows.front().point.model, rows.front().reason)});
     return;
@@ -54,18 +54,6 @@ void add_model(std::span<const CorpusRow> rows, Lines& lines) {
   lines.push_back({fmt::format("{}: {}, {}, {}", drawn->point.model, counted(drawn->primitives, "primitive"),
                                counted(drawn->pieces, "piece"), counted(drawn->halfspaces, "half-space"))});
   for (const CorpusRow& row : rows) lines.push_back(row_line(row));
-}
-
-/// Rows of one model follow each other.
-std::vector<std::span<const CorpusRow>> by_model(Rows rows) {
-  std::vector<std::span<const CorpusRow>> models;
-  for (auto begin = rows.begin(); begin != rows.end();) {
-    const auto end =
-        std::find_if(begin, rows.end(), [&](const CorpusRow& row) { return row.point.model != begin->point.model; });
-    models.emplace_back(begin, end);
-    begin = end;
-  }
-  return models;
 }
 
 void print_rows(Rows rows) {
@@ -99,16 +87,6 @@ void print_distributions(Rows rows) {
       lines.push_back(distribution_line(column, distribution_of(rows, machine, column)));
     fmt::print("{}", in_columns(lines, "<>>>>>>"));
   }
-}
-
-/// Models that no machine draws.
-void refuse_failures(Rows rows) {
-  std::vector<std::string> failed;
-  const auto models = by_model(rows);
-  for (const std::span<const CorpusRow> model : models) {
-    if (std::ranges::none_of(model, is_drawn)) failed.push_back(model.front().point.model);
-  }
-  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "corpus.csv"));
 }
 
 constexpr std::pair<const char*, const char*> marks[] = {{"minimum", "minimum"}, {"first_quartile", "first quartile"},
@@ -180,27 +158,24 @@ class Corpus : public StudyOf<CorpusRow> {
 
   /// With the distribution of each column, for each machine.
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json<CorpusRow>(title, rows());
+    nlohmann::ordered_json json = points_json(title, rows().size(), setter_of(Rows(rows())));
     json["distributions"] = nlohmann::ordered_json::object();
-    for (const std::string& machine : machines_of(rows())) {
+    for (const std::string& machine : machines_of(Rows(rows()))) {
       for (const CorpusColumn& column : corpus_columns())
         json["distributions"][machine][column.name] =
             distribution_json(distribution_of(rows(), machine, column), column.adds_up);
     }
-    return json.dump(2) + "\n";
+    return file_text(json);
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_corpus(rows()); }
   [[nodiscard]] std::string page_title() const override { return "What many models take"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
-    PageSubject subject{view_, {}, false};
-    for (const std::string& name : parse_words(machines_)) {
-      subject.model.machine = name;
-      subject.machines.push_back(machine_of(subject.model));
-    }
+    PageSubject subject = subject_on(view_, machines_);
+    subject.has_picture = false;
     subject.model.model = rows().front().point.model;
-    const std::size_t models = by_model(rows()).size();
+    const std::size_t models = by_model(Rows(rows())).size();
     if (models > 1) subject.name = counted(models, "model");
     return subject;
   }
@@ -212,7 +187,7 @@ class Corpus : public StudyOf<CorpusRow> {
     return {std::move(distributions)};
   }
 
-  void refuse() const override { refuse_failures(rows()); }
+  void refuse() const override { refuse_models(Rows(rows()), "corpus.csv"); }
 
  protected:
   [[nodiscard]] CorpusRow measured(std::size_t point) override {

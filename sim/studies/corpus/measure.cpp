@@ -98,14 +98,6 @@ CorpusRow measure(const CorpusPoint& point, const Job& job) {
 
 std::span<const CorpusColumn> corpus_columns() { return columns; }
 
-std::vector<std::string> machines_of(std::span<const CorpusRow> rows) {
-  std::vector<std::string> names;
-  for (const CorpusRow& row : rows) {
-    if (std::ranges::find(names, row.point.machine) == names.end()) names.push_back(row.point.machine);
-  }
-  return names;
-}
-
 Distribution distribution_of(std::span<const CorpusRow> rows, const std::string& machine, const CorpusColumn& column) {
   std::vector<double> values;
   for (const CorpusRow& row : rows) {

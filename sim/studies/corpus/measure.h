@@ -1,11 +1,9 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "sim/plots/plot.h"
@@ -21,6 +19,11 @@ struct CorpusPoint {
   std::string machine;
 
   bool operator==(const CorpusPoint&) const = default;
+
+  static void columns(auto& point, const auto& visit) {
+    visit("model", point.model);
+    visit("machine", point.machine);
+  }
 };
 
 /// What a point takes. Where `reason` says why the machine does not draw it, the counts are 0.
@@ -55,44 +58,35 @@ struct CorpusRow {
 
   [[nodiscard]] bool drawn() const { return reason.empty(); }
   bool operator==(const CorpusRow&) const = default;
+
+  static void columns(auto& row, const auto& visit) {
+    CorpusPoint::columns(row.point, visit);
+    Inputs::columns(row.inputs, visit);
+    visit("primitives", row.primitives);
+    visit("pieces", row.pieces);
+    visit("halfspaces", row.halfspaces);
+    visit("width", row.width);
+    visit("height", row.height);
+    visit("clocks", row.clocks);
+    visit("interval_clocks", row.interval_clocks);
+    visit("frames_per_second", row.frames_per_second);
+    visit("bound_by", row.bound_by);
+    visit("setup", row.setup);
+    visit("render", row.render);
+    visit("classify", row.classify);
+    visit("stack", row.stack);
+    visit("merge", row.merge);
+    visit("shade", row.shade);
+    visit("effect", row.effect);
+    visit("latency", row.latency);
+    visit("instructions", row.instructions);
+    visit("pixel_operations", row.pixel_operations);
+    visit("enabled", row.enabled);
+    visit("used_bits", row.used_bits);
+    visit("picture", row.picture);
+    visit("reason", row.reason);
+  }
 };
-
-template <class Point, class Visitor>
-requires std::same_as<std::remove_const_t<Point>, CorpusPoint>
-void visit_columns(Point& point, Visitor&& visit) {
-  visit("model", point.model);
-  visit("machine", point.machine);
-}
-
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, CorpusRow>
-void visit_columns(Row& row, Visitor&& visit) {
-  visit_columns(row.point, visit);
-  visit_columns(row.inputs, visit);
-  visit("primitives", row.primitives);
-  visit("pieces", row.pieces);
-  visit("halfspaces", row.halfspaces);
-  visit("width", row.width);
-  visit("height", row.height);
-  visit("clocks", row.clocks);
-  visit("interval_clocks", row.interval_clocks);
-  visit("frames_per_second", row.frames_per_second);
-  visit("bound_by", row.bound_by);
-  visit("setup", row.setup);
-  visit("render", row.render);
-  visit("classify", row.classify);
-  visit("stack", row.stack);
-  visit("merge", row.merge);
-  visit("shade", row.shade);
-  visit("effect", row.effect);
-  visit("latency", row.latency);
-  visit("instructions", row.instructions);
-  visit("pixel_operations", row.pixel_operations);
-  visit("enabled", row.enabled);
-  visit("used_bits", row.used_bits);
-  visit("picture", row.picture);
-  visit("reason", row.reason);
-}
 
 /// Compiles the point and draws it at the functional level.
 CorpusRow measure(const CorpusPoint& point, const Job& job);
@@ -106,9 +100,6 @@ struct CorpusColumn {
 };
 
 std::span<const CorpusColumn> corpus_columns();
-
-/// The machines of the rows, in their order.
-std::vector<std::string> machines_of(std::span<const CorpusRow> rows);
 
 /// Of a column over the models that the machine draws.
 Distribution distribution_of(std::span<const CorpusRow> rows, const std::string& machine, const CorpusColumn& column);

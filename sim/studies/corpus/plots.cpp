@@ -3,6 +3,7 @@
 
 #include "sim/plots/common_looks.h"
 #include "sim/studies/corpus/measure.h"
+#include "sim/studies/groups.h"
 
 namespace csgsim::studies {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -28,6 +27,18 @@ struct Squares {
   double comparisons = 0;                             ///< mean, of primitives with Z1
   std::optional<std::uint64_t> clocks{};              ///< of the frame; none where no machine draws it so
   std::optional<std::uint64_t> instruction_clocks{};  ///< of the renderers, in all; none where the machine has none
+
+  static void columns(auto& squares, const auto& visit) {
+    visit("count", squares.count);
+    visit("touched", squares.touched);
+    visit("primitives_mean", squares.primitives);
+    visit("halfspaces_mean", squares.halfspaces);
+    visit("kept_primitives_mean", squares.kept_primitives);
+    visit("kept_halfspaces_mean", squares.kept_halfspaces);
+    visit("comparisons_mean", squares.comparisons);
+    visit("clocks", squares.clocks);
+    visit("instruction_clocks", squares.instruction_clocks);
+  }
 };
 
 /// Where a machine that tells the stages of a frame spends its seconds (thesis table 7.3); of another all are empty.
@@ -45,6 +56,21 @@ struct Stages {
   std::optional<double> classification{};
   std::optional<double> depth_sort{};
   std::optional<double> total{};
+
+  static void columns(auto& stages, const auto& visit) {
+    visit("first_halfspace_tests", stages.halfspace_tests);
+    visit("halfspaces_touching", stages.halfspaces_touching);
+    visit("broadcast_halfspaces_mean", stages.broadcast_halfspaces);
+    visit("seconds_transformation", stages.transformation);
+    visit("seconds_first_pruning", stages.first_pruning);
+    visit("seconds_second_pruning", stages.second_pruning);
+    visit("seconds_communication", stages.communication);
+    visit("seconds_rendering", stages.rendering);
+    visit("seconds_scan_conversion", stages.scan_conversion);
+    visit("seconds_classification", stages.classification);
+    visit("seconds_depth_sort", stages.depth_sort);
+    visit("seconds_total", stages.total);
+  }
 };
 
 /// What one subdivision of a picture leaves to do.
@@ -61,55 +87,22 @@ struct SubdivideRow {
   Stages stages;
 
   [[nodiscard]] bool has_stages() const { return stages.total.has_value(); }
+
+  static void columns(auto& row, const auto& visit) {
+    const auto visit_part = [&](const std::string& name, auto& part) {
+      std::remove_cvref_t<decltype(part)>::columns(
+          part, [&](const char* column, auto& member) { visit((name + "_" + column).c_str(), member); });
+    };
+    visit("subdivisions", row.subdivisions);
+    visit("tolerance", row.tolerance);
+    Inputs::columns(row.inputs, visit);
+    visit("primitives", row.primitives);
+    visit("halfspaces", row.halfspaces);
+    visit_part("segments", row.segments);
+    visit_part("subsegments", row.subsegments);
+    visit_part("stages", row.stages);
+  }
 };
-
-template <class Part, class Visitor>
-requires std::same_as<std::remove_const_t<Part>, Squares>
-void visit_columns(Part& squares, Visitor&& visit) {
-  visit("count", squares.count);
-  visit("touched", squares.touched);
-  visit("primitives_mean", squares.primitives);
-  visit("halfspaces_mean", squares.halfspaces);
-  visit("kept_primitives_mean", squares.kept_primitives);
-  visit("kept_halfspaces_mean", squares.kept_halfspaces);
-  visit("comparisons_mean", squares.comparisons);
-  visit("clocks", squares.clocks);
-  visit("instruction_clocks", squares.instruction_clocks);
-}
-
-template <class Part, class Visitor>
-requires std::same_as<std::remove_const_t<Part>, Stages>
-void visit_columns(Part& stages, Visitor&& visit) {
-  visit("first_halfspace_tests", stages.halfspace_tests);
-  visit("halfspaces_touching", stages.halfspaces_touching);
-  visit("broadcast_halfspaces_mean", stages.broadcast_halfspaces);
-  visit("seconds_transformation", stages.transformation);
-  visit("seconds_first_pruning", stages.first_pruning);
-  visit("seconds_second_pruning", stages.second_pruning);
-  visit("seconds_communication", stages.communication);
-  visit("seconds_rendering", stages.rendering);
-  visit("seconds_scan_conversion", stages.scan_conversion);
-  visit("seconds_classification", stages.classification);
-  visit("seconds_depth_sort", stages.depth_sort);
-  visit("seconds_total", stages.total);
-}
-
-/// A part's columns have its name before theirs: `segments_count`.
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, SubdivideRow>
-void visit_columns(Row& row, Visitor&& visit) {
-  const auto visit_part = [&](const std::string& part, auto& columns) {
-    visit_columns(columns, [&](const char* name, auto& member) { visit((part + "_" + name).c_str(), member); });
-  };
-  visit("subdivisions", row.subdivisions);
-  visit("tolerance", row.tolerance);
-  visit_columns(row.inputs, visit);
-  visit("primitives", row.primitives);
-  visit("halfspaces", row.halfspaces);
-  visit_part("segments", row.segments);
-  visit_part("subsegments", row.subsegments);
-  visit_part("stages", row.stages);
-}
 
 /// What is looked at, and how.
 struct Subdivided {

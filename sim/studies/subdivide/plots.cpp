@@ -1,10 +1,10 @@
-#include "sim/studies/subdivide/plots.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 #include <utility>
+
+#include "sim/studies/subdivide/show.h"
 
 namespace csgsim::studies {
 

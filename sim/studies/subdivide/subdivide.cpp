@@ -16,11 +16,10 @@
 #include "sim/shell/paths.h"
 #include "sim/shell/read_by.h"
 #include "sim/shell/version.h"
-#include "sim/studies/plot_stem.h"
+#include "sim/studies/dimensions.h"
+#include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
-#include "sim/studies/subdivide/plots.h"
-#include "sim/studies/subdivide/tables.h"
-#include "sim/studies/tolerances.h"
+#include "sim/studies/subdivide/show.h"
 
 namespace csgsim::studies {
 
@@ -122,9 +121,9 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json<SubdivideRow>(title, rows());
+    nlohmann::ordered_json json = points_json(title, rows().size(), setter_of(std::span<const SubdivideRow>(rows())));
     for (nlohmann::ordered_json& point : json["points"]) point = with_parts(point);
-    return json.dump(2) + "\n";
+    return file_text(json);
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {

@@ -1,10 +1,9 @@
-#include "sim/studies/subdivide/tables.h"
-
 #include <fmt/format.h>
 
 #include <array>
 
 #include "hw/base/text.h"
+#include "sim/studies/subdivide/show.h"
 
 namespace csgsim::studies {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "sim/studies/tick_names.h"
+#include "sim/studies/plot_names.h"
 
 namespace csgsim::studies {
 
@@ -33,6 +33,9 @@ constexpr std::array dimensions{
 };
 constexpr std::size_t strategy = dimensions.size() - 1;
 
+/// Those that names of points tell besides the strategy, in that order.
+constexpr std::size_t told[] = {4, 0, 1, 3, 5, 6};
+
 std::vector<std::string> values_of(std::span<const SweepRow> rows, const Dimension& dimension) {
   std::vector<std::string> values;
   for (const SweepRow& row : rows) {
@@ -42,7 +45,28 @@ std::vector<std::string> values_of(std::span<const SweepRow> rows, const Dimensi
   return values;
 }
 
+/// The point's values of these, behind the text.
+std::string with_values(std::string text, const SweepPoint& point, std::span<const std::size_t> of) {
+  for (const std::size_t i : of) {
+    const std::string value = dimensions[i].text(point);
+    if (i == strategy || value.empty()) continue;
+    text += (text.empty() ? "" : ", ") + std::string(dimensions[i].before) + value;
+  }
+  return text;
+}
+
 }  // namespace
+
+PointNames::PointNames(std::span<const SweepRow> rows) {
+  std::ranges::copy_if(told, std::back_inserter(varied_),
+                       [&](std::size_t i) { return values_of(rows, dimensions[i]).size() > 1; });
+}
+
+std::string PointNames::name(const SweepPoint& point) const {
+  return with_values(strategy_name(point), point, varied_);
+}
+
+std::string PointNames::conditions(const SweepPoint& point) const { return with_values("", point, varied_); }
 
 SweepAxis::SweepAxis(std::span<const SweepRow> rows) : dimension_(strategy) {
   std::size_t most = 1;
@@ -71,13 +95,7 @@ std::optional<double> SweepAxis::place(const SweepPoint& point) const {
 }
 
 std::string SweepAxis::others(const SweepPoint& point) const {
-  std::string text = dimension_ == strategy ? "" : point.strategy;
-  for (const std::size_t i : varied_) {
-    const std::string value = dimensions[i].text(point);
-    if (i == strategy || value.empty()) continue;
-    text += (text.empty() ? "" : ", ") + std::string(dimensions[i].before) + value;
-  }
-  return text;
+  return with_values(dimension_ == strategy ? "" : point.strategy, point, varied_);
 }
 
 }  // namespace csgsim::studies

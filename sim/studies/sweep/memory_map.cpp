@@ -49,8 +49,10 @@ void from_cell(const std::string& cell, MemoryMap& map) {
   }
 }
 
-void to_json(nlohmann::ordered_json& json, const MemoryPart& part) {
-  json = {{"name", part.name}, {"base", part.base}, {"width", part.width}};
+void set_json(nlohmann::ordered_json& row, const char* name, const MemoryMap& map) {
+  row[name] = nlohmann::ordered_json::array();
+  for (const MemoryPart& part : map)
+    row[name].push_back({{"name", part.name}, {"base", part.base}, {"width", part.width}});
 }
 
 }  // namespace csgsim::studies

@@ -28,6 +28,6 @@ std::string to_cell(const MemoryMap& map);
 /// Throws InputError.
 void from_cell(const std::string& cell, MemoryMap& map);
 
-void to_json(nlohmann::ordered_json& json, const MemoryPart& part);
+void set_json(nlohmann::ordered_json& row, const char* name, const MemoryMap& map);
 
 }  // namespace csgsim::studies

@@ -1,9 +1,10 @@
-#include "sim/studies/sweep/memory_plot.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "sim/studies/sweep/axis.h"
+#include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
 

@@ -1,5 +1,3 @@
-#include "sim/studies/sweep/plots.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 
 #include "sim/plots/common_looks.h"
 #include "sim/studies/sweep/axis.h"
-#include "sim/studies/sweep/memory_plot.h"
+#include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
 

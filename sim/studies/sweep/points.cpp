@@ -5,30 +5,11 @@
 #include <algorithm>
 #include <tuple>
 
-#include "host/emit/options.h"
-#include "sim/studies/stack_bits.h"
+#include "sim/studies/dimensions.h"
 
 namespace csgsim::studies {
 
 namespace {
-
-/// The points of one model, machine, memory, depth, pruning, curves and colouring.
-void add_strategies(const SweepRanges& ranges, const SweepPoint& point, std::vector<SweepPoint>& points) {
-  for (const std::string& name : ranges.strategies) {
-    const std::vector<unsigned> one{0};
-    for (const unsigned bits : has_stack_bits(name) ? ranges.stack_bits : one) {
-      points.push_back(point);
-      points.back().strategy = name;
-      points.back().stack_bits = bits;
-    }
-  }
-}
-
-template <class Member>
-bool varies(std::span<const SweepRow> rows, Member member) {
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const SweepRow& row) { return row.point.*member != rows.front().point.*member; });
-}
 
 auto conditions_of(const SweepPoint& point) {
   return std::tie(point.model, point.machine, point.memory_bits, point.z_bits, point.pruning, point.colouring,
@@ -46,8 +27,9 @@ std::vector<SweepPoint> points_of(const SweepRanges& ranges) {
           for (const std::string& pruning : ranges.prunings) {
             for (const std::string& curves : ranges.curves) {
               for (const std::string& colouring : ranges.colourings)
-                add_strategies(ranges, {model, machine, memory_bits, z_bits, pruning, colouring, {}, 0, curves},
-                               points);
+                for_each_strategy(ranges,
+                                  SweepPoint{model, machine, memory_bits, z_bits, pruning, colouring, {}, 0, curves},
+                                  [&](const SweepPoint& point) { points.push_back(point); });
             }
           }
         }
@@ -57,36 +39,7 @@ std::vector<SweepPoint> points_of(const SweepRanges& ranges) {
   return points;
 }
 
-PointNames::PointNames(std::span<const SweepRow> rows)
-    : machine_(varies(rows, &SweepPoint::machine)),
-      memory_bits_(varies(rows, &SweepPoint::memory_bits)),
-      z_bits_(varies(rows, &SweepPoint::z_bits)),
-      pruning_(varies(rows, &SweepPoint::pruning)),
-      colouring_(varies(rows, &SweepPoint::colouring)),
-      curves_(varies(rows, &SweepPoint::curves)) {}
-
-std::string PointNames::name(const SweepPoint& point) const {
-  const std::string rest = conditions(point);
-  return strategy_name(point) + (rest.empty() ? "" : ", " + rest);
-}
-
-std::string PointNames::conditions(const SweepPoint& point) const {
-  std::string text;
-  const auto add = [&](bool said, const std::string& part) {
-    if (said) text += (text.empty() ? "" : ", ") + part;
-  };
-  add(machine_, point.machine);
-  add(memory_bits_, fmt::format("memory {}", point.memory_bits));
-  add(z_bits_, fmt::format("z {}", point.z_bits));
-  add(pruning_, fmt::format("pruning {}", point.pruning));
-  add(colouring_, point.colouring);
-  add(curves_, fmt::format("curves {}", point.curves));
-  return text;
-}
-
-std::string strategy_name(const SweepPoint& point) {
-  return has_stack_bits(point.strategy) ? fmt::format("{} {}", point.strategy, point.stack_bits) : point.strategy;
-}
+std::string strategy_name(const SweepPoint& point) { return strategy_name(point.strategy, point.stack_bits); }
 
 std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows) {
   std::vector<std::vector<SweepRow>> groups;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -8,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "sim/studies/inputs.h"
@@ -29,6 +27,18 @@ struct SweepPoint {
   std::string curves = "auto";  ///< how curved surfaces are drawn: host/emit/curves.h
 
   bool operator==(const SweepPoint&) const = default;
+
+  static void columns(auto& point, const auto& visit) {
+    visit("model", point.model);
+    visit("machine", point.machine);
+    visit("memory_bits", point.memory_bits);
+    visit("z_bits", point.z_bits);
+    visit("pruning", point.pruning);
+    visit("colouring", point.colouring);
+    visit("strategy", point.strategy);
+    visit("stack_bits", point.stack_bits);
+    visit("curves", point.curves);
+  }
 };
 
 /// The values of each dimension, in the order in which they are to be reported.
@@ -79,68 +89,30 @@ struct SweepRow {
 
   [[nodiscard]] bool compiled() const { return reason.empty(); }
   bool operator==(const SweepRow&) const = default;
-};
 
-/// Calls visit(name, member) for what makes a point, in order.
-template <class Point, class Visitor>
-requires std::same_as<std::remove_const_t<Point>, SweepPoint>
-void visit_columns(Point& point, Visitor&& visit) {
-  visit("model", point.model);
-  visit("machine", point.machine);
-  visit("memory_bits", point.memory_bits);
-  visit("z_bits", point.z_bits);
-  visit("pruning", point.pruning);
-  visit("colouring", point.colouring);
-  visit("strategy", point.strategy);
-  visit("stack_bits", point.stack_bits);
-  visit("curves", point.curves);
-}
-
-/// Calls visit(name, member) for every column of a sweep's table, in order.
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, SweepRow>
-void visit_columns(Row& row, Visitor&& visit) {
-  visit_columns(row.point, visit);
-  visit_columns(row.inputs, visit);
-  visit("strategy_used", row.strategy_used);
-  visit("colouring_used", row.colouring_used);
-  visit("primitives", row.primitives);
-  visit("halfspaces", row.halfspaces);
-  visit("width", row.width);
-  visit("height", row.height);
-  visit("clocks", row.clocks);
-  visit("simulated_seconds", row.simulated_seconds);
-  visit("instructions", row.instructions);
-  visit("rendered", row.rendered);
-  visit("classified", row.classified);
-  visit("depth_tests", row.depth_tests);
-  visit("tree_depth", row.tree_depth);
-  visit("classification_bits", row.classification_bits);
-  visit("used_bits", row.used_bits);
-  visit("pixel_transistors", row.pixel_transistors);
-  visit("memory_map", row.memory_map);
-  visit("picture", row.picture);
-  visit("reason", row.reason);
-}
-
-/// What a point is called within its model's report: those dimensions that vary there, as `list, z-bits 16`.
-/// The strategy is always said, with its stack bits as `bits 5`.
-class PointNames {
- public:
-  explicit PointNames(std::span<const SweepRow> rows);
-
-  [[nodiscard]] std::string name(const SweepPoint& point) const;
-
-  /// Without the strategy; empty where nothing else varies.
-  [[nodiscard]] std::string conditions(const SweepPoint& point) const;
-
- private:
-  bool machine_ = false;
-  bool memory_bits_ = false;
-  bool z_bits_ = false;
-  bool pruning_ = false;
-  bool colouring_ = false;
-  bool curves_ = false;
+  static void columns(auto& row, const auto& visit) {
+    SweepPoint::columns(row.point, visit);
+    Inputs::columns(row.inputs, visit);
+    visit("strategy_used", row.strategy_used);
+    visit("colouring_used", row.colouring_used);
+    visit("primitives", row.primitives);
+    visit("halfspaces", row.halfspaces);
+    visit("width", row.width);
+    visit("height", row.height);
+    visit("clocks", row.clocks);
+    visit("simulated_seconds", row.simulated_seconds);
+    visit("instructions", row.instructions);
+    visit("rendered", row.rendered);
+    visit("classified", row.classified);
+    visit("depth_tests", row.depth_tests);
+    visit("tree_depth", row.tree_depth);
+    visit("classification_bits", row.classification_bits);
+    visit("used_bits", row.used_bits);
+    visit("pixel_transistors", row.pixel_transistors);
+    visit("memory_map", row.memory_map);
+    visit("picture", row.picture);
+    visit("reason", row.reason);
+  }
 };
 
 std::string strategy_name(const SweepPoint& point);

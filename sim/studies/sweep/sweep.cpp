@@ -9,13 +9,13 @@
 #include "sim/shell/lists.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/paths.h"
-#include "sim/studies/folder.h"
-#include "sim/studies/plot_stem.h"
+#include "sim/studies/groups.h"
+#include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
+#include "sim/studies/sweep/axis.h"
 #include "sim/studies/sweep/measure.h"
 #include "sim/studies/sweep/options.h"
-#include "sim/studies/sweep/plots.h"
-#include "sim/studies/sweep/tables.h"
+#include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
 
@@ -29,36 +29,22 @@ struct ModelRows {
   Rows rows;
 };
 
-std::vector<ModelRows> by_model(Rows rows) {
+std::vector<ModelRows> named_models(Rows rows) {
   std::vector<ModelRows> models;
   std::map<std::string, unsigned> uses;
-  for (std::size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
-    const std::string& model = rows[begin].point.model;
-    while (end < rows.size() && rows[end].point.model == model) ++end;
-    const std::string stem = plot_stem(model);
+  for (const Rows model : by_model(rows)) {
+    const std::string stem = plot_stem(model.front().point.model);
     const unsigned use = ++uses[stem];
-    models.push_back({use == 1 ? stem : fmt::format("{}-{}", stem, use), rows.subspan(begin, end - begin)});
+    models.push_back({use == 1 ? stem : fmt::format("{}-{}", stem, use), model});
   }
   return models;
-}
-
-bool is_compiled(const SweepRow& row) { return row.compiled(); }
-
-/// A model of which there is no Program at all.
-void refuse_models(Rows rows) {
-  std::vector<std::string> failed;
-  const std::vector<ModelRows> models = by_model(rows);
-  for (const ModelRows& model : models) {
-    if (std::ranges::none_of(model.rows, is_compiled)) failed.push_back(model.rows.front().point.model);
-  }
-  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), "sweep.csv"));
 }
 
 /// Whether every machine draws the same surfaces of a model: facets, or all that can be curved.
 bool draws_alike(Rows rows) {
   std::map<std::string, std::uint64_t> halfspaces;
   return std::ranges::all_of(rows, [&](const SweepRow& row) {
-    return !is_compiled(row) || halfspaces.try_emplace(row.point.model, row.halfspaces).first->second == row.halfspaces;
+    return !row.compiled() || halfspaces.try_emplace(row.point.model, row.halfspaces).first->second == row.halfspaces;
   });
 }
 
@@ -100,17 +86,16 @@ class Sweep : public StudyOf<SweepRow> {
   /// A row of a point that was not drawn does not serve who wants it drawn.
   [[nodiscard]] bool serves(std::size_t /*point*/, const std::string& row) const override {
     if (options_.no_draw) return true;
-    const auto known = from_line<SweepRow>(row);
-    return !known.compiled() || !known.picture.empty();
+    return !row.ends_with(",,");  // which it does with neither a picture nor a reason
   }
 
   void print() const override {
-    for (const ModelRows& model : by_model(rows())) print_sweep(model.rows);
+    for (const Rows model : by_model(Rows(rows()))) print_sweep(model);
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
     std::vector<plots::Plot> all;
-    for (const ModelRows& model : by_model(rows())) {
+    for (const ModelRows& model : named_models(rows())) {
       for (plots::Plot& plot : plots_of_sweep(model.rows, model.name)) all.push_back(std::move(plot));
     }
     return all;
@@ -120,25 +105,22 @@ class Sweep : public StudyOf<SweepRow> {
 
   /// With a picture of the first model.
   [[nodiscard]] PageSubject page_subject() const override {
-    PageSubject subject{options_.view, {}};
+    PageSubject subject = subject_on(options_.view, options_.machines);
     subject.model.model = options_.models.front();
-    for (const std::string& name : parse_words(options_.machines)) {
-      subject.model.machine = name;
-      subject.machines.push_back(machine_of(subject.model));
-    }
     if (options_.models.size() > 1) subject.name = counted(options_.models.size(), "model");
     return subject;
   }
 
   void refuse() const override {
     const Rows all = rows();
-    if (std::ranges::none_of(all, is_compiled) && by_model(all).size() == 1) throw InputError(all.front().reason);
+    if (std::ranges::none_of(all, &SweepRow::compiled) && by_model(all).size() == 1)
+      throw InputError(all.front().reason);
     if (const std::vector<WrongPicture> wrong = wrong_pictures(all); !wrong.empty())
       refuse_pictures(all, wrong, are_read());
-    if (!options_.no_draw && std::ranges::any_of(all, is_compiled))
+    if (!options_.no_draw && std::ranges::any_of(all, &SweepRow::compiled))
       fmt::print("\nAll pictures of a model with the same {} are the same, byte for byte.\n",
                  draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,");
-    refuse_models(all);
+    refuse_models(all, "sweep.csv");
   }
 
  protected:

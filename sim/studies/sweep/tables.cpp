@@ -1,5 +1,3 @@
-#include "sim/studies/sweep/tables.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 
 #include "sim/shell/numbers.h"
 #include "sim/studies/folder.h"
+#include "sim/studies/sweep/axis.h"
+#include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
 

@@ -18,7 +18,7 @@
 #include "sim/studies/accuracy/measure.h"
 #include "sim/studies/advise/fitted_program.h"
 #include "sim/studies/advise/measure.h"
-#include "sim/studies/advise/plots.h"
+#include "sim/studies/advise/show.h"
 #include "sim/studies/sweep/measure.h"
 #include "sim/studies/table.h"
 

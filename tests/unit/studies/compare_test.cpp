@@ -14,6 +14,7 @@
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/runner.h"
 #include "tests/support/drawing.h"
+#include "tests/unit/studies/study_rows.h"
 
 using namespace csgsim;
 

@@ -11,6 +11,7 @@
 #include "hw/kinds/load.h"
 #include "sim/report/parts_html.h"
 #include "sim/studies/corpus/measure.h"
+#include "tests/unit/studies/study_rows.h"
 
 using namespace csgsim;
 

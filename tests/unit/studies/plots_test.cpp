@@ -12,7 +12,7 @@
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/sweep/axis.h"
-#include "sim/studies/sweep/plots.h"
+#include "sim/studies/sweep/show.h"
 
 using namespace csgsim;
 

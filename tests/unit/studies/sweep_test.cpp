@@ -17,8 +17,10 @@
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/runner.h"
+#include "sim/studies/sweep/axis.h"
 #include "sim/studies/sweep/measure.h"
 #include "tests/support/drawing.h"
+#include "tests/unit/studies/study_rows.h"
 
 using namespace csgsim;
 

@@ -29,16 +29,14 @@ struct TestRow {
   std::string value;
   studies::Inputs inputs{"model", "machine", "0.1.0"};
   double number = 0;
-};
 
-template <class Row, class Visitor>
-requires std::same_as<std::remove_const_t<Row>, TestRow>
-void visit_columns(Row& row, Visitor&& visit) {
-  visit("name", row.name);
-  visit("value", row.value);
-  visit_columns(row.inputs, visit);
-  visit("number", row.number);
-}
+  static void columns(auto& row, const auto& visit) {
+    visit("name", row.name);
+    visit("value", row.value);
+    studies::Inputs::columns(row.inputs, visit);
+    visit("number", row.number);
+  }
+};
 
 const std::string plain_header = "name,value,model_hash,machine_hash,csgsim,number\n";
 

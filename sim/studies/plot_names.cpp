@@ -1,8 +1,19 @@
-#include "sim/studies/tick_names.h"
+#include "sim/studies/plot_names.h"
 
 #include <algorithm>
 
+#include "hw/base/hash.h"
+
 namespace csgsim::studies {
+
+std::string plot_stem(const std::filesystem::path& model) {
+  constexpr std::size_t longest = 100;
+  std::string stem = model.stem().native();
+  if (stem.size() <= longest) return stem;
+  Hash hash;
+  hash.add(stem);
+  return stem.substr(0, longest) + "-" + hash.text();
+}
 
 std::vector<std::string> tick_names(std::span<const std::string> machines) {
   std::vector<std::string> names;

@@ -1,7 +1,8 @@
-#include "sim/studies/tolerances.h"
+#include "sim/studies/dimensions.h"
+
+#include <fmt/format.h>
 
 #include "hw/base/error.h"
-#include "sim/shell/lists.h"
 #include "sim/shell/numbers.h"
 
 namespace csgsim::studies {
@@ -13,6 +14,10 @@ std::vector<double> tolerances_in(const std::string& text) {
     if (!(tolerances.back() > 0)) throw InputError("a tolerance has to be above 0");
   }
   return tolerances;
+}
+
+std::string strategy_name(const std::string& strategy, unsigned stack_bits) {
+  return has_stack_bits(strategy) ? fmt::format("{} {}", strategy, stack_bits) : strategy;
 }
 
 }  // namespace csgsim::studies

@@ -3,7 +3,8 @@
 #include <span>
 #include <string>
 
-#include "sim/studies/advise/measure.h"
+#include "sim/plots/plot.h"
+#include "sim/studies/advise/advice.h"
 
 namespace csgsim::studies {
 
@@ -20,5 +21,10 @@ void print_advice(const Advice& advice, const Wishes& wishes);
 
 /// `6 bits too many, 2.3 frames a second too few`: all wishes that the choice misses.
 std::string misses_text(const AdviceRow& row, const Wishes& wishes);
+
+/// What memory bits buy: the most frames a second against memory bits a pixel, a staircase for each limit of wrong
+/// pixels, with the wishes and what is recommended.
+plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Wishes& wishes,
+                           std::span<const Recommendation> recommendations, const std::string& model);
 
 }  // namespace csgsim::studies

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "sim/studies/folder.h"
+
+/// Rows that belong together, of studies whose points are of several models and machines.
+namespace csgsim::studies {
+
+/// Rows of one model follow each other.
+template <class Row>
+std::vector<std::span<const Row>> by_model(std::span<const Row> rows) {
+  std::vector<std::span<const Row>> models;
+  for (auto begin = rows.begin(); begin != rows.end();) {
+    const auto end =
+        std::find_if(begin, rows.end(), [&](const Row& row) { return row.point.model != begin->point.model; });
+    models.emplace_back(begin, end);
+    begin = end;
+  }
+  return models;
+}
+
+/// The machines of the rows, in their order.
+template <class Row>
+std::vector<std::string> machines_of(std::span<const Row> rows) {
+  std::vector<std::string> names;
+  for (const Row& row : rows) {
+    if (std::ranges::find(names, row.point.machine) == names.end()) names.push_back(row.point.machine);
+  }
+  return names;
+}
+
+/// Throws InputError that names the models of which no row was measured; `table` is the file that says why.
+template <class Row>
+void refuse_models(std::span<const Row> rows, const std::string& table) {
+  std::vector<std::string> failed;
+  const std::vector<std::span<const Row>> models = by_model(rows);
+  for (const std::span<const Row> model : models) {
+    if (std::ranges::none_of(model, [](const Row& row) { return row.reason.empty(); }))
+      failed.push_back(model.front().point.model);
+  }
+  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), table));
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sim/studies/study.h"
+
+/// Studies that tests run by themselves.
+namespace csgsim::studies {
+
+extern const StudyRow compare_row;
+extern const StudyRow corpus_row;
+extern const StudyRow sweep_row;
+
+}  // namespace csgsim::studies
