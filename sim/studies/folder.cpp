@@ -57,9 +57,6 @@ void refuse_foreign(const std::filesystem::path& file) {
                                file.native(), std::filesystem::is_symlink(status) ? "a link" : "a pipe or a device"));
 }
 
-constexpr auto without_effect = std::to_array<std::string_view>(
-    {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time"});
-
 }  // namespace
 
 StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string& study,
@@ -74,16 +71,12 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string&
 std::string study_title(const shell::Command& command, const std::set<std::string>& but) {
   std::string title = "csgsim " + command.name();
   for (const shell::GivenOption& option : command.given()) {
-    const bool has_effect = std::ranges::find(without_effect, option.name) == without_effect.end();
+    const bool has_effect = std::ranges::find(options_without_effect, option.name) == options_without_effect.end();
     if (!has_effect || option.is_default || but.contains(option.name)) continue;
     title += fmt::format(" --{} {}", option.name, escaped(option.value));
   }
   return title;
 }
-
-std::vector<std::string> study_words(const shell::Command& command) { return command.words(without_effect); }
-
-std::span<const std::string_view> options_without_effect() { return without_effect; }
 
 std::string told_of(const std::string& model, const std::string& reason) {
   return reason.starts_with(model) ? reason : model + ": " + reason;

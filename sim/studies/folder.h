@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hw/base/folder_lock.h"
@@ -30,11 +32,9 @@ class StudyFolder {
 /// result (the output, threads, progress, plots): tells what a table is of.
 std::string study_title(const shell::Command& command, const std::set<std::string>& but);
 
-/// The same as words that the command line reads again, operands included.
-std::vector<std::string> study_words(const shell::Command& command);
-
 /// Options of studies that change no result.
-std::span<const std::string_view> options_without_effect();
+inline constexpr auto options_without_effect = std::to_array<std::string_view>(
+    {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time"});
 
 /// The reason, behind the model's name if it does not begin with that.
 std::string told_of(const std::string& model, const std::string& reason);

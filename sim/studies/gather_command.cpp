@@ -67,7 +67,7 @@ class StudyLine {
 
   /// Returns the words as csgsim would write them in a shard. Throws UsageError for words that ask for no study.
   std::vector<std::string> read(std::vector<std::string> words) {
-    return line_.read(std::move(words), options_without_effect());
+    return line_.read(std::move(words), options_without_effect);
   }
 
   [[nodiscard]] StudyCommand& at(std::string_view name) const {

@@ -94,7 +94,8 @@ void run_shard(StudyCommand& asked) {
   if (points.size() > most_points)
     throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
                                  points.size(), most_points));
-  ShardRun run(folder_of(asked), {*asked.options.shard, points.size(), inputs_of(points), study_words(asked.command)},
+  ShardRun run(folder_of(asked),
+               {*asked.options.shard, points.size(), inputs_of(points), asked.command.words(options_without_effect)},
                asked.study->format().columns);
   {
     Progress progress(run.points(), run.points() - run.missing().size(), shell::shows_progress(asked.options.progress));

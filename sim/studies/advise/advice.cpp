@@ -1,6 +1,7 @@
 #include "sim/studies/advise/advice.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -53,11 +54,9 @@ bool meets_all_but(const AdviceRow& row, Wish but, const Wishes& wishes) {
                      [&](Wish wish) { return wish == but || miss(row, wish, wishes) == 0; });
 }
 
-std::vector<const AdviceRow*> compiled(std::span<const AdviceRow> rows) {
-  std::vector<const AdviceRow*> all;
-  for (const AdviceRow& row : rows) {
-    if (row.compiled()) all.push_back(&row);
-  }
+std::vector<AdviceRow> compiled(std::span<const AdviceRow> rows) {
+  std::vector<AdviceRow> all;
+  std::ranges::copy_if(rows, std::back_inserter(all), &AdviceRow::compiled);
   return all;
 }
 
@@ -114,14 +113,12 @@ bool meets_all(const AdviceRow& row, const Wishes& wishes) {
 }
 
 std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows) {
-  std::vector<const AdviceRow*> sorted = compiled(rows);
-  // What beats another comes before it then.
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const AdviceRow* a, const AdviceRow* b) { return cost(*a) < cost(*b); });
+  std::vector<AdviceRow> sorted = compiled(rows);
+  std::ranges::stable_sort(sorted, {}, cost);  // what beats another comes before it then
   std::vector<AdviceRow> front;
-  for (const AdviceRow* row : sorted) {
-    if (std::none_of(front.begin(), front.end(), [&](const AdviceRow& one) { return covers(one, *row); }))
-      front.push_back(*row);
+  for (AdviceRow& row : sorted) {
+    if (std::ranges::none_of(front, [&](const AdviceRow& one) { return covers(one, row); }))
+      front.push_back(std::move(row));
   }
   return front;
 }
@@ -150,14 +147,10 @@ std::string recommendation_name(Wish wish) {
 }
 
 std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Wishes& wishes, std::size_t most) {
-  std::vector<const AdviceRow*> sorted = compiled(rows);
-  std::stable_sort(sorted.begin(), sorted.end(), [&](const AdviceRow* a, const AdviceRow* b) {
-    return std::tuple(distance(*a, wishes), cost(*a)) < std::tuple(distance(*b, wishes), cost(*b));
-  });
-  sorted.resize(std::min(most, sorted.size()));
-  std::vector<AdviceRow> nearest;
-  nearest.reserve(sorted.size());
-  for (const AdviceRow* row : sorted) nearest.push_back(*row);
+  std::vector<AdviceRow> nearest = compiled(rows);
+  std::ranges::stable_sort(nearest, {},
+                           [&](const AdviceRow& row) { return std::tuple(distance(row, wishes), cost(row)); });
+  nearest.resize(std::min(most, nearest.size()));
   return nearest;
 }
 
