@@ -184,7 +184,8 @@ TEST_CASE("subdivide goes on where it was, measures other levels and tolerances 
   const std::string subdivide = "subdivide " + model("carburettor") + " --size 64x64 -o " + (folder / "s");
   REQUIRE(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots").code == 0);
   const std::string table = content(folder / "s/subdivide.csv");
-  CHECK(table.starts_with("subdivisions,tolerance,model_hash,machine_hash,csgsim,primitives,halfspaces,segments_count,"));
+  CHECK(
+      table.starts_with("subdivisions,tolerance,model_hash,machine_hash,csgsim,primitives,halfspaces,segments_count,"));
   const std::string csv = folder / "s/subdivide.csv";
   write(csv, table.substr(0, table.size() - 40));
   REQUIRE(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots").code == 0);

@@ -98,8 +98,7 @@ void check_writing(const studies::ShardFile& file, const fs::path& folder) {
 /// Its command's name, which is part of the names of files: gather knows those that there are.
 bool has_known_name(const studies::ShardFile& file) {
   const std::string& name = file.header.words.front();
-  return name == "sweep" || name == "compare" || name == "accuracy" || name == "corpus" ||
-         name == "subdivide";
+  return name == "sweep" || name == "compare" || name == "accuracy" || name == "corpus" || name == "subdivide";
 }
 
 }  // namespace
