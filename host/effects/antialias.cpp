@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host/effects/blend.h"
+#include "host/effects/rows.h"
 #include "host/emit/early_out.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
@@ -29,39 +30,25 @@ struct SampleSettings {
 
 constexpr double most_samples = 16;
 
-constexpr std::array keys{
-    scene::integer_key<&SampleSettings::samples>("samples", "samples a pixel", 2, most_samples, "2, 4, 8 or 16"),
-    scene::boolean_key<&SampleSettings::adaptive>(
-        "adaptive",
-        "begins with a quarter of the samples, 2 at least; a pixel gets twice as many only where two halves of its "
-        "own differ"),
-    scene::integer_key<&SampleSettings::least_difference>("least_difference", "levels of a channel", 1, 255,
-                                                          "adaptive: means that differ by less count as equal")};
+void visit_keys(SampleSettings& settings, auto&& visit) {
+  visit(scene::integer_key("samples", "samples a pixel", 2, most_samples, "2, 4, 8 or 16"), settings.samples);
+  visit(
+      scene::boolean_key("adaptive",
+                         "begins with a quarter of the samples, 2 at least; a pixel gets twice as many only where two "
+                         "halves of its own differ"),
+      settings.adaptive);
+  visit(scene::integer_key("least_difference", "levels of a channel", 1, 255,
+                           "adaptive: means that differ by less count as equal"),
+        settings.least_difference);
+}
 
-void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
-  const std::int64_t samples = std::any_cast<const SampleSettings&>(read).samples;
+void complete(const SampleSettings& settings) {
+  const std::int64_t samples = settings.samples;
   if (!std::has_single_bit(static_cast<std::uint64_t>(samples)))
     throw InputError(fmt::format("{} samples a pixel have no mean that is a shift; take 2, 4, 8 or 16", samples));
-  scene::keep_effect(scene, section, std::move(read));
 }
 
 bool is_shifted(const view::View& view) { return view.sampling.offset != glm::dvec2(0); }
-
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
-  emit::EffectState state;
-  // What is drawn within a sample, and the samples themselves, have no samples of their own.
-  if (drawing.nesting > 0 || is_shifted(drawing.view)) return state;
-  const auto count = static_cast<std::size_t>(std::any_cast<const SampleSettings&>(settings).samples);
-  for (const glm::dvec2& offset : sample_offsets(count)) {
-    if (offset == glm::dvec2(0)) continue;
-    view::Sampling sampling = drawing.view.sampling;
-    sampling.offset = offset;
-    state.drawings.push_back(emit::make_drawing(
-        drawing.tree, drawing.geometry,
-        view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling), drawing.nesting, workshop));
-  }
-  return state;
-}
 
 constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
 constexpr std::array<std::string_view, 3> newer_names{"newer_red", "newer_green", "newer_blue"};
@@ -71,29 +58,6 @@ bool is_adaptive(const SampleSettings& settings) { return settings.adaptive && s
 
 unsigned log2_of(const SampleSettings& settings) {
   return static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(settings.samples)));
-}
-
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& drawing,
-                                       const emit::Workshop& workshop) {
-  const auto& set = std::any_cast<const SampleSettings&>(settings);
-  const std::array<unsigned, 3> widths = isa::channel_widths(workshop.options.colour_bits);
-  const unsigned more = log2_of(set);
-  std::vector<emit::FieldRequest> requests;
-  const auto add = [&](std::string_view name, unsigned width, std::string_view what, std::string_view without) {
-    requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
-  };
-  for (std::size_t i = 0; i < sum_names.size(); ++i)
-    add(sum_names[i], widths[i] + more, "sum of samples", "take --set effects.antialias.samples=2");
-  if (!is_adaptive(set)) return requests;
-  constexpr std::string_view full = "take --set effects.antialias.adaptive=false";
-  for (std::size_t i = 0; i < newer_names.size(); ++i)
-    add(newer_names[i], widths[i] + more - 1, "sum of newer samples", full);
-  add("refined", 1, "samples to come", full);
-  add("differs", 1, "samples differ", full);
-  add("depth", drawing.view.sampling.z_bits, "depth of samples", full);
-  for (const std::string_view name : {"more", "other"})
-    requests.push_back({std::string(name), isa::FieldRole::scratch, widths[1] + more, "", "", true});
-  return requests;
 }
 
 /// A channel of the picture, and what its samples are added up in.
@@ -116,11 +80,8 @@ std::array<Channel, 3> sums_of(const emit::Context& context, const SampleSetting
 /// Adds samples up. Every function works where E is 1.
 class Samples {
  public:
-  Samples(const emit::EffectCall& call, emit::Broadcast& out)
-      : context_(call.context),
-        settings_(std::any_cast<const SampleSettings&>(call.settings)),
-        out_(out),
-        channels_(sums_of(call.context, settings_)) {}
+  Samples(const emit::Context& context, emit::Broadcast& out, const SampleSettings& settings)
+      : context_(context), settings_(settings), out_(out), channels_(sums_of(context, settings)) {}
 
   void clear(isa::Field Channel::*sum, std::uint64_t value) {
     for (const Channel& one : channels_) plain(Opcode::set_constant, one.*sum, {}, value);
@@ -192,9 +153,9 @@ void draw_centre(const emit::EffectCall& call, emit::Broadcast& out, const emit:
   out.effect = billed;
 }
 
-void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
-  const auto& settings = std::any_cast<const SampleSettings&>(call.settings);
-  Samples samples(call, out);
+void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw,
+              const SampleSettings& settings) {
+  Samples samples(call.context, out, settings);
   samples.plain(Opcode::enable_all);
   samples.clear(&Channel::sum, static_cast<std::uint64_t>(settings.samples / 2));
   for (const auto& drawing : call.state.drawings) {
@@ -212,12 +173,13 @@ void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::Dr
 /// Draws at ever fewer pixels.
 class Refinement {
  public:
-  Refinement(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw)
+  Refinement(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw,
+             const SampleSettings& settings)
       : call_(call),
         out_(out),
         draw_(draw),
-        settings_(std::any_cast<const SampleSettings&>(call.settings)),
-        samples_(call, out),
+        settings_(settings),
+        samples_(call.context, out, settings),
         refined_(call.context.layout.of("antialias", "refined")),
         differs_(call.context.layout.of("antialias", "differs")),
         layout_(call.context.layout) {
@@ -298,13 +260,54 @@ class Refinement {
   emit::Layout layout_;
 };
 
-void around(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
-  if (is_adaptive(std::any_cast<const SampleSettings&>(call.settings))) {
-    Refinement(call, out, draw).draw();
-  } else {
-    draw_all(call, out, draw);
+class Antialias final : public emit::EffectOf<SampleSettings> {
+ public:
+  [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
+                                                       const emit::Workshop& workshop) const override {
+    const std::array<unsigned, 3> widths = isa::channel_widths(workshop.options.colour_bits);
+    const unsigned more = log2_of(settings);
+    std::vector<emit::FieldRequest> requests;
+    const auto add = [&](std::string_view name, unsigned width, std::string_view what, std::string_view without) {
+      requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
+    };
+    for (std::size_t i = 0; i < sum_names.size(); ++i)
+      add(sum_names[i], widths[i] + more, "sum of samples", "take --set effects.antialias.samples=2");
+    if (!is_adaptive(settings)) return requests;
+    constexpr std::string_view full = "take --set effects.antialias.adaptive=false";
+    for (std::size_t i = 0; i < newer_names.size(); ++i)
+      add(newer_names[i], widths[i] + more - 1, "sum of newer samples", full);
+    add("refined", 1, "samples to come", full);
+    add("differs", 1, "samples differ", full);
+    add("depth", drawing.view.sampling.z_bits, "depth of samples", full);
+    for (const std::string_view name : {"more", "other"})
+      requests.push_back({std::string(name), isa::FieldRole::scratch, widths[1] + more, "", "", true});
+    return requests;
   }
-}
+
+  bool around(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) const override {
+    if (is_adaptive(settings)) {
+      Refinement(call, out, draw, settings).draw();
+    } else {
+      draw_all(call, out, draw, settings);
+    }
+    return true;
+  }
+
+ private:
+  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
+    // What is drawn within a sample, and the samples themselves, have no samples of their own.
+    if (drawing.nesting > 0 || is_shifted(drawing.view)) return;
+    const auto count = static_cast<std::size_t>(settings.samples);
+    for (const glm::dvec2& offset : sample_offsets(count)) {
+      if (offset == glm::dvec2(0)) continue;
+      view::Sampling sampling = drawing.view.sampling;
+      sampling.offset = offset;
+      state.drawings.push_back(emit::make_drawing(
+          drawing.tree, drawing.geometry,
+          view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling), drawing.nesting, workshop));
+    }
+  }
+};
 
 /// Columns and rows in sixteenths of a pixel: a digital net (Sobol', USSR Computational Mathematics and Mathematical
 /// Physics, 1967), of which the first 2, 4 and 8 are nets too, as far apart as such can be.
@@ -334,15 +337,13 @@ std::vector<glm::dvec2> sample_offsets(std::size_t count) {
   return offsets;
 }
 
-const emit::Effect antialias{
-    .section = {"effects.antialias", "smooth edges: the mean of several samples a pixel", false, keys,
-                scene::blank_section<SampleSettings>, keep},
+const emit::EffectRow antialias{
+    .section =
+        scene::effect_section<SampleSettings>("effects.antialias", "smooth edges: the mean of several samples a pixel"),
     .technique =
         "successive refinement, Fuchs et al., SIGGRAPH 1985: the picture is drawn once a sample, moved by parts of a "
         "pixel, which changes the constants C alone, and the colours are added up in pixel memory",
-    .prepare = prepare,
-    .fields = fields,
-    .takes_quadrics = true,
-    .around = around};
+    .parts = emit::parts_of<Antialias>,
+    .takes_quadrics = true};
 
 }  // namespace csgsim::effects

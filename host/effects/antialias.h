@@ -4,11 +4,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "host/emit/effect.h"
-
 namespace csgsim::effects {
-
-extern const emit::Effect antialias;
 
 /// Columns and rows from a pixel's centre to its samples, each in [-1/2, 1/2): one sample in each of `count` columns
 /// and in each of `count` rows of a pixel, the first at the centre, in the order in which they refine a picture. 16 at

@@ -1,5 +1,3 @@
-#include "host/effects/cuts.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/effects/rows.h"
 #include "host/emit/facet_colour.h"
 #include "host/facet/geometry.h"
 #include "hw/base/error.h"
@@ -29,29 +28,27 @@ struct Cut {
   double angle = 45;
 };
 
-using Cuts = std::vector<Cut>;
-
 constexpr double most_spacing = 256;
 
-constexpr std::array keys{
-    scene::vector_key<&Cut::normal>("normal", "", "points to the side that is taken away"),
-    scene::vector_key<&Cut::point>("point", "model units", "a point of the plane"),
-    scene::colour_key<&Cut::colour>("colour", "of the section; the usual one of what is cut, if not given"),
-    scene::number_key<&Cut::hatch>("hatch", "pixels", 0, most_spacing,
-                                   "from one line of the hatching to the next, 4 at least; 0: none"),
-    scene::number_key<&Cut::angle>("angle", "degrees", -180, 180, "of the lines, from the picture's columns"),
-    scene::colour_key<&Cut::hatch_colour>("hatch_colour", "of the lines")};
+void visit_keys(Cut& cut, auto&& visit) {
+  visit(scene::vector_key("normal", "", "points to the side that is taken away"), cut.normal);
+  visit(scene::vector_key("point", "model units", "a point of the plane"), cut.point);
+  visit(scene::colour_key("colour", "of the section; the usual one of what is cut, if not given"), cut.colour);
+  visit(scene::number_key("hatch", "pixels", 0, most_spacing,
+                          "from one line of the hatching to the next, 4 at least; 0: none"),
+        cut.hatch);
+  visit(scene::number_key("angle", "degrees", -180, 180, "of the lines, from the picture's columns"), cut.angle);
+  visit(scene::colour_key("hatch_colour", "of the lines"), cut.hatch_colour);
+}
 
 constexpr double least_spacing = 4;
 
-void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
-  const auto& cut = std::any_cast<const Cut&>(read);
+void complete(const Cut& cut) {
   if (glm::length(cut.normal) == 0) throw InputError("a cut has a normal; add normal = [x, y, z], not all 0");
   if (cut.hatch > 0 && cut.hatch < least_spacing) {
     throw InputError(fmt::format("lines {:g} pixels apart run together; take hatch = {:g} or more, or 0 for none",
                                  cut.hatch, least_spacing));
   }
-  scene::keep_entry<Cut>(scene, section, std::move(read));
 }
 
 /// A cube that holds what is left of anything within `reach` of the plane's point: its upper face is the plane.
@@ -70,28 +67,6 @@ model::Primitive kept_side(const Cut& cut, std::uint32_t number, double reach) {
   return primitive;
 }
 
-model::Tree reshape(const std::any& settings, model::Tree&& tree) {
-  const auto& cuts = std::any_cast<const Cuts&>(settings);
-  if (tree.root == model::no_index) return std::move(tree);
-  const facet::Box box = facet::make_geometry(tree).box;
-  if (box.empty()) return std::move(tree);
-  model::Node all;
-  all.op = model::Operator::intersect;
-  all.children.push_back(tree.root);
-  for (std::uint32_t i = 0; i < cuts.size(); ++i) {
-    const double reach = 2 * (glm::length(box.high - box.low) + glm::length(cuts[i].point - box.centre()));
-    model::Node leaf;
-    leaf.is_leaf = true;
-    leaf.primitive = static_cast<std::uint32_t>(tree.primitives.size());
-    tree.primitives.push_back(kept_side(cuts[i], i, reach));
-    all.children.push_back(static_cast<std::uint32_t>(tree.nodes.size()));
-    tree.nodes.push_back(std::move(leaf));
-  }
-  tree.root = static_cast<std::uint32_t>(tree.nodes.size());
-  tree.nodes.push_back(std::move(all));
-  return std::move(tree);
-}
-
 /// 2^bits units of a hatching's linear expression are from one line to the next: across 2^14 pixels lines are off by
 /// 1/128 of that at most.
 constexpr unsigned period_bits = 20;
@@ -107,28 +82,51 @@ void emit_lines(emit::Broadcast& out, const Cut& cut, const glm::dvec2& offset) 
   out.stripe({across.a, across.b, across.c + (std::int64_t{1} << (period_bits - 2))}, period_bits);
 }
 
-bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
-           const view::PixelRect& /*pixels*/) {
-  const emit::Context& context = call.context;
-  const std::uint32_t section = context.tree.primitives[facet.primitive].section;
-  if (section == model::no_index) return false;
-  out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
-  const Cut& cut = std::any_cast<const Cuts&>(call.settings).at(section);
-  if (cut.hatch == 0) return true;
-  emit_lines(out, cut, context.view.sampling.offset);
-  out.plain(isa::Opcode::set_constant, field, {}, emit::packed(cut.hatch_colour, context.options.colour_bits));
-  return true;
-}
+class Cuts final : public emit::EffectOf<std::vector<Cut>> {
+ public:
+  model::Tree reshape(model::Tree&& tree) const override {
+    if (tree.root == model::no_index) return std::move(tree);
+    const facet::Box box = facet::make_geometry(tree).box;
+    if (box.empty()) return std::move(tree);
+    model::Node all;
+    all.op = model::Operator::intersect;
+    all.children.push_back(tree.root);
+    for (std::uint32_t i = 0; i < settings.size(); ++i) {
+      const double reach = 2 * (glm::length(box.high - box.low) + glm::length(settings[i].point - box.centre()));
+      model::Node leaf;
+      leaf.is_leaf = true;
+      leaf.primitive = static_cast<std::uint32_t>(tree.primitives.size());
+      tree.primitives.push_back(kept_side(settings[i], i, reach));
+      all.children.push_back(static_cast<std::uint32_t>(tree.nodes.size()));
+      tree.nodes.push_back(std::move(leaf));
+    }
+    tree.root = static_cast<std::uint32_t>(tree.nodes.size());
+    tree.nodes.push_back(std::move(all));
+    return std::move(tree);
+  }
+
+  bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
+             const view::PixelRect& /*pixels*/) const override {
+    const emit::Context& context = call.context;
+    const std::uint32_t section = context.tree.primitives[facet.primitive].section;
+    if (section == model::no_index) return false;
+    out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
+    const Cut& cut = settings.at(section);
+    if (cut.hatch == 0) return true;
+    emit_lines(out, cut, context.view.sampling.offset);
+    out.plain(isa::Opcode::set_constant, field, {}, emit::packed(cut.hatch_colour, context.options.colour_bits));
+    return true;
+  }
+};
 
 }  // namespace
 
-const emit::Effect cuts{
-    .section = {"effects.cuts", "cutting planes: what is before them is taken away, what they cut is capped", true,
-                keys, scene::blank_section<Cut>, keep},
+const emit::EffectRow cuts{
+    .section = scene::effect_section<std::vector<Cut>>(
+        "effects.cuts", "cutting planes: what is before them is taken away, what they cut is capped"),
     .technique =
         "each plane is one more half-space that intersects the model, so that caps and the holes in them follow "
         "from the tree; hatching is a linear expression of which all but the low bits are cut off",
-    .reshape = reshape,
-    .shade = shade};
+    .parts = emit::parts_of<Cuts>};
 
 }  // namespace csgsim::effects

@@ -1,5 +1,3 @@
-#include "host/effects/depth_cue.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "host/effects/blend.h"
+#include "host/effects/rows.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
@@ -24,60 +23,31 @@ struct CueSettings {
   std::optional<double> near;
   std::optional<double> far;
   std::optional<glm::dvec3> colour;
-  std::int64_t bits = 5;
+  unsigned bits = 5;
 };
 
-constexpr std::array keys{
-    scene::number_key<&CueSettings::near>("near", "model units", -scene::any_number, scene::any_number,
-                                          "distance from the eye from which on colours fade; the nearest depth, if not "
-                                          "given"),
-    scene::number_key<&CueSettings::far>("far", "model units", -scene::any_number, scene::any_number,
-                                         "distance from which on nothing is left of them; the farthest depth, if not "
-                                         "given"),
-    scene::colour_key<&CueSettings::colour>("colour", "that they fade into; the background's, if not given"),
-    scene::integer_key<&CueSettings::bits>("bits", "bits", 1, 6, "of the part that has faded: 2^bits steps")};
+void visit_keys(CueSettings& settings, auto&& visit) {
+  visit(scene::number_key("near", "model units", -scene::any_number, scene::any_number,
+                          "distance from the eye from which on colours fade; the nearest depth, if not given"),
+        settings.near);
+  visit(scene::number_key("far", "model units", -scene::any_number, scene::any_number,
+                          "distance from which on nothing is left of them; the farthest depth, if not given"),
+        settings.far);
+  visit(scene::colour_key("colour", "that they fade into; the background's, if not given"), settings.colour);
+  visit(scene::integer_key("bits", "bits", 1, 6, "of the part that has faded: 2^bits steps"), settings.bits);
+}
 
 /// Depths, in steps and not rounded, between which colours fade.
-struct Fading {
+struct Fading : emit::EffectState {
   double begin = 0;
   double end = 0;
 };
 
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
-  const auto& set = std::any_cast<const CueSettings&>(settings);
-  const isa::DepthScale& scale = drawing.view.depth;
-  const double near = set.near.value_or(scale.near);
-  const double far = set.far.value_or(scale.far);
-  if (scale.perspective && near <= 0)
-    throw InputError(
-        fmt::format("colours cannot fade from {:g} model units on, behind the eye; take near above 0", near));
-  if (!(far > near)) {
-    throw InputError(
-        fmt::format("colours fade from {:g} to {:g} model units from the eye; take far above near", near, far));
-  }
-  const unsigned z_bits = drawing.view.sampling.z_bits;
-  emit::EffectState state;
-  state.own = Fading{isa::depth_of(scale, z_bits, near), isa::depth_of(scale, z_bits, far)};
-  return state;
-}
-
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/,
-                                       const emit::Workshop& workshop) {
-  const auto bits = static_cast<unsigned>(std::any_cast<const CueSettings&>(settings).bits);
-  const unsigned channel = isa::channel_widths(workshop.options.colour_bits)[1];
-  return {{.name = "faded", .width = bits + 1, .what = "faded part", .is_scratch = true},
-          {.name = "sum", .width = channel + bits, .what = "sum", .is_scratch = true}};
-}
-
 /// Works where the drawing is made.
 class Fader {
  public:
-  Fader(const emit::EffectCall& call, emit::Broadcast& out)
-      : context_(call.context),
-        fading_(std::any_cast<const Fading&>(call.state.own)),
-        out_(out),
-        bits_(static_cast<unsigned>(std::any_cast<const CueSettings&>(call.settings).bits)),
-        faded_(context_.layout.of("depth_cue", "faded")) {}
+  Fader(const emit::Context& context, emit::Broadcast& out, const Fading& fading, unsigned bits)
+      : context_(context), fading_(fading), out_(out), bits_(bits), faded_(context_.layout.of("depth_cue", "faded")) {}
 
   void fade(std::uint32_t cue) {
     out_.origin = emit::effect_origin;
@@ -143,26 +113,50 @@ class Fader {
   isa::Field faded_;
 };
 
-void finish(const emit::EffectCall& call, emit::Broadcast& out) {
-  const emit::Options& options = call.context.options;
-  const std::optional<glm::dvec3> colour = std::any_cast<const CueSettings&>(call.settings).colour;
-  const std::uint32_t cue =
-      colour ? emit::packed(*colour, options.colour_bits) : emit::packed_background(options.scene, options.colour_bits);
-  Fader(call, out).fade(cue);
-}
+class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
+ public:
+  [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& /*drawing*/,
+                                                       const emit::Workshop& workshop) const override {
+    const unsigned channel = isa::channel_widths(workshop.options.colour_bits)[1];
+    return {{.name = "faded", .width = settings.bits + 1, .what = "faded part", .is_scratch = true},
+            {.name = "sum", .width = channel + settings.bits, .what = "sum", .is_scratch = true}};
+  }
+
+  void finish(const emit::EffectCall& call, emit::Broadcast& out) const override {
+    const emit::Options& options = call.context.options;
+    const std::optional<glm::dvec3>& colour = settings.colour;
+    const std::uint32_t cue = colour ? emit::packed(*colour, options.colour_bits)
+                                     : emit::packed_background(options.scene, options.colour_bits);
+    Fader(call.context, out, prepared(call), settings.bits).fade(cue);
+  }
+
+ private:
+  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) const override {
+    const isa::DepthScale& scale = drawing.view.depth;
+    const double near = settings.near.value_or(scale.near);
+    const double far = settings.far.value_or(scale.far);
+    if (scale.perspective && near <= 0)
+      throw InputError(
+          fmt::format("colours cannot fade from {:g} model units on, behind the eye; take near above 0", near));
+    if (!(far > near)) {
+      throw InputError(
+          fmt::format("colours fade from {:g} to {:g} model units from the eye; take far above near", near, far));
+    }
+    const unsigned z_bits = drawing.view.sampling.z_bits;
+    state.begin = isa::depth_of(scale, z_bits, near);
+    state.end = isa::depth_of(scale, z_bits, far);
+  }
+};
 
 }  // namespace
 
-const emit::Effect depth_cue{
-    .section = {"effects.depth_cue",
-                "colours fade with depth: linear in distance, in its reciprocal in a perspective view", false, keys,
-                scene::blank_section<CueSettings>, scene::keep_effect},
+const emit::EffectRow depth_cue{
+    .section = scene::effect_section<CueSettings>(
+        "effects.depth_cue", "colours fade with depth: linear in distance, in its reciprocal in a perspective view"),
     .technique =
         "after all surfaces the depth in pixel memory is compared with a constant for each step of fading, and "
         "channels are multiplied by shifting and adding, after Fuchs et al., SIGGRAPH 1985",
-    .prepare = prepare,
-    .fields = fields,
-    .takes_quadrics = true,
-    .finish = finish};
+    .parts = emit::parts_of<DepthCue>,
+    .takes_quadrics = true};
 
 }  // namespace csgsim::effects

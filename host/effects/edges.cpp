@@ -1,5 +1,3 @@
-#include "host/effects/edges.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/effects/rows.h"
 #include "host/emit/facet_geometry.h"
 #include "hw/isa/opcodes.h"
 
@@ -20,25 +19,27 @@ namespace {
 
 using isa::Opcode;
 
-enum Between : std::int64_t { facets, primitives };
+enum class Between : std::uint8_t { facets, primitives };
 
 constexpr std::array<std::string_view, 2> between_names{"facets", "primitives"};
 
 struct EdgeSettings {
   glm::dvec3 colour{0};
-  std::int64_t between = Between::facets;
+  Between between = Between::facets;
   double crease = 35;
 };
 
-constexpr std::array keys{
-    scene::colour_key<&EdgeSettings::colour>("colour", "of the lines"),
-    scene::choice_key<&EdgeSettings::between>("between", between_names, "whose edges are drawn"),
-    scene::number_key<&EdgeSettings::crease>("crease", "degrees", 0, 180,
-                                             "facets of a ball, or around a cylinder, that meet at less count as one")};
+void visit_keys(EdgeSettings& settings, auto&& visit) {
+  visit(scene::colour_key("colour", "of the lines"), settings.colour);
+  visit(scene::choice_key("between", between_names, "whose edges are drawn"), settings.between);
+  visit(scene::number_key("crease", "degrees", 0, 180,
+                          "facets of a ball, or around a cylinder, that meet at less count as one"),
+        settings.crease);
+}
 
 /// A number for each half-space of a primitive, and for where it has none; the same for those between which there is no
 /// edge.
-struct Numbers {
+struct Numbers : emit::EffectState {
   std::vector<std::vector<std::uint32_t>> of_halfspaces;  ///< by primitive
   std::vector<std::uint32_t> of_primitives;
   std::uint32_t most = 0;
@@ -65,8 +66,7 @@ std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Conv
 }
 
 /// 0 is for where nothing is seen.
-Numbers number(const model::Tree& tree, const facet::Geometry& scene, const EdgeSettings& settings) {
-  Numbers numbers;
+void number(Numbers& numbers, const model::Tree& tree, const facet::Geometry& scene, const EdgeSettings& settings) {
   for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
     const facet::Convex& solid = scene.solids[i];
     const std::uint32_t whole = ++numbers.most;
@@ -77,7 +77,6 @@ Numbers number(const model::Tree& tree, const facet::Geometry& scene, const Edge
     for (std::size_t h = 0; h < own.size(); ++h)
       if (!curved[h]) own[h] = ++numbers.most;
   }
-  return numbers;
 }
 
 /// The drawings of an EffectState, in this order.
@@ -85,44 +84,9 @@ enum : std::size_t { here, right, below };
 
 constexpr std::array<glm::dvec2, 3> places{{{0, 0}, {1, 0}, {0, 1}}};
 
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
-  emit::EffectState state;
-  // Lines are drawn in the finished picture, not in what is drawn within it.
-  if (drawing.nesting > 0) return state;
-  state.own = number(*drawing.tree, *drawing.geometry, std::any_cast<const EdgeSettings&>(settings));
-  for (const glm::dvec2& place : places) {
-    view::Sampling sampling = drawing.view.sampling;
-    sampling.offset += place;
-    // Numbers have no part in any effect.
-    state.drawings.push_back(
-        emit::make_drawing(drawing.tree, drawing.geometry,
-                           view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling),
-                           drawing.nesting + 1, {workshop.machine, workshop.options, {}}));
-  }
-  return state;
-}
-
-std::vector<emit::FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing,
-                                       const emit::Workshop& /*workshop*/) {
-  std::vector<emit::FieldRequest> requests;
-  constexpr std::string_view without = "take --set effects.edges.on=false";
-  for (const emit::EffectState& state : drawing.states) {
-    const auto* const numbers = std::any_cast<Numbers>(&state.own);
-    if (numbers == nullptr) continue;
-    const auto add = [&](std::string_view name, unsigned width, std::string_view what) {
-      requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
-    };
-    add("here", numbers->bits(), "number of a facet");
-    add("there", numbers->bits(), "number of a facet");
-    add("depth", drawing.view.sampling.z_bits, "depth of a neighbour");
-    add("line", 1, "edge");
-  }
-  return requests;
-}
-
 /// The numbers of what is seen in a drawing, into the field.
-void draw_numbers(const emit::EffectCall& call, emit::Broadcast& out, const emit::Drawing& drawing, isa::Field field) {
-  const auto& numbers = std::any_cast<const Numbers&>(call.state.own);
+void draw_numbers(const emit::Context& outer, emit::Broadcast& out, const Numbers& numbers,
+                  const emit::Drawing& drawing, isa::Field field) {
   const emit::Paint paint = [&](const emit::Facet& facet) {
     if (facet.at == emit::At::cap) return numbers.of_primitives[facet.primitive];
     const std::vector<facet::Halfspace>& all = drawing.geometry->solids[facet.primitive].halfspaces;
@@ -131,12 +95,12 @@ void draw_numbers(const emit::EffectCall& call, emit::Broadcast& out, const emit
     });
     return numbers.of_halfspaces[facet.primitive].at(static_cast<std::size_t>(found - all.begin()));
   };
-  emit::Layout layout = call.context.layout;
+  emit::Layout layout = outer.layout;
   layout.depth = layout.of("edges", "depth");
   layout.colour = field;
   layout.candidate_colour = {};
   layout.owner = {};
-  const emit::Context elsewhere = emit::with_layout(call.context, layout);
+  const emit::Context elsewhere = emit::with_layout(outer, layout);
   emit::Context context = emit::context_of(drawing, elsewhere);
   context.called = {};
   context.paint = &paint;
@@ -147,42 +111,69 @@ void draw_numbers(const emit::EffectCall& call, emit::Broadcast& out, const emit
   emit::emit_surfaces(context, out);
 }
 
-void finish(const emit::EffectCall& call, emit::Broadcast& out) {
-  const emit::Context& context = call.context;
-  const isa::Field own = context.layout.of("edges", "here");
-  const isa::Field other = context.layout.of("edges", "there");
-  const isa::Field line = context.layout.of("edges", "line");
-  const auto plain = [&](Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0) {
-    out.origin = emit::effect_origin;
-    out.plain(opcode, first, second, constant);
-  };
-  draw_numbers(call, out, *call.state.drawings[here], own);
-  plain(Opcode::enable_all);
-  plain(Opcode::set_constant, line, {}, 0);
-  for (const std::size_t neighbour : {right, below}) {
-    draw_numbers(call, out, *call.state.drawings[neighbour], other);
-    plain(Opcode::enable_all);
-    plain(Opcode::field_eq, own, other);
-    plain(Opcode::enable_invert);
-    plain(Opcode::enable_or, line);
-    plain(Opcode::enable_store, line);
+class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
+ public:
+  [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
+                                                       const emit::Workshop& workshop) const override {
+    const unsigned bits = all_prepared(drawing, workshop).front()->bits();
+    const auto request = [](std::string_view name, unsigned width, std::string_view what) {
+      return emit::FieldRequest{std::string(name), isa::FieldRole::effect, width, what,
+                                "take --set effects.edges.on=false"};
+    };
+    return {request("here", bits, "number of a facet"), request("there", bits, "number of a facet"),
+            request("depth", drawing.view.sampling.z_bits, "depth of a neighbour"), request("line", 1, "edge")};
   }
-  if (context.base.width > 0) plain(Opcode::enable_and, context.base);
-  const glm::dvec3& colour = std::any_cast<const EdgeSettings&>(call.settings).colour;
-  plain(Opcode::set_constant, context.layout.colour, {}, emit::packed(colour, context.options.colour_bits));
-}
+
+  void finish(const emit::EffectCall& call, emit::Broadcast& out) const override {
+    const emit::Context& context = call.context;
+    const isa::Field own = context.layout.of("edges", "here");
+    const isa::Field other = context.layout.of("edges", "there");
+    const isa::Field line = context.layout.of("edges", "line");
+    const auto plain = [&](Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0) {
+      out.origin = emit::effect_origin;
+      out.plain(opcode, first, second, constant);
+    };
+    draw_numbers(context, out, prepared(call), *call.state.drawings[here], own);
+    plain(Opcode::enable_all);
+    plain(Opcode::set_constant, line, {}, 0);
+    for (const std::size_t neighbour : {right, below}) {
+      draw_numbers(context, out, prepared(call), *call.state.drawings[neighbour], other);
+      plain(Opcode::enable_all);
+      plain(Opcode::field_eq, own, other);
+      plain(Opcode::enable_invert);
+      plain(Opcode::enable_or, line);
+      plain(Opcode::enable_store, line);
+    }
+    if (context.base.width > 0) plain(Opcode::enable_and, context.base);
+    plain(Opcode::set_constant, context.layout.colour, {}, emit::packed(settings.colour, context.options.colour_bits));
+  }
+
+ private:
+  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
+    // Lines are drawn in the finished picture, not in what is drawn within it.
+    if (drawing.nesting > 0) return;
+    number(state, *drawing.tree, *drawing.geometry, settings);
+    for (const glm::dvec2& place : places) {
+      view::Sampling sampling = drawing.view.sampling;
+      sampling.offset += place;
+      // Numbers have no part in any effect.
+      state.drawings.push_back(
+          emit::make_drawing(drawing.tree, drawing.geometry,
+                             view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling),
+                             drawing.nesting + 1, {workshop.machine, workshop.options, {}}));
+    }
+  }
+};
 
 }  // namespace
 
-const emit::Effect edges{
-    .section = {"effects.edges", "lines where facets or primitives meet, as in a technical drawing", false, keys,
-                scene::blank_section<EdgeSettings>, scene::keep_effect},
+const emit::EffectRow edges{
+    .section = scene::effect_section<EdgeSettings>("effects.edges",
+                                                   "lines where facets or primitives meet, as in a technical drawing"),
     .technique =
         "after Saito and Takahashi, Comprehensible Rendering of 3-D Shapes, SIGGRAPH 1990: pixels are compared "
         "with their neighbours by what is seen there; as pixels cannot ask a neighbour, the numbers of facets "
         "are drawn three times: here, moved by a column and moved by a row",
-    .prepare = prepare,
-    .fields = fields,
-    .finish = finish};
+    .parts = emit::parts_of<Edges>};
 
 }  // namespace csgsim::effects

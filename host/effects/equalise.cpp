@@ -1,5 +1,3 @@
-#include "host/effects/equalise.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "host/effects/blend.h"
+#include "host/effects/rows.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/opcodes.h"
@@ -26,48 +25,29 @@ struct Settings {
 
 constexpr std::int64_t most_samples = 64;
 
-constexpr std::array keys{
-    scene::integer_key<&Settings::samples>("samples", "a side", 1, most_samples,
-                                           "of the lattice of pixels whose levels are counted"),
-    scene::integer_key<&Settings::reach>("reach", "pixels", 0, isa::max_array_side,
-                                         "of a sample in all four directions; 0: the whole picture")};
+void visit_keys(Settings& settings, auto&& visit) {
+  visit(scene::integer_key("samples", "a side", 1, most_samples, "of the lattice of pixels whose levels are counted"),
+        settings.samples);
+  visit(scene::integer_key("reach", "pixels", 0, isa::max_array_side,
+                           "of a sample in all four directions; 0: the whole picture"),
+        settings.reach);
+}
 
 /// Bits of a count of samples, and one more for dividing.
 unsigned count_bits(const Settings& settings) {
   return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(settings.samples * settings.samples))) + 1;
 }
 
-emit::EffectState prepare(const std::any& /*settings*/, const emit::Drawing& /*drawing*/,
-                          const emit::Workshop& workshop) {
-  const machines::Machine& machine = workshop.machine;
-  if (!machines::has_global_or(machine) || machines::regions(machine).size() > 1) {
-    throw InputError(fmt::format(
-        "the effect equalise asks for levels of pixels by a global OR over the whole picture, which {} does "
-        "not have; take a machine that does, such as pixel-planes-4, or leave the effect out by --set "
-        "effects.equalise.on=false",
-        machine.name));
-  }
-  return {};
-}
-
 /// Bits of the widest channel that there is.
 constexpr unsigned most_level_bits = isa::channel_widths(isa::most_colour_bits)[1];
-
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/,
-                                       const emit::Workshop& /*workshop*/) {
-  const unsigned count = count_bits(std::any_cast<const Settings&>(settings));
-  return {{.name = "rank", .width = most_level_bits + count, .what = "rank", .is_scratch = true},
-          {.name = "seen", .width = 1, .what = "seen", .is_scratch = true},
-          {.name = "counted", .width = count, .what = "count", .is_scratch = true}};
-}
 
 /// Equalises one picture, a channel after another.
 class Equaliser {
  public:
-  Equaliser(const emit::EffectCall& call, emit::Broadcast& out)
-      : context_(call.context),
+  Equaliser(const emit::Context& context, emit::Broadcast& out, const Settings& settings)
+      : context_(context),
         out_(out),
-        settings_(std::any_cast<const Settings&>(call.settings)),
+        settings_(settings),
         rank_(context_.layout.of("equalise", "rank")),
         seen_(context_.layout.of("equalise", "seen")),
         counted_(context_.layout.of("equalise", "counted")),
@@ -111,7 +91,7 @@ class Equaliser {
   [[nodiscard]] bool may_be_seen(const view::PixelRect& pixel) const {
     // What other cameras see is not in this drawing's plan.
     const bool is_alone = std::none_of(context_.called.begin(), context_.called.end(),
-                                       [](const emit::CalledEffect& one) { return one.effect->around != nullptr; });
+                                       [](const emit::CalledEffect& one) { return one.row->parts.draws_around; });
     const std::vector<emit::PlannedSurface>& surfaces = context_.plan.surfaces;
     return !is_alone || std::any_of(surfaces.begin(), surfaces.end(), [&](const emit::PlannedSurface& one) {
       return !view::common(one.block.pixels, pixel).empty();
@@ -201,20 +181,43 @@ class Equaliser {
   isa::Field sample_;   ///< 1 at the sample; also what is added to a count
 };
 
-void enhance(const emit::EffectCall& call, emit::Broadcast& out) { Equaliser(call, out).emit(); }
+class Equalise final : public emit::EffectOf<Settings> {
+ public:
+  [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& /*drawing*/,
+                                                       const emit::Workshop& /*workshop*/) const override {
+    const unsigned count = count_bits(settings);
+    return {{.name = "rank", .width = most_level_bits + count, .what = "rank", .is_scratch = true},
+            {.name = "seen", .width = 1, .what = "seen", .is_scratch = true},
+            {.name = "counted", .width = count, .what = "count", .is_scratch = true}};
+  }
+
+  void enhance(const emit::EffectCall& call, emit::Broadcast& out) const override {
+    Equaliser(call.context, out, settings).emit();
+  }
+
+ private:
+  void prepare(State& /*state*/, const emit::Drawing& /*drawing*/, const emit::Workshop& workshop) const override {
+    const machines::Machine& machine = workshop.machine;
+    if (!machines::has_global_or(machine) || machines::regions(machine).size() > 1) {
+      throw InputError(fmt::format(
+          "the effect equalise asks for levels of pixels by a global OR over the whole picture, which {} does "
+          "not have; take a machine that does, such as pixel-planes-4, or leave the effect out by --set "
+          "effects.equalise.on=false",
+          machine.name));
+    }
+  }
+};
 
 }  // namespace
 
-const emit::Effect equalise{
-    .section = {"effects.equalise",
-                "where something is seen, each channel's level becomes its rank among those of a lattice of pixels",
-                false, keys, scene::blank_section<Settings>, scene::keep_effect},
+const emit::EffectRow equalise{
+    .section = scene::effect_section<Settings>(
+        "effects.equalise",
+        "where something is seen, each channel's level becomes its rank among those of a lattice of pixels"),
     .technique =
         "Fuchs et al., SIGGRAPH 1985: adaptive histogram equalisation by broadcasting levels, with which every pixel "
         "compares its own; here the levels of a lattice of pixels, asked for bit by bit by the global OR",
-    .prepare = prepare,
-    .fields = fields,
-    .takes_quadrics = true,
-    .enhance = enhance};
+    .parts = emit::parts_of<Equalise>,
+    .takes_quadrics = true};
 
 }  // namespace csgsim::effects

@@ -37,7 +37,7 @@ std::string scene_page() {
   page +=
       "\n# Effects\n\nA scene calls for an effect by its section; `on = false` in a section keeps the effect out, even "
       "where the model\ncalls for it. What each costs: [Effects](effects.md).\n";
-  for (const emit::Effect* const effect : all()) put(page, effect->section, effect->technique);
+  for (const emit::EffectRow* const row : all()) put(page, row->section, row->technique);
   return page;
 }
 

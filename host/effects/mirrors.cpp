@@ -1,5 +1,3 @@
-#include "host/effects/mirrors.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 
 #include "host/effects/blend.h"
 #include "host/effects/reflection.h"
+#include "host/effects/rows.h"
 #include "host/emit/early_out.h"
 #include "host/emit/facet_geometry.h"
 #include "host/emit/surface.h"
@@ -36,8 +35,9 @@ struct Settings {
   unsigned depth = 1;
 };
 
-constexpr std::array keys{
-    scene::integer_key<&Settings::depth>("depth", "", 1, most_depth, "mirrors that are seen in one another")};
+void visit_keys(Settings& settings, auto&& visit) {
+  visit(scene::integer_key("depth", "", 1, most_depth, "mirrors that are seen in one another"), settings.depth);
+}
 
 /// A face that mirrors.
 struct Face {
@@ -53,7 +53,7 @@ struct Mirror {
   view::FixedLinear plane;  ///< as the drawing has it
 };
 
-struct PreparedMirrors {
+struct PreparedMirrors : emit::EffectState {
   std::vector<Mirror> mirrors;
   unsigned level = 0;          ///< mirrors on the way to the drawing
   std::uint32_t surfaces = 0;  ///< most that a segment of the drawing has
@@ -142,55 +142,7 @@ bool look_into(Mirror& mirror, const emit::Drawing& drawing, const emit::Worksho
   return true;
 }
 
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& workshop) {
-  PreparedMirrors ready;
-  ready.level = drawing.reflection ? drawing.reflection->count : 0;
-  for (const emit::SegmentPlan& segment : drawing.plan.segments)
-    for (const emit::PlannedSurface& one : segment.surfaces) ready.surfaces = std::max(ready.surfaces, one.number);
-  emit::EffectState state;
-  const unsigned depth = std::any_cast<const Settings&>(settings).depth;
-  std::size_t all = 0;
-  for (Mirror& mirror : ready.level < depth ? mirrors_of(drawing) : std::vector<Mirror>()) {
-    if (!look_into(mirror, drawing, workshop)) continue;
-    all += emit::with_inner(*mirror.drawing).size();
-    if (all > most_mirrors) {
-      throw InputError(fmt::format(
-          "more than {} mirrors are seen, those in mirrors counted each time; {}", most_mirrors,
-          depth > 1 ? "take --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
-    }
-    state.drawings.push_back(mirror.drawing);
-    ready.mirrors.push_back(std::move(mirror));
-  }
-  state.own = std::move(ready);
-  return state;
-}
-
 std::string numbered(std::string_view name, unsigned level) { return std::string(name) + std::to_string(level); }
-
-std::vector<FieldRequest> fields(const std::any& /*settings*/, const emit::Drawing& drawing,
-                                 const emit::Workshop& workshop) {
-  using isa::FieldRole;
-  unsigned levels = 0;
-  std::uint32_t surfaces = 1;
-  for (const emit::Drawing* const one : emit::with_inner(drawing)) {
-    for (const emit::EffectState& state : one->states) {
-      const auto* const ready = std::any_cast<PreparedMirrors>(&state.own);
-      if (ready == nullptr) continue;
-      levels = std::max(levels, ready->level);
-      surfaces = std::max(surfaces, ready->surfaces);
-    }
-  }
-  std::vector<FieldRequest> all;
-  for (unsigned level = 1; level <= levels; ++level) {
-    all.push_back({numbered("depth", level), FieldRole::effect, drawing.view.sampling.z_bits, "depth", without});
-    all.push_back({numbered("colour", level), FieldRole::effect, workshop.options.colour_bits, "colour", without});
-    all.push_back({numbered("owner", level), FieldRole::effect, static_cast<unsigned>(std::bit_width(surfaces)),
-                   "owner", without});
-    all.push_back({numbered("flag", level), FieldRole::effect, 1, "mirror", without});
-  }
-  if (levels > 0) all.push_back({"product", FieldRole::scratch, 2 * part_bits, "product", without, true});
-  return all;
-}
 
 /// Shows what is in one mirror.
 class Showing {
@@ -285,30 +237,72 @@ class Showing {
   Field flag_;    ///< 1 where the mirror is seen
 };
 
-void compose(const emit::EffectCall& call, emit::Broadcast& out) {
-  const auto& ready = std::any_cast<const PreparedMirrors&>(call.state.own);
-  for (const Mirror& mirror : ready.mirrors) Showing(call.context, out, mirror, ready.level + 1).run();
-}
+class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
+ public:
+  [[nodiscard]] bool called_by(const emit::Look& look) const override {
+    return std::any_of(look.finishes.begin(), look.finishes.end(),
+                       [](const lighting::Finish& one) { return reflectance_of(one) > 0; });
+  }
+
+  [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
+                                                       const emit::Workshop& workshop) const override {
+    using isa::FieldRole;
+    unsigned levels = 0;
+    std::uint32_t surfaces = 1;
+    for (const State* const one : all_prepared(drawing, workshop)) {
+      levels = std::max(levels, one->level);
+      surfaces = std::max(surfaces, one->surfaces);
+    }
+    std::vector<FieldRequest> all;
+    for (unsigned level = 1; level <= levels; ++level) {
+      all.push_back({numbered("depth", level), FieldRole::effect, drawing.view.sampling.z_bits, "depth", without});
+      all.push_back({numbered("colour", level), FieldRole::effect, workshop.options.colour_bits, "colour", without});
+      all.push_back({numbered("owner", level), FieldRole::effect, static_cast<unsigned>(std::bit_width(surfaces)),
+                     "owner", without});
+      all.push_back({numbered("flag", level), FieldRole::effect, 1, "mirror", without});
+    }
+    if (levels > 0) all.push_back({"product", FieldRole::scratch, 2 * part_bits, "product", without, true});
+    return all;
+  }
+
+  void compose(const emit::EffectCall& call, emit::Broadcast& out) const override {
+    const State& ready = prepared(call);
+    for (const Mirror& mirror : ready.mirrors) Showing(call.context, out, mirror, ready.level + 1).run();
+  }
+
+ private:
+  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
+    state.level = drawing.reflection ? drawing.reflection->count : 0;
+    for (const emit::SegmentPlan& segment : drawing.plan.segments)
+      for (const emit::PlannedSurface& one : segment.surfaces) state.surfaces = std::max(state.surfaces, one.number);
+    const unsigned depth = settings.depth;
+    std::size_t all = 0;
+    for (Mirror& mirror : state.level < depth ? mirrors_of(drawing) : std::vector<Mirror>()) {
+      if (!look_into(mirror, drawing, workshop)) continue;
+      all += emit::with_inner(*mirror.drawing).size();
+      if (all > most_mirrors) {
+        throw InputError(fmt::format(
+            "more than {} mirrors are seen, those in mirrors counted each time; {}", most_mirrors,
+            depth > 1 ? "take --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
+      }
+      state.drawings.push_back(mirror.drawing);
+      state.mirrors.push_back(std::move(mirror));
+    }
+  }
+};
 
 }  // namespace
 
-const emit::Effect mirrors{
-    .section = {"effects.mirrors",
-                "flat faces of materials with mirror above 0 (those of cubes and polyhedra, the ends of cylinders; no "
-                "curved sides, nothing see-through) show what is before them",
-                false, keys, scene::blank_section<Settings>, scene::keep_effect},
+const emit::EffectRow mirrors{
+    .section = scene::effect_section<Settings>(
+        "effects.mirrors",
+        "flat faces of materials with mirror above 0 (those of cubes and polyhedra, the ends of cylinders; no "
+        "curved sides, nothing see-through) show what is before them"),
     .technique =
         "the model is reflected in the face's plane and drawn where the face is seen, as far as it is behind the plane "
         "(Diefenbach, Badler, Multi-Pass Pipeline Rendering: Realism for Dynamic Environments, I3D 1997, with a flag "
         "bit and depth fields in place of the stencil)",
-    .called_by =
-        [](const emit::Look& look) {
-          return std::any_of(look.finishes.begin(), look.finishes.end(),
-                             [](const lighting::Finish& one) { return reflectance_of(one) > 0; });
-        },
-    .prepare = prepare,
-    .fields = fields,
-    .needs_owners = true,
-    .compose = compose};
+    .parts = emit::parts_of<Mirrors>,
+    .needs_owners = true};
 
 }  // namespace csgsim::effects

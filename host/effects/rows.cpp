@@ -2,16 +2,6 @@
 
 #include <array>
 
-#include "host/effects/antialias.h"
-#include "host/effects/cuts.h"
-#include "host/effects/depth_cue.h"
-#include "host/effects/edges.h"
-#include "host/effects/equalise.h"
-#include "host/effects/mirrors.h"
-#include "host/effects/shadows.h"
-#include "host/effects/smooth.h"
-#include "host/effects/textures.h"
-#include "host/effects/transparency.h"
 #include "host/emit/flat_shading.h"
 
 namespace csgsim::effects {
@@ -37,20 +27,19 @@ constexpr std::array rows{
 
 }  // namespace
 
-std::span<const emit::Effect* const> all() { return rows; }
+std::span<const emit::EffectRow* const> all() { return rows; }
 
 std::vector<scene::Section> sections() {
   std::vector<scene::Section> sections;
   sections.reserve(rows.size());
-  for (const emit::Effect* const one : rows) sections.push_back(one->section);
+  for (const emit::EffectRow* const one : rows) sections.push_back(one->section);
   return sections;
 }
 
 model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene) {
-  for (const emit::Effect* const row : rows) {
-    if (row->reshape == nullptr) continue;
+  for (const emit::EffectRow* const row : rows) {
     for (const scene::CalledEffect& one : scene.effects)
-      if (one.is_on && one.name == row->section.name) tree = row->reshape(one.settings, std::move(tree));
+      if (one.is_on && one.name == row->section.name) tree = row->parts.make(one.tables)->reshape(std::move(tree));
   }
   return std::move(tree);
 }

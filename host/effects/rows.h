@@ -8,11 +8,22 @@
 #include "host/model/tree.h"
 #include "host/scene/scene.h"
 
-/// The effects: a file each, and a row in rows.cpp.
+/// The effects: a file each, which defines its row.
 namespace csgsim::effects {
 
+extern const emit::EffectRow smooth;
+extern const emit::EffectRow textures;
+extern const emit::EffectRow cuts;
+extern const emit::EffectRow shadows;
+extern const emit::EffectRow mirrors;
+extern const emit::EffectRow transparency;
+extern const emit::EffectRow antialias;
+extern const emit::EffectRow depth_cue;
+extern const emit::EffectRow edges;
+extern const emit::EffectRow equalise;
+
 /// In the order in which they are worked out, flat shading first.
-std::span<const emit::Effect* const> all();
+std::span<const emit::EffectRow* const> all();
 
 /// Their sections of a scene file.
 std::vector<scene::Section> sections();

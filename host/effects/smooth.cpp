@@ -1,5 +1,3 @@
-#include "host/effects/smooth.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "host/effects/blend.h"
+#include "host/effects/rows.h"
 #include "host/emit/facet_colour.h"
 #include "host/emit/facet_geometry.h"
 #include "host/view/projection.h"
@@ -25,8 +24,11 @@ struct Settings {
   double least_difference = 1;
 };
 
-constexpr std::array keys{scene::number_key<&Settings::least_difference>(
-    "least_difference", "levels of a channel", 0, 255, "facets whose vertices differ by less stay in one colour")};
+void visit_keys(Settings& settings, auto&& visit) {
+  visit(scene::number_key("least_difference", "levels of a channel", 0, 255,
+                          "facets whose vertices differ by less stay in one colour"),
+        settings.least_difference);
+}
 
 /// The unit normal of the surface that a facet stands for, at one of its vertices, both in the primitive's own axes;
 /// nothing where the facet is the surface.
@@ -171,38 +173,41 @@ void emit_clamp(emit::Broadcast& out, const view::FixedLinear& level, std::int64
   if (range.high >= beyond) out.edge(isa::Opcode::edge_negative, {level.a, level.b, level.c - beyond}, pixels);
 }
 
-bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
-           const view::PixelRect& pixels) {
-  const emit::Context& context = call.context;
-  const std::vector<Sample> samples = samples_of(context, facet);
-  if (samples.size() < 3) return false;
-  if (greatest_difference(samples) < std::any_cast<const Settings&>(call.settings).least_difference) return false;
-  const std::optional<Fit> fitted = fit(samples);
-  if (!fitted) return false;
-  const auto channels = expressions_of(*fitted, context.view.sampling);
-  if (!channels) return false;
-  // What the expressions leave out keeps the colour of the facet.
-  out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
-  const view::PixelRect box = box_of(samples, pixels);
-  out.clip(box, pixels);
-  const std::array<isa::Field, 3> levels = channels_of(field);
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    emit_clamp(out, (*channels)[i], std::int64_t{1} << (levels[i].width + context.view.sampling.fraction_bits), box);
+class Smooth final : public emit::EffectOf<Settings> {
+ public:
+  bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
+             const view::PixelRect& pixels) const override {
+    const emit::Context& context = call.context;
+    const std::vector<Sample> samples = samples_of(context, facet);
+    if (samples.size() < 3) return false;
+    if (greatest_difference(samples) < settings.least_difference) return false;
+    const std::optional<Fit> fitted = fit(samples);
+    if (!fitted) return false;
+    const auto channels = expressions_of(*fitted, context.view.sampling);
+    if (!channels) return false;
+    // What the expressions leave out keeps the colour of the facet.
+    out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
+    const view::PixelRect box = box_of(samples, pixels);
+    out.clip(box, pixels);
+    const std::array<isa::Field, 3> levels = channels_of(field);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      emit_clamp(out, (*channels)[i], std::int64_t{1} << (levels[i].width + context.view.sampling.fraction_bits), box);
+    }
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      out.surface(isa::Opcode::load_linear, levels[i], (*channels)[i], box);
+    return true;
   }
-  for (std::size_t i = 0; i < levels.size(); ++i) out.surface(isa::Opcode::load_linear, levels[i], (*channels)[i], box);
-  return true;
-}
+};
 
 }  // namespace
 
-const emit::Effect smooth{
-    .section = {"effects.smooth", "curved solids look round, however few their facets", false, keys,
-                scene::blank_section<Settings>, scene::keep_effect},
+const emit::EffectRow smooth{
+    .section = scene::effect_section<Settings>("effects.smooth", "curved solids look round, however few their facets"),
     .technique =
         "Gouraud, Continuous Shading of Curved Surfaces, IEEE Transactions on Computers, 1971: light is worked "
         "out at the vertices, here with the normals of the true surface; a linear expression a channel, fitted "
         "by least squares, is loaded as Fuchs et al., SIGGRAPH 1985, do",
-    .takes_quadrics = true,
-    .shade = shade};
+    .parts = emit::parts_of<Smooth>,
+    .takes_quadrics = true};
 
 }  // namespace csgsim::effects

@@ -1,5 +1,3 @@
-#include "host/effects/textures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "host/effects/blend.h"
+#include "host/effects/rows.h"
 #include "host/effects/texels.h"
 #include "host/emit/early_out.h"
 #include "host/emit/facet_colour.h"
@@ -51,20 +50,20 @@ constexpr std::size_t most_texels = 8;  ///< of a table, a row or a column
 constexpr double most_lines = 512;      ///< between the texels of one facet in perspective
 constexpr double least_size = 1e-9;     ///< model units
 
-constexpr std::array keys = scene::joined(
-    scene::chosen_keys<Texture>,
-    std::array{
-        scene::choice_key<&Texture::pattern>("pattern", patterns, "what is repeated; stripes follow v"),
-        scene::colour_key<&Texture::first>("first", "of the texel at u0, v0: red, green, blue"),
-        scene::colour_key<&Texture::second>("second", "of the others"),
-        scene::colour_table_key<&Texture::texels>("texels",
-                                                  "of a table: rows along v of colours along u; 1, 2, 4 or 8 of each"),
-        scene::number_key<&Texture::size>("size", "model units", least_size, scene::any_number, "side of a texel"),
-        scene::number_key<&Texture::u0>(
-            "u0", "model units", -scene::any_number, scene::any_number,
-            "where the texture begins along u; u and v are the model axes most nearly in the facet"),
-        scene::number_key<&Texture::v0>("v0", "model units", -scene::any_number, scene::any_number,
-                                        "where it begins along v")});
+void visit_keys(Texture& texture, auto&& visit) {
+  scene::visit_keys(texture, visit);
+  visit(scene::choice_key("pattern", patterns, "what is repeated; stripes follow v"), texture.pattern);
+  visit(scene::colour_key("first", "of the texel at u0, v0: red, green, blue"), texture.first);
+  visit(scene::colour_key("second", "of the others"), texture.second);
+  visit(scene::colour_table_key("texels", "of a table: rows along v of colours along u; 1, 2, 4 or 8 of each"),
+        texture.texels);
+  visit(scene::number_key("size", "model units", least_size, scene::any_number, "side of a texel"), texture.size);
+  visit(scene::number_key("u0", "model units", -scene::any_number, scene::any_number,
+                          "where the texture begins along u; u and v are the model axes most nearly in the facet"),
+        texture.u0);
+  visit(scene::number_key("v0", "model units", -scene::any_number, scene::any_number, "where it begins along v"),
+        texture.v0);
+}
 
 void check_table(const scene::ColourTable& texels) {
   const auto is_side = [](std::size_t count) { return std::has_single_bit(count) && count <= most_texels; };
@@ -76,8 +75,7 @@ void check_table(const scene::ColourTable& texels) {
 }
 
 /// Patterns of two colours become tables too.
-void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
-  auto& texture = std::any_cast<Texture&>(read);
+void complete(Texture& texture) {
   scene::complete(texture);
   if (texture.pattern == Pattern::table) {
     check_table(texture.texels);
@@ -88,37 +86,12 @@ void keep(scene::Scene& scene, const scene::Section& section, std::any&& read) {
   } else {
     texture.texels = {{texture.first, texture.second}};
   }
-  scene::keep_entry<Texture>(scene, section, std::move(read));
 }
-
-const Settings& settings_of(const std::any& settings) { return std::any_cast<const Settings&>(settings); }
 
 const Texture* texture_of(const Settings& settings, const model::Primitive& primitive) {
   const auto found = std::find_if(settings.rbegin(), settings.rend(),
                                   [&](const Texture& one) { return lighting::is_chosen(one, primitive); });
   return found == settings.rend() ? nullptr : &*found;
-}
-
-emit::EffectState prepare(const std::any& settings, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) {
-  const std::vector<model::Primitive>& primitives = drawing.tree->primitives;
-  for (std::uint32_t i = 0; i < primitives.size(); ++i) {
-    const Texture* const texture = texture_of(settings_of(settings), primitives[i]);
-    const bool is_named = texture != nullptr && (texture->of_colour || texture->from_line);
-    if (!is_named || !std::holds_alternative<model::Sphere>(primitives[i].shape)) continue;
-    throw InputError(
-        fmt::format("{}: textures are for flat facets, and this is a sphere; name cubes, polyhedra or cylinders, "
-                    "whose ends are flat, in [[effects.textures]]",
-                    model::place_of(*drawing.tree, i)));
-  }
-  return {};
-}
-
-std::vector<emit::FieldRequest> fields(const std::any& settings, const emit::Drawing& /*drawing*/,
-                                       const emit::Workshop& /*workshop*/) {
-  unsigned bits = 0;
-  for (const Texture& one : settings_of(settings)) bits = std::max(bits, one.bits());
-  return {{"facet", isa::FieldRole::effect, 1, "pixels of a textured facet"},
-          {"texel", isa::FieldRole::effect, bits, "number of a texel"}};
 }
 
 /// One textured facet being coloured. The number of a texel is its column, and above these bits its row.
@@ -244,27 +217,50 @@ class Shader {
   isa::Field texel_;
 };
 
-bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
-           const view::PixelRect& pixels) {
-  const emit::Context& context = call.context;
-  const model::Primitive& primitive = context.tree.primitives[facet.primitive];
-  if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward(context, facet))) return false;
-  const Texture* const texture = texture_of(settings_of(call.settings), primitive);
-  if (texture == nullptr) return false;
-  Shader(context, out, facet, *texture, pixels).emit(field);
-  return true;
-}
+class Textures final : public emit::EffectOf<Settings> {
+ public:
+  [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& /*drawing*/,
+                                                       const emit::Workshop& /*workshop*/) const override {
+    unsigned bits = 0;
+    for (const Texture& one : settings) bits = std::max(bits, one.bits());
+    return {{"facet", isa::FieldRole::effect, 1, "pixels of a textured facet"},
+            {"texel", isa::FieldRole::effect, bits, "number of a texel"}};
+  }
+
+  bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
+             const view::PixelRect& pixels) const override {
+    const emit::Context& context = call.context;
+    const model::Primitive& primitive = context.tree.primitives[facet.primitive];
+    if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward(context, facet))) return false;
+    const Texture* const texture = texture_of(settings, primitive);
+    if (texture == nullptr) return false;
+    Shader(context, out, facet, *texture, pixels).emit(field);
+    return true;
+  }
+
+ private:
+  void prepare(State& /*state*/, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) const override {
+    const std::vector<model::Primitive>& primitives = drawing.tree->primitives;
+    for (std::uint32_t i = 0; i < primitives.size(); ++i) {
+      const Texture* const texture = texture_of(settings, primitives[i]);
+      const bool is_named = texture != nullptr && (texture->of_colour || texture->from_line);
+      if (!is_named || !std::holds_alternative<model::Sphere>(primitives[i].shape)) continue;
+      throw InputError(
+          fmt::format("{}: textures are for flat facets, and this is a sphere; name cubes, polyhedra or cylinders, "
+                      "whose ends are flat, in [[effects.textures]]",
+                      model::place_of(*drawing.tree, i)));
+    }
+  }
+};
 
 }  // namespace
 
-const emit::Effect textures{
-    .section = {"effects.textures", "patterns on flat facets, a table for those of some primitives", true, keys,
-                scene::blank_section<Texture>, keep},
+const emit::EffectRow textures{
+    .section = scene::effect_section<Settings>("effects.textures",
+                                               "patterns on flat facets, a table for those of some primitives"),
     .technique =
         "Fuchs et al., SIGGRAPH 1985: textures are painted by comparing linear expressions at every pixel; here an "
         "orthographic pattern is bits of one such expression, and in perspective each boundary is a line",
-    .prepare = prepare,
-    .fields = fields,
-    .shade = shade};
+    .parts = emit::parts_of<Textures>};
 
 }  // namespace csgsim::effects

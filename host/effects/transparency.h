@@ -2,11 +2,9 @@
 
 #include <optional>
 
-#include "host/emit/effect.h"
+#include "host/scene/scene.h"
 
 namespace csgsim::effects {
-
-extern const emit::Effect transparency;
 
 /// The scene, with what is see-through drawn by screen-door, which takes no memory. None where the scene has a say in
 /// it: it speaks of the effect, or its materials let something through.

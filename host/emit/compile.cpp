@@ -73,7 +73,7 @@ isa::ModelFacts model_facts(const model::Tree& tree, const facet::Geometry& geom
 
 std::vector<std::string> effect_names(std::span<const CalledEffect> called) {
   std::vector<std::string> names;
-  for (const CalledEffect& one : called) names.emplace_back(one.effect->name());
+  for (const CalledEffect& one : called) names.emplace_back(one.row->name());
   return names;
 }
 
@@ -251,14 +251,13 @@ std::shared_ptr<const Object> borrowed(const Object& object) {
 
 void refuse_effects(std::span<const CalledEffect> called, const machines::Machine& machine) {
   for (const CalledEffect& one : called.subspan(1)) {
-    const std::string without =
-        one.effect->section.is_list
-            ? fmt::format("take its tables [[effects.{}]] out of the scene", one.effect->name())
-            : fmt::format("leave the effect out by --set effects.{}.on=false", one.effect->name());
+    const std::string without = one.row->section.is_list
+                                    ? fmt::format("take its tables [[effects.{}]] out of the scene", one.row->name())
+                                    : fmt::format("leave the effect out by --set effects.{}.on=false", one.row->name());
     throw InputError(fmt::format(
         "{} divides the model itself, and its divider knows flat facets alone, not the effect {}; take a machine "
         "for which the host divides, as pixel-planes-4, scan-line or pixel-square+divider.kind=host, or {}",
-        machine.name, one.effect->name(), without));
+        machine.name, one.row->name(), without));
   }
 }
 

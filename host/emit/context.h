@@ -1,6 +1,5 @@
 #pragma once
 
-#include <any>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,22 +17,27 @@
 
 namespace csgsim::emit {
 
+class Effect;
 struct Drawing;
-struct Effect;
+struct EffectRow;
 struct Facet;
 
-/// An effect that the scene or the model calls for.
+/// An effect that the scene or the model calls for, which has its settings.
 struct CalledEffect {
-  const Effect* effect = nullptr;
-  std::any settings;  ///< as its section of the scene says
+  const EffectRow* row = nullptr;
+  std::shared_ptr<const Effect> effect;
 };
 
-/// What an effect prepares for a drawing.
+/// What an effect prepares for a drawing: this, and in a struct of its own whatever else it likes.
 struct EffectState {
-  std::any own;
-  std::vector<bool> apart{};  ///< by primitive: whose surfaces the effect draws itself; empty: none
-  std::vector<std::shared_ptr<const Drawing>> drawings{};  ///< within it, if the effect makes some
+  std::vector<bool> apart;  ///< by primitive: whose surfaces the effect draws itself; empty: none
+  std::vector<std::shared_ptr<const Drawing>> drawings;  ///< within it, if the effect makes some
+
+  virtual ~EffectState() = default;
 };
+
+/// One a called effect.
+using EffectStates = std::vector<std::unique_ptr<const EffectState>>;
 
 /// A light that is in shadow at some pixels.
 struct ShadowBit {
@@ -64,14 +68,14 @@ struct Context {
   const machines::Machine& machine;
   const Look& look;
 
-  std::size_t segment = 0;                           ///< number of the plan's
-  std::span<const CalledEffect> called{};            ///< effects, in the order of their rows
-  const std::vector<EffectState>* states = nullptr;  ///< one a called effect
-  std::uint32_t left_out = 0;                        ///< bit i: effect i has no part in this drawing
-  unsigned nesting = 0;                              ///< drawings that this one is within
-  isa::Field base{};                                 ///< a bit that is 1 where the drawing is made; width 0: everywhere
-  isa::Field beyond{};                               ///< only what is behind this depth is seen; width 0: all
-  const view::FixedLinear* beyond_plane = nullptr;   ///< only what is behind this plane is seen; null: all
+  std::size_t segment = 0;                          ///< number of the plan's
+  std::span<const CalledEffect> called{};           ///< effects, in the order of their rows
+  const EffectStates* states = nullptr;             ///< of the drawing
+  std::uint32_t left_out = 0;                       ///< bit i: effect i has no part in this drawing
+  unsigned nesting = 0;                             ///< drawings that this one is within
+  isa::Field base{};                                ///< a bit that is 1 where the drawing is made; width 0: everywhere
+  isa::Field beyond{};                              ///< only what is behind this depth is seen; width 0: all
+  const view::FixedLinear* beyond_plane = nullptr;  ///< only what is behind this plane is seen; null: all
   const std::vector<bool>* drawn =
       nullptr;  ///< by primitive: whose surfaces are drawn; null: all but what effects draw
   const lighting::Lighting* lights = nullptr;  ///< in place of the look's

@@ -35,9 +35,9 @@ std::optional<std::string> why_no_curves(const machines::Machine& machine, const
         "divides, as pixel-powers",
         machine.name);
   for (const CalledEffect& one : called_effects(options, look)) {
-    if (!one.effect->takes_quadrics)
-      return fmt::format("the effect {} works on facets; leave it out by --set effects.{}.on=false", one.effect->name(),
-                         one.effect->name());
+    if (!one.row->takes_quadrics)
+      return fmt::format("the effect {} works on facets; leave it out by --set effects.{}.on=false", one.row->name(),
+                         one.row->name());
   }
   const bool shines = std::any_of(look.finishes.begin(), look.finishes.end(),
                                   [](const lighting::Finish& one) { return one.material.specular > 0; });

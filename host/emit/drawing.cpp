@@ -21,7 +21,7 @@ constexpr double behind_mirror = 1e-9;
 /// Opacities by primitive; empty where all hide what is behind them.
 std::vector<double> opacities(const Look& look, std::span<const CalledEffect> called) {
   const bool any =
-      std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.effect->sees_through; });
+      std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.row->sees_through; });
   std::vector<double> all;
   if (!any) return all;
   for (const lighting::Finish& finish : look.finishes) all.push_back(finish.opacity);
@@ -60,7 +60,7 @@ void drop_unseen(Drawing& drawing) {
 bool is_drawn(const Context& context, const PlannedSurface& planned) {
   if (context.drawn != nullptr) return (*context.drawn)[planned.primitive()];
   for (std::size_t i = 0; i < context.called.size(); ++i) {
-    const std::vector<bool>& apart = (*context.states)[i].apart;
+    const std::vector<bool>& apart = (*context.states)[i]->apart;
     if (((context.left_out >> i) & 1U) == 0 && !apart.empty() && apart[planned.primitive()]) return false;
   }
   return true;
@@ -89,18 +89,16 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
   drawing->plan = make_plan(*drawing->tree, *drawing->geometry, drawing->view, machines::regions(workshop.machine),
                             pruning, opacities(drawing->look, workshop.called), options.work);
   if (drawing->reflection) drop_unseen(*drawing);
-  for (const CalledEffect& one : workshop.called) {
-    drawing->states.push_back(one.effect->prepare != nullptr ? one.effect->prepare(one.settings, *drawing, workshop)
-                                                             : EffectState{});
-  }
+  for (const CalledEffect& one : workshop.called)
+    drawing->states.push_back(one.effect->prepared_for(*drawing, workshop));
   return drawing;
 }
 
 std::vector<const Drawing*> with_inner(const Drawing& drawing) {
   std::vector<const Drawing*> all{&drawing};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const EffectState& state : all[i]->states)
-      for (const auto& inner : state.drawings) all.push_back(inner.get());
+    for (const auto& state : all[i]->states)
+      for (const auto& inner : state->drawings) all.push_back(inner.get());
   }
   return all;
 }
@@ -163,21 +161,13 @@ Kept emit_surfaces(const Context& context, Broadcast& out) {
 void emit_shading(const Context& context, Broadcast& out) {
   if (context.layout.owner.width == 0) return;
   Shadows shadows;
-  for_effects(context, out, &Effect::light, [&](const Effect& effect, const EffectCall& call) {
-    shadows = effect.light(call, out);
-    return false;
-  });
+  for_effects(context, out, &Effect::light, shadows);
   for (const PlannedSurface& one : context.plan.surfaces) {
     if (is_drawn(context, one)) emit_seen_colours(context, out, one, shadows);
   }
 }
 
-void emit_composition(const Context& context, Broadcast& out) {
-  for_effects(context, out, &Effect::compose, [&](const Effect& effect, const EffectCall& call) {
-    effect.compose(call, out);
-    return false;
-  });
-}
+void emit_composition(const Context& context, Broadcast& out) { for_effects(context, out, &Effect::compose); }
 
 Kept emit_drawing(const Context& context, Broadcast& out) {
   emit_setup(context, out);
@@ -193,21 +183,10 @@ Kept emit_picture(const Context& context, Broadcast& out) {
   const DrawPicture draw = [&](const Context& one) {
     const Kept drawn = emit_drawing(one, out);
     if (std::exchange(is_first, false)) kept = drawn;
-    for_effects(one, out, &Effect::finish, [&](const Effect& effect, const EffectCall& call) {
-      effect.finish(call, out);
-      return false;
-    });
+    for_effects(one, out, &Effect::finish);
   };
-  const bool is_drawn_around =
-      for_effects(context, out, &Effect::around, [&](const Effect& effect, const EffectCall& call) {
-        effect.around(call, out, draw);
-        return true;
-      });
-  if (!is_drawn_around) draw(context);
-  for_effects(context, out, &Effect::enhance, [&](const Effect& effect, const EffectCall& call) {
-    effect.enhance(call, out);
-    return false;
-  });
+  if (!for_effects(context, out, &Effect::around, draw)) draw(context);
+  for_effects(context, out, &Effect::enhance);
   return kept;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <any>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,7 +31,7 @@ struct Drawing {
   Plan plan;
   unsigned nesting = 0;  ///< drawings that it is within
   std::optional<Reflection> reflection;
-  std::vector<EffectState> states;  ///< one a called effect
+  EffectStates states;
 };
 
 /// What drawings are made with.

@@ -1,6 +1,7 @@
 #include "host/emit/effect.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hw/base/error.h"
 
@@ -8,14 +9,15 @@ namespace csgsim::emit {
 
 std::vector<CalledEffect> called_effects(const Options& options, const Look& look) {
   std::vector<CalledEffect> called;
-  for (const Effect* const effect : options.effects) {
+  for (const EffectRow* const row : options.effects) {
     const std::vector<scene::CalledEffect>& said = options.scene.effects;
     const auto found = std::find_if(said.begin(), said.end(),
-                                    [&](const scene::CalledEffect& one) { return one.name == effect->section.name; });
+                                    [&](const scene::CalledEffect& one) { return one.name == row->section.name; });
     if (found != said.end()) {
-      if (found->is_on) called.push_back({effect, found->settings});
-    } else if (effect->called_by != nullptr && effect->called_by(look)) {
-      called.push_back({effect, effect->section.blank()});
+      if (found->is_on) called.push_back({row, row->parts.make(found->tables)});
+    } else {
+      auto effect = row->parts.make({});
+      if (effect->called_by(look)) called.push_back({row, std::move(effect)});
     }
   }
   return called;
@@ -23,15 +25,13 @@ std::vector<CalledEffect> called_effects(const Options& options, const Look& loo
 
 std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop) {
   std::vector<EffectFields> all;
-  for (const CalledEffect& one : workshop.called) {
-    if (one.effect->fields == nullptr) continue;
-    all.push_back({one.effect->name(), one.effect->fields(one.settings, drawing, workshop)});
-  }
+  for (const CalledEffect& one : workshop.called)
+    all.push_back({one.row->name(), one.effect->fields(drawing, workshop)});
   return all;
 }
 
 bool any_needs_owners(std::span<const CalledEffect> called) {
-  return std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.effect->needs_owners; });
+  return std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.row->needs_owners; });
 }
 
 }  // namespace csgsim::emit

@@ -10,32 +10,36 @@ namespace csgsim::emit {
 
 namespace {
 
-struct Settings {};
+struct NoSettings {};
 
-bool shade(const EffectCall& call, Broadcast& out, const Facet& facet, isa::Field field,
-           const view::PixelRect& pixels) {
-  if (is_curved(facet.at)) {
-    emit_curved_light(call.context, out, facet, field, pixels);
+void visit_keys(NoSettings& /*settings*/, const auto& /*visit*/) {}
+
+class FlatShading final : public EffectOf<NoSettings> {
+ public:
+  [[nodiscard]] bool called_by(const Look& /*look*/) const override { return true; }
+
+  bool shade(const EffectCall& call, Broadcast& out, const Facet& facet, isa::Field field,
+             const view::PixelRect& pixels) const override {
+    if (is_curved(facet.at)) {
+      emit_curved_light(call.context, out, facet, field, pixels);
+      return true;
+    }
+    out.plain(isa::Opcode::set_constant, field, {}, facet_colour(call.context, facet));
     return true;
   }
-  out.plain(isa::Opcode::set_constant, field, {}, facet_colour(call.context, facet));
-  return true;
-}
+};
 
 constexpr std::array rows{&flat};
 
 }  // namespace
 
-const Effect flat{
-    .section =
-        {"effects.flat", "every facet in one colour", false, {}, scene::blank_section<Settings>, scene::keep_effect},
-    .technique =
-        "Lambert's law and Blinn's highlights (Models of Light Reflection for Computer "
-        "Synthesized Pictures, SIGGRAPH 1977), worked out once a facet by the host",
-    .called_by = [](const Look&) { return true; },
-    .takes_quadrics = true,
-    .shade = shade};
+const EffectRow flat{.section = scene::effect_section<NoSettings>("effects.flat", "every facet in one colour"),
+                     .technique =
+                         "Lambert's law and Blinn's highlights (Models of Light Reflection for Computer "
+                         "Synthesized Pictures, SIGGRAPH 1977), worked out once a facet by the host",
+                     .parts = parts_of<FlatShading>,
+                     .takes_quadrics = true};
 
-std::span<const Effect* const> flat_alone() { return rows; }
+std::span<const EffectRow* const> flat_alone() { return rows; }
 
 }  // namespace csgsim::emit

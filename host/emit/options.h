@@ -46,10 +46,10 @@ inline constexpr unsigned fewest_stack_bits = 3;
 /// Most products that a segment of a Program is compiled for.
 inline constexpr std::uint64_t most_products = 16'384;
 
-struct Effect;
+struct EffectRow;
 
 /// Flat shading and no other effect.
-std::span<const Effect* const> flat_alone();
+std::span<const EffectRow* const> flat_alone();
 
 struct Options {
   Strategy strategy = Strategy::stack;
@@ -58,7 +58,7 @@ struct Options {
   unsigned colour_bits = isa::most_colour_bits;
   csg::Pruning pruning;
   scene::Scene scene;
-  std::span<const Effect* const> effects = flat_alone();  ///< all that there are, in the order of their work
+  std::span<const EffectRow* const> effects = flat_alone();  ///< all that there are, in the order of their work
   Work work{};  ///< that compiling is charged to; each strategy and colouring that is tried counts alone
 };
 

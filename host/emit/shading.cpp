@@ -96,7 +96,7 @@ void emit_seen_at(const Context& context, Broadcast& out, const Facet& facet, is
 bool has_shaders(const Context& context) {
   if (context.paint != nullptr) return false;
   for (std::size_t i = 1; i < context.called.size(); ++i)
-    if (context.called[i].effect->shade != nullptr && ((context.left_out >> i) & 1U) == 0) return true;
+    if (context.called[i].row->parts.shades && ((context.left_out >> i) & 1U) == 0) return true;
   return false;
 }
 
@@ -113,10 +113,9 @@ void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa
   }
   // The last that takes the facet has it; flat shading, the first, takes all.
   for (std::size_t i = context.called.size(); i-- > 0;) {
-    const CalledEffect& one = context.called[i];
-    if (one.effect->shade == nullptr || ((context.left_out >> i) & 1U) != 0) continue;
+    if (((context.left_out >> i) & 1U) != 0) continue;
     const Billing billing(out, i);
-    if (one.effect->shade({one.settings, (*context.states)[i], context}, out, facet, field, pixels)) return;
+    if (context.called[i].effect->shade({*(*context.states)[i], context}, out, facet, field, pixels)) return;
   }
 }
 

@@ -270,10 +270,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
 }
 
 void emit_depth_test(const Context& context, Broadcast& out, const PlannedSurface& planned) {
-  for_effects(context, out, &Effect::admit, [&](const Effect& effect, const EffectCall& call) {
-    effect.admit(call, out, planned);
-    return false;
-  });
+  for_effects(context, out, &Effect::admit, planned);
   out.origin = {isa::Purpose::merge, planned.primitive(), isa::no_node};
   if (context.beyond_plane != nullptr)
     out.surface(Opcode::linear_lt, context.layout.candidate, *context.beyond_plane, planned.block.pixels);
@@ -286,10 +283,7 @@ void emit_merge(const Context& context, Broadcast& out, const PlannedSurface& pl
   const Layout& layout = context.layout;
   out.origin = {isa::Purpose::merge, planned.primitive(), planned.set.size() > 1 ? planned.primitive() : isa::no_node};
   out.plain(Opcode::copy, layout.depth, layout.candidate);
-  for_effects(context, out, &Effect::merge, [&](const Effect& effect, const EffectCall& call) {
-    effect.merge(call, out, planned);
-    return false;
-  });
+  for_effects(context, out, &Effect::merge, planned);
   if (layout.owner.width > 0) {
     out.plain(Opcode::set_constant, layout.owner, {}, planned.number);
   } else if (layout.candidate_colour.width > 0) {

@@ -42,21 +42,16 @@ struct ShowValue {
   }
 };
 
-std::string default_text(const Key& key, const std::any& blank) {
-  const std::optional<Value> value = key.load != nullptr ? key.load(blank) : std::nullopt;
-  return value ? std::visit(ShowValue{key}, *value) : "";
-}
-
 }  // namespace
 
 std::string keys_table(const Section& section) {
-  if (section.keys.empty()) return "";
+  const Values blank = section.blank();
+  if (blank.empty()) return "";
   std::string table = "| key | value | default | meaning |\n|---|---|---|---|\n";
-  const std::any blank = section.blank();
-  for (const Key& key : section.keys) {
+  for (const auto& [key, value] : blank) {
     const std::string unit = key.unit.empty() ? "" : fmt::format(" ({})", key.unit);
-    table += fmt::format("| `{}` | {}{} | {} | {} |\n", key.name, value_text(key), unit, default_text(key, blank),
-                         key.meaning);
+    table += fmt::format("| `{}` | {}{} | {} | {} |\n", key.name, value_text(key), unit,
+                         value ? std::visit(ShowValue{key}, *value) : "", key.meaning);
   }
   return table;
 }

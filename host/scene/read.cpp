@@ -115,14 +115,14 @@ class Reader {
 
   void read_section(const toml::table& table, const Section& section) {
     std::vector<std::string_view> known;
-    for (const Key& key : section.keys) known.push_back(key.name);
+    Values read = section.blank();
+    for (const KeyValue& one : read) known.push_back(one.key.name);
     const bool is_effect = section.name.starts_with(effects_prefix);
     if (is_effect) known.push_back(on_key);
     check_keys(table, known, fmt::format("{}.", section.name));
-    std::any read = section.blank();
-    for (const Key& key : section.keys) {
+    for (auto& [key, value] : read) {
       const toml::node* const node = table.get(key.name);
-      if (node != nullptr) key.store(read, value_of(*node, key, fmt::format("{}.{}", section.name, key.name)));
+      if (node != nullptr) value = value_of(*node, key, fmt::format("{}.{}", section.name, key.name));
     }
     const bool is_called = !is_effect || is_on(table, section);
     if (is_called) tell(section, read);
@@ -135,11 +135,8 @@ class Reader {
     if (is_effect && !is_on(table, section)) scene_.effects.back().is_on = false;
   }
 
-  void tell(const Section& section, const std::any& read) const {
-    if (values_ == nullptr) return;
-    SectionValues& told = values_->emplace_back(SectionValues{section.name, section.is_list, {}});
-    for (const Key& key : section.keys)
-      told.values.emplace_back(&key, key.load == nullptr ? std::nullopt : key.load(read));
+  void tell(const Section& section, const Values& read) const {
+    if (values_ != nullptr) values_->push_back({section.name, section.is_list, read});
   }
 
   [[nodiscard]] Value value_of(const toml::node& node, const Key& key, const std::string& name) const {

@@ -18,12 +18,11 @@ class SetError : public InputError {
   using InputError::InputError;
 };
 
-/// A section, or a table of its list, with every key's value: as said, or else the default; nothing where there is
-/// none.
+/// A section, or a table of its list.
 struct SectionValues {
   std::string_view name;
   bool is_of_list = false;
-  std::vector<std::pair<const Key*, std::optional<Value>>> values;
+  Values values;
 };
 
 /// Reads a scene (TOML); `file` is its name in messages, `effects` the sections of the effects that there are, with

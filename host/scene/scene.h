@@ -1,12 +1,13 @@
 #pragma once
 
-#include <any>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "host/scene/values.h"
 
 /// What is seen of a model besides its solids: camera, lights, materials, background, effects.
 namespace csgsim::scene {
@@ -92,11 +93,11 @@ struct Uncoloured {
   bool operator==(const Uncoloured&) const = default;
 };
 
-/// An effect that the scene speaks of, with its own settings.
+/// An effect that the scene speaks of.
 struct CalledEffect {
-  std::string_view name;  ///< of the effect's row
-  std::any settings;
-  bool is_on = true;  ///< false: not even if the model calls for it
+  std::string_view name;       ///< of the effect's section
+  std::vector<Values> tables;  ///< its own: one, or those of a list; the effect makes its settings of them
+  bool is_on = true;           ///< false: not even if the model calls for it
 };
 
 struct Scene {

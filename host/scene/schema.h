@@ -1,10 +1,6 @@
 #pragma once
 
-#include <any>
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -14,253 +10,183 @@
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "host/scene/values.h"
 
 namespace csgsim::scene {
 
-/// Rows of colours, all of one length.
-using ColourTable = std::vector<std::vector<glm::dvec3>>;
-
-/// A value of a scene file; a choice is the number of its name.
-using Value = std::variant<bool, std::int64_t, double, glm::dvec3, ColourTable>;
-
-enum class ValueKind : std::uint8_t {
-  boolean,
-  integer,
-  number,
-  vector,        ///< three numbers
-  colour,        ///< three numbers from 0 to 1
-  colour_table,  ///< a list of rows, each a list of colours
-  choice,        ///< one of `names`
-};
-
-/// One key of a section.
-struct Key {
-  std::string_view name;
-  ValueKind kind = ValueKind::boolean;
-  std::string_view unit;  ///< empty for what has none
-  double least = 0;       ///< of an integer or number, or of each of a vector's
-  double most = 0;
-  std::string_view meaning;
-  void (*store)(std::any& section, const Value& value) = nullptr;
-  std::span<const std::string_view> names{};
-  /// The value in a section; nothing where none is said.
-  std::optional<Value> (*load)(const std::any& section) = nullptr;
-};
-
-/// A table of the scene file, or a list of tables of the same form.
+/// A table of the scene file, or a list of tables of the same form. Whoever has a section has a struct for its tables,
+/// and beside it
+///   void visit_keys(Table& table, auto&& visit): calls visit(key, member) for each key, in order;
+///   void complete(Table& table), if there is something to do: completes what was read, and throws InputError, without
+///   a place, where the values do not fit each other.
 struct Section {
   std::string_view name;  ///< as in `[camera]`, `[effects.shadows]`
   std::string_view meaning;
   bool is_list = false;
-  std::span<const Key> keys;
-  std::any (*blank)() = nullptr;
-  /// Takes what was read. Throws InputError, without a place, where the values do not fit each other.
-  void (*keep)(Scene& scene, const Section& section, std::any&& read) = nullptr;
+  Values (*blank)() = nullptr;
+  /// Takes what was read. Throws as complete does.
+  void (*keep)(Scene& scene, const Section& section, Values&& read) = nullptr;
 };
 
 inline constexpr double any_number = 1e9;  ///< bound of coordinates, model units
 
-namespace detail {
-
-template <class Member>
-struct OfMember;
-
-template <class Struct, class Type>
-struct OfMember<Type Struct::*> {
-  using struct_type = Struct;
-  using type = Type;
-};
-
-template <class Type>
-struct Plain {
-  using type = Type;
-};
-
-template <class Type>
-struct Plain<std::optional<Type>> {
-  using type = Type;
-};
-
-/// Into a member of the section, or into a member of that member, and so on.
-template <class Of, class Held, auto... path>
-void store_in(std::any& section, const Value& value) {
-  auto& target = ((std::any_cast<Of&>(section)).*....*path);
-  using Wanted = typename Plain<std::remove_reference_t<decltype(target)>>::type;
-  target = static_cast<Wanted>(std::get<Held>(value));
+constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
+  return {name, ValueKind::boolean, "", 0, 0, meaning};
 }
 
-/// The section that the first of the members is of. It has to be an argument of the templates above by name: g++ 12
-/// takes functions that differ only in members of unnamed namespaces for one.
-template <auto member, auto...>
-struct SectionOf {
-  using type = typename OfMember<decltype(member)>::struct_type;
+constexpr Key integer_key(std::string_view name, std::string_view unit, double least, double most,
+                          std::string_view meaning) {
+  return {name, ValueKind::integer, unit, least, most, meaning};
+}
+
+constexpr Key number_key(std::string_view name, std::string_view unit, double least, double most,
+                         std::string_view meaning) {
+  return {name, ValueKind::number, unit, least, most, meaning};
+}
+
+constexpr Key vector_key(std::string_view name, std::string_view unit, std::string_view meaning) {
+  return {name, ValueKind::vector, unit, -any_number, any_number, meaning};
+}
+
+constexpr Key colour_key(std::string_view name, std::string_view meaning) {
+  return {name, ValueKind::colour, "", 0, 1, meaning};
+}
+
+constexpr Key colour_table_key(std::string_view name, std::string_view meaning) {
+  return {name, ValueKind::colour_table, "", 0, 1, meaning};
+}
+
+constexpr Key choice_key(std::string_view name, std::span<const std::string_view> names, std::string_view meaning) {
+  return {name, ValueKind::choice, "", 0, 0, meaning, names};
+}
+
+namespace detail {
+
+/// What a section's tables are kept in: one struct, or a list of them.
+template <class Kept>
+struct TableOf {
+  using type = Kept;
+  static constexpr bool is_list = false;
 };
 
-template <class Of, class Held, auto... path>
-std::optional<Value> load_from(const std::any& section) {
-  const auto& value = ((std::any_cast<const Of&>(section)).*....*path);
-  if constexpr (requires { value.has_value(); }) {
-    if (!value) return std::nullopt;
-    return Value(static_cast<Held>(*value));
+template <class Entry>
+struct TableOf<std::vector<Entry>> {
+  using type = Entry;
+  static constexpr bool is_list = true;
+};
+
+template <class Member>
+void load(const Member& member, KeyValue& into) {
+  if constexpr (requires { member.has_value(); }) {
+    if (member) load(*member, into);
+  } else if constexpr (std::is_class_v<Member>) {
+    into.value = member;
+  } else if (into.key.kind == ValueKind::boolean) {
+    into.value = static_cast<bool>(member);
+  } else if (into.key.kind == ValueKind::number) {
+    into.value = static_cast<double>(member);
   } else {
-    return Value(static_cast<Held>(value));
+    into.value = static_cast<std::int64_t>(member);
+  }
+}
+
+template <class Member>
+void store(const Value& value, Member& member) {
+  if constexpr (requires { member.has_value(); }) {
+    store(value, member.emplace());
+  } else if constexpr (std::is_class_v<Member>) {
+    member = std::get<Member>(value);
+  } else {
+    const auto put = [&](const auto& held) {
+      if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(held)>>) member = static_cast<Member>(held);
+    };
+    std::visit(put, value);
   }
 }
 
 }  // namespace detail
 
-template <auto... member>
-constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
-  return {name,
-          ValueKind::boolean,
-          "",
-          0,
-          0,
-          meaning,
-          detail::store_in<typename detail::SectionOf<member...>::type, bool, member...>,
-          {},
-          detail::load_from<typename detail::SectionOf<member...>::type, bool, member...>};
+template <class Table>
+Values values_of(Table table) {
+  Values values;
+  visit_keys(table, [&](const Key& key, const auto& member) {
+    values.push_back({key, {}});
+    detail::load(member, values.back());
+  });
+  return values;
 }
 
-template <auto... member>
-constexpr Key integer_key(std::string_view name, std::string_view unit, double least, double most,
-                          std::string_view meaning) {
-  return {name,
-          ValueKind::integer,
-          unit,
-          least,
-          most,
-          meaning,
-          detail::store_in<typename detail::SectionOf<member...>::type, std::int64_t, member...>,
-          {},
-          detail::load_from<typename detail::SectionOf<member...>::type, std::int64_t, member...>};
+/// The values of a table that says nothing.
+template <class Table>
+Values blank_values() {
+  return values_of(Table{});
 }
 
-template <auto... member>
-constexpr Key number_key(std::string_view name, std::string_view unit, double least, double most,
-                         std::string_view meaning) {
-  return {name,
-          ValueKind::number,
-          unit,
-          least,
-          most,
-          meaning,
-          detail::store_in<typename detail::SectionOf<member...>::type, double, member...>,
-          {},
-          detail::load_from<typename detail::SectionOf<member...>::type, double, member...>};
+/// The table with these values, complete. Throws as complete does.
+template <class Table>
+Table table_of(const Values& values) {
+  Table table;
+  std::size_t next = 0;
+  visit_keys(table, [&](const Key& /*key*/, auto& member) {
+    if (const std::optional<Value>& value = values[next++].value) detail::store(*value, member);
+  });
+  if constexpr (requires { complete(table); }) complete(table);
+  return table;
 }
 
-template <auto... member>
-constexpr Key vector_key(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {name,
-          ValueKind::vector,
-          unit,
-          -any_number,
-          any_number,
-          meaning,
-          detail::store_in<typename detail::SectionOf<member...>::type, glm::dvec3, member...>,
-          {},
-          detail::load_from<typename detail::SectionOf<member...>::type, glm::dvec3, member...>};
-}
-
-template <auto... member>
-constexpr Key colour_key(std::string_view name, std::string_view meaning) {
-  return {name,
-          ValueKind::colour,
-          "",
-          0,
-          1,
-          meaning,
-          detail::store_in<typename detail::SectionOf<member...>::type, glm::dvec3, member...>,
-          {},
-          detail::load_from<typename detail::SectionOf<member...>::type, glm::dvec3, member...>};
-}
-
-template <auto... member>
-constexpr Key colour_table_key(std::string_view name, std::string_view meaning) {
-  return {name,
-          ValueKind::colour_table,
-          "",
-          0,
-          1,
-          meaning,
-          detail::store_in<typename detail::SectionOf<member...>::type, ColourTable, member...>,
-          {},
-          detail::load_from<typename detail::SectionOf<member...>::type, ColourTable, member...>};
-}
-
-template <auto... member>
-constexpr Key choice_key(std::string_view name, std::span<const std::string_view> names, std::string_view meaning) {
-  return {name,
-          ValueKind::choice,
-          "",
-          0,
-          0,
-          meaning,
-          detail::store_in<typename detail::SectionOf<member...>::type, std::int64_t, member...>,
-          names,
-          detail::load_from<typename detail::SectionOf<member...>::type, std::int64_t, member...>};
-}
-
+/// The tables that a scene has of an effect, as its settings: the defaults where it has none, or a std::vector of all.
 template <class Settings>
-std::any blank_section() {
-  return Settings{};
+Settings settings_of(const std::vector<Values>& tables) {
+  Settings settings;
+  for (const Values& one : tables) {
+    if constexpr (detail::TableOf<Settings>::is_list) {
+      settings.push_back(table_of<typename Settings::value_type>(one));
+    } else {
+      settings = table_of<Settings>(one);
+    }
+  }
+  return settings;
 }
 
-/// `keep` of an effect: the scene calls for it.
-void keep_effect(Scene& scene, const Section& section, std::any&& read);
+/// A section that is kept in a member of the scene; a list, if that is one.
+template <class Kept, Kept Scene::*member>
+constexpr Section section(std::string_view name, std::string_view meaning) {
+  using Table = typename detail::TableOf<Kept>::type;
+  return {name, meaning, detail::TableOf<Kept>::is_list, blank_values<Table>,
+          [](Scene& scene, const Section& /*section*/, Values&& read) {
+            if constexpr (detail::TableOf<Kept>::is_list) {
+              (scene.*member).push_back(table_of<Table>(read));
+            } else {
+              scene.*member = table_of<Table>(read);
+            }
+          }};
+}
 
-/// `keep` of an effect whose section is a list of tables, each an Entry: its settings are a std::vector<Entry>.
-template <class Entry>
-void keep_entry(Scene& scene, const Section& section, std::any&& read) {
-  if (scene.effects.empty() || scene.effects.back().name != section.name)
-    scene.effects.push_back({section.name, std::vector<Entry>{}});
-  std::any_cast<std::vector<Entry>&>(scene.effects.back().settings).push_back(std::any_cast<Entry&&>(std::move(read)));
+/// Has the scene call for an effect with this table, which is one more where the section is a list.
+void call(Scene& scene, const Section& section, Values&& table);
+
+/// Of an effect, for which the scene calls with it; a list, if the settings are a std::vector.
+template <class Settings>
+constexpr Section effect_section(std::string_view name, std::string_view meaning) {
+  using Table = typename detail::TableOf<Settings>::type;
+  return {name, meaning, detail::TableOf<Settings>::is_list, blank_values<Table>,
+          [](Scene& scene, const Section& section, Values&& read) {
+            table_of<Table>(read);  // throws where the values do not fit each other
+            call(scene, section, std::move(read));
+          }};
 }
 
 inline constexpr double last_line = 4'294'967'295.0;
 
-/// The keys that choose primitives, of a section that is a Chosen.
-template <class Of>
-inline constexpr std::array chosen_keys{Key{"of_colour",
-                                            ValueKind::colour,
-                                            "",
-                                            0,
-                                            1,
-                                            "for the primitives that have this colour in the model",
-                                            detail::store_in<Of, glm::dvec3, &Chosen::of_colour>,
-                                            {},
-                                            detail::load_from<Of, glm::dvec3, &Chosen::of_colour>},
-                                        Key{"from_line",
-                                            ValueKind::integer,
-                                            "",
-                                            1,
-                                            last_line,
-                                            "for those from this line of the model on",
-                                            detail::store_in<Of, std::int64_t, &Chosen::from_line>,
-                                            {},
-                                            detail::load_from<Of, std::int64_t, &Chosen::from_line>},
-                                        Key{"to_line",
-                                            ValueKind::integer,
-                                            "",
-                                            1,
-                                            last_line,
-                                            "to this line; from_line if not given",
-                                            detail::store_in<Of, std::int64_t, &Chosen::to_line>,
-                                            {},
-                                            detail::load_from<Of, std::int64_t, &Chosen::to_line>}};
+/// The keys that choose primitives, of a section whose table is a Chosen.
+void visit_keys(Chosen& chosen, auto&& visit) {
+  visit(colour_key("of_colour", "for the primitives that have this colour in the model"), chosen.of_colour);
+  visit(integer_key("from_line", "", 1, last_line, "for those from this line of the model on"), chosen.from_line);
+  visit(integer_key("to_line", "", 1, last_line, "to this line; from_line if not given"), chosen.to_line);
+}
 
 /// Completes what was read. Throws InputError where the lines are none.
 void complete(Chosen& chosen);
-
-/// Keys of two kinds in one list.
-template <std::size_t m, std::size_t n>
-constexpr std::array<Key, m + n> joined(const std::array<Key, m>& first, const std::array<Key, n>& second) {
-  std::array<Key, m + n> all{};
-  for (std::size_t i = 0; i < m; ++i) all[i] = first[i];
-  for (std::size_t i = 0; i < n; ++i) all[m + i] = second[i];
-  return all;
-}
 
 /// camera, background, ambient, lights, materials.
 std::span<const Section> common_sections();

@@ -13,86 +13,79 @@ constexpr std::array<std::string_view, 2> projections{"ortho", "perspective"};
 constexpr std::array<std::string_view, 2> light_kinds{"directional", "point"};
 constexpr std::array<std::string_view, 2> axes{"model", "camera"};
 
-constexpr std::array camera_keys{
-    vector_key<&Camera::eye>("eye", "model units", "where the eye is"),
-    vector_key<&Camera::centre>("centre", "model units", "what it looks at"),
-    choice_key<&Camera::is_perspective>("projection", projections, "how the picture is projected"),
-    boolean_key<&Camera::view_all>("view_all", "the camera moves so that the whole model just fits"),
-    number_key<&Camera::near>("near", "model units", 0, any_number,
-                              "perspective: distance of the near plane; solids are capped there")};
+}  // namespace
 
-constexpr std::array background_keys{
-    colour_key<&Background::colour>("colour", "where nothing is seen: red, green, blue")};
-
-constexpr std::array ambient_keys{
-    colour_key<&Ambient::colour>("colour", "red, green, blue"),
-    number_key<&Ambient::intensity>("intensity", "", 0, 1, "part of the colour that every surface gets")};
-
-constexpr std::array light_keys{
-    choice_key<&Light::kind>("kind", light_kinds, "from far away, or from a place"),
-    choice_key<&Light::axes>("axes", axes, "of direction and position; the camera's are right, up and forward"),
-    vector_key<&Light::direction>("direction", "", "directional: in which the light shines"),
-    vector_key<&Light::position>("position", "model units", "point: where the light is"),
-    colour_key<&Light::colour>("colour", "red, green, blue"),
-    number_key<&Light::intensity>("intensity", "", 0, 10, "part of the colour that a surface gets which faces it")};
-
-constexpr std::array material_keys = joined(
-    chosen_keys<MaterialRule>,
-    std::array{
-        colour_key<&MaterialRule::colour>("colour", "instead of the model's"),
-        number_key<&MaterialRule::opacity>("opacity", "", 0, 1, "instead of the model's alpha: 0 is clear, 1 opaque"),
-        number_key<&MaterialRule::material, &Material::ambient>("ambient", "", 0, 1,
-                                                                "part of the ambient light that it throws back"),
-        number_key<&MaterialRule::material, &Material::diffuse>("diffuse", "", 0, 1, "part of a light from the front"),
-        number_key<&MaterialRule::material, &Material::specular>("specular", "", 0, 1,
-                                                                 "part of a light that is mirrored into the eye"),
-        number_key<&MaterialRule::material, &Material::shininess>("shininess", "", 1, 1000,
-                                                                  "exponent of the highlight"),
-        number_key<&MaterialRule::material, &Material::mirror>(
-            "mirror", "", 0, 1, "part of what its flat faces show that is their mirror image; of what is opaque")});
-
-template <auto member>
-void keep_one(Scene& scene, const Section& /*section*/, std::any&& read) {
-  auto& kept = scene.*member;
-  kept = std::any_cast<std::remove_reference_t<decltype(kept)>>(std::move(read));
+// Not in the unnamed namespace, in which table_of would not find them.
+void visit_keys(Camera& camera, auto&& visit) {
+  visit(vector_key("eye", "model units", "where the eye is"), camera.eye);
+  visit(vector_key("centre", "model units", "what it looks at"), camera.centre);
+  visit(choice_key("projection", projections, "how the picture is projected"), camera.is_perspective);
+  visit(boolean_key("view_all", "the camera moves so that the whole model just fits"), camera.view_all);
+  visit(number_key("near", "model units", 0, any_number,
+                   "perspective: distance of the near plane; solids are capped there"),
+        camera.near);
 }
 
-void keep_camera(Scene& scene, const Section& /*section*/, std::any&& read) {
-  const auto& camera = std::any_cast<const Camera&>(read);
+static void complete(const Camera& camera) {
   if (camera.near && !camera.is_perspective.value_or(false)) {
     throw InputError("near is for a perspective view; add projection = \"perspective\"");
   }
-  scene.camera = camera;
 }
 
-void keep_light(Scene& scene, const Section& /*section*/, std::any&& read) {
-  const auto& light = std::any_cast<const Light&>(read);
+void visit_keys(Background& background, auto&& visit) {
+  visit(colour_key("colour", "where nothing is seen: red, green, blue"), background.colour);
+}
+
+void visit_keys(Ambient& ambient, auto&& visit) {
+  visit(colour_key("colour", "red, green, blue"), ambient.colour);
+  visit(number_key("intensity", "", 0, 1, "part of the colour that every surface gets"), ambient.intensity);
+}
+
+void visit_keys(Light& light, auto&& visit) {
+  visit(choice_key("kind", light_kinds, "from far away, or from a place"), light.kind);
+  visit(choice_key("axes", axes, "of direction and position; the camera's are right, up and forward"), light.axes);
+  visit(vector_key("direction", "", "directional: in which the light shines"), light.direction);
+  visit(vector_key("position", "model units", "point: where the light is"), light.position);
+  visit(colour_key("colour", "red, green, blue"), light.colour);
+  visit(number_key("intensity", "", 0, 10, "part of the colour that a surface gets which faces it"), light.intensity);
+}
+
+static void complete(const Light& light) {
   if (light.kind == LightKind::directional && glm::length(light.direction) == 0) {
     throw InputError("a directional light shines in a direction; add direction = [x, y, z], not all 0");
   }
-  scene.lights.push_back(light);
 }
 
-void keep_material(Scene& scene, const Section& /*section*/, std::any&& read) {
-  auto& rule = std::any_cast<MaterialRule&>(read);
-  complete(rule);
-  scene.materials.push_back(rule);
+void visit_keys(MaterialRule& rule, auto&& visit) {
+  visit_keys(static_cast<Chosen&>(rule), visit);
+  visit(colour_key("colour", "instead of the model's"), rule.colour);
+  visit(number_key("opacity", "", 0, 1, "instead of the model's alpha: 0 is clear, 1 opaque"), rule.opacity);
+  Material& material = rule.material;
+  visit(number_key("ambient", "", 0, 1, "part of the ambient light that it throws back"), material.ambient);
+  visit(number_key("diffuse", "", 0, 1, "part of a light from the front"), material.diffuse);
+  visit(number_key("specular", "", 0, 1, "part of a light that is mirrored into the eye"), material.specular);
+  visit(number_key("shininess", "", 1, 1000, "exponent of the highlight"), material.shininess);
+  visit(
+      number_key("mirror", "", 0, 1, "part of what its flat faces show that is their mirror image; of what is opaque"),
+      material.mirror);
 }
+
+namespace {
 
 constexpr std::array sections{
-    Section{"camera", "where the model is seen from", false, camera_keys, blank_section<Camera>, keep_camera},
-    Section{"background", "what is seen where there is no solid", false, background_keys, blank_section<Background>,
-            keep_one<&Scene::background>},
-    Section{"ambient", "light from everywhere", false, ambient_keys, blank_section<Ambient>, keep_one<&Scene::ambient>},
-    Section{"lights", "lights; if there are none, one beside the eye", true, light_keys, blank_section<Light>,
-            keep_light},
-    Section{"materials", "how surfaces throw light back; the last that holds for a primitive counts", true,
-            material_keys, blank_section<MaterialRule>, keep_material}};
+    section<Camera, &Scene::camera>("camera", "where the model is seen from"),
+    section<Background, &Scene::background>("background", "what is seen where there is no solid"),
+    section<Ambient, &Scene::ambient>("ambient", "light from everywhere"),
+    section<std::vector<Light>, &Scene::lights>("lights", "lights; if there are none, one beside the eye"),
+    section<std::vector<MaterialRule>, &Scene::materials>(
+        "materials", "how surfaces throw light back; the last that holds for a primitive counts")};
 
 }  // namespace
 
-void keep_effect(Scene& scene, const Section& section, std::any&& read) {
-  scene.effects.push_back({section.name, std::move(read)});
+void call(Scene& scene, const Section& section, Values&& table) {
+  std::vector<CalledEffect>& effects = scene.effects;
+  if (!section.is_list || effects.empty() || effects.back().name != section.name) effects.push_back({section.name, {}});
+  effects.back().tables.push_back(std::move(table));
 }
 
 void complete(Chosen& chosen) {

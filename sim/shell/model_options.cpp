@@ -350,17 +350,17 @@ std::vector<std::filesystem::path> ModelOptions::inputs() const {
 namespace {
 
 /// An effect of what is drawn that lets something through; null if there is none.
-const emit::Effect* see_through(const emit::Options& emit, const model::Tree& tree, const view::Camera& camera) {
+const emit::EffectRow* see_through(const emit::Options& emit, const model::Tree& tree, const view::Camera& camera) {
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
   for (const emit::CalledEffect& one : emit::called_effects(emit, look))
-    if (one.effect->sees_through) return one.effect;
+    if (one.row->sees_through) return one.row;
   return nullptr;
 }
 
 }  // namespace
 
 void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera) {
-  if (const emit::Effect* const effect = see_through(emit_options_of(options), tree, camera)) {
+  if (const emit::EffectRow* const effect = see_through(emit_options_of(options), tree, camera)) {
     throw InputError(fmt::format(
         "{}: the exact picture that others are held against knows opaque solids alone; add --set effects.{}.on=false",
         printable(options.model), effect->name()));

@@ -102,7 +102,7 @@ Json scene_json(const std::vector<scene::SectionValues>& sections) {
   for (const scene::SectionValues& section : sections) {
     Json keys = Json::object();
     for (const auto& [key, value] : section.values)
-      keys[std::string(key->name)] = value ? std::visit(SceneValue{*key}, *value) : Json();
+      keys[std::string(key.name)] = value ? std::visit(SceneValue{key}, *value) : Json();
     Json& place = json[std::string(section.name)];
     if (section.is_of_list) {
       place.push_back(std::move(keys));

@@ -47,8 +47,8 @@ std::vector<std::string> vocabulary() {
     for (const machines::FigureSchema& figure : kind->schema) words.emplace(figure.key);
   }
   const auto add_section = [&](const scene::Section& section) {
-    for (const scene::Key& key : section.keys)
-      words.insert(fmt::format("{}.{}{}", section.name, section.is_list ? "0." : "", key.name));
+    for (const scene::KeyValue& one : section.blank())
+      words.insert(fmt::format("{}.{}{}", section.name, section.is_list ? "0." : "", one.key.name));
   };
   for (const scene::Section& section : scene::common_sections()) add_section(section);
   for (const scene::Section& section : effects::sections()) {

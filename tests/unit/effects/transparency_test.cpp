@@ -98,6 +98,15 @@ bool same(const observe::Frame& a, const observe::Frame& b) {
 
 testing::Setup view_of_parts(const std::vector<std::string>& sets) { return front_view(16, 16, scene_of("", sets)); }
 
+struct NoSettings {};
+
+void visit_keys(NoSettings& /*settings*/, const auto& /*visit*/) {}
+
+class AlwaysCalled final : public emit::EffectOf<NoSettings> {
+ public:
+  bool called_by(const emit::Look& /*look*/) const override { return true; }
+};
+
 }  // namespace
 
 TEST_CASE("panes behind one another are blended within as many levels as there are layers") {
@@ -198,14 +207,13 @@ TEST_CASE("see-through pictures are the same on all machines, by all strategies,
 }
 
 TEST_CASE("see-through surfaces are the same where colours are found by the owner") {
-  static const emit::Effect owners{
-      .section = {"effects.owners", "", false, {}, [] { return std::any(0); }, scene::keep_effect},
-      .technique = "",
-      .called_by = [](const emit::Look&) { return true; },
-      .needs_owners = true};
+  static const emit::EffectRow owners{.section = scene::effect_section<NoSettings>("effects.owners", ""),
+                                      .technique = "",
+                                      .parts = emit::parts_of<AlwaysCalled>,
+                                      .needs_owners = true};
   testing::Setup setup = view_of_parts({});
   const observe::Frame first = drawn(union_of(parts()), setup);
-  std::vector<const emit::Effect*> rows(effects::all().begin(), effects::all().end());
+  std::vector<const emit::EffectRow*> rows(effects::all().begin(), effects::all().end());
   rows.push_back(&owners);
   setup.options.effects = rows;
   CHECK(same(drawn(union_of(parts()), setup), first));
