@@ -41,49 +41,10 @@ view::FixedQuadratic moved(const view::FixedQuadratic& q, std::int64_t x, std::i
            linear.c + (linear.a + q.xx * x + q.xy * y) * x + (linear.b + q.yy * y) * y}};
 }
 
-/// Whether E is after the instruction what it was before, whatever it meets.
+/// Whether E is after the instruction what it was before, whatever it meets. What follows a skip may follow what is
+/// before it too.
 bool keeps_enable(isa::Opcode opcode) {
-  using isa::Opcode;
-  switch (opcode) {
-    case Opcode::enable_store:
-    case Opcode::set_constant:
-    case Opcode::copy:
-    case Opcode::bit_and:
-    case Opcode::bit_or:
-    case Opcode::bit_xor:
-    case Opcode::bit_and_not:
-    case Opcode::bit_not:
-    case Opcode::global_or:
-    case Opcode::xor_constant:
-    case Opcode::add:
-    case Opcode::squares:
-    case Opcode::linear_plus:
-    case Opcode::linear_minus:
-    case Opcode::root: return true;
-    case Opcode::enable_all:
-    case Opcode::enable_invert:
-    case Opcode::enable_load:
-    case Opcode::enable_and:
-    case Opcode::enable_and_not:
-    case Opcode::enable_or:
-    case Opcode::enable_xor:
-    case Opcode::edge_not_negative:
-    case Opcode::edge_negative:
-    case Opcode::stripe:
-    case Opcode::linear_ge:
-    case Opcode::linear_gt:
-    case Opcode::linear_le:
-    case Opcode::linear_lt:
-    case Opcode::linear_eq:
-    case Opcode::load_linear:
-    case Opcode::keep_max:
-    case Opcode::keep_min:
-    case Opcode::field_lt:
-    case Opcode::field_le:
-    case Opcode::field_eq:
-    case Opcode::skip_if_none: return false;  // what follows a skip may follow what is before it too
-  }
-  return false;
+  return isa::info(opcode).enable_effect == isa::EnableEffect::keeps && opcode != isa::Opcode::skip_if_none;
 }
 
 /// A bit that E is equal to after the instruction, if it was equal to that one before.

@@ -6,13 +6,6 @@ namespace csgsim::array {
 
 namespace {
 
-/// Whether it may change memory or enable of a pixel that is not enabled, or what the next instruction does. What does
-/// so has one step.
-bool acts_where_none_is_enabled(const isa::Instruction& instruction, Sequencer sequencer) {
-  sequencer.begin(instruction);
-  return instruction.opcode == isa::Opcode::squares || info(sequencer.issue().pixels.function).acts_where_disabled;
-}
-
 /// Whether it sets the carry whatever that was.
 bool sets_carry(AluFunction function) {
   return function == AluFunction::compare_from_0 || function == AluFunction::compare_from_1 ||
@@ -35,7 +28,9 @@ void PixelReplay::begin(const isa::Region& region) {
 }
 
 void PixelReplay::execute_where_enabled(const isa::Instruction& instruction) {
-  if (acts_where_none_is_enabled(instruction, sequencer_) || pixels_.any_enabled()) return execute(instruction);
+  // Squares are a part of what the next instruction does.
+  const bool acts = isa::acts_on_disabled(instruction.opcode) || instruction.opcode == isa::Opcode::squares;
+  if (acts || pixels_.any_enabled()) return execute(instruction);
   knows_tree_ = false;
   knows_carry_ = false;
   knows_flag_ = false;

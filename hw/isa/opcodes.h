@@ -31,8 +31,16 @@ enum class ClockClass : std::uint8_t {
   root,          ///< a bit of the root after the other, each against all that are there
 };
 
+/// What an instruction does to E.
+enum class EnableEffect : std::uint8_t {
+  sets,     ///< whatever it was
+  narrows,  ///< may clear it
+  keeps,
+};
+
 /// The broadcast instruction set. Columns: number, name, operands (at most three), widths of the fields, clock class,
-/// meaning. The numbers are what files and links carry: they stay as they are, and the rows may stand in any order.
+/// what becomes of E, meaning. The numbers are what files and links carry: they stay as they are, and the rows may
+/// stand in any order.
 ///
 /// In the meanings E is the pixel's enable bit, t a target field, s and r source fields, k a constant or a count, and
 /// F the pixel's value of the linear expression: the low `width` bits of A*x + B*y + C as a two's complement number,
@@ -42,55 +50,60 @@ enum class ClockClass : std::uint8_t {
 /// Memory is written only where E is 1, but for enable_store.
 // clang-format off
 #define CSGSIM_OPCODES(OP)                                                                                             \
-  OP( 0, enable_all,        none,   none,     none,   one,         one,          "E := 1")                             \
-  OP( 1, enable_invert,     none,   none,     none,   one,         one,          "E := not E")                         \
-  OP( 2, enable_load,       source, none,     none,   one,         one,          "E := s")                             \
-  OP( 3, enable_and,        source, none,     none,   one,         one,          "E := E and s")                       \
-  OP( 4, enable_and_not,    source, none,     none,   one,         one,          "E := E and not s")                   \
-  OP( 5, enable_or,         source, none,     none,   one,         one,          "E := E or s")                        \
-  OP( 6, enable_xor,        source, none,     none,   one,         one,          "E := E xor s")                       \
-  OP( 7, enable_store,      target, none,     none,   one,         one,                                                \
+  OP( 0, enable_all,        none,   none,     none,   one,         one,         sets,    "E := 1")                     \
+  OP( 1, enable_invert,     none,   none,     none,   one,         one,         sets,    "E := not E")                 \
+  OP( 2, enable_load,       source, none,     none,   one,         one,         sets,    "E := s")                     \
+  OP( 3, enable_and,        source, none,     none,   one,         one,         narrows, "E := E and s")               \
+  OP( 4, enable_and_not,    source, none,     none,   one,         one,         narrows, "E := E and not s")           \
+  OP( 5, enable_or,         source, none,     none,   one,         one,         sets,    "E := E or s")                \
+  OP( 6, enable_xor,        source, none,     none,   one,         one,         sets,    "E := E xor s")               \
+  OP( 7, enable_store,      target, none,     none,   one,         one,         keeps,                                 \
      "t := E, at every pixel, enabled or not")                                                                         \
-  OP( 8, edge_not_negative, linear, none,     none,   free,        linear_once,  "E := E and F >= 0")                  \
-  OP( 9, edge_negative,     linear, none,     none,   free,        linear_once,  "E := E and F < 0")                   \
-  OP(10, linear_ge,         source, linear,   none,   free,        linear_once,  "E := E and F >= s")                  \
-  OP(11, linear_gt,         source, linear,   none,   free,        linear_once,  "E := E and F > s")                   \
-  OP(12, linear_le,         source, linear,   none,   free,        linear_once,  "E := E and F <= s")                  \
-  OP(13, linear_lt,         source, linear,   none,   free,        linear_once,  "E := E and F < s")                   \
-  OP(14, linear_eq,         source, linear,   none,   free,        linear_once,  "E := E and F = s")                   \
-  OP(15, load_linear,       target, linear,   none,   wide,        linear_once,                                        \
+  OP( 8, edge_not_negative, linear, none,     none,   free,        linear_once, narrows, "E := E and F >= 0")          \
+  OP( 9, edge_negative,     linear, none,     none,   free,        linear_once, narrows, "E := E and F < 0")           \
+  OP(10, linear_ge,         source, linear,   none,   free,        linear_once, narrows, "E := E and F >= s")          \
+  OP(11, linear_gt,         source, linear,   none,   free,        linear_once, narrows, "E := E and F > s")           \
+  OP(12, linear_le,         source, linear,   none,   free,        linear_once, narrows, "E := E and F <= s")          \
+  OP(13, linear_lt,         source, linear,   none,   free,        linear_once, narrows, "E := E and F < s")           \
+  OP(14, linear_eq,         source, linear,   none,   free,        linear_once, narrows, "E := E and F = s")           \
+  OP(15, load_linear,       target, linear,   none,   wide,        linear_once, narrows,                               \
      "where E: t := the low bits of F, and E := 0 if F does not fit t")                                                \
-  OP(16, keep_max,          target, linear,   none,   free,        linear_twice,                                       \
+  OP(16, keep_max,          target, linear,   none,   free,        linear_twice, narrows,                              \
      "where E and F > t: t := the low bits of F, and E := 0 if F does not fit t")                                      \
-  OP(17, keep_min,          target, linear,   none,   free,        linear_twice,                                       \
+  OP(17, keep_min,          target, linear,   none,   free,        linear_twice, narrows,                              \
      "where E and F < t: t := the low bits of F, and E := 0 if F does not fit t")                                      \
-  OP(18, set_constant,      target, constant, none,   free,        field,        "where E: t := k")                    \
-  OP(19, copy,              target, source,   none,   equal,       field,        "where E: t := s")                    \
-  OP(20, field_lt,          source, source,   none,   equal,       two_fields,   "E := E and s < r")                   \
-  OP(21, field_le,          source, source,   none,   equal,       two_fields,   "E := E and s <= r")                  \
-  OP(22, field_eq,          source, source,   none,   equal,       two_fields,   "E := E and s = r")                   \
-  OP(23, bit_and,           target, source,   source, elementwise, two_fields,   "where E: t := s and r, bit by bit")  \
-  OP(24, bit_or,            target, source,   source, elementwise, two_fields,   "where E: t := s or r, bit by bit")   \
-  OP(25, bit_xor,           target, source,   source, elementwise, two_fields,   "where E: t := s xor r, bit by bit")  \
-  OP(26, bit_and_not,       target, source,   source, elementwise, two_fields,                                         \
+  OP(18, set_constant,      target, constant, none,   free,        field,       keeps,   "where E: t := k")            \
+  OP(19, copy,              target, source,   none,   equal,       field,       keeps,   "where E: t := s")            \
+  OP(20, field_lt,          source, source,   none,   equal,       two_fields,  narrows, "E := E and s < r")           \
+  OP(21, field_le,          source, source,   none,   equal,       two_fields,  narrows, "E := E and s <= r")          \
+  OP(22, field_eq,          source, source,   none,   equal,       two_fields,  narrows, "E := E and s = r")           \
+  OP(23, bit_and,           target, source,   source, elementwise, two_fields,  keeps,                                 \
+     "where E: t := s and r, bit by bit")                                                                              \
+  OP(24, bit_or,            target, source,   source, elementwise, two_fields,  keeps,                                 \
+     "where E: t := s or r, bit by bit")                                                                               \
+  OP(25, bit_xor,           target, source,   source, elementwise, two_fields,  keeps,                                 \
+     "where E: t := s xor r, bit by bit")                                                                              \
+  OP(26, bit_and_not,       target, source,   source, elementwise, two_fields,  keeps,                                 \
      "where E: t := s and not r, bit by bit")                                                                          \
-  OP(27, bit_not,           target, source,   none,   elementwise, field,        "where E: t := not s, bit by bit")    \
-  OP(28, global_or,         none,   none,     none,   free,        answer,                                             \
+  OP(27, bit_not,           target, source,   none,   elementwise, field,       keeps,                                 \
+     "where E: t := not s, bit by bit")                                                                                \
+  OP(28, global_or,         none,   none,     none,   free,        answer,      keeps,                                 \
      "the host is told whether E is 1 at any pixel")                                                                   \
-  OP(29, xor_constant,      target, constant, none,   free,        field,        "where E: t := t xor k, bit by bit")  \
-  OP(30, skip_if_none,      count,  none,     none,   free,        answer,                                             \
+  OP(29, xor_constant,      target, constant, none,   free,        field,       keeps,                                 \
+     "where E: t := t xor k, bit by bit")                                                                              \
+  OP(30, skip_if_none,      count,  none,     none,   free,        answer,      keeps,                                 \
      "if E is 1 at no pixel, the next k instructions of the segment are not carried out")                              \
-  OP(31, add,               target, source,   none,   narrower,    two_fields,                                         \
+  OP(31, add,               target, source,   none,   narrower,    two_fields,  keeps,                                 \
      "where E: t := the low bits of t + s; the carry out of the top bit is lost")                                      \
-  OP(32, stripe,            linear, none,     none,   free,        linear_once,                                        \
+  OP(32, stripe,            linear, none,     none,   free,        linear_once, narrows,                               \
      "E := E and the top bit of F; bits of the sum above it are cut off on purpose, which is no overflow")             \
-  OP(33, squares,           squares, none,    none,   free,        one,                                                \
+  OP(33, squares,           squares, none,    none,   free,        one,         keeps,                                 \
      "the sum of the next instruction has A x^2 + B xy + C y^2 besides")                                               \
-  OP(34, linear_plus,       target, linear,   none,   wide,        linear_once,                                        \
+  OP(34, linear_plus,       target, linear,   none,   wide,        linear_once, keeps,                                 \
      "where E: t := the low bits of F + t")                                                                            \
-  OP(35, linear_minus,      target, linear,   none,   wide,        linear_once,                                        \
+  OP(35, linear_minus,      target, linear,   none,   wide,        linear_once, keeps,                                 \
      "where E: t := the low bits of F - t")                                                                            \
-  OP(36, root,              target, none,     none,   odd,         root,                                               \
+  OP(36, root,              target, none,     none,   odd,         root,        keeps,                                 \
      "where E: t := q, the root of D rounded down, in its upper w bits, and D - (q or 1)^2 below")
 // clang-format on
 
@@ -107,14 +120,15 @@ struct OpcodeInfo {
   Operands operands;
   FieldWidths widths;
   ClockClass clock_class;
+  EnableEffect enable_effect;
   std::string_view meaning;
 };
 
 inline constexpr auto opcode_table = std::to_array<OpcodeInfo>({
 // clang-format off
-#define CSGSIM_OPCODE_ROW(number, name, first, second, third, widths, clocks, meaning)            \
+#define CSGSIM_OPCODE_ROW(number, name, first, second, third, widths, clocks, enable, meaning)    \
     OpcodeInfo{Opcode::name, #name, {OperandKind::first, OperandKind::second, OperandKind::third}, \
-               FieldWidths::widths, ClockClass::clocks, meaning},
+               FieldWidths::widths, ClockClass::clocks, EnableEffect::enable, meaning},
     // clang-format on
     CSGSIM_OPCODES(CSGSIM_OPCODE_ROW)
 #undef CSGSIM_OPCODE_ROW
@@ -131,6 +145,11 @@ inline constexpr auto opcode_rows = [] {
 
 /// The row of an opcode that has one.
 constexpr const OpcodeInfo& info(Opcode opcode) { return opcode_table[opcode_rows[static_cast<std::size_t>(opcode)]]; }
+
+/// Whether it may change E or memory of a pixel that is not enabled.
+constexpr bool acts_on_disabled(Opcode opcode) {
+  return info(opcode).enable_effect == EnableEffect::sets || opcode == Opcode::enable_store;
+}
 
 static_assert(
     [] {

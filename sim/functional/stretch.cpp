@@ -1,7 +1,6 @@
 #include "sim/functional/stretch.h"
 
 #include <algorithm>
-#include <array>
 
 #include "hw/isa/opcodes.h"
 
@@ -10,13 +9,6 @@ namespace csgsim::functional {
 namespace {
 
 constexpr std::size_t most_instructions = 1024;
-
-/// Does it change anything where E is 0?
-bool acts_on_disabled(isa::Opcode opcode) {
-  using enum isa::Opcode;
-  constexpr std::array acting{enable_all, enable_invert, enable_load, enable_or, enable_xor, enable_store};
-  return std::find(acting.begin(), acting.end(), opcode) != acting.end();
-}
 
 }  // namespace
 
@@ -47,7 +39,7 @@ void Stretch::find_wakes() {
   auto next = static_cast<std::uint32_t>(size());
   wakes_.back() = next;
   for (std::uint32_t i = next; i-- > 0;) {
-    if (acts_on_disabled(instructions_[i].opcode)) next = i;
+    if (isa::acts_on_disabled(instructions_[i].opcode)) next = i;
     wakes_[i] = next;
   }
 }
