@@ -8,7 +8,7 @@
 namespace csgsim::machines {
 
 std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint32_t memory_bits) {
-  if (!machine.kind->bit_serial_pixels) return std::nullopt;
+  if (!machine.kind->bit_serial_pixels()) return std::nullopt;
   const auto logic = std::ranges::find_if(pixel_logic_table, [&](const PixelLogic& row) {
     return row.alu_bits == machine.alu_bits && row.memory_reads == machine.memory_reads &&
            row.degree == machine.evaluator_degree;

@@ -12,16 +12,14 @@ namespace csgsim::machines {
 Machine blank(const Kind& kind) {
   Machine machine;
   machine.kind = &kind;
-  machine.own = kind.own();
+  kind.give_figures(machine);
   return machine;
 }
 
-void complete(Machine& machine) {
-  if (machine.kind->complete != nullptr) machine.kind->complete(machine);
-}
+void complete(Machine& machine) { machine.kind->complete(machine); }
 
 void set_picture_size(Machine& machine, Size size) {
-  if (machine.kind->set_picture != nullptr) machine.kind->set_picture(machine, size);
+  machine.kind->set_picture(machine, size);
   machine.picture = size;
 }
 
@@ -85,18 +83,14 @@ bool same_hardware(const Machine& one, const Machine& other) {
 }
 
 isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine) {
-  return machine.kind->second_buffer == nullptr ? isa::Field{} : machine.kind->second_buffer(colour_bits, machine);
+  return machine.kind->second_buffer(colour_bits, machine);
 }
 
-bool has_global_or(const Machine& machine) {
-  return machine.kind->has_global_or != nullptr && machine.kind->has_global_or(machine);
-}
+bool has_global_or(const Machine& machine) { return machine.kind->has_global_or(machine); }
 
-bool keeps_active_list(const Machine& machine) { return machine.kind->keeps_active_list; }
+bool keeps_active_list(const Machine& machine) { return machine.kind->keeps_active_list(); }
 
-std::optional<Division> division(const Machine& machine) {
-  return machine.kind->division == nullptr ? std::nullopt : machine.kind->division(machine);
-}
+std::optional<Division> division(const Machine& machine) { return machine.kind->division(machine); }
 
 std::vector<isa::Region> regions(const Machine& machine) { return machine.kind->regions(machine); }
 

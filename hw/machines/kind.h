@@ -1,6 +1,5 @@
 #pragma once
 
-#include <any>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,52 +26,86 @@ struct Resources {
 enum class Parts : std::uint8_t { segments, subsegments };
 
 /// A kind of machine: all that is known of its machines without building them. Each has a room, hw/KIND, and a row in
-/// hw/kinds. Where a function may be null, there is nothing to do.
-struct Kind {
-  std::string_view name;  ///< as descriptions give it
+/// hw/kinds. What a kind does not override, it does not have.
+class Kind {
+ public:
+  using Machine = machines::Machine;
+  using Program = isa::Program;
+  using Skips = std::span<const Skip>;
+  using Timeline = machines::Timeline;
+  using Spans = std::vector<ClockSpan>;
 
+  constexpr Kind(std::string_view kind_name, std::span<const FigureSchema> figures)
+      : name(kind_name), schema(figures) {}
+  virtual ~Kind() = default;
+
+  std::string_view name;  ///< as descriptions give it
   /// Every figure that a description has to give, besides its `name`, `description` and `kind`.
   std::span<const FigureSchema> schema;
-  /// Its own figures before a description is read.
-  std::any (*own)();
+
+  /// Gives the machine the kind's own figures, as they are before a description is read.
+  virtual void give_figures(Machine& machine) const = 0;
   /// Works out what follows from the figures. Throws InputError where they do not fit each other.
-  void (*complete)(Machine& machine) = nullptr;
+  virtual void complete(Machine& /*machine*/) const {}
   /// Throws InputError where the machine cannot draw such a picture.
-  void (*set_picture)(Machine& machine, Size size) = nullptr;
+  virtual void set_picture(Machine& /*machine*/, Size /*size*/) const {}
 
   /// The field of pixel memory from which so many bits of colour are shown, where that is not the one in which they
-  /// are drawn; else one of width 0. Null for a kind that has no such field.
-  isa::Field (*second_buffer)(std::uint32_t colour_bits, const Machine& machine) = nullptr;
-  /// Whether the controller learns if any pixel is enabled; null for a kind whose controllers never do.
-  bool (*has_global_or)(const Machine& machine) = nullptr;
+  /// are drawn; else one of width 0.
+  [[nodiscard]] virtual isa::Field second_buffer(std::uint32_t /*colour_bits*/, const Machine& /*machine*/) const {
+    return {};
+  }
+  /// Whether the controller learns if any pixel is enabled.
+  [[nodiscard]] virtual bool has_global_or(const Machine& /*machine*/) const { return false; }
   /// Whether its host keeps a list of what is active on a line, for which a Program has extents of rows.
-  bool keeps_active_list = false;
+  [[nodiscard]] virtual bool keeps_active_list() const { return false; }
   /// Of the picture, in the order in which the machine draws them.
-  std::vector<isa::Region> (*regions)(const Machine& machine);
-  /// Whether and how it divides the model itself; null for a kind that never does.
-  std::optional<Division> (*division)(const Machine& machine) = nullptr;
+  [[nodiscard]] virtual std::vector<isa::Region> regions(const Machine& machine) const = 0;
+  /// Whether and how it divides the model itself.
+  [[nodiscard]] virtual std::optional<Division> division(const Machine& /*machine*/) const { return std::nullopt; }
   /// The machine as it draws, part by part, a picture that is halved so many times into segments, or the subsegments of
-  /// these; null for a kind that does not draw square by square.
-  Machine (*subdivided)(Machine machine, std::uint32_t levels, Parts parts) = nullptr;
+  /// these; nothing from a kind that does not draw square by square.
+  [[nodiscard]] virtual std::optional<Machine> subdivided(Machine /*machine*/, std::uint32_t /*levels*/,
+                                                          Parts /*parts*/) const {
+    return std::nullopt;
+  }
   /// Throws InputError, which says what to do, where the machine cannot run the Program; what holds of all kinds has
   /// been checked.
-  void (*check)(const isa::Program& program, const Machine& machine) = nullptr;
+  virtual void check(const Program& /*program*/, const Machine& /*machine*/) const {}
 
   /// Clocks that a pixel's processor, or a chain's entry, spends on an instruction.
-  std::uint64_t (*clocks)(const isa::Instruction& instruction, const Machine& machine);
+  [[nodiscard]] virtual std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const = 0;
   /// Worked out from these, without stepping.
-  FrameTiming (*time)(const isa::Program& program, const Machine& machine, std::span<const Skip> skips);
-  /// When its instructions are carried out, from the same working-out; null for a kind that does not tell.
-  Timeline (*timeline)(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) = nullptr;
+  [[nodiscard]] virtual FrameTiming time(const Program& program, const Machine& machine, Skips skips) const = 0;
+  /// When its instructions are carried out, from the same working-out; nothing from a kind that does not tell.
+  [[nodiscard]] virtual std::optional<Timeline> timeline(const Program& /*program*/, const Machine& /*machine*/,
+                                                         Skips /*skips*/) const {
+    return std::nullopt;
+  }
   /// As machines::at_pixel, of a timeline that it told.
-  std::vector<ClockSpan> (*at_pixel)(const Timeline& timeline, const isa::Program& program, const Machine& machine,
-                                     std::uint32_t segment, std::uint32_t x, std::uint32_t y) = nullptr;
-  Resources (*resources)(const Machine& machine, const isa::FrameHeader& header);
-  /// Its parts, those that may bound a frame, with the clocks in which each works from one frame to the next; null for
+  [[nodiscard]] virtual Spans at_pixel(const Timeline& /*timeline*/, const Program& /*program*/,
+                                       const Machine& /*machine*/, std::uint32_t /*segment*/, std::uint32_t /*x*/,
+                                       std::uint32_t /*y*/) const {
+    return {};
+  }
+  [[nodiscard]] virtual Resources resources(const Machine& machine, const isa::FrameHeader& header) const = 0;
+  /// Its parts, those that may bound a frame, with the clocks in which each works from one frame to the next; none from
   /// a kind that does not tell. Of several that are alike the one that works most.
-  std::vector<Load> (*loads)(const FrameTiming& timing) = nullptr;
+  [[nodiscard]] virtual std::vector<Load> loads(const FrameTiming& /*timing*/) const { return {}; }
   /// Whether its processors are the pixels of tests/rtl, whose area is known (hw/machines/area.h).
-  bool bit_serial_pixels = false;
+  [[nodiscard]] virtual bool bit_serial_pixels() const { return false; }
+};
+
+/// What a kind is derived from: its machines have Figures of its own.
+template <class Figures>
+class KindOf : public Kind {
+ public:
+  using Kind::Kind;
+
+  void give_figures(Machine& machine) const final { machine.own = Figures{}; }
+
+ protected:
+  static const Figures& figures_of(const Machine& machine) { return own<Figures>(machine); }
 };
 
 }  // namespace csgsim::machines

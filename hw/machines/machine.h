@@ -11,7 +11,7 @@
 
 namespace csgsim::machines {
 
-struct Kind;
+class Kind;
 
 /// One figure of a machine description, with where it comes from.
 struct Figure {

@@ -65,7 +65,7 @@ void check_parts(const isa::Program& program, const Machine& machine) {
 void check_runs_on(const isa::Program& program, const Machine& machine) {
   check_questions(program, machine);
   check_squares(program, machine);
-  if (machine.kind->check != nullptr) machine.kind->check(program, machine);
+  machine.kind->check(program, machine);
 }
 
 }  // namespace csgsim::machines

@@ -2,18 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "hw/base/error.h"
 #include "hw/machines/kind.h"
 
 namespace csgsim::machines {
 
 Timeline timeline(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) {
-  if (machine.kind->timeline == nullptr) {
+  std::optional<Timeline> told = machine.kind->timeline(program, machine, skips);
+  if (!told) {
     throw InputError(fmt::format(
         "machines of the kind {} do not tell when their instructions are carried out; take another --machine",
         machine.kind->name));
   }
-  return machine.kind->timeline(program, machine, skips);
+  return std::move(*told);
 }
 
 std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,

@@ -7,8 +7,6 @@
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
 #include "hw/multi_processor/clocks.h"
-#include "hw/multi_processor/figures.h"
-#include "hw/multi_processor/loads.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/timing.h"
 
@@ -92,33 +90,35 @@ constexpr auto schema = std::to_array<FigureSchema>({
                                                                 "to put an instruction into the list"),
 });
 
-std::any own() { return Figures{}; }
+}  // namespace
 
-/// A segment's subsegments are divided from whatever the segment leaves.
-std::optional<machines::Division> division(const Machine& machine) {
+std::optional<machines::Division> Kind::division(const Machine& machine) const {
   return machines::Division{.list_entries = ~std::uint64_t{0},
-                            .groups = picture_segments(machine.picture, machines::own<Figures>(machine).levels)};
+                            .groups = picture_segments(machine.picture, figures_of(machine).levels)};
 }
 
-/// The nodes share a segment; one draws it as a whole.
-Machine subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) {
+std::optional<Machine> Kind::subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) const {
   machines::own<Figures>(machine).levels = levels;
   if (parts == machines::Parts::segments) machine.array.width = machine.array.height = 1;
   return machine;
 }
 
-void check(const isa::Program& program, const Machine& machine) {
+void Kind::check(const isa::Program& program, const Machine& machine) const {
   machines::check_parts(program, machine);
   check_fits(program, machine);
 }
 
-machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) {
-  const Figures& figures = machines::own<Figures>(machine);
+std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
+  return pixel_clocks(instruction, machine);
+}
+
+machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& header) const {
+  const Figures& figures = figures_of(machine);
   const std::uint64_t nodes = std::uint64_t{machine.array.width} * machine.array.height;
   std::uint64_t working_pixels = 0;  // the most that a node has of a subsegment
   Machine drawing = machine;
   drawing.picture = {header.shape.width, header.shape.height};
-  for (const isa::Region& part : multi_processor::regions(drawing)) {
+  for (const isa::Region& part : regions(drawing)) {
     const std::uint64_t columns = quotient_up(part.width, machine.array.width);
     const std::uint64_t rows = quotient_up(part.height, machine.array.height);
     working_pixels = std::max(working_pixels, columns * rows);
@@ -130,22 +130,6 @@ machines::Resources resources(const Machine& machine, const isa::FrameHeader& he
   return {nodes, display_bits + nodes * node_bits + pixels * header.colour.width};
 }
 
-}  // namespace
-
-const machines::Kind kind{
-    .name = "multi-processor",
-    .schema = schema,
-    .own = own,
-    .regions = regions,
-    .division = division,
-    .subdivided = subdivided,
-    .check = check,
-    .clocks = pixel_clocks,
-    .time = time_frame,
-    .timeline = timeline,
-    .at_pixel = at_pixel,
-    .resources = resources,
-    .loads = loads,
-};
+const Kind kind{"multi-processor", schema};
 
 }  // namespace csgsim::multi_processor

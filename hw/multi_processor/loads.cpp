@@ -1,4 +1,4 @@
-#include "hw/multi_processor/loads.h"
+#include "hw/multi_processor/kind.h"
 
 #include "hw/multi_processor/account.h"
 
@@ -21,7 +21,7 @@ machines::Load busiest(const machines::Account& account) {
 
 }  // namespace
 
-std::vector<machines::Load> loads(const machines::FrameTiming& timing) {
+std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) const {
   const auto display = [&](DisplayActivity activity) {
     return machines::clocks_of(timing.account, "display processor", name_of(activity));
   };

@@ -4,6 +4,7 @@
 
 #include "hw/base/quotient.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/kind.h"
 
 namespace csgsim::multi_processor {
 
@@ -41,7 +42,7 @@ std::vector<isa::Region> picture_segments(machines::Size picture, std::uint32_t 
   return parts_of({0, 0, picture.width, picture.height}, 1U << (levels + 1) / 2, 1U << levels / 2);
 }
 
-std::vector<isa::Region> regions(const machines::Machine& machine) {
+std::vector<isa::Region> Kind::regions(const machines::Machine& machine) const {
   std::vector<isa::Region> all;
   for (const isa::Region& segment : picture_segments(machine.picture, machines::own<Figures>(machine).levels)) {
     const std::vector<isa::Region> parts = parts_of(segment, machine.array.width, machine.array.height);

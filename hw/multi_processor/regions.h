@@ -14,9 +14,6 @@ std::vector<isa::Region> parts_of(const isa::Region& region, std::uint32_t colum
 /// The segments of a picture, row by row: `levels` halvings, the first across its columns, then in turn.
 std::vector<isa::Region> picture_segments(machines::Size picture, std::uint32_t levels);
 
-/// Subsegments, segment by segment: as many of each as there are nodes.
-std::vector<isa::Region> regions(const machines::Machine& machine);
-
 /// The pixels of a region that one node holds, counted from the region's top left; all 0 if it holds none.
 struct NodePixels {
   std::uint32_t first_x = 0;

@@ -6,6 +6,7 @@
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/kind.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
@@ -221,22 +222,23 @@ FrameClocks time_stages(const isa::Program& program, const Machine& machine) {
   return FrameModel(program, machine, nullptr).run();
 }
 
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {
+machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
+                                 std::span<const machines::Skip> /*skips*/) const {
   const FrameClocks timing = time_stages(program, machine);
   return {.clocks = timing.clocks, .account = account(timing.account, machine.array)};
 }
 
-machines::Timeline timeline(const isa::Program& program, const Machine& machine,
-                            std::span<const machines::Skip> /*skips*/) {
+std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
+                                                 std::span<const machines::Skip> /*skips*/) const {
   check_fits(program, machine);
   machines::Timeline told = machines::blank_timeline(program);
   FrameModel(program, machine, &told).run();
   return told;
 }
 
-std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                          const Machine& machine, std::uint32_t segment, std::uint32_t x,
-                                          std::uint32_t y) {
+std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                                const Machine& machine, std::uint32_t segment, std::uint32_t x,
+                                                std::uint32_t y) const {
   const isa::Segment& part = program.segments[segment];
   const isa::ArrayShape& nodes = machine.array;
   const NodePixels own = pixels_of(part.region, nodes, y % nodes.height, x % nodes.width);

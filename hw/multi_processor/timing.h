@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "hw/machines/timeline.h"
-#include "hw/machines/timing.h"
+#include "hw/machines/machine.h"
 #include "hw/multi_processor/account.h"
 
 namespace csgsim::multi_processor {
@@ -21,16 +18,5 @@ struct FrameClocks {
 
 /// Worked out stage by stage (the modules count the same).
 FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine);
-
-machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 std::span<const machines::Skip> skips);
-
-/// When the first node begins with an instruction at its first pixel of the subsegment, until the last is through with
-/// its last; and when the node that has a pixel is at that.
-machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
-                            std::span<const machines::Skip> skips);
-std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t x,
-                                          std::uint32_t y);
 
 }  // namespace csgsim::multi_processor

@@ -9,9 +9,6 @@
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/shared_figures.h"
-#include "hw/pixel_planes/figures.h"
-#include "hw/pixel_planes/loads.h"
-#include "hw/pixel_planes/timing.h"
 
 namespace csgsim::pixel_planes {
 
@@ -50,24 +47,28 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::link_latency,
 });
 
-std::any own() { return Figures{}; }
+}  // namespace
 
-void complete(Machine& machine) { machine.picture = {machine.array.width, machine.array.height}; }
+void Kind::complete(Machine& machine) const { machine.picture = {machine.array.width, machine.array.height}; }
 
-void set_picture(Machine& machine, machines::Size size) {
+void Kind::set_picture(Machine& machine, machines::Size size) const {
   machine.array.width = size.width;
   machine.array.height = size.height;
 }
 
-bool has_global_or(const Machine& machine) { return machines::own<Figures>(machine).has_global_or; }
+bool Kind::has_global_or(const Machine& machine) const { return figures_of(machine).has_global_or; }
 
-std::vector<isa::Region> regions(const Machine& machine) { return {{0, 0, machine.array.width, machine.array.height}}; }
+std::vector<isa::Region> Kind::regions(const Machine& machine) const {
+  return {{0, 0, machine.array.width, machine.array.height}};
+}
 
-isa::Field topmost_bits(std::uint32_t colour_bits, const Machine& machine) {
-  if (machines::own<Figures>(machine).scan_out_buffers < 2) return {};
+isa::Field Kind::second_buffer(std::uint32_t colour_bits, const Machine& machine) const {
+  if (figures_of(machine).scan_out_buffers < 2) return {};
   const std::uint32_t width = std::min(colour_bits, machine.array.memory_bits);
   return {static_cast<std::uint16_t>(machine.array.memory_bits - width), static_cast<std::uint16_t>(width)};
 }
+
+namespace {
 
 bool meets(const isa::Instruction& instruction, const isa::Field& shown) {
   return std::ranges::any_of(instruction.fields, [&](const isa::Field& field) { return field.overlaps(shown); });
@@ -80,10 +81,12 @@ bool meets(const isa::Instruction& instruction, const isa::Field& shown) {
                   what, shown.width, shown.base, machine.name));
 }
 
+}  // namespace
+
 /// Any segments will do: each is drawn in the array's corner.
-void check(const isa::Program& program, const Machine& machine) {
+void Kind::check(const isa::Program& program, const Machine& machine) const {
   const isa::Field colour = isa::frame_header(program).colour;
-  const isa::Field shown = topmost_bits(colour.width, machine);
+  const isa::Field shown = second_buffer(colour.width, machine);
   if (shown.width == 0) return;
   if (colour.overlaps(shown)) refuse("the colour field", shown, machine);
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
@@ -95,30 +98,11 @@ void check(const isa::Program& program, const Machine& machine) {
   }
 }
 
-machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) {
+machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& /*header*/) const {
   const std::uint64_t processors = std::uint64_t{machine.array.width} * machine.array.height;
   return {processors, processors * machine.array.memory_bits};
 }
 
-}  // namespace
-
-const machines::Kind kind{
-    .name = "frame-buffer",
-    .schema = schema,
-    .own = own,
-    .complete = complete,
-    .set_picture = set_picture,
-    .second_buffer = topmost_bits,
-    .has_global_or = has_global_or,
-    .regions = regions,
-    .check = check,
-    .clocks = instruction_clocks,
-    .time = time_frame,
-    .timeline = timeline,
-    .at_pixel = at_pixel,
-    .resources = resources,
-    .loads = loads,
-    .bit_serial_pixels = true,
-};
+const Kind kind{"frame-buffer", schema};
 
 }  // namespace csgsim::pixel_planes

@@ -1,10 +1,10 @@
-#include "hw/pixel_planes/loads.h"
+#include "hw/pixel_planes/kind.h"
 
 #include <algorithm>
 
 namespace csgsim::pixel_planes {
 
-std::vector<machines::Load> loads(const machines::FrameTiming& timing) {
+std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) const {
   const auto controller = [&](const char* activity) {
     return machines::clocks_of(timing.account, "controller", activity);
   };

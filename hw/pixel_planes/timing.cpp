@@ -15,6 +15,7 @@
 #include "hw/machines/regions.h"
 #include "hw/pixel_planes/account.h"
 #include "hw/pixel_planes/figures.h"
+#include "hw/pixel_planes/kind.h"
 #include "hw/pixel_planes/scan_out_timing.h"
 
 namespace csgsim::pixel_planes {
@@ -46,7 +47,7 @@ std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine&
       Task& task = tasks.emplace_back();
       task.kind = isa::is_question(instruction.opcode) ? Task::Kind::question : Task::Kind::instruction;
       task.words = words(instruction);
-      task.clocks = instruction_clocks(instruction, machine);
+      task.clocks = machines::clocks(instruction, machine);
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
       task.jumps_over = instruction.constant;
       skips = skips.subspan(1);
@@ -334,15 +335,15 @@ std::uint32_t or_levels(std::uint64_t lines, std::uint32_t fan_in) {
   return levels;
 }
 
-std::uint64_t instruction_clocks(const isa::Instruction& instruction, const machines::Machine& machine) {
-  const std::uint64_t clocks = machines::bit_serial_clocks(instruction, machine);
-  if (!isa::is_question(instruction.opcode)) return clocks;
-  return clocks + or_levels(std::uint64_t{machine.array.width} * machine.array.height,
-                            machines::own<Figures>(machine).or_fan_in);
+std::uint64_t Kind::clocks(const isa::Instruction& instruction, const machines::Machine& machine) const {
+  const std::uint64_t steps = machines::bit_serial_clocks(instruction, machine);
+  if (!isa::is_question(instruction.opcode)) return steps;
+  return steps + or_levels(std::uint64_t{machine.array.width} * machine.array.height,
+                           machines::own<Figures>(machine).or_fan_in);
 }
 
-machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 std::span<const machines::Skip> skips) {
+machines::FrameTiming Kind::time(const isa::Program& program, const machines::Machine& machine,
+                                 std::span<const machines::Skip> skips) const {
   const std::vector<Task> tasks = tasks_of(program, machine, skips);
   const std::uint32_t colour_bits = program.colour.width;
   SequenceModel model(machine);
@@ -352,8 +353,8 @@ machines::FrameTiming time_frame(const isa::Program& program, const machines::Ma
   return timing;
 }
 
-machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
-                            std::span<const machines::Skip> skips) {
+std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const machines::Machine& machine,
+                                                 std::span<const machines::Skip> skips) const {
   const std::vector<Task> tasks = tasks_of(program, machine, skips);
   std::vector<machines::ClockSpan> spans(tasks.size());
   FrameModel(machine, tasks, 0, nullptr, 0, &spans).time();
@@ -381,9 +382,9 @@ Moment moment_of(const isa::Program& program, const machines::Machine& machine, 
   return *frame.watched();
 }
 
-std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
-                                          std::uint32_t /*y*/) {
+std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                                const machines::Machine& machine, std::uint32_t segment,
+                                                std::uint32_t /*x*/, std::uint32_t /*y*/) const {
   const std::vector<isa::Instruction>& instructions = program.segments[segment].instructions;
   std::vector<machines::ClockSpan> steps = timeline.issued[segment];
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "hw/machines/timeline.h"
 #include "hw/machines/timing.h"
 
 namespace csgsim::pixel_planes {
@@ -12,18 +11,6 @@ namespace csgsim::pixel_planes {
 /// Levels of registers of a tree of ORs with that fan-in over so many lines; 0 where the fan-in is 0.
 std::uint32_t or_levels(std::uint64_t lines, std::uint32_t fan_in);
 
-/// As bit_serial_clocks; a question waits for the levels of the global OR too.
-std::uint64_t instruction_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
-
-/// A frame of a machine that holds the whole picture, from the clock in which the controller asks for it (the modules
-/// count the same).
-machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 std::span<const machines::Skip> skips);
-
-/// When the controller has the steps of such a frame's instructions on its wires, or waits for an answer; and when the
-/// steps are at the pixels, at all of them at once.
-machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
-                            std::span<const machines::Skip> skips);
 /// The link at the edge at which the controller begins an instruction. Words are those of the whole frame.
 struct Moment {
   std::uint64_t clock = 0;        ///< of the frame, the instruction's first
@@ -36,19 +23,15 @@ struct Moment {
 Moment moment_of(const isa::Program& program, const machines::Machine& machine, std::span<const machines::Skip> skips,
                  std::uint32_t segment, std::uint32_t index);
 
-std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t x,
-                                          std::uint32_t y);
-
 /// A frame of a sequence, and what it skips.
 struct DrawnFrame {
   const isa::Program* program = nullptr;
   std::span<const machines::Skip> skips{};
 };
 
-/// Frames that follow each other, the first as above. The interval of each is that to the next, which begins, with two
-/// buffers, in the clock after the one in which the frame's picture has been copied, and with one in the clock after
-/// the last row has been latched; that of the last is what it would be if another followed.
+/// Frames that follow each other, the first as Kind::time has it. The interval of each is that to the next, which
+/// begins, with two buffers, in the clock after the one in which the frame's picture has been copied, and with one in
+/// the clock after the last row has been latched; that of the last is what it would be if another followed.
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine);
 
 }  // namespace csgsim::pixel_planes

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "hw/division/encoding.h"
+#include "hw/machines/regions.h"
 #include "hw/pixel_square/commands.h"
 #include "hw/pixel_square/figures.h"
-#include "hw/pixel_square/regions.h"
 
 namespace csgsim::pixel_square {
 
@@ -22,7 +22,7 @@ CornerDivider::CornerDivider(sc_core::sc_module_name name, const machines::Machi
 void CornerDivider::begin(const machines::Size& picture, std::uint64_t model_bytes) {
   machines::Machine drawing = machine_;
   drawing.picture = picture;
-  squares_ = regions(drawing);
+  squares_ = machines::regions(drawing);
   picture_ = picture;
   model_bytes_ = model_bytes;
   memory_.assign(static_cast<std::size_t>(model_bytes), {});

@@ -9,11 +9,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
-#include "hw/pixel_square/figures.h"
-#include "hw/pixel_square/loads.h"
-#include "hw/pixel_square/regions.h"
 #include "hw/pixel_square/storage_check.h"
-#include "hw/pixel_square/timing.h"
 #include "hw/pixel_square/timing_division.h"
 
 namespace csgsim::pixel_square {
@@ -79,21 +75,22 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                "to look at a node of the tree"),
 });
 
-std::any own() { return Figures{}; }
+}  // namespace
 
-std::optional<machines::Division> division(const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+std::optional<machines::Division> Kind::division(const Machine& machine) const {
+  const Figures& figures = figures_of(machine);
   if (figures.divider == DividerKind::host) return std::nullopt;
   return machines::Division{figures.levels == 1 ? 0 : figures.group_side, figures.list_entries};
 }
 
-/// With renderers as large as the parts. A segment has as many subsegments along a side as those of thesis 7.4.
-Machine subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) {
+std::optional<Machine> Kind::subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) const {
   const std::uint32_t parts_a_side = parts == machines::Parts::segments ? 1 : 4;
   machine.array.width = quotient_up(machine.picture.width, parts_a_side << (levels + 1) / 2);
   machine.array.height = quotient_up(machine.picture.height, parts_a_side << levels / 2);
   return machine;
 }
+
+namespace {
 
 /// What a divider in the machine asks for.
 void check_display_model(const isa::Program& program, const Machine& machine) {
@@ -117,35 +114,24 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
   check_countable(program, machine);
 }
 
-void check(const isa::Program& program, const Machine& machine) {
+}  // namespace
+
+void Kind::check(const isa::Program& program, const Machine& machine) const {
   machines::check_parts(program, machine);
   check_display_model(program, machine);
 }
 
-machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) {
+std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
+  return machines::bit_serial_clocks(instruction, machine);
+}
+
+machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& header) const {
   const std::uint64_t processors =
-      std::uint64_t{machine.array.width} * machine.array.height * machines::own<Figures>(machine).renderers;
+      std::uint64_t{machine.array.width} * machine.array.height * figures_of(machine).renderers;
   const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
   return {processors, processors * machine.array.memory_bits + pixels * header.colour.width};
 }
 
-}  // namespace
-
-const machines::Kind kind{
-    .name = "pixel-square",
-    .schema = schema,
-    .own = own,
-    .regions = regions,
-    .division = division,
-    .subdivided = subdivided,
-    .check = check,
-    .clocks = machines::bit_serial_clocks,
-    .time = time_frame,
-    .timeline = timeline,
-    .at_pixel = at_pixel,
-    .resources = resources,
-    .loads = loads,
-    .bit_serial_pixels = true,
-};
+const Kind kind{"pixel-square", schema};
 
 }  // namespace csgsim::pixel_square

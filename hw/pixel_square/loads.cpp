@@ -1,4 +1,4 @@
-#include "hw/pixel_square/loads.h"
+#include "hw/pixel_square/kind.h"
 
 #include "hw/pixel_square/account.h"
 
@@ -19,7 +19,7 @@ machines::Load busiest(const machines::Account& account) {
 
 }  // namespace
 
-std::vector<machines::Load> loads(const machines::FrameTiming& timing) {
+std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) const {
   const auto working = [&](const char* part) {
     return machines::clocks_of(timing.account, part, name_of(SquareActivity::working));
   };

@@ -1,10 +1,9 @@
-#include "hw/pixel_square/regions.h"
-
 #include <algorithm>
 #include <bit>
 
 #include "hw/base/quotient.h"
 #include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/kind.h"
 
 namespace csgsim::pixel_square {
 
@@ -62,7 +61,7 @@ std::vector<Place> places_in_groups(std::uint32_t columns, std::uint32_t rows, S
 
 }  // namespace
 
-std::vector<isa::Region> regions(const machines::Machine& machine) {
+std::vector<isa::Region> Kind::regions(const machines::Machine& machine) const {
   const Figures& figures = machines::own<Figures>(machine);
   const machines::Size& picture = machine.picture;
   const isa::ArrayShape& array = machine.array;

@@ -5,6 +5,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/kind.h"
 #include "hw/pixel_square/timing_agenda.h"
 #include "hw/pixel_square/timing_frame_buffer.h"
 #include "hw/pixel_square/timing_renderer.h"
@@ -87,21 +88,22 @@ SquareTiming time_squares(const isa::Program& program, const Machine& machine) {
   return FrameModel(program, machine, nullptr).run();
 }
 
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {
+machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
+                                 std::span<const machines::Skip> /*skips*/) const {
   const SquareTiming timing = time_squares(program, machine);
   return {.clocks = timing.clocks, .account = account(timing.account)};
 }
 
-machines::Timeline timeline(const isa::Program& program, const Machine& machine,
-                            std::span<const machines::Skip> /*skips*/) {
+std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
+                                                 std::span<const machines::Skip> /*skips*/) const {
   machines::Timeline told = machines::blank_timeline(program);
   FrameModel(program, machine, &told).run();
   return told;
 }
 
-std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& /*program*/,
-                                          const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
-                                          std::uint32_t /*y*/) {
+std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& /*program*/,
+                                                const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
+                                                std::uint32_t /*y*/) const {
   return machines::later(timeline.issued[segment], machines::evaluator_latency(machine.array));
 }
 

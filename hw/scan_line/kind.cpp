@@ -7,9 +7,6 @@
 #include "hw/base/error.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
-#include "hw/scan_line/figures.h"
-#include "hw/scan_line/loads.h"
-#include "hw/scan_line/timing.h"
 
 namespace csgsim::scan_line {
 
@@ -54,9 +51,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::interlaced>("refresh.interlaced", "", 0, 1, "1: a field is every other line"),
 });
 
-std::any own() { return Figures{}; }
+}  // namespace
 
-void set_picture(Machine& machine, machines::Size size) {
+void Kind::set_picture(Machine& machine, machines::Size size) const {
   if (size.width <= machine.array.width) return;
   throw InputError(
       fmt::format("a line of {} pixels is longer than the {} cells of {}; take a narrower picture, or a "
@@ -64,16 +61,15 @@ void set_picture(Machine& machine, machines::Size size) {
                   size.width, machine.array.width, machine.name));
 }
 
-void complete(Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+void Kind::complete(Machine& machine) const {
+  const Figures& figures = figures_of(machine);
   machine.array.height = 1;
   machine.array.memory_bits = figures.words * figures.word_bits;
 }
 
-/// Each line; of an interlaced picture the even ones first.
-std::vector<isa::Region> regions(const Machine& machine) {
+std::vector<isa::Region> Kind::regions(const Machine& machine) const {
   std::vector<isa::Region> all;
-  const std::uint32_t step = machines::own<Figures>(machine).interlaced ? 2 : 1;
+  const std::uint32_t step = figures_of(machine).interlaced ? 2 : 1;
   for (std::uint32_t first = 0; first < step; ++first) {
     for (std::uint32_t y = first; y < machine.picture.height; y += step)
       all.push_back({0, y, machine.picture.width, 1});
@@ -81,28 +77,13 @@ std::vector<isa::Region> regions(const Machine& machine) {
   return all;
 }
 
-machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) {
-  const std::uint64_t cells = std::uint64_t{machine.array.width} * machines::own<Figures>(machine).chains;
+void Kind::check(const isa::Program& program, const Machine& machine) const { machines::check_parts(program, machine); }
+
+machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& /*header*/) const {
+  const std::uint64_t cells = std::uint64_t{machine.array.width} * figures_of(machine).chains;
   return {cells, cells * machine.array.memory_bits};
 }
 
-}  // namespace
-
-const machines::Kind kind{
-    .name = "scan-line",
-    .schema = schema,
-    .own = own,
-    .complete = complete,
-    .set_picture = set_picture,
-    .keeps_active_list = true,
-    .regions = regions,
-    .check = machines::check_parts,
-    .clocks = entry_clocks,
-    .time = time_frame,
-    .timeline = timeline,
-    .at_pixel = at_pixel,
-    .resources = resources,
-    .loads = loads,
-};
+const Kind kind{"scan-line", schema};
 
 }  // namespace csgsim::scan_line

@@ -1,8 +1,8 @@
-#include "hw/scan_line/loads.h"
+#include "hw/scan_line/kind.h"
 
 namespace csgsim::scan_line {
 
-std::vector<machines::Load> loads(const machines::FrameTiming& timing) {
+std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) const {
   const auto of = [&](const char* part, const char* activity) {
     return machines::clocks_of(timing.account, part, activity);
   };

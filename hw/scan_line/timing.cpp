@@ -12,6 +12,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/scan_line/account.h"
 #include "hw/scan_line/figures.h"
+#include "hw/scan_line/kind.h"
 
 namespace csgsim::scan_line {
 
@@ -95,7 +96,7 @@ class ChainTiming {
     send(isa::SegmentStart{line.region}, machine_.clear_clocks);
     if (told != nullptr && machine_.clear_clocks > 0) told->cleared[number] = entering(machine_.clear_clocks);
     for (std::size_t i = 0; i < line.instructions.size(); ++i) {
-      const std::uint64_t beats = entry_clocks(line.instructions[i], machine_);
+      const std::uint64_t beats = machines::clocks(line.instructions[i], machine_);
       send(line.instructions[i], beats);
       if (told != nullptr) told->issued[number][i] = entering(beats);
     }
@@ -217,7 +218,7 @@ std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& m
   return quotient_up(bits, word);
 }
 
-std::uint64_t entry_clocks(const isa::Instruction& instruction, const Machine& machine) {
+std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
   const Figures& figures = machines::own<Figures>(machine);
   const isa::OpcodeInfo& row = isa::info(instruction.opcode);
   const bool changes = isa::reads_target(instruction.opcode);
@@ -267,7 +268,7 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine, machi
     counted.packets += segment.instructions.size();
     counted.most_packets = std::max<std::uint64_t>(counted.most_packets, segment.instructions.size());
     for (const isa::Instruction& instruction : segment.instructions)
-      counted.busy_cells += entry_clocks(instruction, machine) * pixels;
+      counted.busy_cells += machines::clocks(instruction, machine) * pixels;
   }
 
   const auto last = std::max_element(chains.begin(), chains.end(),
@@ -293,7 +294,8 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine, machi
   return {clocks, interval, counted};
 }
 
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> /*skips*/) {
+machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
+                                 std::span<const machines::Skip> /*skips*/) const {
   const LineTiming timing = time_lines(program, machine);
   return {.clocks = timing.clocks,
           .shown_clocks = timing.clocks,
@@ -301,16 +303,16 @@ FrameTiming time_frame(const isa::Program& program, const Machine& machine, std:
           .account = account(timing.account, machine, timing.clocks)};
 }
 
-machines::Timeline timeline(const isa::Program& program, const Machine& machine,
-                            std::span<const machines::Skip> /*skips*/) {
+std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
+                                                 std::span<const machines::Skip> /*skips*/) const {
   machines::Timeline told = machines::blank_timeline(program);
   time_lines(program, machine, &told);
   return told;
 }
 
-std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                          const Machine& /*machine*/, std::uint32_t segment, std::uint32_t x,
-                                          std::uint32_t /*y*/) {
+std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                                const Machine& /*machine*/, std::uint32_t segment, std::uint32_t x,
+                                                std::uint32_t /*y*/) const {
   return machines::later(timeline.issued[segment], x - program.segments[segment].region.x);
 }
 

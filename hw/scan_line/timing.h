@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
+#include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"
-#include "hw/machines/timing.h"
 #include "hw/scan_line/account.h"
 
 namespace csgsim::scan_line {
@@ -20,10 +19,6 @@ constexpr std::uint64_t mark_spacing(std::uint32_t line_pixels) { return line_pi
 /// Clocks that the refresh gives to each line of a picture so high, times the chains that share the lines.
 std::uint64_t line_budget(const machines::Machine& machine, std::uint32_t picture_height);
 
-/// Clocks that an instruction's packet occupies a cell, and so the entry: those in which its words come in, or in which
-/// the ports of the cell's memory read its fields and then, not before the last word is in, write the target.
-std::uint64_t entry_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
-
 struct LineTiming {
   std::uint64_t clocks = 0;
   /// From one frame to the next, where the same is drawn again and again: the host begins it when the last mark has
@@ -36,16 +31,5 @@ struct LineTiming {
 /// timeline, and becomes that of the frame.
 LineTiming time_lines(const isa::Program& program, const machines::Machine& machine,
                       machines::Timeline* told = nullptr);
-
-machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 std::span<const machines::Skip> skips);
-
-/// When the beats of each packet are at the entry of a chain; the cell of a column works on a beat as many clocks later
-/// as there are cells before it.
-machines::Timeline timeline(const isa::Program& program, const machines::Machine& machine,
-                            std::span<const machines::Skip> skips);
-std::vector<machines::ClockSpan> at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                          const machines::Machine& machine, std::uint32_t segment, std::uint32_t x,
-                                          std::uint32_t y);
 
 }  // namespace csgsim::scan_line

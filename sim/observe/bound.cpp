@@ -29,8 +29,9 @@ std::string with_article(const std::string& part) {
 }  // namespace
 
 std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine) {
-  if (machine.kind->loads == nullptr || result.interval_clocks == 0) return std::nullopt;
+  if (result.interval_clocks == 0) return std::nullopt;
   std::vector<machines::Load> loads = machine.kind->loads(timing_of(result));
+  if (loads.empty()) return std::nullopt;
   std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
   const machines::Load& most = loads.front();
   const double rate = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);

@@ -21,12 +21,6 @@ machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
   return {clocks[event.first - first_number].begin, clocks[event.last - first_number].end};
 }
 
-std::optional<machines::Timeline> timeline_of(const isa::Program& program, const machines::Machine& machine,
-                                              std::span<const machines::Skip> skips) {
-  if (machine.kind->timeline == nullptr) return std::nullopt;
-  return machines::timeline(program, machine, skips);
-}
-
 }  // namespace
 
 const Change* Event::change_of(const isa::Program& program, isa::FieldRole role) const {
@@ -44,7 +38,7 @@ Teller::Teller(const isa::Program& program, const machines::Machine& machine)
       machine_(machine),
       first_numbers_(isa::first_numbers(program)),
       skips_(skips_of(program, machine)),
-      timeline_(timeline_of(program, machine, skips_)) {}
+      timeline_(machine.kind->timeline(program, machine, skips_)) {}
 
 Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
   const PixelRun run = run_pixel(program_, skips_, x, y);

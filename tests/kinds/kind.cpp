@@ -21,47 +21,44 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                        0),
 });
 
-std::any own() { return Figures{}; }
+class Raster final : public machines::KindOf<Figures> {
+ public:
+  using KindOf::KindOf;
 
-void complete(Machine& machine) { machine.picture = {machine.array.width, machine.array.height}; }
+  void complete(Machine& machine) const override { machine.picture = {machine.array.width, machine.array.height}; }
 
-void set_picture(Machine& machine, machines::Size size) {
-  machine.array.width = size.width;
-  machine.array.height = size.height;
-}
-
-std::vector<isa::Region> regions(const Machine& machine) { return {{0, 0, machine.array.width, machine.array.height}}; }
-
-std::uint64_t clocks(const isa::Instruction& /*instruction*/, const Machine& machine) {
-  return std::uint64_t{machine.array.width} * machine.array.height * machines::own<Figures>(machine).pixel_clocks;
-}
-
-machines::FrameTiming time(const isa::Program& program, const Machine& machine,
-                           std::span<const machines::Skip> /*skips*/) {
-  machines::FrameTiming timing;
-  for (const isa::Segment& segment : program.segments) {
-    for (const isa::Instruction& instruction : segment.instructions) timing.clocks += clocks(instruction, machine);
+  void set_picture(Machine& machine, machines::Size size) const override {
+    machine.array.width = size.width;
+    machine.array.height = size.height;
   }
-  timing.account.parts = {{"processor", {{"working", timing.clocks}}}};
-  return timing;
-}
 
-machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) {
-  return {1, std::uint64_t{machine.array.width} * machine.array.height * machine.array.memory_bits};
-}
+  std::vector<isa::Region> regions(const Machine& machine) const override {
+    return {{0, 0, machine.array.width, machine.array.height}};
+  }
+
+  std::uint64_t clocks(const isa::Instruction& /*instruction*/, const Machine& machine) const override {
+    return std::uint64_t{machine.array.width} * machine.array.height * figures_of(machine).pixel_clocks;
+  }
+
+  machines::FrameTiming time(const isa::Program& program, const Machine& machine,
+                             std::span<const machines::Skip> /*skips*/) const override {
+    machines::FrameTiming timing;
+    for (const isa::Segment& segment : program.segments) {
+      for (const isa::Instruction& instruction : segment.instructions) timing.clocks += clocks(instruction, machine);
+    }
+    timing.account.parts = {{"processor", {{"working", timing.clocks}}}};
+    return timing;
+  }
+
+  machines::Resources resources(const Machine& machine, const isa::FrameHeader& /*header*/) const override {
+    return {1, std::uint64_t{machine.array.width} * machine.array.height * machine.array.memory_bits};
+  }
+};
+
+const Raster raster{"raster", schema};
 
 }  // namespace
 
-const machines::Kind kind{
-    .name = "raster",
-    .schema = schema,
-    .own = own,
-    .complete = complete,
-    .set_picture = set_picture,
-    .regions = regions,
-    .clocks = clocks,
-    .time = time,
-    .resources = resources,
-};
+const machines::Kind& kind = raster;
 
 }  // namespace csgsim::raster

@@ -9,7 +9,7 @@
 /// other.
 namespace csgsim::raster {
 
-extern const machines::Kind kind;
+extern const machines::Kind& kind;
 
 std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine);
 

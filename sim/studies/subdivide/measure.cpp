@@ -99,7 +99,7 @@ Stages stages_of(const machines::FrameTiming& timing, const PixelClocks& pixels,
 
 SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   const auto cut_into = [&](machines::Parts parts) {
-    return subdivided.machine.kind->subdivided(subdivided.machine, levels, parts);
+    return subdivided.machine.kind->subdivided(subdivided.machine, levels, parts).value();
   };
   const machines::Machine whole = cut_into(machines::Parts::segments);
   const machines::Machine cut = cut_into(machines::Parts::subsegments);

@@ -30,12 +30,16 @@ std::vector<unsigned> levels_of(const std::string& text) {
   return parse_numbers(text, 0, most_levels);
 }
 
+bool subdivides(const machines::Kind& kind) {
+  return kind.subdivided(machines::blank(kind), 0, machines::Parts::segments).has_value();
+}
+
 machines::Machine subdividing_machine(const ModelOptions& options) {
   machines::Machine machine = machine_of(options);
-  if (machine.kind->subdivided != nullptr) return machine;
+  if (subdivides(*machine.kind)) return machine;
   std::vector<std::string_view> kinds;
   for (const machines::Kind* const kind : kinds::all()) {
-    if (kind->subdivided != nullptr) kinds.push_back(kind->name);
+    if (subdivides(*kind)) kinds.push_back(kind->name);
   }
   throw InputError(fmt::format("{} does not draw square by square; take a machine of kind {}", machine.name,
                                fmt::join(kinds, " or ")));

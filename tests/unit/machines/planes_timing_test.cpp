@@ -193,7 +193,7 @@ TEST_CASE("at a pixel a question takes its first clock, another instruction all,
                                            {.opcode = Opcode::enable_all}});
   machines::Timeline timeline;
   timeline.issued = {{{13, 22}, {0, 0}, {30, 38}, {40, 43}}};
-  const std::vector<machines::ClockSpan> steps = pixel_planes::at_pixel(timeline, program, machine, 0, 0, 0);
+  const std::vector<machines::ClockSpan> steps = machines::at_pixel(timeline, program, machine, 0, 0, 0);
   const std::uint64_t latency = machines::evaluator_latency(machine.array);
   REQUIRE(steps.size() == 4);
   CHECK(steps[0].begin == 13 + latency);

@@ -2,6 +2,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -454,7 +455,8 @@ TEST_CASE("all squares are drawn and every clock is accounted for, whatever the 
 
 TEST_CASE("a machine that works on parts of the picture refuses questions, and says what to do") {
   isa::Program program = program_of(2, {square(1, {enable, {.opcode = Opcode::global_or}})});
-  for (const machines::Kind* kind : {&scan_line::kind, &pixel_square::kind}) {
+  for (const machines::Kind* const kind :
+       std::initializer_list<const machines::Kind*>{&scan_line::kind, &pixel_square::kind}) {
     Machine machine = machines::blank(*kind);
     machine.name = "squares";
     CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==

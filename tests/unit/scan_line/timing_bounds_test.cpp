@@ -166,7 +166,7 @@ TEST_CASE("every part accounts for every clock of the frame") {
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
-    const machines::FrameTiming timing = scan_line::time_frame(program, machine, {});
+    const machines::FrameTiming timing = scan_line::kind.time(program, machine, {});
     RC_ASSERT(timing.account.parts.size() == 4U);
     for (const machines::PartAccount& part : timing.account.parts) {
       std::uint64_t clocks = 0;
