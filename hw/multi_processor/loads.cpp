@@ -1,6 +1,5 @@
-#include "hw/multi_processor/kind.h"
-
 #include "hw/multi_processor/account.h"
+#include "hw/multi_processor/kind.h"
 
 namespace csgsim::multi_processor {
 

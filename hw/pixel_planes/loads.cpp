@@ -1,6 +1,6 @@
-#include "hw/pixel_planes/kind.h"
-
 #include <algorithm>
+
+#include "hw/pixel_planes/kind.h"
 
 namespace csgsim::pixel_planes {
 

@@ -1,6 +1,5 @@
-#include "hw/pixel_square/kind.h"
-
 #include "hw/pixel_square/account.h"
+#include "hw/pixel_square/kind.h"
 
 namespace csgsim::pixel_square {
 
