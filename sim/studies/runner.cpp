@@ -14,6 +14,7 @@
 #include "hw/base/text.h"
 #include "sim/plots/files.h"
 #include "sim/report/points.h"
+#include "sim/report/study_pages.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/options.h"
 #include "sim/shell/run_options.h"
