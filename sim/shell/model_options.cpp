@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -370,6 +371,8 @@ void refuse_see_through(const ModelOptions& options, const model::Tree& tree, co
 ModelFile read_model_file(const ModelOptions& options) {
   if (is_program(options.model))
     throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
+  if (!options.imports_from.empty() && !std::filesystem::is_directory(options.imports_from))
+    throw InputError(fmt::format("--imports-from: {} is no folder", printable(options.imports_from)));
   return with_memory_for("the model " + options.model, [&] {
     const bool is_source = subject_in(options.model) == Subject::scad;
     const std::string text = is_source ? csg_of_scad(options.model) : read_file(options.model, read::model_file);

@@ -83,4 +83,7 @@ TEST_CASE("files of another folder are imported from the folder that is named, a
   const std::string words = "compile " + (folder / "models/m.csg") + " --size 16x16 -o " + (folder / "p.csgt");
   CHECK(run(words + " --imports-from " + (folder / "parts")).code == 0);
   CHECK(run(words + " --imports-from " + (folder / "models")).code == 1);
+  const Outcome missing = run(words + " --imports-from " + (folder / "part"));
+  CHECK(missing.code == 1);
+  CHECK(missing.err.find("part is no folder") != std::string::npos);
 }

@@ -106,7 +106,7 @@ plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Wishes& wishes
                      {"memory bits a pixel", plots::Scale::linear, {}, false, true},
                      {{"frames a second, at most", plots::Scale::linear}},
                      {},
-                     "advice.csv"};
+                     "advise.csv"};
   add_staircases(staircases_of(advice_front(coloured(rows, wishes)), wishes), chart);
   if (!chart.series.empty()) {
     add_recommendations(recommendations, chart);
