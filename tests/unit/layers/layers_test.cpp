@@ -189,6 +189,9 @@ TEST_CASE("what a room declares is in the namespace of its name, and what the ba
       }
     }
   }
-  // A word of a link is printed by SystemC, which looks for its operator beside the word.
-  CHECK(strange == std::vector<std::string>{"hw/link/frame_words.h: csgsim::isa"});
+  std::ranges::sort(strange);
+  // SystemC looks for the operators of a word of a link beside the word; the others name parts of a page beforehand.
+  CHECK(strange == std::vector<std::string>{"hw/link/frame_words.h: csgsim::isa",
+                                            "sim/shell/report_option.h: csgsim::report",
+                                            "sim/studies/study.h: csgsim::report"});
 }
