@@ -139,7 +139,7 @@ std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Wis
 std::string recommendation_name(Wish wish) {
   switch (wish) {
     case Wish::bits: return "fewest bits";
-    case Wish::wrong_pixels: return "most right";
+    case Wish::wrong_pixels: return "most accurate";
     case Wish::speed: return "fastest";
     case Wish::colour: return "most colours";
   }
