@@ -144,7 +144,7 @@ def words():
     columns = {name for text in headers for name in re.findall(r'visit\("(\w+)"', text)}
     for name in sorted(columns | set(told)):
         if told[name] != (name in columns):
-            yield f"docs/developing.md: its table of words has {name} {told[name]} times, studies {'do' if name in columns else 'do not'}"
+            yield f"docs/developing.md: its table of words has {name} {told[name]} times, headers of studies {'do' if name in columns else 'do not'}"
 
     stats = {key for path in (ROOT / "traces").glob("*.json") for key in keys(json.loads(path.read_text(encoding="utf-8")))}
     pages = "".join(markdown.read(path) for path in markdown.pages() if path.endswith("stats.md") or "/machines/" in path)
