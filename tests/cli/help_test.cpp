@@ -77,7 +77,6 @@ TEST_CASE("help has the options by subject, and none is left for the last resort
     INFO("each option's subject is in sim/shell/option_table.cpp");
     CHECK(run(command + " --help").out.find("Further options:") == std::string::npos);
   }
-  CHECK(run("--help").out.find("Further commands:") == std::string::npos);
 }
 
 TEST_CASE("the commands of the examples in help go on behind a backslash, as a shell takes them") {

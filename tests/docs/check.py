@@ -140,11 +140,11 @@ def words():
     stats stands there or in docs/stats.md and the machines' pages; no key and no option is one of these words spelt otherwise."""
     section = markdown.read("docs/developing.md").split("\n## Words\n")[1].split("\n## ")[0]
     told = collections.Counter(name for _, row in markdown.rows(section) for name in re.findall(r"^`(\w+)`$", row[0]))
-    headers = (path.read_text(encoding="utf-8") for path in (ROOT / "sim/studies").rglob("*.h"))
-    columns = {name for text in headers for name in re.findall(r'visit\("(\w+)"', text)}
+    studies = (path.read_text(encoding="utf-8") for end in ("h", "cpp") for path in (ROOT / "sim/studies").rglob(f"*.{end}"))
+    columns = {name for text in studies for name in re.findall(r'visit\("(\w+)"', text)}
     for name in sorted(columns | set(told)):
         if told[name] != (name in columns):
-            yield f"docs/developing.md: its table of words has {name} {told[name]} times, headers of studies {'do' if name in columns else 'do not'}"
+            yield f"docs/developing.md: its table of words has {name} {told[name]} times, studies {'do' if name in columns else 'do not'}"
 
     stats = {key for path in (ROOT / "traces").glob("*.json") for key in keys(json.loads(path.read_text(encoding="utf-8")))}
     pages = "".join(markdown.read(path) for path in markdown.pages() if path.endswith("stats.md") or "/machines/" in path)

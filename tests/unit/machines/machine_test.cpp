@@ -29,9 +29,16 @@ using machines::read_description;
 
 namespace {
 
-/// The built-in description with one piece of its text replaced.
+std::string description_of(std::string_view machine) {
+  for (const kinds::BuiltIn& one : kinds::built_in())
+    if (one.name == machine) return std::string(one.text);
+  FAIL("there is no such machine");
+  return {};
+}
+
+/// The description of Pixel-planes with one piece of its text replaced.
 std::string changed(std::string_view from, std::string_view to) {
-  std::string text(kinds::built_in()[0].text);
+  std::string text = description_of("pixel-planes-4");
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
   text.replace(at, from.size(), to);
@@ -253,14 +260,14 @@ TEST_CASE("an unknown kind and an unknown order name those there are") {
   CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
   const std::string kind = changed("\"frame-buffer\"", "\"frame\"");
   CHECK(message(kind) == place_of(kind, "\"frame\"") + ": unknown kind 'frame'; there are " + names);
-  std::string order(kinds::built_in()[2].text);
+  std::string order = description_of("pixel-square");
   order.replace(order.find("value = \"rows\""), 14, "value = \"columns\"");
   CHECK(message(order) ==
         place_of(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
 }
 
 TEST_CASE("a scan-line machine whose picture is wider than its chain is refused") {
-  std::string text(kinds::built_in()[1].text);
+  std::string text = description_of("scan-line");
   text.replace(text.find("value = 512"), 11, "value = 511");
   CHECK(message(text).find("a line of 512 pixels is longer than the 511 cells of scan-line") != std::string::npos);
 }
