@@ -6,7 +6,7 @@
 #include "hw/systemc/clocked_machine.h"
 
 /// A kind of machine that no other room knows: one processor, which carries out each instruction at one pixel after the
-/// other.
+/// other. A room of hw has this as kind.h and make.h, and `kind` as an object of its class.
 namespace csgsim::raster {
 
 extern const machines::Kind& kind;
