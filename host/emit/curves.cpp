@@ -13,7 +13,8 @@ namespace csgsim::emit {
 
 namespace {
 
-constexpr std::array<std::string_view, curve_choices.size()> curve_names{"facets", "fast", "exact", "auto"};
+constexpr auto curve_names = std::to_array<std::string_view>({"facets", "fast", "exact", "auto"});
+static_assert(curve_names.size() == curve_choices.size());
 
 }  // namespace
 

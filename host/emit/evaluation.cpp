@@ -151,10 +151,15 @@ void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface
   if (surface.nothing) return;
   emit_visible(context, out, planned, surface, [&]() -> std::uint64_t {
     if (planned.active.operands.empty()) return 0;
-    if (options.strategy == Strategy::list) return emit_list(context, out, planned);
-    if (options.strategy == Strategy::parallel) return emit_parallel(context, out, planned);
-    return emit_by_levels(context, out, planned,
-                          options.strategy == Strategy::bits ? stack_levels(options) : all_levels);
+    switch (options.strategy) {
+      case Strategy::stack: return emit_by_levels(context, out, planned, all_levels);
+      case Strategy::list: return emit_list(context, out, planned);
+      case Strategy::bits: return emit_by_levels(context, out, planned, stack_levels(options));
+      case Strategy::parallel: return emit_parallel(context, out, planned);
+      case Strategy::products:
+      case Strategy::automatic: break;
+    }
+    throw std::logic_error("products are drawn one by one, and no strategy is drawn before it is chosen");
   });
 }
 

@@ -7,9 +7,10 @@ namespace csgsim::emit {
 
 namespace {
 
-constexpr std::array<std::string_view, strategies.size()> strategy_names{"stack",    "list",     "bits",
-                                                                         "products", "parallel", "auto"};
-constexpr std::array<std::string_view, colourings.size()> colouring_names{"rebroadcast", "field", "auto"};
+constexpr auto strategy_names =
+    std::to_array<std::string_view>({"stack", "list", "bits", "products", "parallel", "auto"});
+constexpr auto colouring_names = std::to_array<std::string_view>({"rebroadcast", "field", "auto"});
+static_assert(strategy_names.size() == strategies.size() && colouring_names.size() == colourings.size());
 
 }  // namespace
 

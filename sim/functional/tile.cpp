@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,12 +29,6 @@ using WidePlanes = std::array<TileBits*, isa::max_wide_field_width>;
 std::span<TileBits* const> planes_of(Field field, Memory& memory, WidePlanes& planes) {
   for (unsigned bit = 0; bit < field.width; ++bit) planes.at(bit) = &memory.plane(field.base + bit);
   return std::span(planes).first(field.width);
-}
-
-Comparison comparison_of(Opcode opcode) {
-  return opcode == Opcode::field_lt   ? Comparison::less
-         : opcode == Opcode::field_le ? Comparison::less_or_equal
-                                      : Comparison::equal;
 }
 
 }  // namespace
@@ -85,14 +82,17 @@ std::uint64_t Tile::execute(const Instruction& instruction) {
     case Opcode::linear_minus: return execute_linear(instruction, LinearKind::minus);
     case Opcode::set_constant: set_constant(fields[0], instruction.constant); return 0;
     case Opcode::copy: copy(fields[0], fields[1]); return 0;
-    case Opcode::field_lt:
-    case Opcode::field_le:
-    case Opcode::field_eq: compare(instruction.opcode, fields[0], fields[1]); return 0;
-    case Opcode::bit_and:
-    case Opcode::bit_or:
-    case Opcode::bit_xor:
+    case Opcode::field_lt: compare(Comparison::less, fields[0], fields[1]); return 0;
+    case Opcode::field_le: compare(Comparison::less_or_equal, fields[0], fields[1]); return 0;
+    case Opcode::field_eq: compare(Comparison::equal, fields[0], fields[1]); return 0;
+    case Opcode::bit_and: combine_bits(std::bit_and(), fields[0], fields[1], fields[2]); return 0;
+    case Opcode::bit_or: combine_bits(std::bit_or(), fields[0], fields[1], fields[2]); return 0;
+    case Opcode::bit_xor: combine_bits(std::bit_xor(), fields[0], fields[1], fields[2]); return 0;
     case Opcode::bit_and_not:
-    case Opcode::bit_not: combine_bits(instruction); return 0;
+      combine_bits([](std::uint64_t left, std::uint64_t right) { return left & ~right; }, fields[0], fields[1],
+                   fields[2]);
+      return 0;
+    case Opcode::bit_not: combine_bits(std::bit_not(), fields[0], fields[1], fields[2]); return 0;
     case Opcode::global_or:
     case Opcode::skip_if_none: return 0;
     case Opcode::xor_constant: xor_constant(fields[0], instruction.constant); return 0;
@@ -247,11 +247,11 @@ void Tile::copy(Field target, Field source) {
   copy_lanes(pixels(), to, memory_.lanes(source));
 }
 
-void Tile::compare(Opcode opcode, Field left, Field right) {
+void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
-  if (as_bits(left, right)) return compare_bits(comparison_of(opcode), left, right);
+  if (as_bits(left, right)) return compare_bits(comparison, left, right);
   Lanes& s = memory_.lanes(left);
-  enabled_ = compare_lanes(pixels(), comparison_of(opcode), s, memory_.lanes(right));
+  enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right));
 }
 
 void Tile::compare_bits(Comparison comparison, Field left, Field right) {
@@ -278,36 +278,22 @@ void Tile::compare_bits(Comparison comparison, Field left, Field right) {
   enabled_ = count_ones(enable_, shape_);
 }
 
-void Tile::combine_bits(const Instruction& instruction) {
+template <class Combine>
+void Tile::combine_bits(Combine combine, Field target, Field left, Field right) {
   if (enabled_ == 0) return;
-  const auto [target, left, right] = instruction.fields;
-  for (unsigned bit = 0; bit < target.width; ++bit) {
-    combine_bit(instruction.opcode, target.base + bit, left.base + bit, right.base + bit);
-  }
-}
-
-void Tile::combine_bit(Opcode opcode, unsigned target, unsigned left, unsigned right) {
   const std::uint64_t blocks = enable_.any();
-  work_.words += static_cast<std::uint64_t>(std::popcount(blocks));
-  TileBits& t = memory_.plane(target);
-  const TileBits& s = memory_.read(left, blocks, first_copy_);
-  const bool is_not = opcode == Opcode::bit_not;
-  const TileBits& r = is_not ? s : memory_.read(right, blocks, second_copy_);
-  const auto write = [&](auto combine) {
-    write_where(enable_, t, shape_,
-                [&](unsigned block) { return combine(s.word(block, shape_), r.word(block, shape_)); });
-  };
-  using Word = std::uint64_t;
-  if (is_not)
-    write([](Word a, Word) { return ~a; });
-  else if (opcode == Opcode::bit_and)
-    write([](Word a, Word b) { return a & b; });
-  else if (opcode == Opcode::bit_or)
-    write([](Word a, Word b) { return a | b; });
-  else if (opcode == Opcode::bit_xor)
-    write([](Word a, Word b) { return a ^ b; });
-  else
-    write([](Word a, Word b) { return a & ~b; });
+  work_.words += static_cast<std::uint64_t>(std::popcount(blocks)) * target.width;
+  for (unsigned bit = 0; bit < target.width; ++bit) {
+    TileBits& t = memory_.plane(target.base + bit);
+    const TileBits& s = memory_.read(left.base + bit, blocks, first_copy_);
+    if constexpr (std::is_invocable_v<Combine, std::uint64_t>) {
+      write_where(enable_, t, shape_, [&](unsigned block) { return combine(s.word(block, shape_)); });
+    } else {
+      const TileBits& r = memory_.read(right.base + bit, blocks, second_copy_);
+      write_where(enable_, t, shape_,
+                  [&](unsigned block) { return combine(s.word(block, shape_), r.word(block, shape_)); });
+    }
+  }
 }
 
 void Tile::add(Field target, Field source) {
@@ -341,7 +327,8 @@ void Tile::add_bits(Field target, Field source) {
 void Tile::xor_constant(Field target, std::uint64_t constant) {
   if (enabled_ == 0) return;
   for (unsigned bit = 0; bit < target.width; ++bit) {
-    if ((constant >> bit & 1U) != 0) combine_bit(Opcode::bit_not, target.base + bit, target.base + bit, 0);
+    const Field one{static_cast<std::uint16_t>(target.base + bit), 1};
+    if ((constant >> bit & 1U) != 0) combine_bits(std::bit_not(), one, one, {});
   }
 }
 

@@ -65,10 +65,11 @@ class alignas(64) Tile {
   void set_constant(isa::Field target, std::uint64_t constant);
   void copy(isa::Field target, isa::Field source);
   [[nodiscard]] bool has_parts_of(isa::Field source, isa::Field target, const std::vector<isa::Field>& parts) const;
-  void compare(isa::Opcode opcode, isa::Field left, isa::Field right);
+  void compare(Comparison comparison, isa::Field left, isa::Field right);
   void compare_bits(Comparison comparison, isa::Field left, isa::Field right);
-  void combine_bits(const isa::Instruction& instruction);
-  void combine_bit(isa::Opcode opcode, unsigned target, unsigned left, unsigned right);
+  /// Of each bit of one field, or of two.
+  template <class Combine>
+  void combine_bits(Combine combine, isa::Field target, isa::Field left, isa::Field right);
   void add(isa::Field target, isa::Field source);
   void add_bits(isa::Field target, isa::Field source);
   void xor_constant(isa::Field target, std::uint64_t constant);
