@@ -31,10 +31,10 @@ constexpr std::array dimensions{
     Dimension{"curved surfaces", "curves ", false, [](const SweepPoint& p) { return p.curves; }},
     Dimension{"strategy", "", false, [](const SweepPoint& p) { return p.strategy; }},
 };
-constexpr std::size_t strategy = dimensions.size() - 1;
+constexpr std::size_t strategy_dimension = dimensions.size() - 1;
 
 /// Those that names of points tell besides the strategy, in that order.
-constexpr std::size_t told[] = {4, 0, 1, 3, 5, 6};
+constexpr std::size_t told_dimensions[] = {4, 0, 1, 3, 5, 6};
 
 std::vector<std::string> values_of(std::span<const SweepRow> rows, const Dimension& dimension) {
   std::vector<std::string> values;
@@ -49,7 +49,7 @@ std::vector<std::string> values_of(std::span<const SweepRow> rows, const Dimensi
 std::string with_values(std::string text, const SweepPoint& point, std::span<const std::size_t> of) {
   for (const std::size_t i : of) {
     const std::string value = dimensions[i].text(point);
-    if (i == strategy || value.empty()) continue;
+    if (i == strategy_dimension || value.empty()) continue;
     text += (text.empty() ? "" : ", ") + std::string(dimensions[i].before) + value;
   }
   return text;
@@ -58,7 +58,7 @@ std::string with_values(std::string text, const SweepPoint& point, std::span<con
 }  // namespace
 
 PointNames::PointNames(std::span<const SweepRow> rows) {
-  std::ranges::copy_if(told, std::back_inserter(varied_),
+  std::ranges::copy_if(told_dimensions, std::back_inserter(varied_),
                        [&](std::size_t i) { return values_of(rows, dimensions[i]).size() > 1; });
 }
 
@@ -68,9 +68,9 @@ std::string PointNames::name(const SweepPoint& point) const {
 
 std::string PointNames::conditions(const SweepPoint& point) const { return with_values("", point, varied_); }
 
-SweepAxis::SweepAxis(std::span<const SweepRow> rows) : dimension_(strategy) {
+SweepAxis::SweepAxis(std::span<const SweepRow> rows) : dimension_(strategy_dimension) {
   std::size_t most = 1;
-  for (std::size_t i = 0; i < strategy; ++i) {
+  for (std::size_t i = 0; i < strategy_dimension; ++i) {
     const std::size_t count = values_of(rows, dimensions[i]).size();
     if (count <= most) continue;
     most = count;
@@ -95,7 +95,7 @@ std::optional<double> SweepAxis::place(const SweepPoint& point) const {
 }
 
 std::string SweepAxis::others(const SweepPoint& point) const {
-  return with_values(dimension_ == strategy ? "" : point.strategy, point, varied_);
+  return with_values(dimension_ == strategy_dimension ? "" : point.strategy, point, varied_);
 }
 
 }  // namespace csgsim::studies
