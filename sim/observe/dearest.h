@@ -14,12 +14,12 @@ namespace csgsim::observe {
 
 /// What a primitive takes of a frame, without the effects.
 struct PrimitiveCost {
-  std::uint32_t primitive = 0;    ///< its index
-  std::string name;               ///< as the Program has it, `cylinder@9:9`
-  std::string source;             ///< its place in the model's file, `9:9`; empty if the name tells none
-  std::uint64_t clocks = 0;       ///< of its instructions, in all segments
-  double share = 0;               ///< of ClockShares::whole
-  std::uint32_t pieces = 0;       ///< convex ones that it is drawn as
+  std::uint32_t primitive = 0;   ///< its index
+  std::string name;              ///< as the Program has it, `cylinder@9:9`
+  std::string source;            ///< its place in the model's file, `9:9`; empty if the name tells none
+  std::uint64_t clocks = 0;      ///< of its instructions, in all segments
+  double share = 0;              ///< of ClockShares::whole
+  std::uint32_t pieces = 0;      ///< convex ones that it is drawn as
   std::uint64_t halfspaces = 0;  ///< that are scan-converted for its surface: what pruning leaves of it
 };
 

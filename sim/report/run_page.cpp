@@ -172,8 +172,7 @@ Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program
   page.sections.push_back({"Drawing", {record_drawing(program, machine)}});
   page.sections.push_back({"Counts", {summary(data)}});
   page.sections.push_back(clocks_section(data));
-  if (data.contains("dearest") && data["dearest"].is_array())
-    page.sections.back().parts.emplace_back(dearest(data));
+  if (data.contains("dearest") && data["dearest"].is_array()) page.sections.back().parts.emplace_back(dearest(data));
   page.sections.push_back(configuration_section(data, context));
   return page;
 }

@@ -6,8 +6,8 @@ namespace csgsim::app {
 
 using namespace shell;  // in whose words commands are written
 
-/// Every command but studies, in the order of help: NAME.cpp describes the command NAME in add_NAME. Its subject in help
-/// is in sim/shell/option_table.cpp.
+/// Every command but studies, in the order of help: NAME.cpp describes the command NAME in add_NAME. Its subject in
+/// help is in sim/shell/option_table.cpp.
 #define CSGSIM_COMMANDS(COMMAND) \
   COMMAND(render)                \
   COMMAND(compile)               \

@@ -38,12 +38,12 @@ TEST_CASE("a run's page shows what the stats say in words, and the prices of its
   file["accuracy"]["wrong"] = 3;
   file["knobs"] = {{{"sentence", "Turn this."}}};
   file["dearest"] = {{{"primitive", 0},
-                                 {"name", "cube@1:1"},
-                                 {"source", "1:1"},
-                                 {"clocks", 77},
-                                 {"share", 0.5},
-                                 {"pieces", 1},
-                                 {"halfspaces", 6}}};
+                      {"name", "cube@1:1"},
+                      {"source", "1:1"},
+                      {"clocks", 77},
+                      {"share", 0.5},
+                      {"pieces", 1},
+                      {"halfspaces", 6}}};
   file["configuration"] = {{"view", {{"camera", "a b"}}}};
   const std::string told = page();
   for (const std::string part :
