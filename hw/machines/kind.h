@@ -65,7 +65,7 @@ class Kind {
   [[nodiscard]] virtual std::optional<Division> division(const Machine& /*machine*/) const { return std::nullopt; }
   /// The machine as it draws, part by part, a picture that is halved so many times into segments, or the subsegments of
   /// these; nothing from a kind that does not draw square by square.
-  [[nodiscard]] virtual std::optional<Machine> subdivided(Machine /*machine*/, std::uint32_t /*levels*/,
+  [[nodiscard]] virtual std::optional<Machine> subdivided(const Machine& /*machine*/, std::uint32_t /*levels*/,
                                                           Parts /*parts*/) const {
     return std::nullopt;
   }

@@ -97,10 +97,11 @@ std::optional<machines::Division> Kind::division(const Machine& machine) const {
                             .groups = picture_segments(machine.picture, figures_of(machine).levels)};
 }
 
-std::optional<Machine> Kind::subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) const {
-  machines::own<Figures>(machine).levels = levels;
-  if (parts == machines::Parts::segments) machine.array.width = machine.array.height = 1;
-  return machine;
+std::optional<Machine> Kind::subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const {
+  Machine cut = machine;
+  machines::own<Figures>(cut).levels = levels;
+  if (parts == machines::Parts::segments) cut.array.width = cut.array.height = 1;
+  return cut;
 }
 
 void Kind::check(const isa::Program& program, const Machine& machine) const {

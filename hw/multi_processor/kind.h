@@ -15,7 +15,7 @@ class Kind final : public machines::KindOf<Figures> {
   /// A segment's subsegments are divided from whatever the segment leaves.
   std::optional<machines::Division> division(const Machine& machine) const override;
   /// The nodes share a segment; one draws it as a whole.
-  std::optional<Machine> subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) const override;
+  std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;
   void check(const Program& program, const Machine& machine) const override;
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   machines::FrameTiming time(const Program& program, const Machine& machine, Skips skips) const override;

@@ -83,11 +83,12 @@ std::optional<machines::Division> Kind::division(const Machine& machine) const {
   return machines::Division{figures.levels == 1 ? 0 : figures.group_side, figures.list_entries};
 }
 
-std::optional<Machine> Kind::subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) const {
+std::optional<Machine> Kind::subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const {
   const std::uint32_t parts_a_side = parts == machines::Parts::segments ? 1 : 4;
-  machine.array.width = quotient_up(machine.picture.width, parts_a_side << (levels + 1) / 2);
-  machine.array.height = quotient_up(machine.picture.height, parts_a_side << levels / 2);
-  return machine;
+  Machine cut = machine;
+  cut.array.width = quotient_up(machine.picture.width, parts_a_side << (levels + 1) / 2);
+  cut.array.height = quotient_up(machine.picture.height, parts_a_side << levels / 2);
+  return cut;
 }
 
 namespace {

@@ -15,7 +15,7 @@ class Kind final : public machines::KindOf<Figures> {
   std::vector<isa::Region> regions(const Machine& machine) const override;
   std::optional<machines::Division> division(const Machine& machine) const override;
   /// With renderers as large as the parts. A segment has as many subsegments along a side as those of thesis 7.4.
-  std::optional<Machine> subdivided(Machine machine, std::uint32_t levels, machines::Parts parts) const override;
+  std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;
   void check(const Program& program, const Machine& machine) const override;
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   machines::FrameTiming time(const Program& program, const Machine& machine, Skips skips) const override;
