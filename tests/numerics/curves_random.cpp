@@ -13,6 +13,7 @@
 #include "tests/numerics/variants.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_curves.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim;
 using testing::CurvedScene;
@@ -93,6 +94,7 @@ void check_scenes(view::Projection projection) {
   }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.quadrics, " quadrics, of these ", tally.edges,
           " edges and ", tally.inside, " around the eye, ", tally.covered, " pixels covered, ", tally.wrong, " wrong");
+  if (!testing::draws_usual_cases()) return;
   CHECK(tally.covered > 5 * tally.scenes);
   CHECK(tally.quadrics > tally.scenes / 2);
   CHECK(tally.refused <= 2 + tally.scenes / 10);
