@@ -11,8 +11,8 @@ namespace {
 
 /// Anything but nothing, or no words.
 bool holds_something(const Json& point, const std::string& key) {
-  if (!point.contains(key) || point[key].is_null()) return false;
-  return !point[key].is_string() || !point[key].get_ref<const std::string&>().empty();
+  const Json value = point.value(Json::json_pointer("/" + key), Json());
+  return !value.is_null() && value != "";
 }
 
 }  // namespace

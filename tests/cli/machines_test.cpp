@@ -195,6 +195,7 @@ TEST_CASE("subdivide goes on where it was, measures other levels and tolerances 
   CHECK(content(csv).ends_with(table.substr(table.find('\n') + 1)));
   for (const char* const file : {"s/subdivide.png", "s/subdivide.svg"}) CHECK(content(folder / file).size() > 1000);
   CHECK(content(folder / "p.html").find("What subdivision leaves to do: ") != std::string::npos);
+  CHECK(content(folder / "p.html").find("data-at=\"/points/1/subsegments/clocks\"") != std::string::npos);
 }
 
 TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up but for barriers") {
