@@ -12,7 +12,7 @@ namespace {
 /// Anything but nothing, or no words.
 bool holds_something(const Json& point, const std::string& key) {
   const Json value = point.value(Json::json_pointer("/" + key), Json());
-  return !value.is_null() && value != "";
+  return !value.is_null() && (!value.is_string() || !value.get_ref<const std::string&>().empty());
 }
 
 }  // namespace
