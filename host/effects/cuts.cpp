@@ -92,7 +92,7 @@ class Cuts final : public emit::EffectOf<std::vector<Cut>> {
     all.op = model::Operator::intersect;
     all.children.push_back(tree.root);
     for (std::uint32_t i = 0; i < settings.size(); ++i) {
-      const double reach = 2 * (glm::length(box.high - box.low) + glm::length(settings[i].point - box.centre()));
+      const double reach = 2 * (box.diagonal() + glm::length(settings[i].point - box.centre()));
       model::Node leaf;
       leaf.is_leaf = true;
       leaf.primitive = static_cast<std::uint32_t>(tree.primitives.size());

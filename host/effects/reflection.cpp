@@ -64,7 +64,7 @@ Reflected reflected(const model::Tree& tree, const facet::Geometry& geometry, st
   facet::Box all;
   for (const facet::Convex& solid : geometry.solids) all = facet::hull(all, solid.box);
   Reflected result;
-  facet::Geometry other{{}, facet::PlaneTable(mirroring.place(centre), glm::length(all.high - all.low)), {}};
+  facet::Geometry other{{}, facet::PlaneTable(mirroring.place(centre), all.diagonal()), {}};
   for (const facet::Plane& one : geometry.planes.planes())
     result.of_planes.push_back(other.planes.add(mirroring.plane(absolute(one, centre))));
   auto other_tree = std::make_shared<model::Tree>(tree);

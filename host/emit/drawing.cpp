@@ -38,7 +38,7 @@ bool is_before(const Drawing& drawing, std::uint32_t primitive) {
   const view::EyeSpace space = view::eye_space(drawing.view.camera, drawing.view.sampling);
   const double eye = space.perspective ? value(space.eye) : -glm::dot(plane.normal, space.axes.forward);
   const facet::Convex& solid = geometry.solids[primitive];
-  const double slack = behind_mirror * glm::length(solid.box.high - solid.box.low);
+  const double slack = behind_mirror * solid.box.diagonal();
   return std::all_of(solid.vertices.begin(), solid.vertices.end(),
                      [&](const glm::dvec3& vertex) { return value(vertex) * (eye < 0 ? -1 : 1) > -slack; });
 }

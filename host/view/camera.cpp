@@ -71,7 +71,7 @@ Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width
   // A picture higher than wide is narrower than its vertical field of view.
   const double narrower = std::min(1.0, static_cast<double>(width) / height);
   const double half_angle = std::atan(half_height_per_distance() * narrower);
-  const double radius = glm::length(box.high - box.low) / 2.0;
+  const double radius = box.diagonal() / 2.0;
   const double distance = radius > 0.0 ? radius / std::sin(half_angle) : 1.0;
   const glm::dvec3 back = -basis(camera).forward;
   return {box.centre() + back * distance, box.centre(), camera.projection, camera.up};

@@ -1,24 +1,11 @@
 #include "sim/debug/clocks.h"
 
-#include <vector>
-
-#include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 
 namespace csgsim::debug {
 
-namespace {
-
-/// What a run of the whole Program skips.
-std::vector<machines::Skip> skips_of(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::may_skip(program)) return {};
-  return engine::make_functional_engine(machine)->run(program, {}).skips;
-}
-
-}  // namespace
-
 const machines::Timeline& Clocks::timeline() {
-  if (!timeline_) timeline_ = machines::timeline(program_, machine_, skips_of(program_, machine_));
+  if (!timeline_) timeline_ = machines::timeline(program_, machine_, functional::skips_of_run(program_, machine_));
   return *timeline_;
 }
 

@@ -15,6 +15,11 @@ bool may_skip(const isa::Program& program) {
   });
 }
 
+std::vector<machines::Skip> skips_of_run(const isa::Program& program, const machines::Machine& machine) {
+  if (!may_skip(program)) return {};
+  return engine::make_functional_engine(machine)->run(program, {}).skips;
+}
+
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine) {
   if (!may_skip(program)) return machines::clocks(program, machine);
   return engine::make_functional_engine(machine)->run(program, {}).clocks;

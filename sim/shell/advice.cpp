@@ -9,7 +9,6 @@
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
-#include "hw/isa/opcodes.h"
 #include "hw/machines/timing.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
@@ -54,15 +53,8 @@ constexpr auto tried_settings = std::to_array<TriedSetting>({
      "coarser colours"},
 });
 
-bool may_skip(const isa::Program& program) {
-  return std::ranges::any_of(program.segments, [](const isa::Segment& segment) {
-    return std::ranges::any_of(segment.instructions,
-                               [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
-  });
-}
-
 std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
-  if (!may_skip(program)) return machines::time_frame(program, machine).interval_clocks;
+  if (!functional::may_skip(program)) return machines::time_frame(program, machine).interval_clocks;
   return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
 }
 

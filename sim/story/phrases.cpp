@@ -86,7 +86,7 @@ std::string value_text(const isa::Program& program, isa::Field field, std::uint6
 std::string field_name(const isa::Program& program, isa::Field field) {
   const isa::NamedField* const named = find(program, field);
   if (named != nullptr) return printable(named->name);
-  return field.width == 1 ? fmt::format("[{}]", field.base) : fmt::format("[{}+:{}]", field.base, field.width);
+  return isa::text_of(field);
 }
 
 std::string decision_text(const isa::Program& program, const Decision& decision) {

@@ -9,6 +9,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/runs_on.h"
+#include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
 #include "sim/reference/reference_array.h"
 
@@ -159,12 +160,7 @@ isa::Field named_around(const isa::Program& program, isa::Field field) {
 
 std::vector<machines::Skip> skips_of(const isa::Program& program, const machines::Machine& machine) {
   machines::check_runs_on(program, machine);
-  const bool asks = std::any_of(program.segments.begin(), program.segments.end(), [](const isa::Segment& segment) {
-    return std::any_of(segment.instructions.begin(), segment.instructions.end(),
-                       [](const isa::Instruction& one) { return one.opcode == isa::Opcode::skip_if_none; });
-  });
-  if (!asks) return {};
-  return engine::make_functional_engine(machine)->run(program, {}).skips;
+  return functional::skips_of_run(program, machine);
 }
 
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -110,8 +109,8 @@ Knobs knobs_of(const Options& options, const machines::Machine& machine, const m
                const facet::Geometry& scene, const view::Camera& camera) {
   Knobs knobs;
   if (!options.knobs.empty()) knobs.names = parse_words(options.knobs);
-  knobs.tolerances = options.tolerances.empty() ? usual_tolerances(glm::length(scene.box.high - scene.box.low))
-                                                : tolerances_in(options.tolerances);
+  knobs.tolerances =
+      options.tolerances.empty() ? usual_tolerances(scene.box.diagonal()) : tolerances_in(options.tolerances);
   if (std::ranges::find(knobs.names, "curves") != knobs.names.end())
     knobs.curves = curves_of(options, machine, tree, camera);
   return knobs;

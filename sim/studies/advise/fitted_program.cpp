@@ -1,6 +1,5 @@
 #include "sim/studies/advise/fitted_program.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -8,20 +7,14 @@
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
 #include "hw/base/hash.h"
-#include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
 #include "sim/observe/stats_json.h"
 
 namespace csgsim::studies {
 
 namespace {
-
-bool may_skip(const isa::Segment& segment) {
-  return std::any_of(segment.instructions.begin(), segment.instructions.end(), [](const isa::Instruction& instruction) {
-    return instruction.opcode == isa::Opcode::skip_if_none;
-  });
-}
 
 /// Of all that the pixels see of it.
 std::uint64_t segment_hash(const isa::Segment& segment) {
@@ -69,8 +62,7 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
 }
 
 machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
-  if (std::none_of(program.segments.begin(), program.segments.end(), may_skip))
-    return machines::time_frame(program, machine);
+  if (!functional::may_skip(program)) return machines::time_frame(program, machine);
   std::vector<std::uint64_t> key;
   key.reserve(program.segments.size());
   for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
