@@ -1,0 +1,129 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/coherences/one_list.h"
+#include "sim/software/cost/operations.h"
+
+namespace csgsim::software {
+
+/// All sequences of surfaces that rays have met, as a tree of elements: `son` comes next along a ray, `brother` in its
+/// place on other rays, `father` before it (thesis 4.5.3 and algorithm 4.1). An element's depth in the tree is its
+/// place along the ray, and how often a primitive is among its fathers tells whether a ray is in it.
+template <class Count>
+class ListElements {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  ListElements(const Tree& tree, Count& count) : alone_(tree, count), roots_(tree.leaf_of.size(), none) {}
+
+  /// The element of a surface that comes after `father`, or first where there is none; made if it is new.
+  std::uint32_t after(std::uint32_t father, std::uint32_t primitive, Count& count) {
+    count(Operation::compare_long);
+    count(Operation::branch);
+    if (father == none) {
+      count(Operation::add);
+      count(Operation::load_long);
+      count(Operation::compare_long);
+      count(Operation::branch);
+      if (roots_[primitive] == none) roots_[primitive] = made(primitive, none, none, count);
+      count.list_step();
+      return roots_[primitive];
+    }
+    count(Operation::load_long);
+    for (std::uint32_t at = elements_[father].son; at != none; at = elements_[at].brother) {
+      count.list_step();
+      count(Operation::load);
+      count(Operation::compare);
+      count(Operation::compare_long);
+      count(Operation::branch);
+      if (elements_[at].primitive == primitive) return at;
+      count(Operation::load_long);
+      count(Operation::branch_taken);
+    }
+    // A new branch becomes the first.
+    const std::uint32_t son = made(primitive, father, elements_[father].son, count);
+    elements_[father].son = son;
+    return son;
+  }
+
+  /// Whether the points behind an element are in; where it is not known, `evaluate()` finds it out. `is_first`: behind
+  /// one surface alone.
+  template <class Evaluate>
+  bool is_in(std::uint32_t element, bool is_first, const Evaluate& evaluate, Count& count) {
+    count(Operation::load);
+    count(Operation::compare);
+    count(Operation::branch);
+    if (elements_[element].kept == Class::unknown) {
+      const bool found = is_first ? alone_.is_in(elements_[element].primitive, count) : evaluate();
+      elements_[element].kept = class_of(found);
+      count(Operation::store);
+    } else {
+      count.look_up();
+    }
+    return elements_[element].kept == Class::in;
+  }
+
+  /// Elements that are followed back to the first one.
+  void count_back(std::size_t elements, Count& count) const {
+    count(Operation::load_long, elements);
+    count(Operation::load, elements);
+    count(Operation::branch_taken, elements);
+  }
+
+  /// An element has three pointers, and a primitive with its class.
+  [[nodiscard]] std::uint64_t words() const {
+    return alone_.words() + roots_.size() + 4 * std::uint64_t{elements_.size()};
+  }
+
+ private:
+  struct Element {
+    std::uint32_t primitive;
+    std::uint32_t father;
+    std::uint32_t brother;
+    std::uint32_t son;
+    Class kept;
+  };
+
+  std::uint32_t made(std::uint32_t primitive, std::uint32_t father, std::uint32_t brother, Count& count) {
+    elements_.push_back({primitive, father, brother, none, Class::unknown});
+    count.list_element();
+    count(Operation::call);
+    count(Operation::store, 2);
+    count(Operation::store_long, 4);
+    count(Operation::add_long);
+    count(Operation::come_back);
+    return static_cast<std::uint32_t>(elements_.size() - 1);
+  }
+
+  Alone<Count> alone_;
+  std::vector<std::uint32_t> roots_;  ///< of each primitive, the element of the sequences that it begins
+  std::vector<Element> elements_;
+};
+
+/// Every sequence is evaluated once, ray by ray.
+template <class Count>
+class ListStructure {
+ public:
+  ListStructure(const Tree& tree, Count& count) : elements_(tree, count) {}
+
+  void begin_ray() { at_ = ListElements<Count>::none; }
+
+  template <class Evaluate>
+  bool is_in(std::span<const Event> events, std::size_t begin, std::size_t end, const Evaluate& evaluate,
+             Count& count) {
+    for (std::size_t i = begin; i < end; ++i) at_ = elements_.after(at_, events[i].primitive(), count);
+    return elements_.is_in(at_, is_first_alone(begin, end), evaluate, count);
+  }
+
+  [[nodiscard]] std::uint64_t words() const { return elements_.words(); }
+
+ private:
+  ListElements<Count> elements_;
+  std::uint32_t at_ = ListElements<Count>::none;
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,67 @@
+#include "sim/software/draw.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+
+namespace csgsim::software {
+
+namespace {
+
+std::span<Seen> rows_of(Picture& picture, const RayBand& band) {
+  return std::span(picture.seen).subspan(std::size_t{band.first_row} * band.width, band.rays());
+}
+
+Picture blank(const RayCaster& rays) {
+  return {rays.width(), rays.height(), std::vector<Seen>(std::size_t{rays.width()} * rays.height())};
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+Picture draw(const RayCaster& rays, Method& method, RayCounts* counts) {
+  Picture picture = blank(rays);
+  RayBand band;
+  for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
+    rays.cast(row, band, counts);
+    method.classify(band, rows_of(picture, band));
+  }
+  return picture;
+}
+
+Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make, unsigned repetitions) {
+  Seconds least;
+  Picture picture = blank(rays);
+  RayBand band;
+  for (unsigned i = 0; i < repetitions; ++i) {
+    Seconds seconds;
+    const std::unique_ptr<Method> method = make();
+    for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
+      const auto begin = std::chrono::steady_clock::now();
+      rays.cast(row, band);
+      seconds.rays += seconds_since(begin);
+      const auto cast = std::chrono::steady_clock::now();
+      method->classify(band, rows_of(picture, band));
+      seconds.classification += seconds_since(cast);
+    }
+    least.rays = i == 0 ? seconds.rays : std::min(least.rays, seconds.rays);
+    least.classification = i == 0 ? seconds.classification : std::min(least.classification, seconds.classification);
+  }
+  return least;
+}
+
+Survey survey(const RayCaster& rays, const Picture& picture) {
+  Surveyor surveyor;
+  RayBand band;
+  for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
+    rays.cast(row, band);
+    surveyor.add(band, std::span(picture.seen).subspan(std::size_t{row} * band.width, band.rays()));
+  }
+  return surveyor.result();
+}
+
+}  // namespace csgsim::software

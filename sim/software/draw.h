@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/software/methods/method.h"
+#include "sim/software/rays/caster.h"
+#include "sim/software/survey.h"
+
+namespace csgsim::software {
+
+/// A picture as a method draws it, row by row.
+struct Picture {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<Seen> seen;
+};
+
+/// Draws a picture, a band of rays after another. With `counts`, what rays take is added to them.
+Picture draw(const RayCaster& rays, Method& method, RayCounts* counts = nullptr);
+
+/// Seconds of wall time on this computer.
+struct Seconds {
+  double rays = 0;            ///< intersecting and sorting
+  double classification = 0;  ///< of a method that takes planes, all of it
+};
+
+/// Draws a picture and takes the time of its parts, each the least of as many repetitions, band by band.
+Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make, unsigned repetitions);
+
+/// What the rays of a picture meet until they get into the solid.
+Survey survey(const RayCaster& rays, const Picture& picture);
+
+}  // namespace csgsim::software

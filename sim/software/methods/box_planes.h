@@ -1,0 +1,141 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/methods/method.h"
+#include "sim/software/rays/caster.h"
+#include "sim/software/rays/quadric_depths.h"
+#include "sim/software/rays/tile_planes.h"
+
+namespace csgsim::software {
+
+/// Pixels, and depths z0 <= z < z1.
+struct Box {
+  view::PixelRect pixels;
+  std::uint32_t z0 = 0;
+  std::uint32_t z1 = 0;
+};
+
+/// A primitive and its planes that bound it somewhere in a box.
+struct BoxPrimitive {
+  std::uint32_t primitive = 0;
+  TilePlanes planes;
+};
+
+/// The front or rear half of a box in depth, cut in four; parts without pixels are left out.
+inline std::vector<Box> quarters(const Box& box, bool is_far) {
+  const std::uint32_t middle = box.z0 + (box.z1 - box.z0) / 2;
+  const std::uint32_t z0 = is_far ? middle : box.z0;
+  const std::uint32_t z1 = is_far ? box.z1 : middle;
+  const std::int32_t x = box.pixels.x0 + (box.pixels.x1 - box.pixels.x0) / 2;
+  const std::int32_t y = box.pixels.y0 + (box.pixels.y1 - box.pixels.y0) / 2;
+  std::vector<Box> parts;
+  if (z0 == z1) return parts;
+  for (const view::PixelRect& pixels :
+       {view::PixelRect{box.pixels.x0, box.pixels.y0, x, y}, view::PixelRect{x + 1, box.pixels.y0, box.pixels.x1, y},
+        view::PixelRect{box.pixels.x0, y + 1, x, box.pixels.y1},
+        view::PixelRect{x + 1, y + 1, box.pixels.x1, box.pixels.y1}}) {
+    if (!pixels.empty()) parts.push_back({pixels, z0, z1});
+  }
+  return parts;
+}
+
+/// Bounds of a plane over pixels: of two corners, by the signs of its slopes.
+template <class Count>
+view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels, Count& count) {
+  count.visit();
+  count(Operation::load_long, 3);
+  count(Operation::multiply, 4);
+  count(Operation::add_long, 4);
+  count(Operation::compare_long, 2);
+  count(Operation::branch, 2);
+  return view::range_over(plane, pixels);
+}
+
+/// Keeps the planes that may be the greatest somewhere, where `sign` is 1, or the least, where it is -1; returns the
+/// bounds of that.
+template <class Count>
+view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::PixelRect& pixels, bool greatest,
+                          std::vector<view::FixedLinear>& kept, Count& count) {
+  constexpr view::Range none{std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::min()};
+  view::Range extreme = greatest ? none : view::Range{-(none.low + 1), -(none.low + 1)};
+  std::vector<view::Range> ranges;
+  ranges.reserve(all.size());
+  for (const view::FixedLinear& plane : all) {
+    const view::Range range = ranges.emplace_back(bounds(plane, pixels, count));
+    if (greatest) {
+      extreme = {std::max(extreme.low, range.low), std::max(extreme.high, range.high)};
+    } else {
+      extreme = {std::min(extreme.low, range.low), std::min(extreme.high, range.high)};
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool never = greatest ? ranges[i].high < extreme.low : ranges[i].low > extreme.high;
+    if (!never) kept.push_back(all[i]);
+  }
+  count(Operation::compare_long, 3 * all.size());
+  count(Operation::branch_taken, 3 * all.size());
+  return extreme;
+}
+
+/// What a primitive is in a box: in or out everywhere, or nothing is known; `narrowed` gets the planes that matter
+/// there.
+template <class Count>
+Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, BoxPrimitive& narrowed, Count& count) {
+  const view::PixelRect pixels = view::common(box.pixels, subject.view.extents[one.primitive].pixels);
+  if (pixels.empty()) return Known::out;
+  for (const TilePlanes::Edge& edge : one.planes.edges) {
+    const view::Range range = bounds(edge.linear, pixels, count);
+    const bool is_in = edge.positive ? range.low >= 0 : range.high < 0;
+    const bool is_out = edge.positive ? range.high < 0 : range.low >= 0;
+    if (is_out) return Known::out;
+    if (!is_in) narrowed.planes.edges.push_back(edge);
+  }
+  const unsigned shift = subject.view.sampling.fraction_bits;
+  view::Range front = keep_bounding(one.planes.fronts, pixels, true, narrowed.planes.fronts, count);
+  view::Range back = keep_bounding(one.planes.backs, pixels, false, narrowed.planes.backs, count);
+  front = {front.low >> shift, front.high >> shift};
+  back = {back.low >> shift, back.high >> shift};
+  count(Operation::compare_long, 5);
+  count(Operation::branch, 5);
+  if (front.low >= box.z1 || back.high <= box.z0 || front.low >= back.high) return Known::out;
+  const bool is_whole =
+      pixels == box.pixels && narrowed.planes.edges.empty() && subject.geometry.solids[one.primitive].quadrics.empty();
+  return is_whole && front.high <= box.z0 && back.low >= box.z1 ? Known::in : Known::nothing;
+}
+
+/// What a ray meets of a primitive, by its planes that matter there.
+template <class Count>
+std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& one, std::int32_t x, std::int32_t y,
+                                    Count& count) {
+  const view::PixelRect& pixels = subject.view.extents[one.primitive].pixels;
+  if (x < pixels.x0 || x > pixels.x1 || y < pixels.y0 || y > pixels.y1) return std::nullopt;
+  const std::size_t planes = one.planes.edges.size() + one.planes.fronts.size() + one.planes.backs.size();
+  count(Operation::load_long, 3 * planes);
+  count(Operation::multiply, 4 * planes);
+  count(Operation::add_long, 4 * planes);
+  count(Operation::compare_long, planes);
+  count(Operation::branch_taken, planes);
+  const auto at = [&](const view::FixedLinear& plane) { return plane.a * x + plane.b * y + plane.c; };
+  for (const TilePlanes::Edge& edge : one.planes.edges) {
+    if ((at(edge.linear) >= 0) != edge.positive) return std::nullopt;
+  }
+  const unsigned shift = subject.view.sampling.fraction_bits;
+  Depths depths{0, subject.farthest()};
+  for (const view::FixedLinear& plane : one.planes.fronts) depths.front = std::max(depths.front, at(plane) >> shift);
+  for (const view::FixedLinear& plane : one.planes.backs) depths.back = std::min(depths.back, at(plane) >> shift);
+  for (const facet::QuadricSide side : subject.geometry.solids[one.primitive].quadrics)
+    depths = within(depths, subject.view, side, x, y);
+  if (depths.front >= depths.back) return std::nullopt;
+  return Interval{one.primitive, static_cast<std::uint32_t>(depths.front), static_cast<std::uint32_t>(depths.back)};
+}
+
+}  // namespace csgsim::software

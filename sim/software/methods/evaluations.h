@@ -1,0 +1,176 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "sim/software/cost/operations.h"
+#include "sim/software/methods/known.h"
+#include "sim/software/methods/method.h"
+
+namespace csgsim::software {
+
+/// A tree and the traversal that works on it. A ray begins by taking back what the last one left.
+template <class Traversal, class Count>
+class Evaluator {
+ public:
+  explicit Evaluator(Tree tree) : tree_(std::make_unique<Tree>(std::move(tree))) {
+    if (tree_->is_constant()) return;
+    if (tree_->depth() > Traversal::most_levels) {
+      throw InputError("the tree has " + std::to_string(tree_->depth()) + " levels, of " +
+                       std::to_string(Traversal::most_levels) +
+                       " that this traversal goes down; take --shape balanced");
+    }
+    traversal_.emplace(*tree_);
+  }
+
+  void start(Count& count) {
+    if (traversal_) traversal_->start(in_, count);
+    in_.clear();
+  }
+
+  /// Of a primitive that the tree does not have nothing is heard.
+  void flip(std::uint32_t primitive, Count& count) {
+    count(Operation::load_long);
+    count(Operation::branch);
+    if (tree_->leaf_of[primitive] == model::no_index) return;
+    const auto place = std::ranges::find(in_, primitive);
+    const auto behind = static_cast<std::uint64_t>(in_.end() - place);
+    count(Operation::load, in_.size() - behind);
+    count(Operation::compare, in_.size() - behind);
+    count(Operation::branch_taken, in_.size() - behind);
+    count(Operation::store);
+    if (place == in_.end()) {
+      in_.push_back(primitive);
+    } else {
+      *place = in_.back();
+      in_.pop_back();
+    }
+    traversal_->flip(primitive, count);
+  }
+
+  bool evaluate(Count& count) {
+    if (!traversal_) {
+      count.look_up();
+      return tree_->complemented;
+    }
+    count.evaluation();
+    return traversal_->evaluate(count) != tree_->complemented;
+  }
+
+  [[nodiscard]] std::uint64_t words() const { return traversal_ ? traversal_->words() : 1; }
+
+ private:
+  std::unique_ptr<const Tree> tree_;
+  std::optional<Traversal> traversal_;
+  std::vector<std::uint32_t> in_;  ///< primitives
+};
+
+/// Evaluates the tree after the first events of a ray, by a traversal, on the tree as it is or pruned.
+template <class Traversal, class Count>
+class Evaluations {
+ public:
+  Evaluations(const Subject& subject, Count& count) : subject_(subject), count_(count) {
+    if (subject.pruning == Pruning::none) trees_.emplace_back(std::in_place, subject.tree);
+    if (subject.pruning == Pruning::inside) trees_.resize(subject.model.primitives.size());
+  }
+
+  void begin_band(const RayBand& band) {
+    width_ = band.width;
+    if (subject_.pruning != Pruning::cells) return;
+    trees_.clear();
+    std::uint64_t words = 0;
+    for (std::uint32_t first = 0; first < band.width; first += cell_columns) {
+      prune(trees_.emplace_back(), known_in_cell(subject_.view, band, first));
+      words += trees_.back()->words();
+    }
+    words_ = std::max(words_, words);
+  }
+
+  void begin_ray(std::size_t ray, std::span<const Event> events) {
+    if (subject_.pruning == Pruning::cells) cell_ = ray % width_ / cell_columns;
+    events_ = events;
+    applied_ = 0;
+    current_ = nullptr;
+    entered_.clear();
+  }
+
+  /// Whether the solid holds the points behind the first `count` events of the ray, which is no fewer than before.
+  bool after(std::size_t events) {
+    const std::span<const Event> added = events_.subspan(applied_, events - applied_);
+    applied_ = events;
+    if (subject_.pruning == Pruning::inside) return after_inside(added);
+    Evaluator<Traversal, Count>& tree = *trees_[subject_.pruning == Pruning::cells ? cell_ : 0];
+    if (current_ == nullptr) tree.start(count_);
+    current_ = &tree;
+    for (const Event& event : added) tree.flip(event.primitive(), count_);
+    return tree.evaluate(count_);
+  }
+
+  [[nodiscard]] std::uint64_t words() const {
+    if (subject_.pruning == Pruning::cells) return words_;
+    std::uint64_t all = 0;
+    for (const auto& tree : trees_) all += tree ? tree->words() : 0;
+    return all;
+  }
+
+ private:
+  using Slot = std::optional<Evaluator<Traversal, Count>>;
+
+  /// The primitive that was entered first, of those that the ray is in, says which tree.
+  bool after_inside(std::span<const Event> added) {
+    for (const Event& event : added) {
+      count_(Operation::load);
+      count_(Operation::store);
+      if (event.leaves()) {
+        entered_.erase(std::ranges::find(entered_, event.primitive()));
+      } else {
+        entered_.push_back(event.primitive());
+      }
+    }
+    if (entered_.empty()) {
+      count_.look_up();
+      return false;
+    }
+    Slot& slot = trees_[entered_.front()];
+    if (!slot) prune(slot, known_inside(subject_.view, entered_.front()));
+    if (current_ == &*slot) {
+      for (const Event& event : added) slot->flip(event.primitive(), count_);
+    } else {
+      current_ = &*slot;
+      slot->start(count_);
+      for (const std::uint32_t primitive : entered_) slot->flip(primitive, count_);
+    }
+    return slot->evaluate(count_);
+  }
+
+  void prune(Slot& slot, const std::vector<Known>& known) {
+    const std::size_t nodes = subject_.tree.nodes.size();
+    count_.prune(nodes);
+    count_(Operation::load, 3 * nodes);
+    count_(Operation::compare, 2 * nodes);
+    count_(Operation::branch_taken, 2 * nodes);
+    count_(Operation::store_long, nodes);
+    slot.emplace(reduced(subject_.tree, known));
+  }
+
+  const Subject& subject_;
+  Count& count_;
+  std::vector<Slot> trees_;
+  std::span<const Event> events_;
+  std::size_t applied_ = 0;
+  std::size_t cell_ = 0;
+  std::uint32_t width_ = 1;
+  const Evaluator<Traversal, Count>* current_ = nullptr;
+  std::vector<std::uint32_t> entered_;  ///< primitives that the ray is in, the first one first
+  std::uint64_t words_ = 0;             ///< most of a band
+};
+
+}  // namespace csgsim::software

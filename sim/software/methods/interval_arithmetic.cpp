@@ -1,0 +1,14 @@
+#include "sim/software/methods/interval_arithmetic.h"
+
+#include "sim/software/methods/rows.h"
+#include "sim/software/methods/whole.h"
+
+namespace csgsim::software {
+
+extern const MethodRow interval_arithmetic_row{.name = "interval-arithmetic",
+                                               .help = "boxes are halved, with trees shortened to what matters in them",
+                                               .source = "Keeter 2020; fidget",
+                                               .takes = Takes::planes,
+                                               .make = whole<IntervalArithmetic>};
+
+}  // namespace csgsim::software

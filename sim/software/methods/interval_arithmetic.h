@@ -1,0 +1,202 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/methods/box_planes.h"
+#include "sim/software/methods/method.h"
+#include "sim/software/traversals/early_out.h"
+#include "sim/software/tree/owners.h"
+
+namespace csgsim::software {
+
+/// Boxes of pixels and depths are halved from the front, and in each the solid is evaluated by interval arithmetic: a
+/// primitive that holds all or nothing of the box is pruned from the tree that its parts get, a plane that never bounds
+/// its primitive there from the primitive; so rays get short trees. As fidget draws a height map (Keeter 2020), whose
+/// tapes are minima and maxima of all planes. It meets no ray before the boxes are small.
+template <class Count>
+class IntervalArithmetic : public Method {
+ public:
+  explicit IntervalArithmetic(const Subject& subject)
+      : subject_(subject), owners_(subject.tree), known_(subject.tree.leaf_of.size()) {
+    for (std::uint32_t primitive = 0; primitive < known_.size(); ++primitive)
+      planes_.push_back(planes_of(subject.model, subject.geometry, subject.view, primitive));
+  }
+
+  void classify(const RayBand& band, std::span<Seen> seen) override {
+    band_ = {static_cast<std::int32_t>(band.width), static_cast<std::int32_t>(band.first_row), seen};
+    std::ranges::fill(seen, Seen{subject_.farthest(), Seen::nothing_seen});
+    for (std::uint32_t x = 0; x < band.width; x += band_rows) {
+      const Box box{{static_cast<std::int32_t>(x), band_.first_row,
+                     static_cast<std::int32_t>(std::min(x + band_rows, band.width)) - 1,
+                     band_.first_row + static_cast<std::int32_t>(band.rows) - 1},
+                    0,
+                    subject_.farthest()};
+      whole_.clear();
+      for (std::uint32_t primitive = 0; primitive < planes_.size(); ++primitive) {
+        const bool touches = !view::common(subject_.view.extents[primitive].pixels, box.pixels).empty();
+        if (touches && !planes_[primitive].nowhere) whole_.push_back({primitive, planes_[primitive]});
+      }
+      if (!whole_.empty()) halve(box, whole_, subject_.tree);
+    }
+  }
+
+  [[nodiscard]] Counts counts() const override {
+    Counts counts = count_.counts_so_far();
+    counts.words = most_words_;
+    return counts;
+  }
+
+ private:
+  /// A box of so many pixels a side is drawn ray by ray; so is one in which so few primitives are open.
+  static constexpr std::int32_t least_side = 4;
+  static constexpr std::size_t least_open = 2;
+
+  using Open = std::vector<BoxPrimitive>;
+
+  struct Band {
+    std::int32_t width = 0;
+    std::int32_t first_row = 0;
+    std::span<Seen> seen;
+  };
+
+  Seen& seen_at(std::int32_t x, std::int32_t y) {
+    return band_.seen[static_cast<std::size_t>(y - band_.first_row) * static_cast<std::size_t>(band_.width) +
+                      static_cast<std::size_t>(x)];
+  }
+
+  bool is_set(const view::PixelRect& pixels) {
+    for (std::int32_t y = pixels.y0; y <= pixels.y1; ++y) {
+      for (std::int32_t x = pixels.x0; x <= pixels.x1; ++x) {
+        if (seen_at(x, y).owner == Seen::nothing_seen) return false;
+      }
+    }
+    return true;
+  }
+
+  /// `open`: primitives that hold some of the box around this one; `tree`: what is left of the tree there.
+  void halve(const Box& box, const Open& open, const Tree& tree) {
+    if (is_set(box.pixels)) return;
+    Open left;
+    for (const BoxPrimitive& one : open) {
+      BoxPrimitive& narrowed = left.emplace_back(BoxPrimitive{one.primitive, {}});
+      known_[one.primitive] = narrow(subject_, box, one, narrowed, count_);
+      if (known_[one.primitive] != Known::nothing) left.pop_back();
+    }
+    count_.evaluation();
+    const Tree rest = pruned(tree);
+    std::uint64_t words = words_of(rest);
+    for (const BoxPrimitive& one : left) words += 1 + one.planes.fronts.size() + one.planes.backs.size();
+    most_words_ = std::max(most_words_, words);
+    if (rest.is_constant()) {
+      // What is in everywhere in the box, and nearer is not, begins with it.
+      if (rest.complemented) set_all(box);
+      return;
+    }
+    const bool is_small = box.pixels.x1 - box.pixels.x0 < least_side && box.pixels.y1 - box.pixels.y0 < least_side;
+    if (is_small || left.size() <= least_open) return draw(box, left, rest);
+    for (const bool is_far : {false, true}) {
+      for (const Box& part : quarters(box, is_far)) halve(part, left, rest);
+    }
+  }
+
+  Tree pruned(const Tree& tree) {
+    const std::size_t nodes = tree.nodes.size();
+    count_.prune(nodes);
+    count_(Operation::load, 3 * nodes);
+    count_(Operation::compare, 2 * nodes);
+    count_(Operation::branch_taken, 2 * nodes);
+    count_(Operation::store_long, nodes);
+    return reduced(tree, known_);
+  }
+
+  void set_all(const Box& box) {
+    for (std::int32_t y = box.pixels.y0; y <= box.pixels.y1; ++y) {
+      for (std::int32_t x = box.pixels.x0; x <= box.pixels.x1; ++x) set(x, y, box.z0);
+    }
+  }
+
+  /// Whose surface it is, by all primitives of the picture there.
+  void set(std::int32_t x, std::int32_t y, std::uint32_t depth) {
+    Seen& seen = seen_at(x, y);
+    if (seen.owner != Seen::nothing_seen) return;
+    intervals_along(whole_, x, y);
+    active_.clear();
+    for (const Interval& interval : intervals_) {
+      if (interval.front <= depth && depth < interval.back) active_.push_back(interval.primitive);
+    }
+    seen = {depth, owners_.seen(intervals_, depth, active_, count_)};
+  }
+
+  void intervals_along(const Open& open, std::int32_t x, std::int32_t y) {
+    intervals_.clear();
+    for (const BoxPrimitive& one : open) {
+      const std::optional<Interval> interval = interval_at(subject_, one, x, y, count_);
+      if (interval) intervals_.push_back(*interval);
+    }
+  }
+
+  /// Ray by ray, by the tree that is left.
+  void draw(const Box& box, const Open& open, const Tree& tree) {
+    EarlyOut<Count> traversal(tree);
+    for (std::int32_t y = box.pixels.y0; y <= box.pixels.y1; ++y) {
+      for (std::int32_t x = box.pixels.x0; x <= box.pixels.x1; ++x) {
+        if (seen_at(x, y).owner != Seen::nothing_seen) continue;
+        intervals_along(open, x, y);
+        draw_ray(box, tree, traversal, x, y);
+      }
+    }
+  }
+
+  /// The depths at which something changes, the box's front among them, from there on.
+  void collect_depths(const Box& box) {
+    depths_.assign(1, box.z0);
+    for (const Interval& interval : intervals_) {
+      for (const std::uint32_t depth : {interval.front, interval.back}) {
+        if (depth > box.z0 && depth < box.z1) depths_.push_back(depth);
+      }
+    }
+    std::ranges::sort(depths_);
+    depths_.erase(std::unique(depths_.begin(), depths_.end()), depths_.end());
+    count_(Operation::load_long, 2 * intervals_.size());
+    count_(Operation::compare_long, 4 * intervals_.size() + depths_.size());
+    count_(Operation::branch_taken, 2 * intervals_.size() + depths_.size());
+    count_(Operation::store_long, depths_.size());
+  }
+
+  void draw_ray(const Box& box, const Tree& tree, EarlyOut<Count>& traversal, std::int32_t x, std::int32_t y) {
+    collect_depths(box);
+    for (const std::uint32_t depth : depths_) {
+      active_.clear();
+      for (const Interval& interval : intervals_) {
+        const bool holds = interval.front <= depth && depth < interval.back;
+        if (holds && tree.leaf_of[interval.primitive] != model::no_index) active_.push_back(interval.primitive);
+      }
+      for (const std::uint32_t primitive : active_) traversal.flip(primitive, count_);
+      count_.point();
+      count_.evaluation();
+      const bool is_in = traversal.evaluate(count_) != tree.complemented;
+      traversal.start(active_, count_);
+      if (is_in) return set(x, y, depth);
+    }
+  }
+
+  Subject subject_;
+  Count count_;
+  Owners<Count> owners_;
+  std::vector<TilePlanes> planes_;  ///< of each primitive
+  std::vector<Known> known_;        ///< of each primitive, in the box that is looked at
+  Band band_;
+  Open whole_;  ///< the primitives of a box of the picture's whole depth
+  std::vector<Interval> intervals_;
+  std::vector<std::uint32_t> active_;
+  std::vector<std::uint32_t> depths_;
+  std::uint64_t most_words_ = 0;  ///< of a box
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/methods/method.h"
+#include "sim/software/traversals/states.h"
+
+namespace csgsim::software {
+
+/// A ray is combined with the solid as a whole: each node makes one list of intervals of those of its operands, in
+/// postorder (Roth 1982; thesis 4.1, first method). The right operand is left out where the left one has no interval
+/// and decides. An end of an interval keeps the primitive whose surface is there, of several the first.
+template <class Count>
+class IntervalLists : public Method {
+ public:
+  explicit IntervalLists(const Subject& subject) : subject_(subject), interval_of_(subject.tree.leaf_of.size()) {}
+
+  void classify(const RayBand& band, std::span<Seen> seen) override {
+    for (std::size_t ray = 0; ray < seen.size(); ++ray) seen[ray] = seen_along(band.intervals_of(ray));
+  }
+
+  [[nodiscard]] Counts counts() const override {
+    Counts counts = count_.counts_so_far();
+    counts.words = words_of(subject_.tree) + interval_of_.size() + most_ends_;
+    return counts;
+  }
+
+ private:
+  /// Where intervals begin and end, in turn.
+  struct End {
+    std::uint32_t depth;
+    std::uint32_t primitive;
+  };
+  using List = std::span<const End>;
+
+  Seen seen_along(std::span<const Interval> intervals) {
+    const Seen nothing{subject_.farthest(), Seen::nothing_seen};
+    if (intervals.empty()) return nothing;
+    for (const Interval& interval : intervals) interval_of_[interval.primitive] = &interval;
+    count_(Operation::load, intervals.size());
+    count_(Operation::store_long, 2 * intervals.size());
+    ends_.clear();
+    count_.evaluation();
+    visit(subject_.tree.root);
+    for (const Interval& interval : intervals) interval_of_[interval.primitive] = nullptr;
+    return ends_.empty() ? nothing : Seen{ends_.front().depth, ends_.front().primitive};
+  }
+
+  /// Puts a node's list behind all others.
+  void visit(std::uint32_t at) {
+    const Node& node = subject_.tree.nodes[at];
+    count_node(node, count_);
+    count_(Operation::come_back);
+    if (node.is_leaf) {
+      count_(Operation::load_long);
+      count_(Operation::compare_long);
+      count_(Operation::branch);
+      if (const Interval* const interval = interval_of_[node.primitive]) {
+        put({interval->front, node.primitive});
+        put({interval->back, node.primitive});
+      }
+      return;
+    }
+    const std::size_t begin = ends_.size();
+    count_descent(count_);
+    visit(node.left);
+    count_(Operation::compare_long);
+    count_(Operation::branch);
+    if (ends_.size() == begin && node.op != model::Operator::unite) return count_.early_out();
+    const std::size_t middle = ends_.size();
+    count_descent(count_);
+    visit(node.right);
+    most_ends_ = std::max<std::uint64_t>(most_ends_, 4 * ends_.size());
+    count_(Operation::compare_long);
+    count_(Operation::branch);
+    // What the right one lacks leaves a union and a difference as they are, and nothing of an intersection.
+    if (ends_.size() == middle) {
+      if (node.op == model::Operator::intersect) ends_.resize(begin);
+      return;
+    }
+    merge(node.op, begin, middle);
+  }
+
+  void put(const End& end) {
+    count_.list_element();
+    count_(Operation::store_long);
+    count_(Operation::store);
+    ends_.push_back(end);
+  }
+
+  static bool holds(model::Operator op, bool left, bool right) {
+    switch (op) {
+      case model::Operator::unite: return left || right;
+      case model::Operator::intersect: return left && right;
+      case model::Operator::subtract: break;
+    }
+    return left && !right;
+  }
+
+  /// Two lists side by side become one, in the place of the left one.
+  void merge(model::Operator op, std::size_t begin, std::size_t middle) {
+    const List left = List(ends_).subspan(begin, middle - begin);
+    const List right = List(ends_).subspan(middle);
+    merged_.clear();
+    std::size_t l = 0;
+    std::size_t r = 0;
+    bool was_in = false;
+    while (l < left.size() || r < right.size()) {
+      const bool takes_left = r == right.size() || (l < left.size() && left[l].depth <= right[r].depth);
+      const bool takes_right = l == left.size() || (r < right.size() && right[r].depth <= left[l].depth);
+      const End end = takes_left ? left[l] : right[r];
+      if (takes_left) ++l;
+      if (takes_right) ++r;
+      count_.list_step();
+      count_(Operation::load_long, 2);
+      count_(Operation::compare_long, 3);
+      count_(Operation::branch, 2);
+      count_(Operation::branch_taken, 2);
+      count_(Operation::logic, 2);
+      const bool is_in = holds(op, l % 2 != 0, r % 2 != 0);
+      if (is_in == was_in) continue;
+      was_in = is_in;
+      merged_.push_back(end);
+      count_.list_element();
+      count_(Operation::load);
+      count_(Operation::store_long, 2);
+      count_(Operation::store, 2);
+    }
+    ends_.resize(begin);
+    ends_.insert(ends_.end(), merged_.begin(), merged_.end());
+    count_(Operation::load_long, merged_.size());
+    count_(Operation::load, merged_.size());
+  }
+
+  Subject subject_;
+  Count count_;
+  std::vector<const Interval*> interval_of_;  ///< of each primitive along the ray
+  std::vector<End> ends_;                     ///< lists that wait to be merged, one behind the other
+  std::vector<End> merged_;
+  std::uint64_t most_ends_ = 0;  ///< words
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,78 @@
+#include "sim/software/methods/rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/nearest.h"
+
+namespace csgsim::software {
+
+extern const MethodRow interval_lists_row;
+extern const MethodRow standard_row;
+extern const MethodRow early_out_row;
+extern const MethodRow positional_row;
+extern const MethodRow status_row;
+extern const MethodRow bit_sequential_row;
+extern const MethodRow bit_parallel_row;
+extern const MethodRow bit_parallel_status_row;
+extern const MethodRow weave_row;
+extern const MethodRow interval_arithmetic_row;
+
+namespace {
+
+constexpr std::array method_rows{
+    &interval_lists_row, &standard_row,     &early_out_row,           &positional_row, &status_row,
+    &bit_sequential_row, &bit_parallel_row, &bit_parallel_status_row, &weave_row,      &interval_arithmetic_row};
+
+constexpr std::array coherence_rows{
+    CoherenceRow{Coherent::all_points, "all-points", "every point is evaluated", "Jansen 1987, 4.3"},
+    CoherenceRow{Coherent::first_point, "first-point", "first points are looked up", "Jansen 1987, 4.5.1"},
+    CoherenceRow{Coherent::one_list, "one-list", "the last ray's list is read again", "Jansen 1987, 4.5.2"},
+    CoherenceRow{Coherent::list_structure, "list-structure", "all sequences so far are kept as a tree",
+                 "Jansen 1987, 4.5.3"},
+    CoherenceRow{Coherent::joined_lists, "joined-lists", "its branches with the same active primitives joined",
+                 "Jansen 1987, 4.5.3, proposed"},
+    CoherenceRow{Coherent::csg_buffer, "csg-buffer", "a pointer into the tree of sequences for each pixel",
+                 "Jansen 1987, 4.5.4, algorithm 4.1"}};
+
+std::vector<std::string> names_of_methods() {
+  std::vector<std::string> names;
+  for (const MethodRow* const row : method_rows) names.emplace_back(row->name);
+  return names;
+}
+
+std::vector<std::string> names_of_coherences() {
+  std::vector<std::string> names;
+  for (const CoherenceRow& row : coherence_rows) names.emplace_back(row.name);
+  return names;
+}
+
+}  // namespace
+
+std::span<const MethodRow* const> methods() { return method_rows; }
+std::span<const CoherenceRow> coherences() { return coherence_rows; }
+
+Choice choice_of(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const std::string method = text.substr(0, slash);
+  const auto row = std::ranges::find(method_rows, method, &MethodRow::name);
+  if (row == method_rows.end()) throw InputError(no_such("method", method, names_of_methods()));
+  const bool is_crossed = (*row)->takes == Takes::events;
+  if (slash == std::string::npos) return {*row, is_crossed ? coherence_rows.data() : nullptr};
+  if (!is_crossed) throw InputError("method " + method + " takes whole rays, and no coherence");
+  const std::string coherence = text.substr(slash + 1);
+  const auto* const kept = std::ranges::find(coherence_rows, coherence, &CoherenceRow::name);
+  if (kept == coherence_rows.end()) throw InputError(no_such("coherence", coherence, names_of_coherences()));
+  return {*row, kept};
+}
+
+std::string name_of(const Choice& choice) {
+  std::string name(choice.method->name);
+  if (choice.coherence != nullptr) name += "/" + std::string(choice.coherence->name);
+  return name;
+}
+
+}  // namespace csgsim::software

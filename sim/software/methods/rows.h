@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "sim/software/methods/method.h"
+
+namespace csgsim::software {
+
+/// What is kept from one point to the next.
+enum class Coherent : std::uint8_t { all_points, first_point, one_list, list_structure, joined_lists, csg_buffer };
+
+/// A row of the table of coherences.
+struct CoherenceRow {
+  Coherent coherence;
+  std::string_view name;
+  std::string_view help;
+  std::string_view source;
+};
+
+/// What a method works on.
+enum class Takes : std::uint8_t {
+  events,     ///< of rays, in order; crossed with a coherence
+  intervals,  ///< of rays, in any order
+  planes,     ///< it finds what rays meet by itself
+};
+
+/// A row of the table of methods.
+struct MethodRow {
+  std::string_view name;
+  std::string_view help;
+  std::string_view source;
+  Takes takes = Takes::events;
+  /// `counts`: it tells what it does, and is slower. The coherence and the pruning are those of methods that take
+  /// events. Throws InputError for a tree that has too many levels for it.
+  std::unique_ptr<Method> (*make)(Coherent coherence, const Subject& subject, bool counts) = nullptr;
+};
+
+/// In the order of the thesis.
+std::span<const MethodRow* const> methods();
+std::span<const CoherenceRow> coherences();
+
+/// A method and, if it takes one, its coherence.
+struct Choice {
+  const MethodRow* method = nullptr;
+  const CoherenceRow* coherence = nullptr;  ///< nullptr where it takes none
+};
+
+/// METHOD or METHOD/COHERENCE; all-points where a method takes one and none is said. Throws InputError that lists what
+/// there is.
+Choice choice_of(const std::string& text);
+
+/// As choice_of takes it.
+std::string name_of(const Choice& choice);
+
+}  // namespace csgsim::software

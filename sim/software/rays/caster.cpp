@@ -1,0 +1,236 @@
+#include "sim/software/rays/caster.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "sim/software/rays/quadric_depths.h"
+#include "sim/software/rays/sort_events.h"
+
+namespace csgsim::software {
+
+namespace {
+
+using view::FixedLinear;
+using view::PixelRect;
+
+constexpr std::int32_t tile_columns = 64;
+
+std::int64_t floor_quotient(std::int64_t dividend, std::int64_t divisor) {
+  const std::int64_t quotient = dividend / divisor;
+  return quotient * divisor != dividend && (dividend < 0) != (divisor < 0) ? quotient - 1 : quotient;
+}
+
+/// Columns of a row, both ends among them.
+struct Span {
+  std::int32_t first = 0;
+  std::int32_t last = -1;
+
+  [[nodiscard]] bool empty() const { return first > last; }
+};
+
+/// Leaves the columns of a row where a x + rest >= 0, or, if not `positive`, < 0.
+void clip(Span& span, std::int64_t a, std::int64_t rest, bool positive) {
+  if (!positive) return clip(span, -a, -rest - 1, true);
+  if (a == 0) {
+    if (rest < 0) span.last = span.first - 1;
+  } else if (a > 0) {
+    const std::int64_t least = -floor_quotient(rest, a);
+    span.first = static_cast<std::int32_t>(std::clamp<std::int64_t>(least, span.first, std::int64_t{span.last} + 1));
+  } else {
+    const std::int64_t most = floor_quotient(rest, -a);
+    span.last = static_cast<std::int32_t>(std::clamp<std::int64_t>(most, std::int64_t{span.first} - 1, span.last));
+  }
+}
+
+/// The depths of a row of a tile before they are shifted: the greatest of the fronts, the least of the backs.
+struct RowDepths {
+  std::array<std::int64_t, tile_columns> fronts;
+  std::array<std::int64_t, tile_columns> backs;
+};
+
+template <class Better>
+void sweep(std::span<const FixedLinear> planes, const Span& span, std::int64_t y, std::int64_t* extremes,
+           const Better& better) {
+  const std::int32_t count = span.last - span.first + 1;
+  for (const FixedLinear& plane : planes) {
+    std::int64_t value = plane.a * span.first + plane.b * y + plane.c;
+    for (std::int32_t i = 0; i < count; ++i) {
+      extremes[i] = better(extremes[i], value);
+      value += plane.a;
+    }
+  }
+}
+
+/// What the planes of a primitive take of a row, as a processor does it.
+template <class Count>
+void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& span) {
+  if constexpr (!Count::counts) return;
+  const auto columns = static_cast<std::uint64_t>(std::max(0, span.last - span.first + 1));
+  // An edge test: its row's value a row further, the quotient, a limit that moves or stays.
+  count(Operation::load_long, 3 * edges);
+  count(Operation::add_long, edges);
+  count(Operation::divide, edges);
+  count(Operation::compare, edges);
+  count(Operation::branch, edges);
+  // A plane: its row's value a row further, then at each pixel the next value, held against the extreme in memory.
+  count(Operation::load_long, 2 * planes);
+  count(Operation::add_long, planes);
+  count(Operation::store_long, planes);
+  const std::uint64_t tests = planes * columns;
+  count(Operation::load_long, tests);
+  count(Operation::compare_long, tests);
+  count(Operation::add_long, tests);
+  count(Operation::branch, tests);
+  count(Operation::branch_taken, tests);
+}
+
+/// What is found along a row, in the order of primitives.
+struct Found {
+  std::uint32_t column = 0;
+  Interval interval;
+};
+
+/// Finds what one band's rays meet, primitive after primitive.
+template <class Count>
+class BandCaster {
+ public:
+  BandCaster(const facet::Geometry& geometry, const view::View& view, const RayBand& band)
+      : geometry_(geometry), view_(view), band_(band), rows_(band.rows) {}
+
+  void add(std::uint32_t primitive, const TilePlanes& planes) {
+    if (planes.nowhere) return;
+    const PixelRect& pixels = view_.extents[primitive].pixels;
+    const auto first_row = static_cast<std::int32_t>(band_.first_row);
+    const std::int32_t y0 = std::max(pixels.y0, first_row);
+    const std::int32_t y1 = std::min(pixels.y1, first_row + static_cast<std::int32_t>(band_.rows) - 1);
+    for (std::int32_t x0 = pixels.x0; x0 <= pixels.x1; x0 += tile_columns) {
+      const PixelRect tile{x0, y0, std::min(pixels.x1, x0 + tile_columns - 1), y1};
+      const std::uint64_t tested = leave_out_hidden(planes, tile, left_);
+      tile_tests_ += tested;
+      count_tile(tested);
+      for (std::int32_t y = y0; y <= y1; ++y) add_row(primitive, planes.edges, {tile.x0, tile.x1}, y);
+    }
+  }
+
+  /// The intervals of the band, ray by ray.
+  void gather(RayBand& band) const {
+    const std::size_t rays = band.rays();
+    band.interval_begins.assign(rays + 1, 0);
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+      for (const Found& found : rows_[row]) ++band.interval_begins[row * band.width + found.column + 1];
+    }
+    for (std::size_t ray = 0; ray < rays; ++ray) band.interval_begins[ray + 1] += band.interval_begins[ray];
+    band.intervals.resize(band.interval_begins[rays]);
+    std::vector<std::size_t> place(band.interval_begins.begin(), band.interval_begins.end() - 1);
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+      for (const Found& found : rows_[row]) band.intervals[place[row * band.width + found.column]++] = found.interval;
+    }
+  }
+
+  void tell(RayCounts& counts) const {
+    counts.halfspace_tests += halfspace_tests_;
+    counts.tile_tests += tile_tests_;
+    counts.intersecting += count_.done();
+  }
+
+ private:
+  /// Four values of a plane, three by additions, and each held against the greatest so far and the leaders.
+  void count_tile(std::uint64_t tested) {
+    constexpr std::uint64_t corners = 4;
+    count_(Operation::multiply, 2 * tested);
+    count_(Operation::load_long, (3 + 2 * corners) * tested);
+    count_(Operation::add_long, (2 + corners) * tested);
+    count_(Operation::compare_long, 2 * corners * tested);
+    count_(Operation::branch, 2 * corners * tested);
+    count_(Operation::store_long, corners * tested);
+  }
+
+  void add_row(std::uint32_t primitive, std::span<const TilePlanes::Edge> edges, Span span, std::int32_t y) {
+    for (const TilePlanes::Edge& edge : edges) {
+      if (span.empty()) break;
+      clip(span, edge.linear.a, edge.linear.b * y + edge.linear.c, edge.positive);
+    }
+    count_row(count_, left_.fronts.size() + left_.backs.size(), edges.size(), span);
+    if (span.empty()) return;
+    const auto columns = static_cast<std::size_t>(span.last - span.first + 1);
+    halfspace_tests_ += columns * (left_.fronts.size() + left_.backs.size());
+    std::fill_n(depths_.fronts.begin(), columns, std::numeric_limits<std::int64_t>::min());
+    std::fill_n(depths_.backs.begin(), columns, std::numeric_limits<std::int64_t>::max());
+    sweep(left_.fronts, span, y, depths_.fronts.data(), [](std::int64_t a, std::int64_t b) { return a > b ? a : b; });
+    sweep(left_.backs, span, y, depths_.backs.data(), [](std::int64_t a, std::int64_t b) { return a < b ? a : b; });
+    for (std::size_t i = 0; i < columns; ++i) add_pixel(primitive, span.first + static_cast<std::int32_t>(i), y, i);
+  }
+
+  void add_pixel(std::uint32_t primitive, std::int32_t x, std::int32_t y, std::size_t i) {
+    const unsigned shift = view_.sampling.fraction_bits;
+    const std::int64_t farthest = (std::int64_t{1} << view_.sampling.z_bits) - 1;
+    Depths depths{std::max<std::int64_t>(0, depths_.fronts[i] >> shift), std::min(farthest, depths_.backs[i] >> shift)};
+    for (const facet::QuadricSide side : geometry_.solids[primitive].quadrics)
+      depths = within(depths, view_, side, x, y);
+    count_.shift(2 * shift);
+    count_(Operation::load_long, 2);
+    count_(Operation::compare_long, 3);
+    count_(Operation::branch, 3);
+    if (depths.front >= depths.back) return;
+    count_(Operation::store_long, 2);
+    count_(Operation::store);
+    rows_[static_cast<std::uint32_t>(y) - band_.first_row].push_back(
+        {static_cast<std::uint32_t>(x),
+         {primitive, static_cast<std::uint32_t>(depths.front), static_cast<std::uint32_t>(depths.back)}});
+  }
+
+  const facet::Geometry& geometry_;
+  const view::View& view_;
+  const RayBand& band_;
+  std::vector<std::vector<Found>> rows_;
+  TilePlanes left_;
+  RowDepths depths_{};
+  Count count_;
+  std::uint64_t halfspace_tests_ = 0;
+  std::uint64_t tile_tests_ = 0;
+};
+
+template <class Count>
+void cast_with(const facet::Geometry& geometry, const view::View& view, std::span<const std::uint32_t> touching,
+               std::span<const TilePlanes> planes, RayBand& band, RayCounts* counts) {
+  BandCaster<Count> caster(geometry, view, band);
+  for (const std::uint32_t primitive : touching) caster.add(primitive, planes[primitive]);
+  caster.gather(band);
+  Count sorting;
+  sort_events(band, (std::uint32_t{1} << view.sampling.z_bits) - 1, sorting);
+  if (counts == nullptr) return;
+  caster.tell(*counts);
+  counts->intervals += band.intervals.size();
+  counts->events += band.events.size();
+  counts->sorting += sorting.done();
+}
+
+}  // namespace
+
+RayCaster::RayCaster(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view)
+    : geometry_(geometry), view_(view), touching_((view.sampling.height + band_rows - 1) / band_rows) {
+  planes_.reserve(geometry.solids.size());
+  for (std::uint32_t primitive = 0; primitive < geometry.solids.size(); ++primitive) {
+    planes_.push_back(planes_of(tree, geometry, view, primitive));
+    const PixelRect& pixels = view.extents[primitive].pixels;
+    if (pixels.empty()) continue;
+    const auto last = static_cast<std::uint32_t>(pixels.y1) / band_rows;
+    for (std::uint32_t band = static_cast<std::uint32_t>(pixels.y0) / band_rows; band <= last; ++band)
+      touching_[band].push_back(primitive);
+  }
+}
+
+void RayCaster::cast(std::uint32_t first_row, RayBand& band, RayCounts* counts) const {
+  band.width = width();
+  band.first_row = first_row;
+  band.rows = std::min(band_rows, height() - first_row);
+  const std::span<const std::uint32_t> touching = touching_[first_row / band_rows];
+  const auto cast = counts == nullptr ? cast_with<Uncounted> : cast_with<Counting>;
+  cast(geometry_, view_, touching, planes_, band, counts);
+}
+
+}  // namespace csgsim::software

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace csgsim::software {
+
+/// A primitive along a ray: it holds the depths front <= z < back, in depth steps.
+struct Interval {
+  std::uint32_t primitive = 0;
+  std::uint32_t front = 0;
+  std::uint32_t back = 0;
+
+  bool operator==(const Interval&) const = default;
+};
+
+/// A ray enters a primitive or leaves it. Events are ordered by depth, at one depth by primitive.
+struct Event {
+  std::uint32_t depth = 0;     ///< depth steps, the first behind the surface
+  std::uint32_t crossing = 0;  ///< twice the primitive; 1 more where it is left
+
+  [[nodiscard]] std::uint32_t primitive() const { return crossing / 2; }
+  [[nodiscard]] bool leaves() const { return crossing % 2 != 0; }
+  auto operator<=>(const Event&) const = default;
+};
+
+/// The rays of some rows of a picture, row by row from the top: what each meets between the near plane and depth
+/// 2^n - 1, which is nothing.
+struct RayBand {
+  std::uint32_t width = 0;
+  std::uint32_t first_row = 0;
+  std::uint32_t rows = 0;
+  std::vector<std::size_t> interval_begins;  ///< of each ray, and of the one after the last
+  std::vector<Interval> intervals;           ///< of a ray in the order of primitives, none empty
+  std::vector<std::size_t> event_begins;     ///< as of intervals
+  std::vector<Event> events;                 ///< of a ray in order
+
+  [[nodiscard]] std::size_t rays() const { return std::size_t{width} * rows; }
+  [[nodiscard]] std::span<const Interval> intervals_of(std::size_t ray) const {
+    return std::span(intervals).subspan(interval_begins[ray], interval_begins[ray + 1] - interval_begins[ray]);
+  }
+  [[nodiscard]] std::span<const Event> events_of(std::size_t ray) const {
+    return std::span(events).subspan(event_begins[ray], event_begins[ray + 1] - event_begins[ray]);
+  }
+};
+
+/// What is seen at a pixel.
+struct Seen {
+  std::uint32_t depth = 0;  ///< depth steps; 2^n - 1 where nothing is seen
+  std::uint32_t owner = nothing_seen;
+
+  static constexpr std::uint32_t nothing_seen = 0xffffffffU;
+  bool operator==(const Seen&) const = default;
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/rays/ray_band.h"
+
+namespace csgsim::software {
+
+/// Rays with more events are sorted by halving.
+inline constexpr std::size_t most_inserted = 32;
+
+/// Sorts by insertion: along a ray there are few events, and primitives that are near in the tree are near in depth.
+template <class Count>
+void insert_in_order(std::span<Event> events, Count& count) {
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    const Event event = events[i];
+    count(Operation::load_long, 2);
+    std::size_t place = i;
+    while (place > 0 && event < events[place - 1]) {
+      events[place] = events[place - 1];
+      --place;
+      count(Operation::load_long, 2);
+      count(Operation::compare_long);
+      count(Operation::store_long, 2);
+      count(Operation::branch_taken, 2);
+    }
+    events[place] = event;
+    count(Operation::load_long);
+    count(Operation::compare_long);
+    count(Operation::branch);
+    count(Operation::store_long, 2);
+  }
+}
+
+/// The events of a band's intervals, in order. What is left at `farthest` is left where nothing is, and is no event.
+template <class Count>
+void sort_events(RayBand& band, std::uint32_t farthest, Count& count) {
+  band.events.clear();
+  band.event_begins.assign(1, 0);
+  for (std::size_t ray = 0; ray < band.rays(); ++ray) {
+    const std::size_t begin = band.events.size();
+    for (const Interval& interval : band.intervals_of(ray)) {
+      band.events.push_back({interval.front, 2 * interval.primitive});
+      if (interval.back < farthest) band.events.push_back({interval.back, 2 * interval.primitive + 1});
+      count(Operation::load_long, 2);
+      count(Operation::load);
+      count(Operation::store_long, 2);
+      count(Operation::store, 2);
+    }
+    const std::span<Event> events = std::span(band.events).subspan(begin);
+    if (events.size() <= most_inserted) {
+      insert_in_order(events, count);
+    } else {
+      std::ranges::sort(events, [&](const Event& a, const Event& b) {
+        count(Operation::load_long, 2);
+        count(Operation::compare_long);
+        count(Operation::branch_taken);
+        count(Operation::store_long);
+        return a < b;
+      });
+    }
+    band.event_begins.push_back(band.events.size());
+  }
+}
+
+}  // namespace csgsim::software

@@ -1,0 +1,47 @@
+#include "sim/software/survey.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace csgsim::software {
+
+std::size_t Surveyor::Hash::operator()(const std::vector<std::uint32_t>& sequence) const {
+  std::size_t hash = sequence.size();
+  for (const std::uint32_t primitive : sequence) {
+    constexpr std::size_t factor = 0x9e3779b97f4a7c15U;
+    hash = (hash ^ primitive) * factor;
+    hash ^= hash >> 32U;
+  }
+  return hash;
+}
+
+void Surveyor::add(const RayBand& band, std::span<const Seen> seen) {
+  for (std::size_t ray = 0; ray < band.rays(); ++ray) add_ray(band.events_of(ray), seen[ray]);
+}
+
+void Surveyor::add_ray(std::span<const Event> events, const Seen& seen) {
+  ++survey_.rays;
+  if (events.empty()) return;
+  ++survey_.met;
+  if (seen.owner != Seen::nothing_seen) ++survey_.hits;
+  sequence_.clear();
+  std::uint64_t points = 0;
+  for (std::size_t i = 0; i < events.size() && events[i].depth <= seen.depth; ++i) {
+    if (i == 0 || events[i].depth != events[i - 1].depth) ++points;
+    sequence_.push_back(events[i].primitive());
+  }
+  survey_.points += points;
+  survey_.most_points = std::max(survey_.most_points, points);
+  if (survey_.sequences > 0 && sequence_ == last_) return;
+  ++survey_.sequences;
+  last_ = sequence_;
+  found_.insert(sequence_);
+}
+
+Survey Surveyor::result() const {
+  Survey survey = survey_;
+  survey.different_sequences = found_.size();
+  return survey;
+}
+
+}  // namespace csgsim::software

@@ -1,0 +1,12 @@
+#include "sim/software/traversals/bit_parallel.h"
+
+#include "sim/software/methods/crossed.h"
+
+namespace csgsim::software {
+
+extern const MethodRow bit_parallel_row{.name = "bit-parallel",
+                                        .help = "all nodes of a level at once, in words of 32 bits",
+                                        .source = "Jansen 1987, 4.4.2, table 4.7",
+                                        .make = crossed<BitParallel>};
+
+}  // namespace csgsim::software

@@ -1,0 +1,12 @@
+#include "sim/software/traversals/bit_parallel_status.h"
+
+#include "sim/software/methods/crossed.h"
+
+namespace csgsim::software {
+
+extern const MethodRow bit_parallel_status_row{.name = "bit-parallel-status",
+                                               .help = "as bit-parallel, but only words above a bit that changed",
+                                               .source = "Jansen 1987, named in table 4.10",
+                                               .make = crossed<BitParallelStatus>};
+
+}  // namespace csgsim::software

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/traversals/bit_string.h"
+#include "sim/software/traversals/states.h"
+
+namespace csgsim::software {
+
+/// The tree in postorder as a list of steps over a string of bits and a stack of bits (thesis 4.4.1, table 4.6): no
+/// calls and no branches on what points are in, so that all pixels can go through it in step.
+template <class Count>
+class BitSequential {
+ public:
+  static constexpr std::uint32_t most_levels = any_levels;
+
+  explicit BitSequential(const Tree& tree) : states_(tree.leaf_of.size()), stack_(tree.depth() + std::size_t{1}) {
+    // Operands before their operator, left before right, whatever the order of nodes.
+    struct Entry {
+      std::uint32_t node;
+      bool is_open;
+    };
+    std::vector<Entry> open{{tree.root, false}};
+    while (!open.empty()) {
+      const Entry entry = open.back();
+      open.pop_back();
+      const Node& node = tree.nodes[entry.node];
+      if (node.is_leaf) {
+        steps_.push_back({node.primitive, model::Operator::unite});
+      } else if (entry.is_open) {
+        steps_.push_back({model::no_index, node.op});
+      } else {
+        open.push_back({entry.node, true});
+        open.push_back({node.right, false});
+        open.push_back({node.left, false});
+      }
+    }
+  }
+
+  void start(std::span<const std::uint32_t> in, Count& count) {
+    for (const std::uint32_t primitive : in) flip(primitive, count);
+  }
+
+  void flip(std::uint32_t primitive, Count& count) { states_.flip(primitive, count); }
+
+  bool evaluate(Count& count) {
+    std::size_t top = 0;
+    for (const Step& step : steps_) {
+      count.visit();
+      count(Operation::load);
+      count(Operation::branch_taken);
+      if (step.primitive != model::no_index) {
+        stack_.set(top++, states_.get(step.primitive, count), count);
+        continue;
+      }
+      --top;
+      const std::uint32_t right = stack_.get(top, count);
+      const std::uint32_t left = stack_.get(top - 1, count);
+      count(Operation::logic);
+      switch (step.op) {
+        case model::Operator::unite: stack_.set(top - 1, left | right, count); break;
+        case model::Operator::intersect: stack_.set(top - 1, left & right, count); break;
+        case model::Operator::subtract:
+          count(Operation::logic);
+          stack_.set(top - 1, left & (right ^ 1U), count);
+          break;
+      }
+    }
+    return stack_.get(0, count) != 0;
+  }
+
+  [[nodiscard]] std::uint64_t words() const { return steps_.size() + states_.words() + stack_.words(); }
+
+ private:
+  /// A leaf, or an operator if it has no primitive.
+  struct Step {
+    std::uint32_t primitive;
+    model::Operator op;
+  };
+
+  std::vector<Step> steps_;
+  BitString<Count> states_;
+  BitString<Count> stack_;
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+
+namespace csgsim::software {
+
+/// Bits of a word of a string.
+inline constexpr std::size_t word_bits = 32;
+
+/// A string of bits, all 0 at first. One of a single word stays in a register.
+template <class Count>
+class BitString {
+ public:
+  explicit BitString(std::size_t bits) : words_((bits + word_bits - 1) / word_bits) {}
+
+  void flip(std::size_t bit, Count& count) {
+    reach(count);
+    count(Operation::logic_long);
+    put_back(count);
+    words_[bit / word_bits] ^= std::uint32_t{1} << (bit % word_bits);
+  }
+
+  [[nodiscard]] std::uint32_t get(std::size_t bit, Count& count) const {
+    reach(count);
+    count(Operation::logic_long);
+    return (words_[bit / word_bits] >> (bit % word_bits)) & 1U;
+  }
+
+  void set(std::size_t bit, std::uint32_t value, Count& count) {
+    reach(count);
+    count(Operation::logic_long);
+    put_back(count);
+    const std::uint32_t mask = std::uint32_t{1} << (bit % word_bits);
+    std::uint32_t& word = words_[bit / word_bits];
+    word = value != 0 ? word | mask : word & ~mask;
+  }
+
+  [[nodiscard]] std::uint64_t words() const { return words_.size(); }
+  [[nodiscard]] std::span<const std::uint32_t> as_words() const { return words_; }
+
+ private:
+  void reach(Count& count) const {
+    if (words_.size() > 1) count(Operation::load_long);
+  }
+  void put_back(Count& count) const {
+    if (words_.size() > 1) count(Operation::store_long);
+  }
+
+  std::vector<std::uint32_t> words_;
+};
+
+}  // namespace csgsim::software

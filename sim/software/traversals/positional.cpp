@@ -1,0 +1,12 @@
+#include "sim/software/traversals/positional.h"
+
+#include "sim/software/methods/crossed.h"
+
+namespace csgsim::software {
+
+extern const MethodRow positional_row{.name = "positional",
+                                      .help = "only operands with a primitive that the point is in, found by codes",
+                                      .source = "Jansen 1987, 4.3.3, table 4.4",
+                                      .make = crossed<Positional>};
+
+}  // namespace csgsim::software

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/traversals/early_out.h"
+
+namespace csgsim::software {
+
+/// Only operands that a primitive which is in belongs to are visited: nodes have codes by their position, and the
+/// primitives that are in are sorted by the codes of their leaves (thesis 4.3.3, table 4.4).
+///
+/// A code is a leaf's number from the left here, where the thesis halves a range of 2^n codes down the tree: the order
+/// is the same, and no tree is too deep. A node has the first code of its right operand (value 1) and the first one
+/// behind it (value 2), so that a code equal to value 2 leaves it too.
+template <class Count>
+class Positional {
+ public:
+  /// Visits are calls.
+  static constexpr std::uint32_t most_levels = most_calls;
+
+  /// Keeps a reference to the tree, which is not constant.
+  explicit Positional(const Tree& tree) : tree_(tree), middle_(tree.nodes.size()), end_(tree.nodes.size()) {
+    code_of_.assign(tree.leaf_of.size(), model::no_index);
+    // Fathers are behind their children, so that ranges come down from the back.
+    std::vector<std::uint32_t> leaves(tree.nodes.size(), 1);
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      const Node& node = tree.nodes[i];
+      if (!node.is_leaf) leaves[i] = leaves[node.left] + leaves[node.right];
+    }
+    end_[tree.root] = leaves[tree.root];
+    for (std::size_t i = tree.root + std::size_t{1}; i-- > 0;) {
+      const Node& node = tree.nodes[i];
+      if (node.is_leaf) {
+        code_of_[node.primitive] = end_[i] - 1;
+        continue;
+      }
+      middle_[i] = end_[i] - leaves[node.right];
+      end_[node.right] = end_[i];
+      end_[node.left] = middle_[i];
+    }
+    codes_.assign(1, sentinel);
+  }
+
+  void start(std::span<const std::uint32_t> /*in*/, Count& count) {
+    codes_.assign(1, sentinel);
+    count(Operation::store);
+  }
+
+  void flip(std::uint32_t primitive, Count& count) {
+    const std::uint32_t code = code_of_[primitive];
+    std::size_t place = 0;
+    count(Operation::load);
+    while (codes_[place] < code) {
+      ++place;
+      count(Operation::load);
+      count(Operation::compare);
+      count(Operation::branch_taken);
+    }
+    count(Operation::compare, 2);
+    count(Operation::branch, 2);
+    const std::size_t behind = codes_.size() - place;
+    count(Operation::load, behind);
+    count(Operation::store, behind);
+    count(Operation::branch_taken, behind);
+    if (codes_[place] == code) {
+      codes_.erase(codes_.begin() + static_cast<std::ptrdiff_t>(place));
+    } else {
+      codes_.insert(codes_.begin() + static_cast<std::ptrdiff_t>(place), code);
+      count(Operation::store);
+    }
+  }
+
+  bool evaluate(Count& count) {
+    next_ = 0;
+    count(Operation::load);
+    count(Operation::compare);
+    if (codes_.front() == sentinel) {
+      count(Operation::branch_taken);
+      return false;
+    }
+    return visit(tree_.root, count) != 0;
+  }
+
+  /// Nodes have two codes besides.
+  [[nodiscard]] std::uint64_t words() const {
+    return words_of(tree_) + middle_.size() + code_of_.size() / 2 + codes_.capacity() / 2;
+  }
+
+ private:
+  static constexpr std::uint32_t sentinel = 0xffffffffU;
+
+  /// A node that the next code is in.
+  std::uint8_t visit(std::uint32_t at, Count& count) {
+    const Node& node = tree_.nodes[at];
+    count_node(node, count);
+    count(Operation::come_back);
+    if (node.is_leaf) {
+      ++next_;
+      count(Operation::load);
+      count(Operation::add);
+      return 1;
+    }
+    const std::uint8_t left = is_next_below(middle_[at], count) ? descend(node.left, count) : 0;
+    count(Operation::load);
+    count(Operation::compare, 2);
+    if (is_decided(node.op, left)) {
+      count(Operation::branch_taken, 2);
+      leave_out(end_[at], count);
+      return left;
+    }
+    count(Operation::branch_taken);
+    count(Operation::branch);
+    const std::uint8_t right = is_next_below(end_[at], count) ? descend(node.right, count) : 0;
+    if (node.op != model::Operator::subtract) return right;
+    count(Operation::logic);
+    return right ^ 1U;
+  }
+
+  std::uint8_t descend(std::uint32_t node, Count& count) {
+    count_descent(count);
+    return visit(node, count);
+  }
+
+  bool is_next_below(std::uint32_t code, Count& count) const {
+    const bool is_below = codes_[next_] < code;
+    count(Operation::load);
+    count(Operation::compare);
+    count(is_below ? Operation::branch : Operation::branch_taken);
+    return is_below;
+  }
+
+  /// The codes of an operand that is not visited.
+  void leave_out(std::uint32_t end, Count& count) {
+    if (codes_[next_] < end) count.early_out();
+    while (is_next_below(end, count)) {
+      ++next_;
+      count(Operation::add);
+      count(Operation::branch_taken);
+    }
+  }
+
+  const Tree& tree_;
+  std::vector<std::uint32_t> middle_;
+  std::vector<std::uint32_t> end_;
+  std::vector<std::uint32_t> code_of_;  ///< of each primitive
+  std::vector<std::uint32_t> codes_;    ///< of those that are in, and one above all
+  std::size_t next_ = 0;
+};
+
+}  // namespace csgsim::software

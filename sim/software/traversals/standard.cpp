@@ -1,0 +1,12 @@
+#include "sim/software/traversals/standard.h"
+
+#include "sim/software/methods/crossed.h"
+
+namespace csgsim::software {
+
+extern const MethodRow standard_row{.name = "standard",
+                                    .help = "the whole tree in postorder",
+                                    .source = "Jansen 1987, 4.3.1, table 4.2",
+                                    .make = crossed<Standard>};
+
+}  // namespace csgsim::software

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/traversals/states.h"
+
+namespace csgsim::software {
+
+/// The whole tree in postorder for each point (thesis 4.3.1, table 4.2).
+template <class Count>
+class Standard : public States<Count> {
+ public:
+  /// Visits are calls.
+  static constexpr std::uint32_t most_levels = most_calls;
+
+  /// Keeps a reference to the tree, which is not constant.
+  explicit Standard(const Tree& tree) : States<Count>(tree), tree_(tree) {}
+
+  /// Whether the root holds the point.
+  bool evaluate(Count& count) { return visit(tree_.root, count) != 0; }
+
+  [[nodiscard]] std::uint64_t words() const { return words_of(tree_) + States<Count>::words(); }
+
+ private:
+  std::uint8_t visit(std::uint32_t at, Count& count) {
+    const Node& node = tree_.nodes[at];
+    count_node(node, count);
+    count(Operation::come_back);
+    if (node.is_leaf) return this->at(node, count);
+    count_descent(count);
+    const std::uint8_t left = visit(node.left, count);
+    count(Operation::store);
+    count_descent(count);
+    const std::uint8_t right = visit(node.right, count);
+    count(Operation::load);
+    return combined(node.op, left, right, count);
+  }
+
+  const Tree& tree_;
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/tree/tree.h"
+
+namespace csgsim::software {
+
+/// Levels of a tree that calls go down, which have the stack of a thread.
+inline constexpr std::uint32_t most_calls = 20'000;
+inline constexpr std::uint32_t any_levels = 0xffffffffU;
+
+/// Of each primitive whether a point is in it, a word each.
+template <class Count>
+class States {
+ public:
+  explicit States(const Tree& tree) : is_in_(tree.leaf_of.size()) {}
+
+  void start(std::span<const std::uint32_t> in, Count& count) {
+    for (const std::uint32_t primitive : in) flip(primitive, count);
+  }
+
+  void flip(std::uint32_t primitive, Count& count) {
+    count(Operation::add);
+    count(Operation::load);
+    count(Operation::logic);
+    count(Operation::store);
+    is_in_[primitive] ^= 1U;
+  }
+
+  /// That of a leaf's primitive.
+  std::uint8_t at(const Node& leaf, Count& count) const {
+    count(Operation::load, 2);
+    count(Operation::add);
+    return is_in_[leaf.primitive];
+  }
+
+  [[nodiscard]] std::uint64_t words() const { return is_in_.size() / 2; }
+
+ private:
+  std::vector<std::uint8_t> is_in_;
+};
+
+/// Words of 32 bits of a tree without pointers to fathers: kind and primitive, left and right.
+constexpr std::uint64_t words_of(const Tree& tree) { return 3 * std::uint64_t{tree.nodes.size()}; }
+
+/// What a node takes before its operands are looked at: its kind is read and told from a leaf's.
+template <class Count>
+void count_node(const Node& node, Count& count) {
+  count.visit();
+  count(Operation::load);
+  count(Operation::compare);
+  count(node.is_leaf ? Operation::branch_taken : Operation::branch);
+}
+
+/// An operand is visited by a call, for which the node is kept on the stack.
+template <class Count>
+void count_descent(Count& count) {
+  count(Operation::store_long);
+  count(Operation::load_long);
+  count(Operation::call);
+  count(Operation::load_long);
+}
+
+/// What an operator does with what its operands hold.
+template <class Count>
+std::uint8_t combined(model::Operator op, std::uint8_t left, std::uint8_t right, Count& count) {
+  count(Operation::load);
+  count(Operation::compare);
+  count(Operation::branch_taken);
+  count(Operation::logic);
+  switch (op) {
+    case model::Operator::unite: return left | right;
+    case model::Operator::intersect: return left & right;
+    case model::Operator::subtract: break;
+  }
+  count(Operation::logic);
+  return left & static_cast<std::uint8_t>(right ^ 1U);
+}
+
+}  // namespace csgsim::software

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/traversals/states.h"
+
+namespace csgsim::software {
+
+/// Each node keeps what it holds; a primitive that changes is followed from its leaf upwards until a node stays as it
+/// is (Sato and others 1985; thesis 4.3.4, table 4.5).
+template <class Count>
+class StatusTree {
+ public:
+  static constexpr std::uint32_t most_levels = any_levels;
+
+  /// Keeps a reference to the tree, which is not constant.
+  explicit StatusTree(const Tree& tree) : tree_(tree), status_(tree.nodes.size()) {}
+
+  void start(std::span<const std::uint32_t> in, Count& count) {
+    for (const std::uint32_t primitive : in) flip(primitive, count);
+  }
+
+  void flip(std::uint32_t primitive, Count& count) {
+    std::uint32_t at = tree_.leaf_of[primitive];
+    count.visit();
+    count(Operation::add);
+    count(Operation::load_long);
+    count(Operation::load);
+    count(Operation::logic);
+    count(Operation::store);
+    status_[at] ^= 1U;
+    while (at != tree_.root) {
+      at = tree_.nodes[at].parent;
+      const Node& node = tree_.nodes[at];
+      count.visit();
+      count(Operation::load_long, 3);
+      count(Operation::load, 2);
+      const std::uint8_t now = combined(node.op, status_[node.left], status_[node.right], count);
+      count(Operation::load);
+      count(Operation::compare, 2);
+      if (now == status_[at]) {
+        count(Operation::branch_taken);
+        count.early_out();
+        return;
+      }
+      count(Operation::branch);
+      count(Operation::branch_taken);
+      count(Operation::store);
+      status_[at] = now;
+    }
+    count(Operation::branch_taken);
+  }
+
+  bool evaluate(Count& count) const {
+    count(Operation::load);
+    count(Operation::compare);
+    return status_[tree_.root] != 0;
+  }
+
+  /// Whether a node holds the point.
+  [[nodiscard]] bool holds(std::uint32_t node) const { return status_[node] != 0; }
+
+  /// A node has a pointer to its father and its status besides.
+  [[nodiscard]] std::uint64_t words() const { return words_of(tree_) + 2 * tree_.nodes.size() + tree_.leaf_of.size(); }
+
+ private:
+  const Tree& tree_;
+  std::vector<std::uint8_t> status_;
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/rays/ray_band.h"
+#include "sim/software/traversals/status.h"
+#include "sim/software/tree/tree.h"
+
+namespace csgsim::software {
+
+/// Whose surface is seen where a ray gets into the solid: of a primitive that is added the front can be, of one that is
+/// taken away the back; where several surfaces are at that depth, the first in tree order that no operator takes away.
+template <class Count>
+class Owners {
+ public:
+  /// Keeps a reference to the whole tree.
+  explicit Owners(const Tree& tree) : tree_(tree), status_(tree), taken_away_(tree.nodes.size()) {
+    for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+      const Node& node = tree.nodes[i];
+      if (node.is_leaf) continue;
+      taken_away_[node.left] = taken_away_[i];
+      taken_away_[node.right] = taken_away_[i] != (node.op == model::Operator::subtract);
+    }
+  }
+
+  /// `before`: the ray's events that are nearer; `at`: those where it gets in.
+  std::uint32_t seen(std::span<const Event> before, std::span<const Event> at, Count& count) {
+    candidates_.clear();
+    for (const Event& event : at) {
+      if (event.leaves() == taken_away_[tree_.leaf_of[event.primitive()]]) candidates_.push_back(event.primitive());
+    }
+    count(Operation::load, 2 * at.size());
+    count(Operation::compare, at.size());
+    count(Operation::branch, at.size());
+    if (candidates_.size() == 1) return candidates_.front();
+    active_.clear();
+    for (const Event& event : before) enter_or_leave(event);
+    for (const Event& event : at) enter_or_leave(event);
+    return first_that_shows(count);
+  }
+
+  /// The same of a ray's intervals, where it gets in at that depth; `active` are the primitives that hold it.
+  std::uint32_t seen(std::span<const Interval> intervals, std::uint32_t depth, std::span<const std::uint32_t> active,
+                     Count& count) {
+    candidates_.clear();
+    for (const Interval& interval : intervals) {
+      const bool is_seen =
+          taken_away_[tree_.leaf_of[interval.primitive]] ? interval.back == depth : interval.front == depth;
+      if (is_seen) candidates_.push_back(interval.primitive);
+    }
+    count(Operation::load, intervals.size());
+    count(Operation::load_long, intervals.size());
+    count(Operation::compare_long, intervals.size());
+    count(Operation::branch, intervals.size());
+    if (candidates_.size() == 1) return candidates_.front();
+    active_.assign(active.begin(), active.end());
+    return first_that_shows(count);
+  }
+
+ private:
+  void enter_or_leave(const Event& event) {
+    if (event.leaves()) {
+      std::erase(active_, event.primitive());
+    } else {
+      active_.push_back(event.primitive());
+    }
+  }
+
+  std::uint32_t first_that_shows(Count& count) {
+    count.tie();
+    for (const std::uint32_t primitive : active_) status_.flip(primitive, count);
+    const auto owner =
+        std::ranges::find_if(candidates_, [&](std::uint32_t candidate) { return shows(candidate, count); });
+    status_.start(active_, count);
+    return owner == candidates_.end() ? Seen::nothing_seen : *owner;
+  }
+
+  /// Whether the other operands of what narrows leave it, up to the root.
+  bool shows(std::uint32_t primitive, Count& count) const {
+    std::uint32_t below = tree_.leaf_of[primitive];
+    while (below != tree_.root) {
+      const std::uint32_t at = tree_.nodes[below].parent;
+      const Node& node = tree_.nodes[at];
+      const std::uint32_t other = node.left == below ? node.right : node.left;
+      count.visit();
+      count(Operation::load_long, 2);
+      count(Operation::load, 3);
+      count(Operation::compare, 2);
+      count(Operation::branch, 2);
+      const bool narrows = (node.op == model::Operator::unite) == taken_away_[at];
+      if (narrows && status_.holds(other) == taken_away_[other]) return false;
+      below = at;
+    }
+    return true;
+  }
+
+  const Tree& tree_;
+  StatusTree<Count> status_;
+  std::vector<bool> taken_away_;           ///< of each node
+  std::vector<std::uint32_t> candidates_;  ///< primitives whose surface that can be seen is there, in tree order
+  std::vector<std::uint32_t> active_;
+};
+
+}  // namespace csgsim::software
