@@ -20,32 +20,12 @@ namespace {
 constexpr InputKind machine_file{"a machine file, which ends in .toml", std::size_t{1} << 20U,
                                  "a machine is described in far less"};
 
-constexpr std::string_view file_ending = ".toml";
-
-/// Those of `+KEY=VALUE+KEY=VALUE`.
-std::vector<std::string> changes_of(std::string_view text) {
-  std::vector<std::string> changes;
-  while (!text.empty()) {
-    text.remove_prefix(1);
-    const std::size_t end = std::min(text.find('+'), text.size());
-    changes.emplace_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return changes;
-}
-
 }  // namespace
 
 std::vector<std::string_view> built_in_names() {
   std::vector<std::string_view> names;
   for (const BuiltIn& machine : built_in()) names.push_back(machine.name);
   return names;
-}
-
-std::string_view file_of(std::string_view machine) {
-  if (machine.ends_with(file_ending)) return machine;
-  const std::size_t end = machine.rfind(std::string(file_ending) + "+");
-  return end == machine.npos ? std::string_view() : machine.substr(0, end + file_ending.size());
 }
 
 namespace {
@@ -58,17 +38,6 @@ const BuiltIn* built_in_named(std::string_view name) {
 
 machines::Machine read(const BuiltIn& machine, std::span<const std::string> changes) {
   return machines::read_description(machine.text, fmt::format("{}.toml", machine.name), all(), changes);
-}
-
-/// Figures of the machine that are other than the original's, as its name tells them.
-std::string edits(const machines::Machine& machine, const machines::Machine& original) {
-  std::string text;
-  for (const machines::Figure& figure : original.figures) {
-    const auto found = std::find_if(machine.figures.begin(), machine.figures.end(),
-                                    [&](const machines::Figure& one) { return one.key == figure.key; });
-    if (found->value != figure.value) text += fmt::format("+{}={}", found->key, found->value);
-  }
-  return text;
 }
 
 machines::Machine read_file_of(const std::string& file, std::span<const std::string> changes) {
@@ -84,7 +53,7 @@ machines::Machine read_file_of(const std::string& file, std::span<const std::str
                     "this one a name of its own",
                     file, name));
   }
-  machine.name = name + edits(machine, original);
+  machine.name = name + machines::name_of_edits(machine.figures, original.figures);
   return machine;
 }
 
@@ -104,9 +73,9 @@ std::vector<std::string> other_figures(const isa::MachineRecord& record, const m
   return others;
 }
 
-machines::Machine read_built_in(const BuiltIn& known, std::string_view said, const isa::MachineRecord& record,
+machines::Machine read_built_in(const BuiltIn& known, const isa::MachineRecord& record,
                                 const std::vector<std::string>& changes) {
-  std::vector<std::string> all_changes = changes_of(said);
+  std::vector<std::string> all_changes = machines::changes_of(record.name);
   machines::Machine machine = read(known, all_changes);
   if (!record.kind.empty() && record.kind != machine.kind->name) {
     throw InputError(fmt::format("the machine '{}' is of the kind {}, and not {}; name one by --machine",
@@ -144,19 +113,15 @@ machines::Machine read_foreign(const isa::MachineRecord& record, const std::vect
 }  // namespace
 
 machines::Machine load(const isa::MachineRecord& record, const std::vector<std::string>& changes) {
-  const std::string_view said = record.name;
-  const std::string_view name = said.substr(0, said.find('+'));
-  const BuiltIn* const known = built_in_named(name);
-  return known == nullptr ? read_foreign(record, changes)
-                          : read_built_in(*known, said.substr(name.size()), record, changes);
+  const BuiltIn* const known = built_in_named(machines::base_of(record.name));
+  return known == nullptr ? read_foreign(record, changes) : read_built_in(*known, record, changes);
 }
 
 machines::Machine load(const std::string& machine, const std::vector<std::string>& changes) {
-  const std::string file(file_of(machine));
-  const std::string name = file.empty() ? machine.substr(0, machine.find('+')) : file;
-  std::vector<std::string> all_changes = changes_of(std::string_view(machine).substr(name.size()));
+  const std::string name(machines::base_of(machine));
+  std::vector<std::string> all_changes = machines::changes_of(machine);
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
-  if (!file.empty()) return read_file_of(file, all_changes);
+  if (!file_of(machine).empty()) return read_file_of(name, all_changes);
   if (const BuiltIn* const found = built_in_named(name)) return read(*found, all_changes);
   throw InputError(no_such("machine", name, built_in_names()) + ", or a file, whose name ends in .toml");
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
+#include "hw/machines/names.h"
 
 namespace csgsim::kinds {
 
@@ -12,7 +13,7 @@ namespace csgsim::kinds {
 std::vector<std::string_view> built_in_names();
 
 /// The file that describes the machine; empty if it is built in.
-std::string_view file_of(std::string_view machine);
+using machines::file_of;
 
 /// A built-in machine by name, or one described in a file (anything ending in .toml). Figures may be changed behind it:
 /// `NAME+KEY=VALUE+KEY=VALUE`, and `changes` are more of these. A file that gives a built-in machine's name to one of

@@ -4,16 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "hw/base/error.h"
+#include "hw/machines/change_error.h"
 #include "hw/machines/kind.h"
 
 namespace csgsim::machines {
-
-/// What is wrong with a change of a figure that was asked for, where the description itself is right.
-class ChangeError : public InputError {
- public:
-  using InputError::InputError;
-};
 
 /// Reads a description (TOML) of a machine of one of the kinds; `file` is its name in messages. Throws InputError, with
 /// file:line:column. Then each of `changes`, KEY=VALUE, takes the place of a figure's value, which is assumed from then

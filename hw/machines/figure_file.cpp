@@ -1,0 +1,178 @@
+#include "hw/machines/figure_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "hw/base/nearest.h"
+#include "hw/base/text.h"
+#include "hw/base/toml_text.h"
+#include "hw/machines/schema.h"
+
+namespace csgsim::machines {
+
+namespace {
+
+constexpr std::string_view provenances[] = {"published", "assumed"};
+constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "source"};
+
+bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+class FigureReader {
+ public:
+  FigureReader(std::string_view file, const std::string& changed) : file_(file), changed_(changed) {}
+
+  /// Where each figure stands, with it.
+  struct Placed {
+    toml::source_position place;
+    ReadFigure read;
+  };
+
+  [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
+    if (!changed_.empty()) throw ChangeError(fmt::format("{}: {}", changed_, message));
+    throw InputError(fmt::format("{}: {}", show(place, file_), message));
+  }
+
+  std::string text_of(const toml::table& table, std::string_view key) const {
+    const toml::node* const node = table.get(key);
+    if (node == nullptr) fail(table.source().begin, fmt::format("key '{0}' is missing; add {0} = \"...\"", key));
+    const toml::value<std::string>* const text = node->as_string();
+    if (text == nullptr) fail(node->source().begin, fmt::format("'{}' is {}; make it a string", key, type_name(*node)));
+    if (text->get().empty()) fail(node->source().begin, fmt::format("'{}' is empty; say it", key));
+    return printable(text->get());
+  }
+
+  /// The tables above the figures: prefix is "" or a group's name and a dot.
+  void read_group(const toml::table& table, const std::string& prefix, std::span<const FigureForm> forms,
+                  std::span<const std::string_view> words, std::vector<Placed>& figures) const {
+    std::vector<std::string_view> known(words.begin(), words.end());
+    for (const FigureForm& form : forms)
+      if (form.key.starts_with(prefix)) {
+        const std::string_view rest = form.key.substr(prefix.size());
+        known.push_back(rest.substr(0, rest.find('.')));
+      }
+    for (const auto& [key, node] : table) {
+      if (!is_one_of(key.str(), known)) fail_unknown(key, known, prefix);
+      if (is_one_of(key.str(), words)) continue;
+      const std::string full = prefix + std::string(key.str());
+      const auto form = std::ranges::find(forms, full, &FigureForm::key);
+      if (form == forms.end()) {
+        read_group(table_of(node, full), full + ".", forms, {}, figures);
+      } else {
+        ReadFigure read = read_figure(table_of(node, full), *form);
+        read.form = static_cast<std::size_t>(form - forms.begin());
+        figures.push_back({key.source().begin, std::move(read)});
+      }
+    }
+  }
+
+ private:
+  const toml::table& table_of(const toml::node& node, std::string_view key) const {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) fail(node.source().begin, fmt::format("'{}' is {}; make it a table", key, type_name(node)));
+    return *table;
+  }
+
+  [[noreturn]] void fail_unknown(const toml::key& key, std::span<const std::string_view> known,
+                                 std::string_view prefix) const {
+    fail(key.source().begin, fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix, key.str(),
+                                         nearest(key.str(), known)));
+  }
+
+  ReadFigure read_figure(const toml::table& table, const FigureForm& form) const {
+    for (const auto& [key, node] : table)
+      if (!is_one_of(key.str(), figure_keys)) fail_unknown(key, figure_keys, std::string(form.key) + ".");
+
+    const bool is_ideal = says_ideal(table, form);
+    const std::int64_t value = is_ideal             ? *form.ideal
+                               : form.names.empty() ? value_of(table, form)
+                                                    : choice_of(table, form);
+    const std::string text = is_ideal             ? std::string(ideal_value)
+                             : form.names.empty() ? fmt::format("{}", value)
+                                                  : std::string(form.names[static_cast<std::size_t>(value)]);
+    Figure figure{std::string(form.key), text, form.unit.empty() ? "" : text_of(table, "unit"),
+                  text_of(table, "provenance"), text_of(table, "source")};
+    if (form.unit.empty() && table.contains("unit"))
+      fail(table.get("unit")->source().begin, fmt::format("{} has no unit; leave it out", form.key));
+    if (figure.unit != form.unit)
+      fail(table.get("unit")->source().begin,
+           fmt::format("unit '{}' of {}; it counts in '{}'", figure.unit, form.key, form.unit));
+    if (!is_one_of(figure.provenance, provenances))
+      fail(table.get("provenance")->source().begin,
+           fmt::format("provenance '{}' of {}; say 'published' or 'assumed'", figure.provenance, form.key));
+    return {0, value, std::move(figure)};
+  }
+
+  [[nodiscard]] static bool says_ideal(const toml::table& table, const FigureForm& form) {
+    const auto* const text = table.get_as<std::string>("value");
+    return form.ideal && text != nullptr && text->get() == ideal_value;
+  }
+
+  /// Which of its names the value is.
+  [[nodiscard]] std::int64_t choice_of(const toml::table& table, const FigureForm& form) const {
+    const std::string name = text_of(table, "value");
+    const auto found = std::ranges::find(form.names, name);
+    if (found == form.names.end()) {
+      fail(table.get("value")->source().begin,
+           fmt::format("{} is '{}'; it takes {}", form.key, name, fmt::join(form.names, ", ")));
+    }
+    return found - form.names.begin();
+  }
+
+  [[nodiscard]] std::int64_t value_of(const toml::table& table, const FigureForm& form) const {
+    const toml::node* const node = table.get("value");
+    if (node == nullptr) fail(table.source().begin, fmt::format("{} has no value; add value = ...", form.key));
+    const toml::value<std::int64_t>* const value = node->as_integer();
+    if (value == nullptr)
+      fail(node->source().begin, fmt::format("{} is {}; make it an integer{}", form.key, type_name(*node),
+                                             form.ideal ? ", or \"ideal\"" : ""));
+    if (value->get() < form.least || value->get() > form.most)
+      fail(node->source().begin,
+           form.least == form.most
+               ? fmt::format("{} is {}; the simulator knows {} only", form.key, value->get(), form.least)
+               : fmt::format("{} is {}; it takes {} to {}{}{}", form.key, value->get(), form.least, form.most,
+                             form.unit.empty() ? "" : " ", form.unit));
+    return value->get();
+  }
+
+  std::string_view file_;
+  const std::string& changed_;
+};
+
+}  // namespace
+
+FigureFile::FigureFile(const toml::table& root, std::string_view file, std::string changed)
+    : root_(root), file_(file), changed_(std::move(changed)) {}
+
+std::string FigureFile::text(std::string_view key) const { return FigureReader(file_, changed_).text_of(root_, key); }
+
+std::vector<ReadFigure> FigureFile::figures(std::span<const FigureForm> forms,
+                                            std::span<const std::string_view> words) const {
+  using Placed = FigureReader::Placed;
+  const FigureReader reader(file_, changed_);
+  std::vector<Placed> placed;
+  reader.read_group(root_, "", forms, words, placed);
+  for (std::size_t form = 0; form < forms.size(); ++form) {
+    if (std::ranges::any_of(placed, [form](const Placed& one) { return one.read.form == form; })) continue;
+    reader.fail(root_.source().begin,
+                fmt::format("key '{0}' is missing; add a table [{0}] with value, unit, provenance and source",
+                            forms[form].key));
+  }
+  std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
+    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+  });
+  std::vector<ReadFigure> figures;
+  figures.reserve(placed.size());
+  for (Placed& one : placed) figures.push_back(std::move(one.read));
+  return figures;
+}
+
+void FigureFile::fail(std::string_view key, std::string_view message) const {
+  const toml::node* const node = root_.get(key);
+  FigureReader(file_, changed_).fail(node == nullptr ? root_.source().begin : node->source().begin, message);
+}
+
+}  // namespace csgsim::machines
