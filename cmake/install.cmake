@@ -22,8 +22,9 @@ install(FILES ${CSGSIM_DESCRIPTION}/csgsim.fish DESTINATION ${CMAKE_INSTALL_DATA
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCLUDE)
-# The machines are in the program; these files are to be read, and to begin one's own with.
+# The machines and processors are in the program; these files are to be read, and to begin one's own with.
 install(DIRECTORY hw/machines/ DESTINATION ${data_dir}/machines FILES_MATCHING PATTERN "*.toml")
+install(DIRECTORY sim/software/processors/ DESTINATION ${data_dir}/processors FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY tests/models tests/scenes DESTINATION ${data_dir}/examples FILES_MATCHING
   PATTERN "*.csg" PATTERN "*.scad" PATTERN "*.toml" PATTERN "README.md" PATTERN solids EXCLUDE)
 install(DIRECTORY tests/corpus/parts DESTINATION ${data_dir}/examples)

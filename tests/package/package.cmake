@@ -33,7 +33,7 @@ require_file(installed.tif)
 # What else is installed.
 foreach(name share/man/man1/csgsim.1.gz share/man/man1/csgsim-render.1.gz share/bash-completion/completions/csgsim
     share/fish/vendor_completions.d/csgsim.fish share/doc/csgsim/README.md share/doc/csgsim/docs/tutorial.md
-    share/csgsim/examples/parts/vase.csg share/csgsim/examples/scenes/vehicle.toml)
+    share/csgsim/examples/parts/vase.csg share/csgsim/examples/scenes/vehicle.toml share/csgsim/processors/mc68000.toml)
   require_file(prefix/${name})
 endforeach()
 execute_process(COMMAND ${WORK}/prefix/bin/csgsim manual machines all OUTPUT_VARIABLE built_in COMMAND_ERROR_IS_FATAL ANY)

@@ -1,0 +1,106 @@
+#include "sim/software/cost/processor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "hw/machines/figure_changes.h"
+#include "hw/machines/figure_file.h"
+
+namespace csgsim::software {
+
+namespace {
+
+constexpr std::string_view words[] = {"name", "description"};
+constexpr std::int64_t most_clocks = 1'000'000;
+constexpr std::int64_t most_hz = 10'000'000'000;
+constexpr std::int64_t least_factor = 100;
+constexpr std::int64_t most_factor = 100'000;
+constexpr std::int64_t most_dollars = 10'000'000;
+constexpr double thousandths = 1000;
+
+/// A figure, and where a processor keeps it.
+struct Row {
+  std::string key;
+  std::string_view unit;
+  std::int64_t least;
+  std::int64_t most;
+  std::string_view meaning;
+  void (*store)(Processor& processor, std::size_t kind, std::int64_t value);
+  std::size_t kind = 0;  ///< of operation, where it is a price
+};
+
+void store_price(Processor& processor, std::size_t kind, std::int64_t value) {
+  processor.prices[kind] = static_cast<std::uint32_t>(value);
+}
+
+std::vector<Row> make_rows() {
+  std::vector<Row> rows{
+      {"clock.frequency", "Hz", 1, most_hz, "clocks a second",
+       [](Processor& one, std::size_t, std::int64_t value) { one.clock_hz = static_cast<std::uint64_t>(value); }},
+      {"compiler.factor", "thousandths", least_factor, most_factor,
+       "clocks of a compiled program for a thousand of one that is written by hand",
+       [](Processor& one, std::size_t, std::int64_t value) {
+         one.compiler_factor = static_cast<std::uint32_t>(value);
+       }},
+      {"memory.price", "dollars a Mbyte", 1, most_dollars, "what memory costs, in the processor's year",
+       [](Processor& one, std::size_t, std::int64_t value) { one.memory_price = static_cast<std::uint32_t>(value); }}};
+  for (std::size_t kind = 0; kind < operation_kinds; ++kind)
+    rows.push_back({fmt::format("price.{}", operation_rows[kind].name), "clocks", 0, most_clocks,
+                    operation_rows[kind].meaning, store_price, kind});
+  return rows;
+}
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> all = make_rows();
+  return all;
+}
+
+std::vector<machines::FigureForm> forms() {
+  std::vector<machines::FigureForm> all;
+  all.reserve(rows().size());
+  for (const Row& row : rows()) all.push_back({row.key, row.unit, row.least, row.most});
+  return all;
+}
+
+Processor read_figures(const machines::FigureFile& file) {
+  Processor processor;
+  processor.name = file.text("name");
+  processor.description = file.text("description");
+  for (machines::ReadFigure& read : file.figures(forms(), words)) {
+    const Row& row = rows()[read.form];
+    row.store(processor, row.kind, read.value);
+    processor.figures.push_back(std::move(read.figure));
+  }
+  return processor;
+}
+
+}  // namespace
+
+Processor read_processor(std::string_view text, std::string_view file, std::span<const std::string> changes) {
+  return machines::read_changed(text, file, changes, [&](const toml::table& root, const std::string& said) {
+    return read_figures(machines::FigureFile(root, file, said));
+  });
+}
+
+std::string_view meaning_of_figure(std::string_view key) {
+  const auto found = std::ranges::find(rows(), key, &Row::key);
+  if (found == rows().end()) throw std::out_of_range(fmt::format("no processor has a figure {}", key));
+  return found->meaning;
+}
+
+double clocks(const Operations& operations, const Processor& processor) {
+  double sum = 0;
+  for (std::size_t kind = 0; kind < operation_kinds; ++kind)
+    sum += static_cast<double>(operations.counts[kind]) * processor.prices[kind];
+  return sum * processor.compiler_factor / thousandths;
+}
+
+double seconds(const Operations& operations, const Processor& processor) {
+  return clocks(operations, processor) / static_cast<double>(processor.clock_hz);
+}
+
+}  // namespace csgsim::software

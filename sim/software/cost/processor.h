@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/machines/machine.h"
+#include "sim/software/cost/operations.h"
+
+namespace csgsim::software {
+
+/// A processor of its time, as its description in sim/software/processors/NAME.toml says.
+struct Processor {
+  std::string name;
+  std::string description;
+  std::uint64_t clock_hz = 0;                           ///< clocks a second
+  std::array<std::uint32_t, operation_kinds> prices{};  ///< clocks of one operation of each kind
+  std::uint32_t compiler_factor = 0;      ///< thousandths: what a program takes of the clocks of one written by hand
+  std::uint32_t memory_price = 0;         ///< dollars a Mbyte, of its year
+  std::vector<machines::Figure> figures;  ///< every figure of the file, in its order
+};
+
+/// Reads a description (TOML); `file` is its name in messages. Throws InputError, with file:line:column. Then each of
+/// `changes`, KEY=VALUE, takes the place of a figure's value, as in machines::read_description; throws
+/// machines::ChangeError.
+Processor read_processor(std::string_view text, std::string_view file, std::span<const std::string> changes = {});
+
+/// What a figure is, by its key, for people. Throws std::out_of_range for a key that no processor has.
+std::string_view meaning_of_figure(std::string_view key);
+
+/// Names of the processors that come with csgsim.
+std::vector<std::string_view> processor_names();
+
+/// A processor by name, or one described in a file, which ends in .toml; figures may be changed behind it, and an
+/// edited file of one that comes with csgsim tells what is edited, as machines do (hw/kinds/load.h). Throws InputError,
+/// or machines::ChangeError.
+Processor load_processor(const std::string& said);
+
+/// Clocks that the operations take, the compiler's factor included.
+double clocks(const Operations& operations, const Processor& processor);
+
+/// The same in seconds.
+double seconds(const Operations& operations, const Processor& processor);
+
+}  // namespace csgsim::software

@@ -1,0 +1,74 @@
+// Processor files.
+
+#include "sim/software/cost/processor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/fuzz/property.h"
+
+namespace fuzz = csgsim::fuzz;
+namespace machines = csgsim::machines;
+namespace software = csgsim::software;
+
+namespace {
+
+std::string toml_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    const bool plain = code >= 0x20U && code != 0x7fU && letter != '"' && letter != '\\';
+    out += plain ? std::string(1, letter) : fmt::format("\\u{:04x}", code);
+  }
+  return out + '"';
+}
+
+/// A processor file with the same figures.
+std::string description_of(const software::Processor& processor) {
+  std::string text =
+      fmt::format("name = {}\ndescription = {}\n", toml_string(processor.name), toml_string(processor.description));
+  for (const machines::Figure& figure : processor.figures)
+    text += fmt::format("[{}]\nvalue = {}\nunit = {}\nprovenance = {}\nsource = {}\n", figure.key, figure.value,
+                        toml_string(figure.unit), toml_string(figure.provenance), toml_string(figure.source));
+  return text;
+}
+
+bool same_processor(const software::Processor& one, const software::Processor& other) {
+  return one.name == other.name && one.description == other.description && one.clock_hz == other.clock_hz &&
+         one.prices == other.prices && one.compiler_factor == other.compiler_factor &&
+         one.memory_price == other.memory_price &&
+         std::ranges::equal(one.figures, other.figures, [](const machines::Figure& a, const machines::Figure& b) {
+           return a.key == b.key && a.value == b.value && a.unit == b.unit && a.provenance == b.provenance &&
+                  a.source == b.source;
+         });
+}
+
+void check(const software::Processor& processor) {
+  for (std::size_t kind = 0; kind < software::operation_kinds; ++kind) {
+    const std::string key = fmt::format("price.{}", software::operation_rows[kind].name);
+    const auto found = std::ranges::find(processor.figures, key, &machines::Figure::key);
+    fuzz::require(found != processor.figures.end(), "every operation has its price");
+    fuzz::require(found->value == fmt::format("{}", processor.prices[kind]), "an operation has the price of the file");
+  }
+  fuzz::require(processor.clock_hz > 0 && processor.compiler_factor > 0, "a second has clocks, and work takes some");
+  try {
+    fuzz::require(same_processor(software::read_processor(description_of(processor), "again.toml"), processor),
+                  "a processor described again is the same");
+  } catch (const csgsim::InputError& error) {
+    fuzz::broken(error.what());
+  }
+}
+
+}  // namespace
+
+/// Any bytes are either a processor with every figure or one line of error.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    check(software::read_processor(fuzz::text_of(data, size), "fuzz.toml"));
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error, "fuzz.toml");
+  }
+  return 0;
+}

@@ -1,0 +1,180 @@
+#include "sim/software/cost/processor.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/machines/change_error.h"
+#include "places.h"
+#include "sim/software/cost/built_in.h"
+
+using namespace csgsim;
+using software::load_processor;
+using software::Operation;
+using software::Operations;
+using software::Processor;
+using software::read_processor;
+
+namespace {
+
+std::string text_of(std::string_view name) {
+  for (const software::BuiltInProcessor& one : software::built_in_processors())
+    if (one.name == name) return std::string(one.text);
+  FAIL("there is no such processor");
+  return {};
+}
+
+/// The MC68000's description with one piece of its text replaced.
+std::string changed(std::string_view from, std::string_view to) {
+  std::string text = text_of("mc68000");
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string message(std::string_view text) {
+  try {
+    read_processor(text, "my.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// `my.toml:line:column` of where the needle first stands in the text.
+std::string place_of(std::string_view text, std::string_view needle) {
+  const std::size_t at = text.find(needle);
+  REQUIRE(at != std::string_view::npos);
+  const std::string_view before = text.substr(0, at);
+  return fmt::format("my.toml:{}:{}", 1 + std::count(before.begin(), before.end(), '\n'), at - before.rfind('\n'));
+}
+
+const machines::Figure& figure_of(const Processor& processor, std::string_view key) {
+  const auto found = std::ranges::find(processor.figures, key, &machines::Figure::key);
+  REQUIRE(found != processor.figures.end());
+  return *found;
+}
+
+std::uint32_t price_of(const Processor& processor, Operation kind) {
+  return processor.prices[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace
+
+TEST_CASE("every processor that comes with csgsim prices every operation, and says from where") {
+  REQUIRE(software::processor_names().size() >= 2);
+  for (const std::string_view name : software::processor_names()) {
+    CAPTURE(name);
+    const Processor processor = load_processor(std::string(name));
+    CHECK(processor.name == name);
+    CHECK(processor.figures.size() == software::operation_kinds + 3);
+    for (std::size_t kind = 0; kind < software::operation_kinds; ++kind) {
+      const machines::Figure& figure =
+          figure_of(processor, fmt::format("price.{}", software::operation_rows[kind].name));
+      CHECK(figure.value == fmt::format("{}", processor.prices[kind]));
+      CHECK(figure.unit == "clocks");
+      CHECK(figure.provenance == "published");
+      CHECK(software::meaning_of_figure(figure.key) == software::operation_rows[kind].meaning);
+      // A shift takes the same for any number of places on some.
+      if (kind != static_cast<std::size_t>(Operation::shifted_bit)) CHECK(processor.prices[kind] > 0);
+    }
+    CHECK(figure_of(processor, "compiler.factor").provenance == "assumed");
+  }
+}
+
+TEST_CASE("the MC68000 has the clocks of its manual") {
+  const Processor processor = load_processor("mc68000");
+  CHECK(processor.clock_hz == 8'000'000);
+  CHECK(processor.compiler_factor == 1000);
+  CHECK(price_of(processor, Operation::load) == 12);
+  CHECK(price_of(processor, Operation::load_long) == 16);
+  CHECK(price_of(processor, Operation::store) == 12);
+  CHECK(price_of(processor, Operation::store_long) == 16);
+  CHECK(price_of(processor, Operation::move) == 4);
+  CHECK(price_of(processor, Operation::add) == 4);
+  CHECK(price_of(processor, Operation::add_long) == 8);
+  CHECK(price_of(processor, Operation::compare) == 4);
+  CHECK(price_of(processor, Operation::compare_long) == 6);
+  CHECK(price_of(processor, Operation::logic) == 4);
+  CHECK(price_of(processor, Operation::logic_long) == 8);
+  CHECK(price_of(processor, Operation::shift_long) == 8);
+  CHECK(price_of(processor, Operation::shifted_bit) == 2);
+  CHECK(price_of(processor, Operation::multiply) == 70);
+  CHECK(price_of(processor, Operation::divide) == 140);
+  CHECK(price_of(processor, Operation::branch) == 8);
+  CHECK(price_of(processor, Operation::branch_taken) == 10);
+  CHECK(price_of(processor, Operation::call) == 18);
+  CHECK(price_of(processor, Operation::come_back) == 16);
+}
+
+TEST_CASE("operations take their prices, times the compiler's factor, at the processor's clock") {
+  software::Counting count;
+  count(Operation::load, 3);
+  count(Operation::branch);
+  count.shift(5);
+  const Processor by_hand = load_processor("mc68000");
+  CHECK(software::clocks(count.done(), by_hand) == 3 * 12 + 8 + 8 + 5 * 2);
+  CHECK(software::seconds(count.done(), by_hand) == 62 / 8e6);
+  const Processor compiled = load_processor("mc68000+compiler.factor=2500+clock.frequency=10000000");
+  CHECK(compiled.name == "mc68000+compiler.factor=2500+clock.frequency=10000000");
+  CHECK(software::clocks(count.done(), compiled) == 155);
+  CHECK(software::seconds(count.done(), compiled) == 155 / 10e6);
+  CHECK(software::clocks(Operations{}, by_hand) == 0);
+}
+
+TEST_CASE("errors of a processor's file say where, and what to write instead") {
+  std::string text = changed("[price.branch]", "[price.branches]");
+  CHECK(message(text) ==
+        place_of(text, "branches]") + ": unknown key 'price.branches'; the nearest known is 'price.branch'");
+  CHECK(message("name = \"one\"\ndescription = \"none\"\n") ==
+        "my.toml:1:1: key 'clock.frequency' is missing; add a table [clock.frequency] with value, unit, provenance and "
+        "source");
+  text = changed("value = 8_000_000", "value = 0");
+  CHECK(message(text) == place_of(text, "0\n") + ": clock.frequency is 0; it takes 1 to 10000000000 Hz");
+  text = changed("provenance = \"published\"", "provenance = \"fitted\"");
+  CHECK(message(text).find("provenance 'fitted' of price.load; say 'published' or 'assumed'") != std::string::npos);
+  text = changed("unit = \"clocks\"", "unit = \"seconds\"");
+  CHECK(message(text) == place_of(text, "\"seconds\"") + ": unit 'seconds' of price.load; it counts in 'clocks'");
+  text = changed("value = 12\n", "value = 12.5\n");
+  CHECK(message(text) == place_of(text, "12.5\n") + ": price.load is a number with a point; make it an integer");
+  text = changed("name = \"mc68000\"", "kind = \"frame-buffer\"\nname = \"mc68000\"");
+  CHECK(message(text).find("unknown key 'kind'") != std::string::npos);
+  text = changed("[price.call]", "price.call = 18\n[price.cal]");
+  CHECK(message(text) != "no error");
+}
+
+TEST_CASE("a file that lacks an operation's price is refused") {
+  for (const software::OperationRow& row : software::operation_rows) {
+    std::string text = text_of("mc68000");
+    const std::size_t begin = text.find(fmt::format("[price.{}]", row.name));
+    REQUIRE(begin != std::string::npos);
+    text.erase(begin, text.find("\n\n", begin) - begin);
+    CHECK(message(text).find(fmt::format("key 'price.{}' is missing", row.name)) != std::string::npos);
+  }
+}
+
+TEST_CASE("processors are found by name or in files, and edited ones tell what is edited") {
+  CHECK_THROWS_WITH(load_processor("mc6800"),
+                    "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, i486dx2, or a "
+                    "file, whose name ends in .toml");
+  CHECK_THROWS_AS(load_processor("mc68000+price.load=-1"), machines::ChangeError);
+  CHECK_THROWS_AS(load_processor("mc68000+price.lode=1"), machines::ChangeError);
+  CHECK_THROWS_AS(load_processor("no such file.toml"), InputError);
+  CHECK_THROWS_AS(software::meaning_of_figure("price.lode"), std::out_of_range);
+
+  const std::string file = std::string(CSGSIM_SOURCE_DIR) + "/sim/software/processors/mc68000.toml";
+  CHECK(load_processor(file).name == "mc68000");
+  CHECK(load_processor(file + "+price.load=13").name == "mc68000+price.load=13");
+  const std::string edited = "edited_processor.toml";
+  std::ofstream(edited) << changed("value = 8_000_000", "value = 10_000_000");
+  const Processor processor = load_processor(edited);
+  CHECK(processor.name == "mc68000+clock.frequency=10000000");
+  CHECK(figure_of(processor, "clock.frequency").provenance == "assumed");
+}
