@@ -1,0 +1,72 @@
+/* The methods of ../programs.s in C, for what compilers make of them: docs/processors.md. */
+
+enum { primitive, set_union, difference, intersection };
+
+struct node {
+  short kind;
+  short number; /* of a leaf's primitive */
+  short status; /* of a status tree: 0 out, -1 in */
+  struct node *left, *right;
+  struct node *father; /* of a status tree: 0 of the root */
+};
+
+short statuses[1024]; /* of primitives */
+struct node *leaves[1024];
+
+short standard(struct node *node) {
+  short left, right;
+  if (node->kind == primitive) return statuses[node->number];
+  left = standard(node->left);
+  right = standard(node->right);
+  switch (node->kind) {
+    case set_union:
+      return left | right;
+    case difference:
+      return left & ~right;
+    default:
+      return left & right;
+  }
+}
+
+short early_out(struct node *node) {
+  short left;
+  if (node->kind == primitive) return statuses[node->number];
+  left = early_out(node->left);
+  switch (node->kind) {
+    case set_union:
+      if (left) return left;
+      return early_out(node->right);
+    case difference:
+      if (!left) return left;
+      return ~early_out(node->right);
+    default:
+      if (!left) return left;
+      return early_out(node->right);
+  }
+}
+
+void invert(short number) { statuses[number] = ~statuses[number]; }
+
+void flip_status(short number) {
+  struct node *node;
+  short status;
+  node = leaves[number];
+  node->status = ~node->status;
+  for (node = node->father; node; node = node->father) {
+    switch (node->kind) {
+      case set_union:
+        status = node->left->status | node->right->status;
+        break;
+      case difference:
+        status = node->left->status & ~node->right->status;
+        break;
+      default:
+        status = node->left->status & node->right->status;
+        break;
+    }
+    if (status == node->status) return;
+    node->status = status;
+  }
+}
+
+short look(struct node *node) { return node->status; }

@@ -1,0 +1,102 @@
+| Methods of Jansen 1987, section 4.3, in assembly for the MC68000, as one would have written them by hand. A node of a tree:
+        .equ    kind, 0                 | a word: 0 a primitive, 1 a union, 2 a difference, 3 an intersection
+        .equ    number, 2               | a word of a leaf: 2 times the number of its primitive
+        .equ    status, 4               | a word, of a status tree: 0 out, -1 in
+        .equ    left, 6                 | a long: the address of a node
+        .equ    right, 10
+        .equ    father, 14              | of a status tree: 0 of the root
+| a1 points to a table with a word a primitive, its status, 0 or -1; of a status tree to one with a long, its leaf.
+        .text
+
+| Standard: every node in postorder. a0 is the node; d0 becomes its status. Takes a0, d1.
+standard:
+        move.w  (a0),d1
+        beq.s   1f
+        move.l  a0,-(sp)
+        movea.l left(a0),a0
+        bsr.s   standard
+        movea.l (sp),a0
+        move.w  d0,-(sp)                | what the left one is
+        movea.l right(a0),a0
+        bsr.s   standard
+        move.w  (sp)+,d1
+        movea.l (sp)+,a0
+        cmpi.w  #2,(a0)
+        bcs.s   2f
+        beq.s   3f
+        and.w   d1,d0
+        rts
+2:      or.w    d1,d0
+        rts
+3:      not.w   d0
+        and.w   d1,d0
+        rts
+1:      move.w  number(a0),d0
+        move.w  0(a1,d0.w),d0
+        rts
+
+| Early out: the right one only where the left one does not decide. As above.
+early_out:
+        move.w  (a0),d1
+        beq.s   1f
+        move.l  a0,-(sp)
+        movea.l left(a0),a0
+        bsr.s   early_out
+        movea.l (sp)+,a0
+        cmpi.w  #2,(a0)
+        bcs.s   2f
+        beq.s   3f
+        tst.w   d0                      | intersection
+        beq.s   4f
+        bra.s   5f
+2:      tst.w   d0                      | union
+        bne.s   4f
+5:      movea.l right(a0),a0
+        bsr.s   early_out
+        rts
+3:      tst.w   d0                      | difference
+        beq.s   4f
+        movea.l right(a0),a0
+        bsr.s   early_out
+        not.w   d0
+4:      rts
+1:      move.w  number(a0),d0
+        move.w  0(a1,d0.w),d0
+        rts
+
+| A primitive, d0, changes its status, for both.
+invert:
+        add.w   d0,d0
+        not.w   0(a1,d0.w)
+        rts
+
+| Status tree: the primitive, d0, changes its status, and so do those of its ancestors that depend on it. Takes a0, a2, d0,
+| d1.
+flip_status:
+        add.w   d0,d0
+        add.w   d0,d0
+        movea.l 0(a1,d0.w),a0
+        not.w   status(a0)
+1:      move.l  father(a0),d0
+        beq.s   4f
+        movea.l d0,a0
+        movea.l right(a0),a2
+        move.w  status(a2),d0
+        movea.l left(a0),a2
+        cmpi.w  #2,(a0)
+        bcs.s   2f
+        bne.s   3f
+        not.w   d0
+3:      and.w   status(a2),d0
+        bra.s   5f
+2:      or.w    status(a2),d0
+5:      cmp.w   status(a0),d0
+        beq.s   4f
+        move.w  d0,status(a0)
+        bra.s   1b
+4:      rts
+
+| The status, d0, of the node a0.
+look:
+        move.w  status(a0),d0
+        rts

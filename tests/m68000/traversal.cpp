@@ -1,0 +1,132 @@
+#include "tests/m68000/traversal.h"
+
+#include <array>
+#include <span>
+#include <stdexcept>
+
+namespace csgsim::m68000 {
+
+namespace by_hand {
+#include "tests/m68000/programs.inc"
+inline constexpr std::uint32_t statuses_at = 0x8000;
+inline constexpr std::uint32_t leaves_at = 0x9000;
+}  // namespace by_hand
+
+namespace compiled_plainly {
+#include "tests/m68000/compiled/plain.inc"
+}
+
+namespace compiled_optimised {
+#include "tests/m68000/compiled/optimised.inc"
+}
+
+struct Program {
+  std::span<const std::uint16_t> words;
+  std::array<std::uint32_t, 3> evaluate;  ///< addresses of subroutines, by method
+  std::array<std::uint32_t, 3> flip;
+  std::uint32_t statuses;  ///< addresses of tables
+  std::uint32_t leaves;
+};
+
+namespace {
+
+constexpr std::uint32_t program_at = 0x1000;
+constexpr std::uint32_t nodes_at = 0x10000;
+constexpr std::uint32_t memory_bytes = 0x80000;
+constexpr std::uint64_t most_instructions = 1'000'000;
+constexpr std::size_t most_primitives = 1024;
+
+/// Of a node, in bytes; what is where.
+constexpr std::uint32_t node_bytes = 18;
+constexpr std::uint32_t number_offset = 2;
+constexpr std::uint32_t status_offset = 4;
+constexpr std::uint32_t left_offset = 6;
+constexpr std::uint32_t right_offset = 10;
+constexpr std::uint32_t father_offset = 14;
+
+/// In the order of Written.
+const std::array programs{
+    Program{by_hand::words,
+            {by_hand::standard_at, by_hand::early_out_at, by_hand::look_at},
+            {by_hand::invert_at, by_hand::invert_at, by_hand::flip_status_at},
+            by_hand::statuses_at,
+            by_hand::leaves_at},
+    Program{compiled_plainly::words,
+            {compiled_plainly::standard_at, compiled_plainly::early_out_at, compiled_plainly::look_at},
+            {compiled_plainly::invert_at, compiled_plainly::invert_at, compiled_plainly::flip_status_at},
+            compiled_plainly::statuses_at,
+            compiled_plainly::leaves_at},
+    Program{compiled_optimised::words,
+            {compiled_optimised::standard_at, compiled_optimised::early_out_at, compiled_optimised::look_at},
+            {compiled_optimised::invert_at, compiled_optimised::invert_at, compiled_optimised::flip_status_at},
+            compiled_optimised::statuses_at,
+            compiled_optimised::leaves_at}};
+
+std::uint32_t address_of(std::size_t node) { return nodes_at + node_bytes * static_cast<std::uint32_t>(node); }
+
+}  // namespace
+
+M68000Traversal::M68000Traversal(Method method, Written written)
+    : method_(method),
+      written_(written),
+      program_(programs[static_cast<std::size_t>(written)]),
+      processor_(memory_bytes) {
+  std::uint32_t at = program_at;
+  for (const std::uint16_t word : program_.words) {
+    processor_.write(at, Size::word, word);
+    at += 2;
+  }
+}
+
+void M68000Traversal::load(const Tree& tree) {
+  if (tree.nodes.size() >= 2 * most_primitives) throw std::out_of_range("a tree of too many nodes");
+  // Programs of assembly have numbers that are worked into offsets of words.
+  const std::uint32_t number_scale = written_ == Written::by_hand ? 2 : 1;
+  const auto put_long = [&](std::uint32_t address, std::uint32_t value) {
+    processor_.write(address, Size::longword, value);
+  };
+  root_ = address_of(tree.root);
+  put_long(root_ + father_offset, 0);
+  for (std::size_t index = 0; index < tree.nodes.size(); ++index) {
+    const TreeNode& node = tree.nodes[index];
+    const std::uint32_t at = address_of(index);
+    processor_.write(at, Size::word, static_cast<std::uint32_t>(node.kind));
+    processor_.write(at + status_offset, Size::word, 0);
+    if (node.kind == NodeKind::primitive) {
+      processor_.write(at + number_offset, Size::word, number_scale * node.primitive);
+      processor_.write(program_.statuses + std::uint32_t{2} * node.primitive, Size::word, 0);
+      put_long(program_.leaves + std::uint32_t{4} * node.primitive, at);
+      continue;
+    }
+    put_long(at + left_offset, address_of(node.left));
+    put_long(at + right_offset, address_of(node.right));
+    put_long(address_of(node.left) + father_offset, at);
+    put_long(address_of(node.right) + father_offset, at);
+  }
+  clocks_ = 0;
+  last_clocks_ = 0;
+}
+
+void M68000Traversal::flip(std::uint16_t primitive) {
+  processor_.d[0] = primitive;
+  call(program_.flip[static_cast<std::size_t>(method_)], primitive);
+}
+
+bool M68000Traversal::evaluate() {
+  processor_.a[0] = root_;
+  call(program_.evaluate[static_cast<std::size_t>(method_)], root_);
+  return (processor_.d[0] & 0xffffU) != 0;
+}
+
+/// Assembly has its argument in a register, C on the stack.
+void M68000Traversal::call(std::uint32_t address, std::uint32_t argument) {
+  processor_.a[1] = method_ == Method::status_tree ? program_.leaves : program_.statuses;
+  processor_.a[7] = memory_bytes - 4;
+  processor_.write(processor_.a[7], Size::longword, argument);
+  const std::uint64_t before = processor_.clocks();
+  processor_.call(address, most_instructions);
+  last_clocks_ = processor_.clocks() - before;
+  clocks_ += last_clocks_;
+}
+
+}  // namespace csgsim::m68000
