@@ -38,7 +38,8 @@ def table_6_1(figures):
             ("scan-conversions of primitives in active trees", *(each.classified for each in points)),
             ("bits used, mask included", *(each.classification_bits for each in points)),
             ("clocks", *(f"{each.clocks:,}" for each in points)),
-            ("*thesis: scan-conversions*", "*151*", *["*118*"] * 4),
+            ("*thesis: scan-conversions*", *["*118*"] * 5),
+            ("*thesis: depth-buffer tests*", "*151*", *["*118*"] * 4),
             ("*thesis: in active trees*", "*236*", "*236*", "*140*", "*131*", "*123*")]
     return ruled(("bits for the stack, m", *range(3, 8)), rows)
 
