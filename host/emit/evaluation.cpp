@@ -22,7 +22,8 @@ namespace {
 /// as figure 6.3 of the thesis shows it (the text of 6.4 says m - 3). Not for m = 3, which has no sum.
 unsigned stack_levels(const Options& options) { return options.stack_bits - fewest_stack_bits - 1; }
 
-bool renders_each_product(const Options& options) {
+/// Whether a primitive is merged product by product: there is no bit to sum them in.
+bool merges_each_product(const Options& options) {
   return options.strategy == Strategy::products ||
          (options.strategy == Strategy::bits && options.stack_bits == fewest_stack_bits);
 }
@@ -55,14 +56,11 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
   }
 }
 
-/// Draws the surface in Z1 where it is nearer than Z2 and what is left of the mask by `classify`, which returns the
-/// number of primitives compared. The depth test comes first: where it leaves nothing, nothing has to be classified.
+/// Merges the surface in Z1 where `classify`, which returns the number of primitives compared, leaves the mask. Whether
+/// that took any instruction.
 template <class Classify>
-void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
-                  const Classify& classify) {
-  out.counts.rendered += planned.set.size();
-  ++out.counts.depth_tests;
-  emit_depth_test(context, out, planned);
+bool emit_classified(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
+                     const Classify& classify) {
   const std::size_t classification = out.size();
   out.counts.classified += classify();
   const bool is_classified = out.size() > classification;
@@ -72,22 +70,43 @@ void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& 
   const std::size_t merge = out.size();
   emit_merge(context, out, planned, surface);
   emit_early_out(context, out, merge, merging);
-  if (is_classified)
-    emit_early_out(context, out, classification, {isa::Purpose::classify, planned.primitive(), isa::no_node});
-  // Where a drawing is made at some pixels only, a surface may have none of them in its rectangle.
-  if (context.base.width > 0)
-    emit_early_out(context, out, surface.begin, {isa::Purpose::render, planned.primitive(), isa::no_node});
+  return is_classified;
 }
 
-/// Renders, classifies and merges one product.
-void emit_product(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
-                  const std::vector<csg::ActiveNode>& nodes, std::vector<std::uint32_t> leaves) {
+/// What was appended from `begin` on, right after a depth test, is skipped where that leaves nothing.
+void emit_depth_early_out(const Context& context, Broadcast& out, const PlannedSurface& planned, std::size_t begin) {
+  emit_early_out(context, out, begin, {isa::Purpose::classify, planned.primitive(), isa::no_node});
+}
+
+/// Where a drawing is made at some pixels only, a surface may have none of them in its rectangle.
+void emit_base_early_out(const Context& context, Broadcast& out, const PlannedSurface& planned,
+                         const Surface& surface) {
+  if (context.base.width == 0) return;
+  emit_early_out(context, out, surface.begin, {isa::Purpose::render, planned.primitive(), isa::no_node});
+}
+
+/// Draws the surface in Z1 where it is nearer than Z2 and what is left of the mask by `classify`. The depth test comes
+/// first: where it leaves nothing, nothing has to be classified.
+template <class Classify>
+void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
+                  const Classify& classify) {
+  out.counts.rendered += planned.set.size();
+  ++out.counts.depth_tests;
+  emit_admission(context, out, planned);
+  emit_depth_test(context, out, planned);
+  const std::size_t classification = out.size();
+  if (emit_classified(context, out, planned, surface, classify))
+    emit_depth_early_out(context, out, planned, classification);
+  emit_base_early_out(context, out, planned, surface);
+}
+
+/// The surface with the leaves of one product for its active tree.
+PlannedSurface with_product(const PlannedSurface& planned, const std::vector<csg::ActiveNode>& nodes,
+                            std::vector<std::uint32_t> leaves) {
   PlannedSurface product{planned.set, planned.block, {}, planned.number};
   product.active.nodes = nodes;
   product.active.operands = std::move(leaves);
-  const Surface surface = emit_surface(context, out, planned, sides);
-  if (surface.nothing) return;
-  emit_visible(context, out, planned, surface, [&] { return emit_by_levels(context, out, product, all_levels); });
+  return product;
 }
 
 /// A product is empty if two of its solids are disjoint (thesis 6.3.2).
@@ -106,16 +125,64 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
   return false;
 }
 
-/// The products of one traversal after another: those of thesis 6.3 without the empty ones, or those of 6.4 with three
-/// bits.
-void emit_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+/// The products of thesis 6.3 but the empty ones: each is rendered, classified and merged.
+void emit_rendered_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
-  const bool leaves_out_empty = context.options.strategy == Strategy::products;
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
   do {
-    if (leaves_out_empty && is_empty(context, rooted.nodes, traversal.leaves())) continue;
-    emit_product(context, out, planned, sides, rooted.nodes, traversal.leaves());
+    if (is_empty(context, rooted.nodes, traversal.leaves())) continue;
+    const Surface surface = emit_surface(context, out, planned, sides);
+    if (surface.nothing) return;
+    const PlannedSurface product = with_product(planned, rooted.nodes, traversal.leaves());
+    emit_visible(context, out, planned, surface, [&] { return emit_by_levels(context, out, product, all_levels); });
   } while (traversal.next());
+}
+
+/// Z1 := "nothing" where E is 0. Then a depth test finds the surface by itself, and there needs to be no bit that says
+/// where it is.
+void emit_nothing_elsewhere(const Context& context, Broadcast& out, const PlannedSurface& planned) {
+  out.origin = {isa::Purpose::stack, planned.primitive(), isa::no_node};
+  out.plain(isa::Opcode::enable_invert);
+  out.plain(isa::Opcode::set_constant, context.layout.candidate, {}, static_cast<std::uint64_t>(context.farthest()));
+}
+
+/// One product after another of a surface that stays in Z1.
+void emit_kept_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
+  out.counts.rendered += planned.set.size();
+  emit_admission(context, out, planned);
+  emit_nothing_elsewhere(context, out, planned);
+  const csg::RootedTree rooted = csg::with_root(planned.active);
+  csg::ProductTraversal traversal(rooted.nodes, rooted.root);
+  std::size_t after_first_test = 0;
+  do {
+    const PlannedSurface product = with_product(planned, rooted.nodes, traversal.leaves());
+    out.origin = {isa::Purpose::stack, planned.primitive(), isa::no_node};
+    out.plain(isa::Opcode::enable_all);
+    ++out.counts.depth_tests;
+    emit_depth_test(context, out, planned);
+    const std::size_t after_test = out.size();
+    const bool is_classified = emit_classified(context, out, planned, surface,
+                                               [&] { return emit_by_levels(context, out, product, all_levels); });
+    if (after_first_test == 0) {
+      after_first_test = after_test;
+    } else if (is_classified) {
+      emit_depth_early_out(context, out, planned, after_test);
+    }
+  } while (traversal.next());
+  // Z2 only gets nearer: what is hidden before the first product is hidden before all.
+  emit_depth_early_out(context, out, planned, after_first_test);
+  emit_base_early_out(context, out, planned, surface);
+}
+
+/// The products of thesis 6.4 with three bits.
+void emit_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+  const Surface surface = emit_surface(context, out, planned, sides);
+  if (surface.nothing) return;
+  if (products_of(planned, context.options) > 1) return emit_kept_products(context, out, planned, surface);
+  const csg::RootedTree rooted = csg::with_root(planned.active);
+  const csg::ProductTraversal only(rooted.nodes, rooted.root);
+  const PlannedSurface product = with_product(planned, rooted.nodes, only.leaves());
+  emit_visible(context, out, planned, surface, [&] { return emit_by_levels(context, out, product, all_levels); });
 }
 
 }  // namespace
@@ -130,7 +197,7 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
         case Strategy::stack: bits = bits_for_levels(one.active, all_levels); break;
         case Strategy::list: bits.label = label_bits(one.active); break;
         case Strategy::bits:
-          if (!renders_each_product(options)) bits = bits_for_levels(one.active, stack_levels(options));
+          if (!merges_each_product(options)) bits = bits_for_levels(one.active, stack_levels(options));
           break;
         case Strategy::products: break;
         case Strategy::parallel: bits.stack = string_bits(one.active); break;
@@ -144,8 +211,10 @@ ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan
 
 void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const Options& options = context.options;
-  if (renders_each_product(options) && !planned.active.operands.empty()) {
-    return emit_products(context, out, planned, sides);
+  if (merges_each_product(options) && !planned.active.operands.empty()) {
+    const bool renders_each = options.strategy == Strategy::products;
+    return renders_each ? emit_rendered_products(context, out, planned, sides)
+                        : emit_products(context, out, planned, sides);
   }
   const Surface surface = emit_surface(context, out, planned, sides);
   if (surface.nothing) return;

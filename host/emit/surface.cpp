@@ -269,12 +269,16 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
   return surface;
 }
 
-void emit_depth_test(const Context& context, Broadcast& out, const PlannedSurface& planned) {
+void emit_admission(const Context& context, Broadcast& out, const PlannedSurface& planned) {
   for_effects(context, out, &Effect::admit, planned);
   out.origin = {isa::Purpose::merge, planned.primitive(), isa::no_node};
   if (context.beyond_plane != nullptr)
     out.surface(Opcode::linear_lt, context.layout.candidate, *context.beyond_plane, planned.block.pixels);
   if (context.beyond.width > 0) out.plain(Opcode::field_lt, context.beyond, context.layout.candidate);
+}
+
+void emit_depth_test(const Context& context, Broadcast& out, const PlannedSurface& planned) {
+  out.origin = {isa::Purpose::merge, planned.primitive(), isa::no_node};
   out.plain(Opcode::field_lt, context.layout.candidate, context.layout.depth);
   out.plain(Opcode::enable_store, context.layout.mask);
 }

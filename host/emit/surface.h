@@ -28,8 +28,10 @@ Surface surface_of(const Context& context, const PlannedSurface& planned, const 
 /// The surface into Z1, and its colour beside it if there is a field for it. Leaves E 1 where there is one.
 Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides);
 
-/// Depth test: leaves E and the mask 1 where E is 1, effects admit the surface, and Z1 is nearer than Z2 and behind the
-/// context's `beyond`.
+/// E stays 1 where effects admit the surface in Z1, and it is behind the context's `beyond`.
+void emit_admission(const Context& context, Broadcast& out, const PlannedSurface& planned);
+
+/// Depth test: leaves E and the mask 1 where E is 1 and Z1 is nearer than Z2.
 void emit_depth_test(const Context& context, Broadcast& out, const PlannedSurface& planned);
 
 /// Copy of Z1 to Z2 where E is 1, and its colour or number. The mask has to be E.

@@ -173,8 +173,8 @@ void ModelOptions::add_to(Command& command, const std::string& what) {
       .one_of(strategy_names());
   command
       .option("--stack-bits", stack_bits,
-              "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 renders a primitive "
-              "for each product, 4 sums products, each more keeps the results of one more level")
+              "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 tests a "
+              "primitive's depth for each product, 4 sums products, each more keeps the results of one more level")
       .between(emit::fewest_stack_bits, most_stack_bits);
   command
       .option("--colouring", colouring,

@@ -39,6 +39,24 @@ std::optional<std::size_t> last_of(Events events, const Attempt& attempt, What w
   return last_that(events, attempt, [what](const Event& event) { return event.what == what; });
 }
 
+/// Depth tests that the pixel passed: one for each product, where these are tested one by one.
+std::ptrdiff_t passed_tests(Events events, const Attempt& attempt) {
+  const Events own = events.subspan(attempt.first_event, attempt.last_event + 1 - attempt.first_event);
+  return std::ranges::count_if(
+      own, [](const Event& event) { return event.what == What::depth_test && event.decision && event.enabled_after; });
+}
+
+/// The attempt up to where Z1 is taken back, if it is, since the surface is not admitted: all depth tests after that
+/// are in vain.
+Attempt until_withdrawn(const isa::Program& program, Events events, const Attempt& attempt) {
+  Attempt until = attempt;
+  const auto withdrawn = last_that(events, attempt, [&](const Event& event) {
+    return event.what == What::bits && event.change_of(program, isa::FieldRole::candidate_depth) != nullptr;
+  });
+  until.last_event = withdrawn.value_or(attempt.last_event);
+  return until;
+}
+
 /// Whether the depth test itself took the pixel out, not what stands beside it.
 bool is_behind(const Event& surface, const Event& test) {
   return test.cut && test.decision && surface.decision &&
@@ -60,7 +78,8 @@ void tell_classified(const isa::Program& program, Events events, Attempt& attemp
                                    [](const Event& event) { return event.what == What::comparison; });
   // Which leaf a label waits for is a result of those before.
   const bool has_labels = isa::field_of(program, isa::FieldRole::label).width > 0;
-  const bool is_alone = count == 1 || (emptied && !events[*emptied].by_results && !has_labels);
+  const bool has_products = passed_tests(events, attempt) > 1;
+  const bool is_alone = count == 1 || (emptied && !events[*emptied].by_results && !has_labels && !has_products);
   if (comparison && is_alone) attempt.deciding_comparison = comparison;
 }
 
@@ -85,18 +104,14 @@ std::optional<std::size_t> covered_by(const isa::Program& program, Events events
   return std::nullopt;
 }
 
-void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
-  const Event& surface = events[attempt.first_event];
-  attempt.deciding_event = attempt.first_event;
-  if (!surface.enabled_after) {
-    attempt.fate = surface.decision ? Fate::no_depth : Fate::outside;
-    return;
-  }
-  const auto test = last_of(events, attempt, What::depth_test);
+/// The pixel had the surface, and did not take it.
+void tell_unmerged(const isa::Program& program, Events events, Attempt& attempt) {
+  const Attempt tested = until_withdrawn(program, events, attempt);
+  const auto test = last_of(events, tested, What::depth_test);
   if (!test || !events[*test].enabled_before) {
     // Another piece of the same solid, with which it is compared before its depth.
     const auto joint =
-        last_that(events, attempt, [](const Event& event) { return event.what == What::comparison && !event.cut; });
+        last_that(events, tested, [](const Event& event) { return event.what == What::comparison && !event.cut; });
     if (joint) {
       attempt.fate = Fate::classified;
       attempt.deciding_event = *joint;
@@ -105,12 +120,22 @@ void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
     }
   }
   if (test && !events[*test].enabled_after) {
-    attempt.fate = is_behind(surface, events[*test]) ? Fate::behind : Fate::refused;
+    attempt.fate = is_behind(events[attempt.first_event], events[*test]) ? Fate::behind : Fate::refused;
     attempt.deciding_event = *test;
     return;
   }
+  tell_classified(program, events, attempt);
+}
+
+void tell_fate(const isa::Program& program, Events events, Attempt& attempt) {
+  const Event& surface = events[attempt.first_event];
+  attempt.deciding_event = attempt.first_event;
+  if (!surface.enabled_after) {
+    attempt.fate = surface.decision ? Fate::no_depth : Fate::outside;
+    return;
+  }
   const auto merge = last_of(events, attempt, What::merge);
-  if (!merge) return tell_classified(program, events, attempt);
+  if (!merge) return tell_unmerged(program, events, attempt);
   if (events[*merge].takes_pixel) attempt.shown = events[attempt.last_event].owner_after;
   const auto covering = covered_by(program, events, *merge);
   attempt.fate = covering ? Fate::covered : Fate::seen;

@@ -275,7 +275,7 @@ class Narrator {
       case What::shade: return !changes.empty();
       case What::surface: return open.is_met;
       case What::merge: return !changes.empty();
-      case What::depth_test: return open.tests_depth && (open.event.enabled_before || differs);
+      case What::depth_test: return (open.tests_depth || open.event.cut) && (open.event.enabled_before || differs);
       case What::comparison: return open.event.enabled_before;
       case What::bits:
       case What::effect:

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t ample_bits = 512;
+constexpr std::uint32_t ample_bits = 4096;
 
 view::Camera camera_of(const std::string& numbers, const std::string& projection) {
   std::istringstream in(numbers);
@@ -62,7 +62,7 @@ std::vector<SceneFile> scene_files() {
 }
 
 DrawnScene compile_scene(const SceneFile& file, std::uint32_t width, std::uint32_t height,
-                         const std::vector<std::string>& sets) {
+                         const std::vector<std::string>& sets, emit::Options options) {
   scene::Scene scene = scene::read_scene(file.text, file.name + ".toml", sets, effects::sections());
   machines::Machine machine = kinds::load("pixel-planes-4");
   machines::set_picture_size(machine, {width, height});
@@ -70,7 +70,6 @@ DrawnScene compile_scene(const SceneFile& file, std::uint32_t width, std::uint32
   view::Sampling sampling;
   sampling.width = width;
   sampling.height = height;
-  emit::Options options;
   options.scene = scene;
   options.effects = effects::all();
   model::Tree tree = effects::reshaped(read::read_csg_file(file.model), scene);

@@ -19,12 +19,13 @@ struct SceneFile {
 /// All of them, by name. Throws std::runtime_error for one whose first line cannot be read.
 std::vector<SceneFile> scene_files();
 
-/// The scene's picture on the whole-picture machine with ample memory, with keys set on top of the file's.
+/// The scene's picture on the whole-picture machine with ample memory, with keys set on top of the file's. The options'
+/// scene and effects are the file's.
 struct DrawnScene {
   Compiled compiled;
   scene::Scene scene;
 };
 DrawnScene compile_scene(const SceneFile& file, std::uint32_t width, std::uint32_t height,
-                         const std::vector<std::string>& sets = {});
+                         const std::vector<std::string>& sets = {}, emit::Options options = {});
 
 }  // namespace csgsim::testing

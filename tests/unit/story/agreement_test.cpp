@@ -46,6 +46,7 @@ std::vector<Row> rows() {
       all.push_back({machine, strategy, Colouring::rebroadcast});
     all.push_back({machine, Strategy::stack, Colouring::field});
     all.push_back({machine, Strategy::bits, Colouring::field, 3});
+    all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 3});
     all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 5});
   }
   for (const std::string machine :

@@ -163,6 +163,7 @@ TEST_CASE("what became of each surface, and each comparison on the way, is what 
   for (const auto& chosen : {std::pair(Strategy::stack, 3U),
                              {Strategy::list, 3U},
                              {Strategy::parallel, 3U},
+                             {Strategy::bits, 3U},
                              {Strategy::bits, 4U},
                              {Strategy::bits, 5U},
                              {Strategy::bits, 6U}}) {

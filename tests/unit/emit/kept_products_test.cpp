@@ -1,0 +1,127 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/clocks.h"
+#include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+using isa::Instruction;
+using isa::Opcode;
+
+namespace {
+
+testing::Setup setup(emit::Strategy strategy) {
+  testing::Setup made;
+  made.camera = {{60, -70, 90}, {0, 0, 0}, view::Projection::orthographic};
+  made.sampling.width = 64;
+  made.sampling.height = 48;
+  made.memory_bits = 120;
+  made.options.strategy = strategy;
+  made.options.stack_bits = 3;
+  return made;
+}
+
+/// A plate without that many intersections of a ball and a peg, which are all apart.
+std::string dimpled(int count) {
+  const auto at = [](double x, std::string_view solid) {
+    return "multmatrix([[1,0,0," + std::to_string(x) + "],[0,1,0,0],[0,0,1,5],[0,0,0,1]]){" + std::string(solid) + "}";
+  };
+  std::string text = "difference(){cube(size=[60,60,10],center=true);";
+  for (int i = 0; i < count; ++i) {
+    const double x = 12 * i - 24;
+    text += "intersection(){" + at(x, "sphere($fn=8,r=3);") + at(x, "cube(size=4,center=true);") + "}";
+  }
+  return text + "}";
+}
+
+std::vector<Instruction> of_purpose(const isa::Program& program, isa::Purpose purpose) {
+  std::vector<Instruction> found;
+  for (const Instruction& one : program.segments.at(0).instructions)
+    if (one.origin.purpose == purpose && one.opcode != Opcode::skip_if_none) found.push_back(one);
+  return found;
+}
+
+/// Comparisons of Z1 with Z2 for the surface of that primitive.
+std::ptrdiff_t depth_tests(const isa::Program& program, std::uint32_t primitive) {
+  const isa::Field z1 = isa::field_of(program, isa::FieldRole::candidate_depth);
+  const isa::Field z2 = isa::field_of(program, isa::FieldRole::depth);
+  return std::ranges::count_if(program.segments.at(0).instructions, [&](const Instruction& one) {
+    return one.opcode == Opcode::field_lt && one.fields[0] == z1 && one.fields[1] == z2 &&
+           one.origin.primitive == primitive;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("with three bits a primitive is rendered once, and its depth tested once for each product") {
+  for (const int count : {1, 2, 3, 4}) {
+    CAPTURE(count);
+    testing::Setup how = setup(emit::Strategy::bits);
+    how.options.pruning.sets = false;
+    const isa::Program three = testing::compile_text(dimpled(count), how).program;
+    how.options.strategy = emit::Strategy::stack;
+    const isa::Program stack = testing::compile_text(dimpled(count), how).program;
+    how.options.strategy = emit::Strategy::products;
+    const isa::Program products = testing::compile_text(dimpled(count), how).program;
+    // The plate without a choice of ball or peg a dimple; a ball within plate and peg; a peg within plate and ball.
+    const std::ptrdiff_t of_plate = std::ptrdiff_t{1} << count;
+    CHECK(depth_tests(three, 0) == of_plate);
+    for (std::uint32_t i = 1; i <= 2 * static_cast<std::uint32_t>(count); ++i) CHECK(depth_tests(three, i) == 1);
+    CHECK(three.facts.compile.depth_tests == static_cast<std::uint64_t>(of_plate + 2 * count));
+    CHECK(three.facts.compile.rendered == static_cast<std::uint64_t>(1 + 2 * count));
+    CHECK(of_purpose(three, isa::Purpose::render) == of_purpose(stack, isa::Purpose::render));
+    CHECK(depth_tests(stack, 0) == 1);
+    CHECK(products.facts.compile.rendered == three.facts.compile.depth_tests);
+    CHECK(three.facts.compile.stack_bits == 1);
+  }
+}
+
+TEST_CASE(
+    "three bits scan-convert the thesis's objects as often as a stack does, and take fewer clocks than products") {
+  for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
+    CAPTURE(one.name);
+    testing::Setup how = setup(emit::Strategy::bits);
+    how.camera = one.camera;
+    const isa::Program three = testing::compile_file(testing::model_path(one.name), how).program;
+    how.options.strategy = emit::Strategy::stack;
+    const isa::Program stack = testing::compile_file(testing::model_path(one.name), how).program;
+    how.options.strategy = emit::Strategy::products;
+    const isa::Program products = testing::compile_file(testing::model_path(one.name), how).program;
+    CHECK(three.facts.compile.rendered == stack.facts.compile.rendered);
+    CHECK(three.facts.compile.depth_tests >= stack.facts.compile.depth_tests);
+    CHECK(of_purpose(three, isa::Purpose::render) == of_purpose(stack, isa::Purpose::render));
+    const machines::Machine machine = testing::machine_of(three.shape);
+    CHECK(functional::clocks_of_run(three, machine) <= functional::clocks_of_run(products, machine));
+  }
+}
+
+TEST_CASE("what is hidden before its first product is hidden before all, and skipped in one jump") {
+  const std::string hidden =
+      "multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,40],[0,0,0,1]]){cube(size=[99,99,2],center=true);}";
+  testing::Setup how = setup(emit::Strategy::bits);
+  how.camera = {{0, 0, 90}, {0, 0, 0}, view::Projection::orthographic};
+  how.options.pruning.hidden = false;
+  how.options.pruning.sets = false;
+  const isa::Program program = testing::compile_text(hidden + dimpled(4), how).program;
+  const std::vector<Instruction>& all = program.segments.at(0).instructions;
+  const auto is_plates = [](const Instruction& one) { return one.origin.primitive == 1; };
+  const auto question = std::ranges::find_if(
+      all, [&](const Instruction& one) { return one.opcode == Opcode::skip_if_none && is_plates(one); });
+  REQUIRE(question != all.end());
+  // What comes after it of the plate, colours included.
+  const auto end = question + 1 + static_cast<std::ptrdiff_t>(question->constant);
+  CHECK(std::all_of(question, end, is_plates));
+  CHECK(std::none_of(end, all.end(), is_plates));
+  CHECK(depth_tests(program, 1) == 16);
+  const auto tests_before = std::count_if(
+      all.begin(), question, [&](const Instruction& one) { return one.opcode == Opcode::field_lt && is_plates(one); });
+  CHECK(tests_before == 1);
+}
