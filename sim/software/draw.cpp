@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <span>
+#include <vector>
+
+#include "hw/base/hash.h"
 
 namespace csgsim::software {
 
@@ -33,11 +38,15 @@ Picture draw(const RayCaster& rays, Method& method, RayCounts* counts) {
   return picture;
 }
 
-Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make, unsigned repetitions) {
-  Seconds least;
+Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make) {
+  constexpr unsigned most_times = 5;
+  constexpr double enough = 0.2;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  Seconds least{never, never};
   Picture picture = blank(rays);
   RayBand band;
-  for (unsigned i = 0; i < repetitions; ++i) {
+  double spent = 0;
+  for (unsigned i = 0; i < most_times && spent < enough; ++i) {
     Seconds seconds;
     const std::unique_ptr<Method> method = make();
     for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
@@ -48,10 +57,22 @@ Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>
       method->classify(band, rows_of(picture, band));
       seconds.classification += seconds_since(cast);
     }
-    least.rays = i == 0 ? seconds.rays : std::min(least.rays, seconds.rays);
-    least.classification = i == 0 ? seconds.classification : std::min(least.classification, seconds.classification);
+    least = {std::min(least.rays, seconds.rays), std::min(least.classification, seconds.classification)};
+    spent += seconds.rays + seconds.classification;
   }
   return least;
+}
+
+std::string hash_of(const Picture& picture) {
+  Hash hash;
+  std::vector<std::uint32_t> values;
+  values.reserve(picture.seen.size());
+  for (const Seen& seen : picture.seen) values.push_back(seen.depth);
+  hash.add(values);
+  values.clear();
+  for (const Seen& seen : picture.seen) values.push_back(seen.owner);
+  hash.add(values);
+  return hash.text();
 }
 
 Survey survey(const RayCaster& rays, const Picture& picture) {

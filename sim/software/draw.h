@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
+#include <string>
 #include <vector>
 
 #include "sim/software/methods/method.h"
@@ -28,8 +28,12 @@ struct Seconds {
   double classification = 0;  ///< of a method that takes planes, all of it
 };
 
-/// Draws a picture and takes the time of its parts, each the least of as many repetitions, band by band.
-Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make, unsigned repetitions);
+/// Draws a picture again and again, until a fifth of a second has passed, five times at most, and takes the time of its
+/// parts: the least of each.
+Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make);
+
+/// Of depth and owner of every pixel.
+std::string hash_of(const Picture& picture);
 
 /// What the rays of a picture meet until they get into the solid.
 Survey survey(const RayCaster& rays, const Picture& picture);

@@ -38,16 +38,25 @@ constexpr std::array coherence_rows{
     CoherenceRow{Coherent::csg_buffer, "csg-buffer", "a pointer into the tree of sequences for each pixel",
                  "Jansen 1987, 4.5.4, algorithm 4.1"}};
 
-std::vector<std::string> names_of_methods() {
-  std::vector<std::string> names;
-  for (const MethodRow* const row : method_rows) names.emplace_back(row->name);
-  return names;
+constexpr std::array pruning_rows{
+    PruningRow{Pruning::none, "none", "the tree as it is"},
+    PruningRow{Pruning::cells, "cells", "a tree for each cell of 16 x 16 pixels, of what has pixels there"},
+    PruningRow{Pruning::inside, "inside", "while a ray is in a primitive, the tree of those that meet it"}};
+
+std::string_view name_in(const MethodRow* row) { return row->name; }
+template <class Row>
+std::string_view name_in(const Row& row) {
+  return row.name;
 }
 
-std::vector<std::string> names_of_coherences() {
+/// The row with that name.
+template <class Rows>
+const auto& found(const Rows& rows, const char* kind, const std::string& name) {
+  const auto row = std::ranges::find_if(rows, [&](const auto& one) { return name_in(one) == name; });
+  if (row != rows.end()) return *row;
   std::vector<std::string> names;
-  for (const CoherenceRow& row : coherence_rows) names.emplace_back(row.name);
-  return names;
+  for (const auto& one : rows) names.emplace_back(name_in(one));
+  throw InputError(no_such(kind, name, names));
 }
 
 }  // namespace
@@ -58,15 +67,11 @@ std::span<const CoherenceRow> coherences() { return coherence_rows; }
 Choice choice_of(const std::string& text) {
   const std::size_t slash = text.find('/');
   const std::string method = text.substr(0, slash);
-  const auto row = std::ranges::find(method_rows, method, &MethodRow::name);
-  if (row == method_rows.end()) throw InputError(no_such("method", method, names_of_methods()));
-  const bool is_crossed = (*row)->takes == Takes::events;
-  if (slash == std::string::npos) return {*row, is_crossed ? coherence_rows.data() : nullptr};
+  const MethodRow* const row = found(method_rows, "method", method);
+  const bool is_crossed = row->takes == Takes::events;
+  if (slash == std::string::npos) return {row, is_crossed ? coherence_rows.data() : nullptr};
   if (!is_crossed) throw InputError("method " + method + " takes whole rays, and no coherence");
-  const std::string coherence = text.substr(slash + 1);
-  const auto* const kept = std::ranges::find(coherence_rows, coherence, &CoherenceRow::name);
-  if (kept == coherence_rows.end()) throw InputError(no_such("coherence", coherence, names_of_coherences()));
-  return {*row, kept};
+  return {row, &found(coherence_rows, "coherence", text.substr(slash + 1))};
 }
 
 std::string name_of(const Choice& choice) {
@@ -74,5 +79,15 @@ std::string name_of(const Choice& choice) {
   if (choice.coherence != nullptr) name += "/" + std::string(choice.coherence->name);
   return name;
 }
+
+std::unique_ptr<Method> made(const Choice& choice, const Subject& subject, bool counts) {
+  const Coherent coherence = choice.coherence == nullptr ? Coherent::all_points : choice.coherence->coherence;
+  return choice.method->make(coherence, subject, counts);
+}
+
+std::span<const PruningRow> prunings() { return pruning_rows; }
+
+Pruning pruning_of(const std::string& name) { return found(pruning_rows, "way to reduce trees", name).pruning; }
+Shape shape_of(const std::string& name) { return found(shapes(), "shape", name).shape; }
 
 }  // namespace csgsim::software

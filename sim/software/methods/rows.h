@@ -56,4 +56,18 @@ Choice choice_of(const std::string& text);
 /// As choice_of takes it.
 std::string name_of(const Choice& choice);
 
+std::unique_ptr<Method> made(const Choice& choice, const Subject& subject, bool counts);
+
+/// A row of the table of prunings.
+struct PruningRow {
+  Pruning pruning;
+  std::string_view name;
+  std::string_view help;
+};
+std::span<const PruningRow> prunings();
+
+/// By name. Throws InputError that lists what there is.
+Pruning pruning_of(const std::string& name);
+Shape shape_of(const std::string& name);
+
 }  // namespace csgsim::software

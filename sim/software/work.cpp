@@ -1,0 +1,39 @@
+#include "sim/software/work.h"
+
+#include <memory>
+
+#include "hw/base/text.h"
+
+namespace csgsim::software {
+
+Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays) {
+  Work work;
+  const std::unique_ptr<Method> method = made(choice, subject, true);
+  work.picture = draw(rays, *method, &work.rays);
+  work.counts = method->counts();
+  work.measured = timed(rays, [&] { return made(choice, subject, false); });
+  switch (choice.method->takes) {
+    case Takes::events: break;
+    case Takes::intervals: work.rays.sorting = {}; break;
+    case Takes::planes:
+      work.rays = {};
+      work.measured.rays = 0;
+      break;
+  }
+  return work;
+}
+
+Priced priced(const std::string& said) {
+  if (said == this_computer) return {said, std::nullopt};
+  Processor processor = load_processor(said);
+  return {escaped(processor.name), std::move(processor)};
+}
+
+PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Operations& classification,
+                         const Seconds& measured, const Priced& processor) {
+  if (!processor.processor) return {measured.classification, measured.rays + measured.classification};
+  const double alone = seconds(classification, *processor.processor);
+  return {alone, alone + seconds(rays, *processor.processor) + seconds(sorting, *processor.processor)};
+}
+
+}  // namespace csgsim::software

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/software/cost/processor.h"
+#include "sim/software/draw.h"
+#include "sim/software/methods/rows.h"
+
+namespace csgsim::software {
+
+/// What a picture takes by a method: counted, and measured on this computer. A method that takes intervals or planes
+/// has no use for what comes before these, which counts nothing then.
+struct Work {
+  Picture picture;
+  Counts counts;     ///< of classification
+  RayCounts rays;    ///< of what rays meet, and of putting it in order
+  Seconds measured;  ///< wall time
+};
+
+/// Draws the picture, once counting and then to take the time. Throws InputError as the method does.
+Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays);
+
+/// The word for the computer that measures, whose time is that of a clock on the wall.
+inline constexpr const char* this_computer = "this-computer";
+
+/// A processor that work is priced for.
+struct Priced {
+  std::string name;
+  std::optional<Processor> processor;  ///< nothing for this computer
+};
+
+/// By name, file or `this-computer`. Throws as load_processor does.
+Priced priced(const std::string& said);
+
+/// Seconds of classifying alone, as the thesis tells them, and of all that the picture takes.
+struct PricedSeconds {
+  double classification = 0;
+  double all = 0;
+};
+
+/// Of operations on a processor, or of what was measured on this computer.
+PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Operations& classification,
+                         const Seconds& measured, const Priced& processor);
+
+}  // namespace csgsim::software

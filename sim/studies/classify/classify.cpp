@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/machines/hash.h"
+#include "sim/report/points.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/version.h"
+#include "sim/studies/classify/show.h"
+#include "sim/studies/folder.h"
+#include "sim/studies/plot_names.h"
+#include "sim/studies/study.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr const char* no_coherence = "none";
+
+/// The names of a table of rows, or of pointers to rows.
+template <class Rows>
+std::vector<std::string> names_in(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) {
+    if constexpr (requires { row->name; }) {
+      names.emplace_back(row->name);
+    } else {
+      names.emplace_back(row.name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> methods_in(const std::string& text) {
+  return parse_names(text, "method", names_in(software::methods()));
+}
+std::vector<std::string> coherences_in(const std::string& text) {
+  return parse_names(text, "coherence", names_in(software::coherences()));
+}
+std::vector<std::string> shapes_in(const std::string& text) {
+  return parse_names(text, "shape", names_in(software::shapes()));
+}
+std::vector<std::string> reductions_in(const std::string& text) {
+  return parse_names(text, "way to reduce trees", names_in(software::prunings()));
+}
+
+std::vector<software::Priced> priced_processors(const std::string& list) {
+  std::vector<software::Priced> processors;
+  for (const std::string& name : parse_words(list)) processors.push_back(software::priced(name));
+  return processors;
+}
+
+template <class Rows>
+std::string all_of(const Rows& rows) {
+  return fmt::format("{}", fmt::join(names_in(rows), ","));
+}
+
+/// The rays of a picture do not depend on what they are classified by, so all surfaces have to be the same.
+std::string difference_of(std::span<const ClassifyRow> rows) {
+  const auto first = std::ranges::find_if(rows, &ClassifyRow::drawn);
+  for (const ClassifyRow& row : rows) {
+    if (row.drawn() && row.surfaces != first->surfaces) {
+      return fmt::format("{}/{} sees other surfaces than {}/{}", row.point.method, row.point.coherence,
+                         first->point.method, first->point.coherence);
+    }
+  }
+  return "";
+}
+
+class Classify : public StudyOf<ClassifyRow> {
+ public:
+  void add_options(Command& command) override {
+    options_.add_to(command);
+    for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
+      command.remove(of_machines);
+    command.option("--methods", methods_, "List of methods: see csgsim manual software").check(is_read_by(methods_in));
+    command
+        .option("--coherences", coherences_,
+                "List of what is kept from point to point, by methods that classify points")
+        .check(is_read_by(coherences_in));
+    command
+        .option("--shapes", shapes_,
+                "List of shapes of the tree: written (each node from the left), left-deep, balanced")
+        .check(is_read_by(shapes_in));
+    command
+        .option("--reduced", reduced_,
+                "List of ways to reduce trees beforehand: none, cells (of 16 x 16 pixels), inside (a primitive)")
+        .check(is_read_by(reductions_in));
+    command
+        .option("--processors", processors_,
+                "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
+        .check(is_read_by(priced_processors));
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    std::vector<std::filesystem::path> files = options_.inputs();
+    const std::vector<std::filesystem::path> more = input_files({}, parse_words(processors_));
+    files.insert(files.end(), more.begin(), more.end());
+    return files;
+  }
+  [[nodiscard]] std::set<std::string> varied() const override {
+    return {"methods", "coherences", "shapes", "reduced", "processors"};
+  }
+  [[nodiscard]] std::string table_model() const override { return options_.model; }
+  [[nodiscard]] bool is_of_one_machine() const override { return true; }
+
+  std::vector<Asked> ask() override {
+    const machines::Machine machine = machine_of(options_);
+    ModelFile file = read_model_file(options_);
+    tree_ = std::move(file.tree);
+    geometry_ = facet::make_geometry(tree_, faceting_of(options_, machine, tree_));
+    view_ = view::make_view(*geometry_, tree_, camera_of(options_, machine, tree_, *geometry_),
+                            sampling_of(options_, machine));
+    inputs_ = {file.hash, machines::hash_of(machine), version_and_build()};
+    std::vector<Asked> asked;
+    for (const std::string& shape : shapes_in(shapes_)) {
+      for (const std::string& reduced : reductions_in(reduced_)) add_points(shape, reduced);
+    }
+    for (const ClassifyPoint& point : points_) asked.push_back({to_line(point), inputs_});
+    return asked;
+  }
+
+  void print() const override {
+    fmt::print("{}: what classifying its rays takes, as in tables 4.9 and 4.10 of the thesis\n",
+               printable(shown_name(options_.model)));
+    print_classification(rows(), priced_processors(processors_));
+    if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces, at every pixel.\n");
+  }
+
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    const std::vector<software::Priced> processors = priced_processors(processors_);
+    const SetPoint columns = setter_of(std::span<const ClassifyRow>(rows()));
+    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+      columns(json, point);
+      const ClassifyRow& row = rows()[point];
+      if (!row.drawn()) return;
+      for (const software::Priced& processor : processors) {
+        if (!processor.processor) continue;
+        const software::PricedSeconds seconds = seconds_of(row, processor);
+        json["seconds"][processor.name] = {{"classification", seconds.classification}, {"all", seconds.all}};
+      }
+    });
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override {
+    return plots_of_classification(rows(), priced_processors(processors_), plot_stem(options_.model));
+  }
+
+  [[nodiscard]] std::string page_title() const override { return "What classifying rays takes"; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+
+  void refuse() const override {
+    if (std::ranges::none_of(rows(), &ClassifyRow::drawn)) throw InputError(rows().front().reason);
+    if (const std::string difference = difference_of(rows()); !difference.empty())
+      throw InputError(difference + "; " + whose_fault(are_read()));
+  }
+
+ protected:
+  [[nodiscard]] ClassifyRow measured(std::size_t point) override {
+    return studies::measure(points_[point], inputs_, {tree_, *geometry_, view_});
+  }
+
+ private:
+  /// Methods in their order, each with all coherences; what takes whole rays has neither these nor reduced trees.
+  void add_points(const std::string& shape, const std::string& reduced) {
+    for (const std::string& method : methods_in(methods_)) {
+      const software::Choice choice = software::choice_of(method);
+      if (choice.coherence == nullptr) {
+        if (reduced == reductions_in("none").front()) points_.push_back({method, no_coherence, shape, reduced});
+        continue;
+      }
+      for (const std::string& coherence : coherences_in(coherences_))
+        points_.push_back({method, coherence, shape, reduced});
+    }
+  }
+
+  ModelOptions options_;
+  std::string methods_ = all_of(software::methods());
+  std::string coherences_ = all_of(software::coherences());
+  std::string shapes_ = "balanced";
+  std::string reduced_ = "none";
+  std::string processors_ = "mc68000,i486dx2,this-computer";
+  model::Tree tree_;
+  std::optional<facet::Geometry> geometry_;
+  view::View view_;
+  Inputs inputs_;
+  std::vector<ClassifyPoint> points_;
+};
+
+}  // namespace
+
+extern const StudyRow classify_row{
+    .name = "classify",
+    .does = "Count and price what software takes to classify a model's rays, by every method",
+    .example =
+        "  csgsim classify carburettor.csg --camera 220,-255,135,2,0,5 --projection perspective\n"
+        "  csgsim classify carburettor.csg --methods standard,status --shapes written,balanced -o out\n"
+        "Methods are those of chapter 4 of the thesis and some of later, on the integers that machines draw by, and\n"
+        "see the surfaces that machines draw. Their operations are counted by kind; a processor's file prices them.",
+    .plots = "plots (.png, .svg) of seconds by method",
+    .folder = Folder::optional,
+    .is_parallel = false,
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Classify>()); }};
+
+}  // namespace csgsim::studies

@@ -1,0 +1,82 @@
+#include "sim/studies/classify/measure.h"
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/software/work.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+software::Choice choice_of(const ClassifyPoint& point) {
+  return software::choice_of(point.coherence == "none" ? point.method : point.method + "/" + point.coherence);
+}
+
+void tell(const software::Counts& counts, ClassifyRow& row) {
+  row.points = counts.points;
+  row.evaluations = counts.evaluations;
+  row.looked_up = counts.looked_up;
+  row.precomputed = counts.precomputed;
+  row.pruned_nodes = counts.pruned_nodes;
+  row.node_visits = counts.node_visits;
+  row.early_outs = counts.early_outs;
+  row.list_steps = counts.list_steps;
+  row.list_elements = counts.list_elements;
+  row.ties = counts.ties;
+  row.words = counts.words;
+  row.operations = counts.operations;
+}
+
+void tell(const software::Survey& survey, ClassifyRow& row) {
+  row.rays = survey.rays;
+  row.met_rays = survey.met;
+  row.hit_rays = survey.hits;
+  row.sequences = survey.sequences;
+  row.different_sequences = survey.different_sequences;
+}
+
+void draw(const Scene& scene, ClassifyRow& row) {
+  const software::Tree tree = software::make_tree(scene.tree, software::shape_of(row.point.shape));
+  const software::Subject subject{scene.tree, scene.geometry, scene.view, tree,
+                                  software::pruning_of(row.point.reduced)};
+  const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
+  const software::Work work = software::work_of(choice_of(row.point), subject, rays);
+  row.primitives = scene.tree.primitives.size();
+  for (const facet::Convex& solid : scene.geometry.solids)
+    row.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
+  row.tree_levels = tree.depth();
+  tell(work.counts, row);
+  tell(software::survey(rays, work.picture), row);
+  row.halfspace_tests = work.rays.halfspace_tests;
+  row.ray_operations = work.rays.intersecting;
+  row.sort_operations = work.rays.sorting;
+  row.wall_seconds_rays = work.measured.rays;
+  row.wall_seconds_classification = work.measured.classification;
+  row.surfaces = software::hash_of(work.picture);
+}
+
+}  // namespace
+
+software::PricedSeconds seconds_of(const ClassifyRow& row, const software::Priced& processor) {
+  return software::seconds_of(row.ray_operations, row.sort_operations, row.operations,
+                              {row.wall_seconds_rays, row.wall_seconds_classification}, processor);
+}
+
+ClassifyRow measure(const ClassifyPoint& point, const Inputs& inputs, const Scene& scene) {
+  ClassifyRow row;
+  const auto begin = [&] {
+    row = {};
+    row.point = point;
+    row.inputs = inputs;
+  };
+  begin();
+  try {
+    draw(scene, row);
+  } catch (const InputError& error) {
+    begin();
+    row.reason = escaped(error.what());
+  }
+  return row;
+}
+
+}  // namespace csgsim::studies
