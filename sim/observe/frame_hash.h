@@ -15,4 +15,11 @@ inline std::string hash_of(const observe::Frame& frame) {
   return hash.text();
 }
 
+/// Of depth and owner alone.
+inline std::string hash_of_surfaces(const observe::Frame& frame) {
+  Hash hash;
+  for (const std::vector<std::uint32_t>* values : {&frame.depth, &frame.owner}) hash.add(*values);
+  return hash.text();
+}
+
 }  // namespace csgsim::observe

@@ -78,6 +78,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "knobs", "LIST"},
     {varied, "fragments", "LIST"},
     {varied, "sides", "LIST"},
+    {varied, "with", "LIST"},
     {varied, "methods", "LIST"},
     {varied, "coherences", "LIST"},
     {varied, "shapes", "LIST"},

@@ -1,7 +1,9 @@
 #include "sim/software/work.h"
 
 #include <memory>
+#include <utility>
 
+#include "hw/base/hash.h"
 #include "hw/base/text.h"
 
 namespace csgsim::software {
@@ -27,6 +29,15 @@ Priced priced(const std::string& said) {
   if (said == this_computer) return {said, std::nullopt};
   Processor processor = load_processor(said);
   return {escaped(processor.name), std::move(processor)};
+}
+
+std::string hash_of(const Priced& processor) {
+  Hash hash;
+  hash.add(processor.name);
+  if (processor.processor) {
+    for (const machines::Figure& figure : processor.processor->figures) hash.add(figure.key + "=" + figure.value + ";");
+  }
+  return hash.text();
 }
 
 PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Operations& classification,

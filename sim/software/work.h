@@ -33,6 +33,9 @@ struct Priced {
 /// By name, file or `this-computer`. Throws as load_processor does.
 Priced priced(const std::string& said);
 
+/// Of every figure, as machines have one; of this computer, of its name.
+std::string hash_of(const Priced& processor);
+
 /// Seconds of classifying alone, as the thesis tells them, and of all that the picture takes.
 struct PricedSeconds {
   double classification = 0;

@@ -18,6 +18,8 @@
 #include "sim/shell/read_by.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/usage.h"
+#include "sim/software/cost/processor.h"
+#include "sim/software/methods/rows.h"
 
 namespace csgsim::app {
 
@@ -29,12 +31,18 @@ struct Options {
   std::vector<std::string> sets;
 };
 
-void print_figures(const machines::Machine& machine) {
-  fmt::print("{}\n  {}\n\n", machine.name, machine.description);
-  for (const machines::Figure& figure : machine.figures) {
+/// Of a machine or a processor.
+template <class Described>
+void print_figures_of(const Described& described) {
+  fmt::print("{}\n  {}\n\n", described.name, described.description);
+  for (const machines::Figure& figure : described.figures) {
     fmt::print("  {:<26}{:>12} {:<22}{:<10} {}\n", figure.key, figure.value, figure.unit, figure.provenance,
                figure.source);
   }
+}
+
+void print_figures(const machines::Machine& machine) {
+  print_figures_of(machine);
   const std::vector<std::string> ideal = machines::idealisations(machine);
   if (!ideal.empty()) fmt::print("\n  ideal, as no hardware is: {}\n", fmt::join(ideal, ", "));
 }
@@ -55,6 +63,41 @@ void print_machines(const Options& options) {
   if (are_listed) fmt::print("\ncsgsim manual machines NAME prints every figure of one, with where it comes from.\n");
 }
 
+/// What each processor is; of those that are named every figure.
+void print_processors(const Options& options) {
+  if (options.machines.empty()) {
+    for (const std::string_view name : software::processor_names())
+      fmt::print("{:<17}{}\n", name, software::load_processor(std::string(name)).description);
+    fmt::print("\ncsgsim manual processors NAME prints every figure of one, with where it comes from.\n");
+    return;
+  }
+  std::vector<std::string> names = parse_words(options.machines);
+  if (options.machines == "all") names.assign(software::processor_names().begin(), software::processor_names().end());
+  for (const std::string& name : names)
+    print_figures_of(for_option("MACHINE", [&] { return software::load_processor(name); }));
+}
+
+template <class Rows>
+void print_rows(const char* what, const Rows& rows) {
+  fmt::print("{}\n", what);
+  for (const auto& row : rows) fmt::print("  {:<21}{}\n", row.name, row.help);
+}
+
+/// The methods of software that csgsim classify knows, and what they can be combined with.
+void print_methods(const Options& /*options*/) {
+  fmt::print("Methods (--methods)\n");
+  for (const software::MethodRow* const row : software::methods())
+    fmt::print("  {:<21}{} ({})\n", row->name, row->help, row->source);
+  fmt::print("\nWhat is kept from point to point (--coherences)\n");
+  for (const software::CoherenceRow& row : software::coherences())
+    fmt::print("  {:<21}{} ({})\n", row.name, row.help, row.source);
+  fmt::print("\n");
+  print_rows("Shapes of the tree (--shapes)", software::shapes());
+  fmt::print("\n");
+  print_rows("How trees are reduced beforehand (--reduced)", software::prunings());
+  fmt::print("\nA method with a coherence is METHOD/COHERENCE, as compare --with takes it after PROCESSOR: .\n");
+}
+
 struct Topic {
   const char* name;
   const char* meaning;
@@ -63,6 +106,9 @@ struct Topic {
 
 constexpr std::array topics{
     Topic{"machines", "the machines; of one that is named every figure, with where it comes from", print_machines},
+    Topic{"methods", "the methods of software that csgsim classify counts, with their sources", print_methods},
+    Topic{"processors", "the processors that these are priced for; of one that is named every figure",
+          print_processors},
     Topic{"instructions", "the page of the broadcast instruction set, in Markdown",
           [](const Options& /*options*/) { fmt::print("{}", isa::instruction_set_page()); }},
     Topic{"scenes", "the page of scene files and their effects, in Markdown",
@@ -75,9 +121,12 @@ void run(const Options& options) {
     for (const Topic& one : topics) fmt::print("{:<14}{}\n", one.name, one.meaning);
     return;
   }
-  const bool asks_of_machines = !options.machines.empty() || !options.sets.empty();
-  if (asks_of_machines && topic->print != print_machines)
+  const bool is_of_machines = topic->print == print_machines;
+  const bool names_some = is_of_machines || topic->print == print_processors;
+  if ((!options.machines.empty() && !names_some) || (!options.sets.empty() && !is_of_machines))
     throw UsageError("MACHINE", "csgsim manual " + options.topic + " is of no machine; leave it out");
+  if (is_of_machines && !options.machines.empty() && options.machines != "all")
+    for_option("MACHINE", [&] { check_machines(options.machines); });
   topic->print(options);
 }
 
@@ -85,7 +134,7 @@ void run(const Options& options) {
 
 void add_manual(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add("manual", "Tell of the machines, the instruction set, scene files",
+  Command command = line.add("manual", "Tell of the machines, methods of software, the instruction set, scene files",
                              "Example:\n  csgsim manual machines\n  csgsim manual machines pixel-planes-4 --set "
                              "alu.bits=4\n  csgsim manual instructions > docs/instruction-set.md\n"
                              "Without a topic it lists them.");
@@ -93,10 +142,8 @@ void add_manual(CommandLine& line) {
   names.reserve(topics.size());
   for (const Topic& topic : topics) names.emplace_back(topic.name);
   command.option("TOPIC", options->topic, "What to tell of").one_of(names, "topic");
-  command.option("MACHINE", options->machines, "Machines, by name or .toml file, with commas; all of csgsim's: all")
-      .check(is_read_by([](const std::string& list) {
-        if (list != "all") check_machines(list);
-      }));
+  command.option("MACHINE", options->machines,
+                 "Machines, or processors, by name or .toml file, with commas; all of csgsim's: all");
   add_figure_sets(command, options->sets, "the machine, or of those that have it");
   command.runs([options] { run(*options); });
 }

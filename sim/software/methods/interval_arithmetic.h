@@ -182,7 +182,12 @@ class IntervalArithmetic : public Method {
       count_.evaluation();
       const bool is_in = traversal.evaluate(count_) != tree.complemented;
       traversal.start(active_, count_);
-      if (is_in) return set(x, y, depth);
+      if (!is_in) continue;
+      // What changes behind the front of the box is open in it.
+      const std::uint32_t owner = depth > box.z0 ? owners_.only_one(intervals_, depth, count_) : Seen::nothing_seen;
+      if (owner == Seen::nothing_seen) return set(x, y, depth);
+      seen_at(x, y) = {depth, owner};
+      return;
     }
   }
 

@@ -47,6 +47,20 @@ class Owners {
   /// The same of a ray's intervals, where it gets in at that depth; `active` are the primitives that hold it.
   std::uint32_t seen(std::span<const Interval> intervals, std::uint32_t depth, std::span<const std::uint32_t> active,
                      Count& count) {
+    collect(intervals, depth, count);
+    if (candidates_.size() == 1) return candidates_.front();
+    active_.assign(active.begin(), active.end());
+    return first_that_shows(count);
+  }
+
+  /// The only primitive whose surface can be seen there; nothing_seen where there are several, or none.
+  std::uint32_t only_one(std::span<const Interval> intervals, std::uint32_t depth, Count& count) {
+    collect(intervals, depth, count);
+    return candidates_.size() == 1 ? candidates_.front() : Seen::nothing_seen;
+  }
+
+ private:
+  void collect(std::span<const Interval> intervals, std::uint32_t depth, Count& count) {
     candidates_.clear();
     for (const Interval& interval : intervals) {
       const bool is_seen =
@@ -57,12 +71,8 @@ class Owners {
     count(Operation::load_long, intervals.size());
     count(Operation::compare_long, intervals.size());
     count(Operation::branch, intervals.size());
-    if (candidates_.size() == 1) return candidates_.front();
-    active_.assign(active.begin(), active.end());
-    return first_that_shows(count);
   }
 
- private:
   void enter_or_leave(const Event& event) {
     if (event.leaves()) {
       std::erase(active_, event.primitive());

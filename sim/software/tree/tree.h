@@ -44,7 +44,7 @@ enum class Shape : std::uint8_t {
 struct ShapeRow {
   Shape shape;
   std::string_view name;
-  std::string_view meaning;
+  std::string_view help;
 };
 
 std::span<const ShapeRow> shapes();

@@ -19,6 +19,7 @@
 #include "sim/shell/version.h"
 #include "sim/studies/compare/ideal.h"
 #include "sim/studies/compare/measure.h"
+#include "sim/studies/compare/software.h"
 #include "sim/studies/compare/words.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_names.h"
@@ -37,6 +38,7 @@ struct Options {
   std::string machines = all_machines();
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
+  std::string with = "none";
   bool ideal = false;
 };
 
@@ -48,6 +50,10 @@ std::vector<unsigned> fragments_of(const std::string& text) {
 }
 std::vector<unsigned> sides_of(const std::string& text) {
   return is_none(text) ? std::vector<unsigned>{} : parse_numbers(text, 1, isa::max_array_side);
+}
+
+std::vector<SoftwareChoice> software_of(const std::string& text) {
+  return is_none(text) ? std::vector<SoftwareChoice>{} : software_choices(text);
 }
 
 /// A machine, with the picture that --size asks for.
@@ -115,9 +121,10 @@ void print_row(const ComparisonRow& row, std::size_t width) {
     return;
   }
   fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
-             grouped(row.clocks), row.simulated_seconds * 1e3, row.frames_per_second, grouped(row.pixel_operations),
-             grouped(row.processors), grouped(row.processor_clocks), grouped(row.machine_memory_bits),
-             row.machine_transistors ? grouped(*row.machine_transistors) : "-", 100.0 * row.utilisation);
+             row.clocks > 0 ? grouped(row.clocks) : "-", row.simulated_seconds * 1e3, row.frames_per_second,
+             grouped(row.pixel_operations), grouped(row.processors), grouped(row.processor_clocks),
+             grouped(row.machine_memory_bits), row.machine_transistors ? grouped(*row.machine_transistors) : "-",
+             100.0 * row.utilisation);
 }
 
 /// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
@@ -174,7 +181,9 @@ std::string difference_of(Rows rows) {
       return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
              other.point.fragments == row.point.fragments;
     });
-    if (row.drawn() && first->picture != row.picture) {
+    // Software works out no colours.
+    const bool have_colours = row.drawn() && !row.picture.empty() && !first->picture.empty();
+    if (row.drawn() && (have_colours ? first->picture != row.picture : first->surfaces != row.surfaces)) {
       return fmt::format("{} draws {}x{} pixels otherwise than {}", row.point.machine, row.point.width,
                          row.point.height, first->point.machine);
     }
@@ -202,12 +211,18 @@ class Compare : public StudyOf<ComparisonRow> {
         "--ideal", options_.ideal,
         "What each idealisation is worth: every figure of a machine that may be ideal is, one after the other and "
         "all at once; no other sizes or fragments, and no plots");
+    command
+        .option("--with", options_.with,
+                "List of PROCESSOR:METHOD: software beside the machines, as in mc68000:status/one-list (csgsim manual "
+                "methods, processors; this-computer is measured); none for machines alone")
+        .check(is_read_by(software_of))
+        .excludes("--ideal");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return input_files({options_.model.model}, parse_words(options_.machines));
   }
-  [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments"}; }
+  [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments", "with"}; }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
   [[nodiscard]] std::string usual_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
 
@@ -215,16 +230,13 @@ class Compare : public StudyOf<ComparisonRow> {
     ModelFile file = read_model_file(options_.model);
     tree_ = std::move(file.tree);
     const facet::Geometry scene = facet::make_geometry(tree_);
+    const std::vector<Named> machines = named_machines(options_);
+    for (const Named& machine : machines) add_jobs(machine, std::nullopt, file.hash, scene);
+    // Software draws the pictures of the first machine.
+    for (const SoftwareChoice& software : software_of(options_.with))
+      add_jobs({software.name, machines.front().machine}, software, file.hash, scene);
     std::vector<Asked> asked;
-    for (const Named& machine : named_machines(options_)) {
-      const Inputs inputs{file.hash, machines::hash_of(machine.machine), version_and_build()};
-      const view::Camera camera = camera_of(options_.model, machine.machine, tree_, scene);
-      for (const ComparisonPoint& point : points_of(options_, machine)) {
-        asked.push_back({to_line(point), inputs});
-        jobs_.push_back({point, inputs, made_ideal(machine.machine, point.ideal), camera,
-                         sampling_at(options_, point, machine.machine), emit_options_of(options_.model)});
-      }
-    }
+    for (const ComparisonJob& job : jobs_) asked.push_back({to_line(job.point), job.inputs});
     return asked;
   }
 
@@ -269,6 +281,17 @@ class Compare : public StudyOf<ComparisonRow> {
   }
 
  private:
+  void add_jobs(const Named& machine, const std::optional<SoftwareChoice>& software, const std::string& hash,
+                const facet::Geometry& scene) {
+    const Inputs inputs{hash, software ? hash_of(software->processor) : machines::hash_of(machine.machine),
+                        version_and_build()};
+    const view::Camera camera = camera_of(options_.model, machine.machine, tree_, scene);
+    for (const ComparisonPoint& point : points_of(options_, machine)) {
+      jobs_.push_back({point, inputs, made_ideal(machine.machine, point.ideal), camera,
+                       sampling_at(options_, point, machine.machine), emit_options_of(options_.model), software});
+    }
+  }
+
   Options options_;
   model::Tree tree_;
   std::vector<ComparisonJob> jobs_;
@@ -282,6 +305,7 @@ extern const StudyRow compare_row{
     .example =
         "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5\n"
         "  csgsim compare carburettor.csg --machines pixel-planes-4,mine.toml --sides 64,128 --fragments 8,16 -o out\n"
+        "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5 --with mc68000:status/one-list\n"
         "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5 --ideal -o carburettor-ideal\n"
         "What has been measured is in compare.csv at once; the same command goes on after an interruption.",
     .plots = "plots (.png, .svg) of the machines and of the time against half-spaces and pixels",

@@ -14,15 +14,11 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/frame_hash.h"
 #include "sim/observe/stats.h"
+#include "sim/studies/compare/software.h"
 
 namespace csgsim::studies {
 
 namespace {
-
-facet::Faceting faceting_of(const ComparisonPoint& point) {
-  if (point.fragments == 0) return {};
-  return {std::nullopt, point.fragments};
-}
 
 void count(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
   row.primitives = program.facts.model.primitives;
@@ -61,9 +57,31 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.instruction_clocks = shares.whole;
   row.dearest = dear_primitives(shares);
   row.picture = hash_of(frame.frame());
+  row.surfaces = observe::hash_of_surfaces(frame.frame());
+}
+
+void draw_on_machine(const ComparisonJob& job, const model::Tree& tree, ComparisonRow& row) {
+  machines::Machine machine = job.machine;
+  machines::set_picture_size(machine, {row.point.width, row.point.height});
+  const facet::Geometry scene = facet::make_geometry(tree, faceting_of(row.point));
+  const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
+  const isa::Program program = emit::compile(tree, scene, view, machine, job.options);
+  count(program, machine, row);
+  draw(program, machine, row);
 }
 
 }  // namespace
+
+facet::Faceting faceting_of(const ComparisonPoint& point) {
+  if (point.fragments == 0) return {};
+  return {std::nullopt, point.fragments};
+}
+
+std::uint64_t halfspaces_of(const facet::Geometry& geometry) {
+  std::uint64_t halfspaces = 0;
+  for (const facet::Convex& solid : geometry.solids) halfspaces += solid.halfspaces.size() + solid.quadrics.size();
+  return halfspaces;
+}
 
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
   ComparisonRow row;
@@ -74,13 +92,7 @@ ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
   };
   begin();
   try {
-    machines::Machine machine = job.machine;
-    machines::set_picture_size(machine, {row.point.width, row.point.height});
-    const facet::Geometry scene = facet::make_geometry(tree, faceting_of(row.point));
-    const view::View view = view::make_view(scene, tree, job.camera, job.sampling);
-    const isa::Program program = emit::compile(tree, scene, view, machine, job.options);
-    count(program, machine, row);
-    draw(program, machine, row);
+    job.software ? measure_software(job, tree, row) : draw_on_machine(job, tree, row);
   } catch (const InputError& error) {
     begin();
     row.reason = escaped(error.what());

@@ -8,17 +8,19 @@
 #include <vector>
 
 #include "host/emit/options.h"
+#include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/machines/machine.h"
 #include "sim/plots/plot.h"
+#include "sim/software/work.h"
 #include "sim/studies/compare/dear_cell.h"
 #include "sim/studies/inputs.h"
 
 namespace csgsim::studies {
 
-/// One picture of the model on one machine.
+/// One picture of the model on one machine, or by software.
 struct ComparisonPoint {
   std::string machine;
   std::uint32_t width = 0;   ///< pixels
@@ -64,7 +66,8 @@ struct ComparisonRow {
   double bound_share = 0;                ///< of the clocks from one frame to the next, in which it works
   std::uint64_t instruction_clocks = 0;  ///< of all instructions, over all segments, and the final latency
   DearPrimitives dearest;                ///< what they take of these
-  std::string picture;                   ///< hash of depth, owner and colour of every pixel
+  std::string picture;                   ///< hash of depth, owner and colour of every pixel; none of software
+  std::string surfaces;                  ///< the same without colours
   std::string reason;
 
   [[nodiscard]] bool drawn() const { return reason.empty(); }
@@ -94,8 +97,16 @@ struct ComparisonRow {
     visit("instruction_clocks", row.instruction_clocks);
     visit("dearest", row.dearest);
     visit("picture", row.picture);
+    visit("surfaces", row.surfaces);
     visit("reason", row.reason);
   }
+};
+
+/// A processor and the method that runs on it.
+struct SoftwareChoice {
+  std::string name;  ///< PROCESSOR:METHOD, as a point's machine
+  software::Priced processor;
+  software::Choice choice;
 };
 
 /// All that a point is made from, but for what the point says.
@@ -106,9 +117,16 @@ struct ComparisonJob {
   view::Camera camera;
   view::Sampling sampling;
   emit::Options options;
+  std::optional<SoftwareChoice> software{};  ///< in place of the machine
 };
 
-/// Compiles the point and draws it at the functional level.
+/// As the point asks for it.
+facet::Faceting faceting_of(const ComparisonPoint& point);
+
+/// Of all primitives, quadrics among them.
+std::uint64_t halfspaces_of(const facet::Geometry& geometry);
+
+/// Compiles the point and draws it at the functional level, or by software.
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
 
 /// On each machine the time from one frame to the next, that of drawing alone, and memory; these times against

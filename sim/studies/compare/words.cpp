@@ -40,8 +40,10 @@ void print_bounds(const OwnRows& own) {
   }
 }
 
-/// The primitives of the first machine that are dearest, with their share on each.
-void print_dearest(const OwnRows& own) {
+/// The primitives of the first machine that are dearest, with their share on each; of software nobody knows.
+void print_dearest(OwnRows own) {
+  std::erase_if(own, [](const ComparisonRow* row) { return row->instruction_clocks == 0; });
+  if (own.empty()) return;
   fmt::print("\n{:<28}", "dearest primitives");
   for (const ComparisonRow* row : own) fmt::print("{:>{}}", row->point.machine, column_width(*row));
   fmt::print("\n");
