@@ -53,6 +53,7 @@ class Evaluator {
       *place = in_.back();
       in_.pop_back();
     }
+    count(Operation::call);
     traversal_->flip(primitive, count);
   }
 
@@ -62,6 +63,7 @@ class Evaluator {
       return tree_->complemented;
     }
     count.evaluation();
+    count(Operation::call);
     return traversal_->evaluate(count) != tree_->complemented;
   }
 

@@ -67,14 +67,15 @@ class IntervalLists : public Method {
       return;
     }
     const std::size_t begin = ends_.size();
-    count_descent(count_);
+    count_left(count_);
     visit(node.left);
     count_(Operation::compare_long);
     count_(Operation::branch);
     if (ends_.size() == begin && node.op != model::Operator::unite) return count_.early_out();
     const std::size_t middle = ends_.size();
-    count_descent(count_);
+    count_right(count_);
     visit(node.right);
+    count_(Operation::load_long);
     most_ends_ = std::max<std::uint64_t>(most_ends_, 4 * ends_.size());
     count_(Operation::compare_long);
     count_(Operation::branch);

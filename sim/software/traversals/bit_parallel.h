@@ -25,6 +25,7 @@ class BitParallel {
 
   void flip(std::uint32_t primitive, Count& count) {
     count(Operation::load);
+    count(Operation::come_back);
     states_.flip(tree_.place_of(primitive), count);
   }
 
@@ -43,6 +44,7 @@ class BitParallel {
       }
     }
     count(Operation::logic_long);
+    count(Operation::come_back);
     return (work_[0] & 1U) != 0;
   }
 

@@ -34,6 +34,7 @@ class BitParallelStatus {
   void flip(std::uint32_t primitive, Count& count) {
     const std::uint32_t place = tree_.place_of(primitive);
     count(Operation::load);
+    count(Operation::come_back);
     states_.flip(place, count);
     std::size_t word = place / word_bits;
     count(Operation::load_long);
@@ -46,7 +47,7 @@ class BitParallelStatus {
 
   bool evaluate(Count& count) const {
     count(Operation::load);
-    count(Operation::compare);
+    count(Operation::come_back);
     return held_[levels_above() * tree_.words()] != 0;
   }
 

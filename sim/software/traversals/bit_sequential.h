@@ -45,10 +45,14 @@ class BitSequential {
     for (const std::uint32_t primitive : in) flip(primitive, count);
   }
 
-  void flip(std::uint32_t primitive, Count& count) { states_.flip(primitive, count); }
+  void flip(std::uint32_t primitive, Count& count) {
+    count(Operation::come_back);
+    states_.flip(primitive, count);
+  }
 
   bool evaluate(Count& count) {
     std::size_t top = 0;
+    count(Operation::come_back);
     for (const Step& step : steps_) {
       count.visit();
       count(Operation::load);

@@ -32,7 +32,7 @@ class EarlyOut : public States<Count> {
     count_node(node, count);
     count(Operation::come_back);
     if (node.is_leaf) return this->at(node, count);
-    count_descent(count);
+    count_left(count);
     const std::uint8_t left = visit(node.left, count);
     count(Operation::load);
     count(Operation::compare, 2);
@@ -44,7 +44,7 @@ class EarlyOut : public States<Count> {
     count(Operation::branch_taken);
     count(Operation::branch);
     // The right operand decides: a union is it, an intersection too, a difference its complement.
-    count_descent(count);
+    count_right(count);
     const std::uint8_t right = visit(node.right, count);
     if (node.op != model::Operator::subtract) return right;
     count(Operation::logic);

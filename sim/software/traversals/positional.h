@@ -55,6 +55,7 @@ class Positional {
     const std::uint32_t code = code_of_[primitive];
     std::size_t place = 0;
     count(Operation::load);
+    count(Operation::come_back);
     while (codes_[place] < code) {
       ++place;
       count(Operation::load);
@@ -81,6 +82,7 @@ class Positional {
     count(Operation::compare);
     if (codes_.front() == sentinel) {
       count(Operation::branch_taken);
+      count(Operation::come_back);
       return false;
     }
     return visit(tree_.root, count) != 0;
@@ -105,7 +107,11 @@ class Positional {
       count(Operation::add);
       return 1;
     }
-    const std::uint8_t left = is_next_below(middle_[at], count) ? descend(node.left, count) : 0;
+    std::uint8_t left = 0;
+    if (is_next_below(middle_[at], count)) {
+      count_left(count);
+      left = visit(node.left, count);
+    }
     count(Operation::load);
     count(Operation::compare, 2);
     if (is_decided(node.op, left)) {
@@ -115,15 +121,14 @@ class Positional {
     }
     count(Operation::branch_taken);
     count(Operation::branch);
-    const std::uint8_t right = is_next_below(end_[at], count) ? descend(node.right, count) : 0;
+    std::uint8_t right = 0;
+    if (is_next_below(end_[at], count)) {
+      count_right(count);
+      right = visit(node.right, count);
+    }
     if (node.op != model::Operator::subtract) return right;
     count(Operation::logic);
     return right ^ 1U;
-  }
-
-  std::uint8_t descend(std::uint32_t node, Count& count) {
-    count_descent(count);
-    return visit(node, count);
   }
 
   bool is_next_below(std::uint32_t code, Count& count) const {

@@ -29,12 +29,13 @@ class Standard : public States<Count> {
     count_node(node, count);
     count(Operation::come_back);
     if (node.is_leaf) return this->at(node, count);
-    count_descent(count);
+    count_left(count);
     const std::uint8_t left = visit(node.left, count);
     count(Operation::store);
-    count_descent(count);
+    count_right(count);
     const std::uint8_t right = visit(node.right, count);
     count(Operation::load);
+    count(Operation::load_long);
     return combined(node.op, left, right, count);
   }
 

@@ -28,6 +28,7 @@ class States {
     count(Operation::load);
     count(Operation::logic);
     count(Operation::store);
+    count(Operation::come_back);
     is_in_[primitive] ^= 1U;
   }
 
@@ -56,13 +57,20 @@ void count_node(const Node& node, Count& count) {
   count(node.is_leaf ? Operation::branch_taken : Operation::branch);
 }
 
-/// An operand is visited by a call, for which the node is kept on the stack.
+/// The left operand is visited by a call, over which the node is kept on the stack.
 template <class Count>
-void count_descent(Count& count) {
+void count_left(Count& count) {
   count(Operation::store_long);
   count(Operation::load_long);
   count(Operation::call);
   count(Operation::load_long);
+}
+
+/// So is the right one; the node is on the stack already, or not needed any more.
+template <class Count>
+void count_right(Count& count) {
+  count(Operation::load_long);
+  count(Operation::call);
 }
 
 /// What an operator does with what its operands hold.

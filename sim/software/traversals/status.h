@@ -26,6 +26,7 @@ class StatusTree {
   void flip(std::uint32_t primitive, Count& count) {
     std::uint32_t at = tree_.leaf_of[primitive];
     count.visit();
+    count(Operation::come_back);
     count(Operation::add);
     count(Operation::load_long);
     count(Operation::load);
@@ -56,7 +57,7 @@ class StatusTree {
 
   bool evaluate(Count& count) const {
     count(Operation::load);
-    count(Operation::compare);
+    count(Operation::come_back);
     return status_[tree_.root] != 0;
   }
 
