@@ -83,7 +83,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "coherences", "LIST"},
     {varied, "shapes", "LIST"},
     {varied, "reduced", "LIST"},
-    {varied, "processors", "LIST", FileRole::machines},
+    {varied, "processors", "LIST", FileRole::processors},
     {varied, "levels"},
     {varied, "subdivisions"},
     {varied, "tolerances", "LIST"},
@@ -177,7 +177,7 @@ std::string_view subject_of_command(std::string_view command) {
 std::string in_folder(std::string_view option, const std::string& value, const std::string& folder) {
   const FileRole role = known_option(option).role;
   if (role == FileRole::none) return value;
-  if (role != FileRole::machines) return file_in(value, folder);
+  if (role == FileRole::input || role == FileRole::output) return file_in(value, folder);
   std::vector<std::string> names;
   for (const std::string_view one : split(value, ","))
     names.push_back(kinds::file_of(one).empty() ? std::string(one) : file_in(one, folder));

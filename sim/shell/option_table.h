@@ -8,10 +8,11 @@ namespace csgsim::shell {
 
 /// What an option or operand names, whatever command has it.
 enum class FileRole : std::uint8_t {
-  none,      ///< no file
-  input,     ///< a file or folder that is read
-  output,    ///< a file or folder that is written, or a checkpoint, of which a run does not depend
-  machines,  ///< machines by name or file, with commas where the option takes several
+  none,        ///< no file
+  input,       ///< a file or folder that is read
+  output,      ///< a file or folder that is written, or a checkpoint, of which a run does not depend
+  machines,    ///< machines by name or file, with commas where the option takes several
+  processors,  ///< the same of processors
 };
 
 /// What is known of an option or operand beside what its command says.

@@ -21,9 +21,6 @@ struct Work {
 /// Draws the picture, once counting and then to take the time. Throws InputError as the method does.
 Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays);
 
-/// The word for the computer that measures, whose time is that of a clock on the wall.
-inline constexpr const char* this_computer = "this-computer";
-
 /// A processor that work is priced for.
 struct Priced {
   std::string name;

@@ -95,7 +95,9 @@ void print_methods(const Options& /*options*/) {
   print_rows("Shapes of the tree (--shapes)", software::shapes());
   fmt::print("\n");
   print_rows("How trees are reduced beforehand (--reduced)", software::prunings());
-  fmt::print("\nA method with a coherence is METHOD/COHERENCE, as compare --with takes it after PROCESSOR: .\n");
+  fmt::print(
+      "\ncompare --with takes PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE; csgsim manual processors lists "
+      "processors.\n");
 }
 
 struct Topic {

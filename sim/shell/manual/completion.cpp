@@ -173,6 +173,9 @@ std::string action_of(const OptionHelp& option, const std::string& program) {
       return fmt::format(fmt::runtime(option.takes_several ? "_sequence compadd - {}" : "({})"), listed(option.words));
     case ValueKind::file: return "_files";
     case ValueKind::machines: return "_" + program + "_machines";
+    case ValueKind::processors:
+      return fmt::format("{{_alternative \"processors:processor:({})\" \"files:file:_files\"}}",
+                         listed(offered_words(option)));
     case ValueKind::none:
     case ValueKind::text: break;
   }

@@ -12,6 +12,7 @@
 #include "sim/shell/lists.h"
 #include "sim/shell/option_table.h"
 #include "sim/shell/version.h"
+#include "sim/software/cost/processor.h"
 
 namespace csgsim::shell {
 
@@ -80,20 +81,25 @@ ValueKind kind_of(const OptionHelp& option) {
     case FileRole::input:
     case FileRole::output: return ValueKind::file;
     case FileRole::machines: return ValueKind::machines;
+    case FileRole::processors: return ValueKind::processors;
     case FileRole::none: break;
   }
   return ValueKind::text;
 }
 
 std::vector<std::string> offered_words(const OptionHelp& option) {
-  if (kind_of(option) != ValueKind::machines) return option.words;
-  const std::vector<std::string_view> names = kinds::built_in_names();
-  return {names.begin(), names.end()};
+  const ValueKind kind = kind_of(option);
+  if (kind != ValueKind::machines && kind != ValueKind::processors) return option.words;
+  const std::vector<std::string_view> names =
+      kind == ValueKind::machines ? kinds::built_in_names() : software::processor_names();
+  std::vector<std::string> words(names.begin(), names.end());
+  if (kind == ValueKind::processors) words.emplace_back(software::this_computer);
+  return words;
 }
 
 bool offers_files(const OptionHelp& option) {
   const ValueKind kind = kind_of(option);
-  return kind == ValueKind::file || kind == ValueKind::machines;
+  return kind == ValueKind::file || kind == ValueKind::machines || kind == ValueKind::processors;
 }
 
 void write_description(const Description& description, const std::string& folder) {

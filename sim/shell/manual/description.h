@@ -14,16 +14,18 @@ namespace csgsim::shell {
 
 /// What stands behind an option, or in an operand's place.
 enum class ValueKind : std::uint8_t {
-  none,      ///< nothing: a flag
-  words,     ///< one of its words, or a text that is made of them
-  file,      ///< a file or folder
-  machines,  ///< a machine's name or its file
-  text,      ///< any other text, or a number
+  none,        ///< nothing: a flag
+  words,       ///< one of its words, or a text that is made of them
+  file,        ///< a file or folder
+  machines,    ///< a machine's name or its file
+  processors,  ///< a processor's name or its file
+  text,        ///< any other text, or a number
 };
 
 ValueKind kind_of(const OptionHelp& option);
 
-/// Words that a shell may offer for the value: those that it takes, or the machines; none if it takes any text.
+/// Words that a shell may offer for the value: those that it takes, or the machines or processors; none if it takes any
+/// text.
 std::vector<std::string> offered_words(const OptionHelp& option);
 
 /// Does a shell offer files for the value?

@@ -31,6 +31,9 @@ Processor read_processor(std::string_view text, std::string_view file, std::span
 /// What a figure is, by its key, for people. Throws std::out_of_range for a key that no processor has.
 std::string_view meaning_of_figure(std::string_view key);
 
+/// The word for the computer that measures, whose time is that of a clock on the wall.
+inline constexpr const char* this_computer = "this-computer";
+
 /// Names of the processors that come with csgsim.
 std::vector<std::string_view> processor_names();
 

@@ -82,19 +82,16 @@ class Classify : public StudyOf<ClassifyRow> {
     options_.add_to(command);
     for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
       command.remove(of_machines);
-    command.option("--methods", methods_, "List of methods: see csgsim manual software").check(is_read_by(methods_in));
-    command
-        .option("--coherences", coherences_,
-                "List of what is kept from point to point, by methods that classify points")
-        .check(is_read_by(coherences_in));
-    command
-        .option("--shapes", shapes_,
-                "List of shapes of the tree: written (each node from the left), left-deep, balanced")
-        .check(is_read_by(shapes_in));
+    command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
+        .words(names_in(software::methods()), is_read_by(methods_in));
+    command.option("--coherences", coherences_, "List of what methods keep from point to point")
+        .words(names_in(software::coherences()), is_read_by(coherences_in));
+    command.option("--shapes", shapes_, "List of shapes of the tree")
+        .words(names_in(software::shapes()), is_read_by(shapes_in));
     command
         .option("--reduced", reduced_,
-                "List of ways to reduce trees beforehand: none, cells (of 16 x 16 pixels), inside (a primitive)")
-        .check(is_read_by(reductions_in));
+                "List of ways to prune trees beforehand: for cells of the picture, inside a primitive")
+        .words(names_in(software::prunings()), is_read_by(reductions_in));
     command
         .option("--processors", processors_,
                 "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
