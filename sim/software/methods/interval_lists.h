@@ -9,16 +9,18 @@
 #include "sim/software/cost/operations.h"
 #include "sim/software/methods/method.h"
 #include "sim/software/traversals/states.h"
+#include "sim/software/tree/owners.h"
 
 namespace csgsim::software {
 
 /// A ray is combined with the solid as a whole: each node makes one list of intervals of those of its operands, in
 /// postorder (Roth 1982; thesis 4.1, first method). The right operand is left out where the left one has no interval
-/// and decides. An end of an interval keeps the primitive whose surface is there, of several the first.
+/// and decides.
 template <class Count>
 class IntervalLists : public Method {
  public:
-  explicit IntervalLists(const Subject& subject) : subject_(subject), interval_of_(subject.tree.leaf_of.size()) {}
+  explicit IntervalLists(const Subject& subject)
+      : subject_(subject), owners_(subject.tree), interval_of_(subject.tree.leaf_of.size()) {}
 
   void classify(const RayBand& band, std::span<Seen> seen) override {
     for (std::size_t ray = 0; ray < seen.size(); ++ray) seen[ray] = seen_along(band.intervals_of(ray));
@@ -31,12 +33,8 @@ class IntervalLists : public Method {
   }
 
  private:
-  /// Where intervals begin and end, in turn.
-  struct End {
-    std::uint32_t depth;
-    std::uint32_t primitive;
-  };
-  using List = std::span<const End>;
+  /// Depths at which intervals begin and end, in turn.
+  using List = std::span<const std::uint32_t>;
 
   Seen seen_along(std::span<const Interval> intervals) {
     const Seen nothing{subject_.farthest(), Seen::nothing_seen};
@@ -48,7 +46,15 @@ class IntervalLists : public Method {
     count_.evaluation();
     visit(subject_.tree.root);
     for (const Interval& interval : intervals) interval_of_[interval.primitive] = nullptr;
-    return ends_.empty() ? nothing : Seen{ends_.front().depth, ends_.front().primitive};
+    return ends_.empty() ? nothing : seen_at(intervals, ends_.front());
+  }
+
+  Seen seen_at(std::span<const Interval> intervals, std::uint32_t depth) {
+    active_.clear();
+    for (const Interval& interval : intervals) {
+      if (interval.front <= depth && depth < interval.back) active_.push_back(interval.primitive);
+    }
+    return {depth, owners_.seen(intervals, depth, active_, count_)};
   }
 
   /// Puts a node's list behind all others.
@@ -61,8 +67,8 @@ class IntervalLists : public Method {
       count_(Operation::compare_long);
       count_(Operation::branch);
       if (const Interval* const interval = interval_of_[node.primitive]) {
-        put({interval->front, node.primitive});
-        put({interval->back, node.primitive});
+        put(interval->front);
+        put(interval->back);
       }
       return;
     }
@@ -76,7 +82,7 @@ class IntervalLists : public Method {
     count_right(count_);
     visit(node.right);
     count_(Operation::load_long);
-    most_ends_ = std::max<std::uint64_t>(most_ends_, 4 * ends_.size());
+    most_ends_ = std::max<std::uint64_t>(most_ends_, 2 * ends_.size());
     count_(Operation::compare_long);
     count_(Operation::branch);
     // What the right one lacks leaves a union and a difference as they are, and nothing of an intersection.
@@ -87,11 +93,10 @@ class IntervalLists : public Method {
     merge(node.op, begin, middle);
   }
 
-  void put(const End& end) {
+  void put(std::uint32_t depth) {
     count_.list_element();
     count_(Operation::store_long);
-    count_(Operation::store);
-    ends_.push_back(end);
+    ends_.push_back(depth);
   }
 
   static bool holds(model::Operator op, bool left, bool right) {
@@ -112,9 +117,9 @@ class IntervalLists : public Method {
     std::size_t r = 0;
     bool was_in = false;
     while (l < left.size() || r < right.size()) {
-      const bool takes_left = r == right.size() || (l < left.size() && left[l].depth <= right[r].depth);
-      const bool takes_right = l == left.size() || (r < right.size() && right[r].depth <= left[l].depth);
-      const End end = takes_left ? left[l] : right[r];
+      const bool takes_left = r == right.size() || (l < left.size() && left[l] <= right[r]);
+      const bool takes_right = l == left.size() || (r < right.size() && right[r] <= left[l]);
+      const std::uint32_t depth = takes_left ? left[l] : right[r];
       if (takes_left) ++l;
       if (takes_right) ++r;
       count_.list_step();
@@ -126,23 +131,23 @@ class IntervalLists : public Method {
       const bool is_in = holds(op, l % 2 != 0, r % 2 != 0);
       if (is_in == was_in) continue;
       was_in = is_in;
-      merged_.push_back(end);
+      merged_.push_back(depth);
       count_.list_element();
-      count_(Operation::load);
-      count_(Operation::store_long, 2);
-      count_(Operation::store, 2);
+      count_(Operation::store_long);
     }
     ends_.resize(begin);
     ends_.insert(ends_.end(), merged_.begin(), merged_.end());
     count_(Operation::load_long, merged_.size());
-    count_(Operation::load, merged_.size());
+    count_(Operation::store_long, merged_.size());
   }
 
   Subject subject_;
   Count count_;
+  Owners<Count> owners_;
   std::vector<const Interval*> interval_of_;  ///< of each primitive along the ray
-  std::vector<End> ends_;                     ///< lists that wait to be merged, one behind the other
-  std::vector<End> merged_;
+  std::vector<std::uint32_t> ends_;           ///< lists that wait to be merged, one behind the other
+  std::vector<std::uint32_t> merged_;
+  std::vector<std::uint32_t> active_;
   std::uint64_t most_ends_ = 0;  ///< words
 };
 
