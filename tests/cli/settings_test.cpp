@@ -97,10 +97,16 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"fraction-bits", "7"},
                                                  {"alu-bits", "2"},
                                                  {"memory-bits", "96"},
+                                                 {"methods", "\"standard\""},
+                                                 {"coherences", "\"one-list\""},
+                                                 {"shapes", "\"written\""},
+                                                 {"reduced", "\"cells\""},
+                                                 {"processors", "\"mc68000\""},
+                                                 {"with", "\"mc68000:weave\""},
                                                  {"parts", "\"speed\""}};
 
 /// Options that stand in place of others, which they exclude.
-const std::set<std::string> alone{"point", "tolerances"};
+const std::set<std::string> alone{"point", "tolerances", "with"};
 
 std::string sample(const std::string& command, const Key& key) {
   const auto found = samples.find(key.name);

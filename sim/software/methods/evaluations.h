@@ -26,7 +26,7 @@ class Evaluator {
     if (tree_->depth() > Traversal::most_levels) {
       throw InputError("the tree has " + std::to_string(tree_->depth()) + " levels, of " +
                        std::to_string(Traversal::most_levels) +
-                       " that this traversal goes down; take --shape balanced");
+                       " that this traversal goes down; take --shapes balanced");
     }
     traversal_.emplace(*tree_);
   }

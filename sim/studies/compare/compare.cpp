@@ -232,9 +232,11 @@ class Compare : public StudyOf<ComparisonRow> {
     const facet::Geometry scene = facet::make_geometry(tree_);
     const std::vector<Named> machines = named_machines(options_);
     for (const Named& machine : machines) add_jobs(machine, std::nullopt, file.hash, scene);
-    // Software draws the pictures of the first machine.
-    for (const SoftwareChoice& software : software_of(options_.with))
+    // Software draws the pictures of the first machine, of opaque solids.
+    for (const SoftwareChoice& software : software_of(options_.with)) {
+      refuse_see_through(options_.model, tree_, camera_of(options_.model, machines.front().machine, tree_, scene));
       add_jobs({software.name, machines.front().machine}, software, file.hash, scene);
+    }
     std::vector<Asked> asked;
     for (const ComparisonJob& job : jobs_) asked.push_back({to_line(job.point), job.inputs});
     return asked;

@@ -67,6 +67,10 @@ TEST_CASE("convex pieces are geometry in model space: they know neither the view
                   {"host/convex/", "host/csg/positive_tree.h", "host/facet/", "host/model/", "hw/base/"}) == "");
 }
 
+TEST_CASE("methods of software work on what the host has made: they know no machine and no other room of sim") {
+  CHECK(strangers("sim/software", {"sim/software/", "host/", "hw/base/", "hw/machines/"}) == "");
+}
+
 TEST_CASE("the engines share no code: each includes only itself, the engine interface and hw") {
   CHECK(strangers("sim/reference", {"sim/reference/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/"}) == "");
   CHECK(strangers("sim/functional", {"sim/functional/", "sim/engine/", "hw/base/", "hw/isa/", "hw/machines/"}) == "");

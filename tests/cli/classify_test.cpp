@@ -1,0 +1,127 @@
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+#include "places.h"
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+const std::string few =
+    " --methods standard,status,weave --coherences all-points,one-list --processors mc68000,i486dx2";
+
+std::string classify(const std::string& more) {
+  return "classify " + model("thesis_fig_2_3") + " --camera 42,-38,41,10,5.5,2 --size 48x36" + more;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "classify counts by every method and prices it, all methods see the same surfaces, and nothing is done twice") {
+  const Folder folder;
+  const Outcome first = run(classify(" -o " + (folder / "c")));
+  CAPTURE(first.err);
+  REQUIRE(first.code == 0);
+  CHECK(first.out.find("All methods see the same surfaces") != std::string::npos);
+  const nlohmann::json points = json(folder / "c/classify.json")["points"];
+  REQUIRE(points.size() == 7 * 6 + 3);
+  std::set<std::string> surfaces;
+  for (const nlohmann::json& point : points) {
+    CAPTURE(point["method"]);
+    surfaces.insert(point["surfaces"].get<std::string>());
+    CHECK(point["seconds"]["mc68000"]["classification"] > point["seconds"]["i486dx2"]["classification"]);
+    CHECK(point["seconds"]["mc68000"]["all"] >= point["seconds"]["mc68000"]["classification"]);
+  }
+  CHECK(surfaces.size() == 1);
+  CHECK(fs::file_size(folder / "c/classify_balanced_none.svg") > 1000);
+  // As if interrupted: the last line is gone, and half of the one before.
+  const std::string table = content(folder / "c/classify.csv");
+  const std::size_t last = table.rfind('\n', table.size() - 2);
+  write(folder / "c/classify.csv", table.substr(0, table.rfind('\n', last - 1) + 30));
+  REQUIRE(run(classify(" -o " + (folder / "c"))).code == 0);
+  const std::string again = content(folder / "c/classify.csv");
+  CHECK(again.substr(0, last - 200) == table.substr(0, last - 200));
+}
+
+TEST_CASE("prices are applied to what was counted, so that other processors measure nothing anew") {
+  const Folder folder;
+  REQUIRE(run(classify(few + " --no-plots -o " + (folder / "c"))).code == 0);
+  const std::string table = content(folder / "c/classify.csv");
+  REQUIRE(run(classify(" --methods standard,status,weave --coherences all-points,one-list --no-plots --processors "
+                       "mc68000+price.load=24 -o " +
+                       (folder / "c")))
+              .code == 0);
+  CHECK(content(folder / "c/classify.csv") == table);
+  const nlohmann::json dear = json(folder / "c/classify.json")["points"][0]["seconds"];
+  REQUIRE(dear.size() == 1);
+  CHECK(dear.begin().key() == "mc68000+price.load=24");
+}
+
+TEST_CASE("shapes and reduced trees see the same surfaces, and what a traversal cannot do is a row that says why") {
+  const Folder folder;
+  const Outcome outcome =
+      run(classify(" --shapes written,left-deep,balanced --reduced none,cells,inside --no-plots "
+                   "--processors mc68000 -o " +
+                   (folder / "c")));
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(json(folder / "c/classify.json")["points"].size() == 3 * (3 * 42 + 3));
+  std::string deep = "union() {\n";
+  for (int i = 0; i < 30; ++i)
+    deep += "multmatrix([[1,0,0," + std::to_string(i) +
+            "],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [1,1,1], "
+            "center = true); }\n";
+  write(folder / "deep.csg", deep + "}\n");
+  const Outcome refused = run("classify " + (folder / "deep.csg") +
+                              " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
+                              "one-list --processors mc68000");
+  CHECK(refused.code == 0);
+  CHECK(refused.out.find("take --shapes balanced") != std::string::npos);
+  const Outcome alone = run("classify " + (folder / "deep.csg") +
+                            " --size 32x32 --view-all --shapes written --methods bit-parallel --coherences one-list");
+  CHECK(alone.code == 1);
+  CHECK(one_line(alone.err));
+}
+
+TEST_CASE("shards of classify are gathered to the table of one run") {
+  const Folder folder;
+  const std::string common = few + " --no-plots --progress none -o ";
+  REQUIRE(run(classify(common + (folder / "s") + " --shard 1/2")).code == 0);
+  REQUIRE(run(classify(common + (folder / "s") + " --shard 2/2")).code == 0);
+  const Outcome gathered = run("gather " + (folder / "s"));
+  CAPTURE(gathered.err);
+  REQUIRE(gathered.code == 0);
+  CHECK(json(folder / "s/classify.json")["points"].size() == 5);
+}
+
+TEST_CASE("classify refuses what it does not know, with the nearest that there is") {
+  misused("classify " + model("thesis_fig_2_3") + " --methods standrd", "did you mean standard");
+  misused("classify " + model("thesis_fig_2_3") + " --coherences onelist", "did you mean one-list");
+  misused("classify " + model("thesis_fig_2_3") + " --shapes round", "balanced");
+  misused("classify " + model("thesis_fig_2_3") + " --processors mc68001", "mc68000");
+  misused("compare " + model("thesis_fig_2_3") + " --with mc68000", "PROCESSOR:METHOD");
+  misused("compare " + model("thesis_fig_2_3") + " --with mc68000:weave/one-list", "no coherence");
+}
+
+TEST_CASE("compare sets software beside machines, which see the same surfaces, and says what bounds it") {
+  const Folder folder;
+  const Outcome outcome = run("compare " + model("thesis_fig_2_3") +
+                              " --camera 42,-38,41,10,5.5,2 --machines pixel-planes-4,scan-line --sides 24,48 "
+                              "--fragments none --with mc68000:status/one-list,this-computer:weave -o " +
+                              (folder / "c"));
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.out.find("are the same on all machines") != std::string::npos);
+  const nlohmann::json points = json(folder / "c/compare.json")["points"];
+  REQUIRE(points.size() == 4 * 3);
+  for (const nlohmann::json& point : points) {
+    if (point["width"] == points[0]["width"]) CHECK(point["surfaces"] == points[0]["surfaces"]);
+    CHECK(point["simulated_seconds"] > 0);
+  }
+  CHECK(points[6]["machine"] == "mc68000:status/one-list");
+  CHECK(points[6]["bound_by"] == "finding what rays meet");
+  CHECK(points[6]["simulated_seconds"] > points[0]["simulated_seconds"]);
+}
